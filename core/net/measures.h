@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "net/net.h"
+#include "net/topology.h"
+
+namespace chebnet {
+
+/// Deviation of one edge, dL = r + 1/r − 2 with r = length / rest length (Li et al. 2022, eq. 1), computed without
+/// cancellation as (r − 1)²/r. It is (r − 1)² to second order: dL = 1e-6 means 0.1 % of length. Infinite at r = 0.
+inline double deviation(double ratio) { return (ratio - 1) * (ratio - 1) / ratio; }
+
+/// E, the ratio r = length / rest length of every edge. `positions` is 3×V.
+Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions);
+
+/// The largest dL over all edges; infinity if a position is not finite or an edge has no length.
+double max_deviation(const Net& net, const Positions& positions);
+
+/// Smallest and largest angle at a face corner, radians in [0, π].
+struct AngleRange {
+    double smallest, largest;
+};
+AngleRange corner_angle_range(const Net& net, const Positions& positions);
+
+/// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows there.
+Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);
+
+/// Fairness ("bend"): root mean square, over pairs of edges a–x–b at a vertex of valence 3 or 4 that share no face, of
+/// the change from rest of ‖x_a − 2x + x_b‖ / L, where L is the mean rest length of the two edges. 0 for a rigid motion.
+double bend(const Net& net, const Topology& topology, const Positions& positions);
+
+}  // namespace chebnet

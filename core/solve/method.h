@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/options.h"
+#include "solve/trace.h"
+
+namespace chebnet {
+
+/// A way to find positions in which every edge has its length and handles stay where they are. Methods are stateful:
+/// prepare() once for a set of handles, start() once for a solve, iterate() until the status is not `running`.
+class Method {
+public:
+    virtual ~Method() = default;
+
+    /// Does the symbolic work for a set of handle vertices (distinct, in range). Net and topology must outlive the method.
+    virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
+
+    /// Begins a solve at `positions` (3×V), with the handles already at their targets. May move free vertices off
+    /// degenerate places. Returns `running`, or `converged` if nothing is to be done. `reachable` = false says that no
+    /// net exists: find the most even shape and end with `unreachable`.
+    virtual Status start(Positions& positions, const Options& options, bool reachable) = 0;
+
+    /// One iteration: moves free vertices only and fills `row` (all but iteration and total_ms).
+    virtual Status iterate(Positions& positions, TraceRow& row) = 0;
+};
+
+/// One line of the table by which the command line, the page and the tests find a method.
+struct MethodInfo {
+    const char* name;
+    const char* sentence;
+    const char* citation;
+    std::unique_ptr<Method> (*make)();
+};
+std::span<const MethodInfo> method_table();
+/// The name of the method used unless another is asked for.
+inline constexpr std::string_view k_default_method = "li2022";
+/// Throws Error bad_option, naming the known methods.
+std::unique_ptr<Method> make_method(std::string_view name);
+
+}  // namespace chebnet

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace chebnet {
+
+/// The settings of the solvers, named as in the paper. Every method reads what applies to it.
+struct Options {
+    double threshold = 1e-6;            ///< ε_3: converged when max dL is below
+    double energy_tolerance = 1e-6;     ///< ε_1: a stage ends when the energy changes by less than this, relatively
+    double gradient_tolerance = 1e-6;   ///< ε_2: a stage ends when ‖∇E‖ (in units of 1 / mean length) is below
+    int max_iterations = 200;           ///< for one solve
+    double p_start = 2;                 ///< exponent of stage 1
+    double p_end = 50;                  ///< exponent of stages 2 and 3; the only one if adaptive_p is off
+    bool adaptive_p = true;             ///< section 3.3: p_start first, then p_end
+    double switch_deviation = 1e-2;     ///< ε_dL1: p_start until max dL is below
+    bool adaptive_reduction = true;     ///< section 3.3: in stage 3 only the vertices near bad edges stay free
+    double reduction_deviation = 1e-4;  ///< ε_dL2: all vertices free until max dL is below
+    double active_fraction = 0.25;      ///< ε_4 = active_fraction · ε_3: edges with a larger dL keep their ends free
+    int active_rings = 2;               ///< and so many rings of neighbours around them
+};
+
+/// Sets one option from text, e.g. set_option(o, "p_end", "30") or ("adaptive_p", "off"). Booleans take
+/// on/off/true/false/1/0. Throws Error bad_option, naming the known options or the range, if key or value are not valid.
+void set_option(Options& options, std::string_view key, std::string_view value);
+
+/// One line for each option, for help texts and the page: name, default, range and a sentence.
+struct OptionInfo {
+    const char* name;
+    const char* kind;  ///< "number", "integer" or "flag"
+    double smallest, largest;
+    const char* sentence;
+};
+std::span<const OptionInfo> option_table();
+/// The value of an option as a number (flags as 0 or 1). Throws Error bad_option for an unknown name.
+double get_option(const Options& options, std::string_view key);
+
+}  // namespace chebnet

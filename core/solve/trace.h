@@ -1,0 +1,48 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace chebnet {
+
+/// How a solve stands.
+enum class Status {
+    running,         ///< not done yet: the budget ran out first
+    converged,       ///< max dL is below the threshold
+    stalled,         ///< a minimum or a dead end was reached with max dL above the threshold
+    max_iterations,  ///< the limit of iterations was reached first
+    unreachable,     ///< two handles stand farther apart than the net between them is long; the best shape is held
+    non_finite,      ///< a number overflowed; the positions are the last finite ones
+};
+const char* to_string(Status status);
+
+/// What one iteration did.
+struct TraceRow {
+    int iteration = 0;         ///< from 1, counted since the solve was started
+    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3)
+    double p = 0;              ///< exponent of the energy
+    double energy = 0;         ///< E_p after the iteration, the constant 2 per edge subtracted
+    double max_deviation = 0;  ///< max dL after the iteration, over all edges
+    double gradient_norm = 0;  ///< ‖∇E‖ before the step, in units of 1 / mean length
+    double step = 0;           ///< step size accepted by the line search
+    int free_vertices = 0;     ///< vertices that could move
+    double assembly_ms = 0, factorisation_ms = 0, line_search_ms = 0;
+    double total_ms = 0;       ///< time since the solve was started
+};
+using Trace = std::vector<TraceRow>;
+
+/// The trace as CSV: a header line, then a line for each row.
+std::string to_csv(const Trace& trace);
+
+/// What a call of Editor::solve did.
+struct SolveReport {
+    Status status = Status::running;
+    double max_deviation = std::numeric_limits<double>::infinity();  ///< over all edges, at the positions held
+    double milliseconds = 0;                                         ///< of this call
+    double factorisation_ms = 0;                                     ///< part of it
+    int iterations = 0;                                              ///< of this call
+    Trace trace;                                                     ///< a row for each iteration of this call
+};
+
+}  // namespace chebnet

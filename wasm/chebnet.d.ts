@@ -1,0 +1,154 @@
+/**
+ * The core of chebnet in WebAssembly. Arrays cross the border flat and by copy: what you get is yours, what you give may
+ * be reused. Positions are 3 numbers a vertex, x y z, in the net's own unit. Every failure is a thrown `ChebnetError`.
+ */
+
+/** An `Error` whose `code` is a name from core/net/error.h, e.g. "non_manifold_edge", and whose message is the core's. */
+export interface ChebnetError extends Error {
+  code: string;
+}
+
+export type Status = 'running' | 'converged' | 'stalled' | 'max_iterations' | 'unreachable' | 'non_finite';
+
+export interface ShapeParameter {
+  name: string;
+  value: number;
+  smallest: number;
+  largest: number;
+  sentence: string;
+}
+
+export interface ShapeInfo {
+  name: string;
+  title: string;
+  sentence: string;
+  parameters: ShapeParameter[];
+}
+
+export interface MethodInfo {
+  name: string;
+  sentence: string;
+  citation: string;
+}
+
+export interface OptionInfo {
+  name: string;
+  kind: 'number' | 'integer' | 'flag';
+  value: number;
+  smallest: number;
+  largest: number;
+  sentence: string;
+}
+
+export interface NetInfo {
+  vertices: number;
+  edges: number;
+  faces: number;
+  boundaryLoops: number;
+  components: number;
+  /** Inner vertices of valence other than 4: valence → how many. */
+  singularVertices: Record<string, number>;
+  meanLength: number;
+  /** Largest dL of the rest positions against the mean length. */
+  maxDeviationFromMean: number;
+  isChebyshev: boolean;
+}
+
+export interface Handle {
+  vertex: number;
+  target: [number, number, number];
+}
+
+export interface UnreachablePair {
+  vertexA: number;
+  vertexB: number;
+  /** Between the targets. */
+  distance: number;
+  /** Along the net. */
+  reach: number;
+}
+
+export interface TraceRow {
+  iteration: number;
+  stage: number;
+  p: number;
+  energy: number;
+  maxDeviation: number;
+  gradientNorm: number;
+  step: number;
+  freeVertices: number;
+  assemblyMs: number;
+  factorisationMs: number;
+  lineSearchMs: number;
+  totalMs: number;
+}
+
+export interface SolveReport {
+  status: Status;
+  maxDeviation: number;
+  milliseconds: number;
+  factorisationMs: number;
+  iterations: number;
+  trace: TraceRow[];
+}
+
+/** How much one call of `solve` may do; without a field, no limit. */
+export interface Budget {
+  iterations?: number;
+  milliseconds?: number;
+}
+
+/** A net being edited; see core/edit/editor.h, whose contract this follows. */
+export interface Editor {
+  readonly info: NetInfo;
+  /** 2 vertices an edge. */
+  readonly edges: Int32Array;
+  /** Face f is `faceVertices[faceStart[f]] … faceVertices[faceStart[f + 1] - 1]`. */
+  readonly faceStart: Int32Array;
+  readonly faceVertices: Int32Array;
+  readonly restPositions: Float64Array;
+  /** For a net made from a recipe: vertices that make a good first edit, the last the one to drag. Empty otherwise. */
+  readonly suggestedHandles: Int32Array;
+
+  readonly method: string;
+  setMethod(name: string): void;
+  options(): Record<string, number | boolean>;
+  setOption(name: string, value: number | boolean): void;
+
+  handles(): Handle[];
+  setHandles(handles: readonly Handle[]): void;
+  moveHandle(vertex: number, target: readonly [number, number, number]): void;
+
+  /** Goes on with the present solve until it ends or the budget runs out (`running`). */
+  solve(budget?: Budget): SolveReport;
+  /** Back to rest; handles keep their vertices and take the rest positions as targets. */
+  reset(): void;
+
+  positions(): Float64Array;
+  setPositions(positions: Float64Array): void;
+  /** dL of every edge. */
+  deviations(): Float32Array;
+  /** At each vertex the corner angle farthest from a right angle, in radians. */
+  cornerAngles(): Float32Array;
+  /** Root mean square change of the bend of net lines from rest (core/net/measures.h). */
+  bend(): number;
+  /** Pairs of handles that no net can hold, worst first. */
+  unreachablePairs(): UnreachablePair[];
+
+  /** The present positions as OBJ text; 17 digits return every coordinate exactly. */
+  toObj(digits?: number): string;
+  /** Frees the memory on the other side; the editor must not be used again. */
+  dispose(): void;
+}
+
+export interface Chebnet {
+  shapes(): ShapeInfo[];
+  methods(): MethodInfo[];
+  options(): OptionInfo[];
+  openRecipe(recipe: string): Editor;
+  /** `name` is what messages call the text. */
+  openObj(text: string, name?: string): Editor;
+}
+
+/** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */
+export function loadChebnet(source: { wasmUrl?: string; wasmBinary?: ArrayBuffer | Uint8Array }): Promise<Chebnet>;

@@ -1,0 +1,36 @@
+/** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
+ *  it never changes the document itself. */
+import type { ColourMap, Field, HandleData, Vec3 } from '../document/document';
+import type { FrameData, OpenedNet } from '../worker/protocol';
+
+/** What a hand did in the view. */
+export interface ViewEvents {
+  /** A click on a vertex that is no handle. */
+  addHandle(vertex: number): void;
+  /** A click on a handle, or on nothing (null). */
+  selectHandle(vertex: number | null): void;
+  dragStart(vertex: number): void;
+  /** At most once an animation frame. */
+  dragMove(vertex: number, target: Vec3): void;
+  /** `cancelled`: Esc was pressed, the handle goes back to where the drag began. */
+  dragEnd(vertex: number, cancelled: boolean): void;
+  /** The camera came to rest after orbit, pan or zoom. */
+  cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
+}
+
+export interface View {
+  /** Shows another net; frames the camera unless one is given. */
+  showNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
+  /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
+  showFrame(frame: FrameData): void;
+  showHandles(handles: readonly HandleData[], selected: number | null): void;
+  setAppearance(appearance: { field: Field; colourMap: ColourMap; showFaces: boolean }): void;
+  /** Back to a view of the whole net. */
+  frameAll(): void;
+  camera(): { position: Vec3; target: Vec3 };
+  /** Frames drawn in the last second. */
+  framesPerSecond(): number;
+  /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */
+  screenPosition(vertex: number): { x: number; y: number };
+  dispose(): void;
+}
