@@ -55,6 +55,8 @@ public:
     void move_handle(int vertex, const Eigen::Vector3d& target);
     /// Chooses the method by its name in method_table(). Throws Error bad_option.
     void set_method(std::string_view name);
+    /// Uses a method of one's own; `name` is what method() then says.
+    void set_method(std::unique_ptr<Method> method, std::string name);
     /// Throws Error bad_option and then changes nothing.
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; handles then snap to their targets.
@@ -64,9 +66,10 @@ public:
     void reset();
 
     /// Goes on with the present solve until it ends or the budget runs out (status `running`; call again to go on).
-    /// The first call after a change of handles, targets, options or positions starts a new solve from the present
-    /// positions. Never throws over a hard problem: see Status. If handles are out of reach the net is stretched as
-    /// evenly as the first stage can and the status is `unreachable`.
+    /// The first call after a solve has ended, or after a change of handles, targets, options or positions, starts a
+    /// new solve from the present positions. At least one iteration is made unless there is nothing to do. Never throws
+    /// over a hard problem: see Status. If handles are out of reach the net is stretched as evenly as the first stage
+    /// can and the status is `unreachable`.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of handles farther apart than the net allows, worst first. Necessary, not sufficient, for a net to exist.
@@ -78,18 +81,22 @@ public:
 private:
     void snap_handles();
     void restart() { m_running = false; }
+    Status begin_solve();
+    void measure_handle_distances() const;
+    bool are_joined(int a, int b) const;
 
     // On the heap, so that references to them survive moving the editor.
     std::unique_ptr<const Net> m_net;
     std::unique_ptr<const Topology> m_topology;
     Positions m_positions;
     std::vector<Handle> m_handles;
-    std::vector<std::vector<double>> m_handle_distances;  // handles × handles, along the net
+    mutable std::vector<std::vector<double>> m_handle_distances;  // handles × handles along the net, made when needed
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;
     bool m_prepared = false;  // the method knows the present set of handles
     bool m_running = false;   // a solve is under way
+    bool m_reachable = true;  // as far as the handles' distances tell, for the solve under way
     int m_iterations = 0;     // of the solve under way
     double m_elapsed_ms = 0;  // likewise
 };

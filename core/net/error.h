@@ -8,18 +8,18 @@ namespace chebnet {
 /// What was wrong with an input. The name of each code is part of the public interface: it is what JavaScript sees as
 /// `error.code`, and it never changes its meaning.
 enum class ErrorCode {
-    no_faces,             ///< the net has no face at all
-    index_out_of_range,   ///< a face, a handle or a file names a vertex that does not exist
-    repeated_vertex,      ///< one face names a vertex twice, or two handles hold the same vertex
-    small_face,           ///< a face has fewer than three vertices
-    non_finite,           ///< a coordinate, a target or an option is NaN or infinite
-    zero_length_edge,     ///< the two ends of an edge coincide
-    non_manifold_edge,    ///< more than two faces meet at an edge
-    unused_vertex,        ///< a vertex belongs to no face
-    bad_syntax,           ///< a file, a recipe or a JSON text cannot be read; the message names the line
-    bad_option,           ///< an option, a method or a shape of that name does not exist, or its value is out of range
-    too_large,            ///< the input is above a stated limit
-    file_access,          ///< a file cannot be opened or written
+    no_faces,            ///< the net has no face at all
+    index_out_of_range,  ///< a face, a handle or a file names a vertex that does not exist
+    repeated_vertex,     ///< one face names a vertex twice, or two handles hold the same vertex
+    small_face,          ///< a face has fewer than three vertices
+    non_finite,          ///< a coordinate, a target or an option is NaN or infinite
+    zero_length_edge,    ///< the two ends of an edge coincide
+    non_manifold_edge,   ///< more than two faces meet at an edge
+    unused_vertex,       ///< a vertex belongs to no face
+    bad_syntax,          ///< a file, a recipe or a JSON text cannot be read; the message names the line
+    bad_option,          ///< an option, a method or a shape of that name does not exist, or its value is out of range
+    too_large,           ///< the input is above a stated limit
+    file_access,         ///< a file cannot be opened or written
 };
 
 /// The code's name as text, e.g. "non_manifold_edge".

@@ -14,7 +14,9 @@ inline double deviation(double ratio) { return (ratio - 1) * (ratio - 1) / ratio
 /// E, the ratio r = length / rest length of every edge. `positions` is 3×V.
 Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions);
 
-/// The largest dL over all edges; infinity if a position is not finite or an edge has no length.
+/// The largest dL of some edge ratios; infinity if one of them is zero or not finite.
+double max_deviation(const Eigen::VectorXd& ratios);
+/// The largest dL over all edges of a net at `positions`; infinity if one has no length or is not finite.
 double max_deviation(const Net& net, const Positions& positions);
 
 /// Smallest and largest angle at a face corner, radians in [0, π].
@@ -23,11 +25,13 @@ struct AngleRange {
 };
 AngleRange corner_angle_range(const Net& net, const Positions& positions);
 
-/// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows there.
+/// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows
+/// there.
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);
 
 /// Fairness ("bend"): root mean square, over pairs of edges a–x–b at a vertex of valence 3 or 4 that share no face, of
-/// the change from rest of ‖x_a − 2x + x_b‖ / L, where L is the mean rest length of the two edges. 0 for a rigid motion.
+/// the change from rest of ‖x_a − 2x + x_b‖ / L, where L is the mean rest length of the two edges. 0 for a rigid
+/// motion.
 double bend(const Net& net, const Topology& topology, const Positions& positions);
 
 }  // namespace chebnet

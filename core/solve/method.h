@@ -18,7 +18,8 @@ class Method {
 public:
     virtual ~Method() = default;
 
-    /// Does the symbolic work for a set of handle vertices (distinct, in range). Net and topology must outlive the method.
+    /// Does the symbolic work for a set of handle vertices (distinct, in range). Net and topology must outlive the
+    /// method.
     virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
 
     /// Begins a solve at `positions` (3×V), with the handles already at their targets. May move free vertices off

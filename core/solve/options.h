@@ -23,7 +23,8 @@ struct Options {
 };
 
 /// Sets one option from text, e.g. set_option(o, "p_end", "30") or ("adaptive_p", "off"). Booleans take
-/// on/off/true/false/1/0. Throws Error bad_option, naming the known options or the range, if key or value are not valid.
+/// on/off/true/false/1/0. Throws Error bad_option, naming the known options or the range, if key or value are not
+/// valid.
 void set_option(Options& options, std::string_view key, std::string_view value);
 
 /// One line for each option, for help texts and the page: name, default, range and a sentence.

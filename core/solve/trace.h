@@ -28,7 +28,7 @@ struct TraceRow {
     double step = 0;           ///< step size accepted by the line search
     int free_vertices = 0;     ///< vertices that could move
     double assembly_ms = 0, factorisation_ms = 0, line_search_ms = 0;
-    double total_ms = 0;       ///< time since the solve was started
+    double total_ms = 0;  ///< time since the solve was started
 };
 using Trace = std::vector<TraceRow>;
 

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "command.h"
+#include "edit_file.h"
+#include "report.h"
+#include "solver_arguments.h"
+
+namespace chebnet {
+namespace {
+
+struct DragArguments {
+    SolverArguments solver;
+    int frames = 0;
+};
+
+/// The point at fraction t of the way: exactly the ends at t = 0 and t = 1, and exactly at rest if both are equal.
+Eigen::Vector3d between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double t) {
+    return from.binaryExpr(to, [t](double a, double b) { return std::lerp(a, b, t); });
+}
+
+std::vector<Handle> at_rest(std::vector<Handle> handles, const Net& net) {
+    for (Handle& handle : handles) handle.target = net.rest_positions().col(handle.vertex);
+    return handles;
+}
+
+void move_handles(Editor& editor, const std::vector<Handle>& goal, double t) {
+    for (const auto& [vertex, target] : goal)
+        editor.move_handle(vertex, between(editor.net().rest_positions().col(vertex), target, t));
+}
+
+/// One solve for each frame. The handles stand at rest before the first, as when a user takes hold of one.
+std::vector<SolveReport> drag(Editor& editor, const std::vector<Handle>& goal, int frame_count) {
+    editor.set_handles(at_rest(goal, editor.net()));
+    std::vector<SolveReport> frames;
+    for (int frame = 1; frame <= frame_count; ++frame) {
+        move_handles(editor, goal, static_cast<double>(frame) / frame_count);
+        frames.push_back(editor.solve());
+    }
+    return frames;
+}
+
+/// The traces of all frames as one table, with the frame as its first column.
+std::string to_csv(const std::vector<SolveReport>& frames) {
+    std::string csv;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        std::istringstream lines(chebnet::to_csv(frames[i].trace));
+        std::string line;
+        std::getline(lines, line);
+        if (i == 0) csv += "frame," + line + '\n';
+        while (std::getline(lines, line)) csv += std::to_string(i + 1) + ',' + line + '\n';
+    }
+    return csv;
+}
+
+std::vector<double> sorted_milliseconds(const std::vector<SolveReport>& frames) {
+    std::vector<double> times;
+    for (const SolveReport& frame : frames) times.push_back(frame.milliseconds);
+    std::ranges::sort(times);
+    return times;
+}
+
+/// With linear interpolation between neighbours.
+double quantile(const std::vector<double>& sorted, double q) {
+    const double place = q * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const auto above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+Json frame_list(const std::vector<SolveReport>& frames) {
+    Json list = Json::array();
+    for (const SolveReport& frame : frames)
+        list.push_back({{"frame", list.size() + 1},
+                        {"status", to_string(frame.status)},
+                        {"iterations", frame.iterations},
+                        {"max_dL", frame.max_deviation},
+                        {"milliseconds", frame.milliseconds}});
+    return list;
+}
+
+Json drag_report(const DragArguments& arguments, const Editor& editor, const std::vector<SolveReport>& frames) {
+    const auto times = sorted_milliseconds(frames);
+    Json report{{"net", arguments.solver.net},
+                {"method", editor.method()},
+                {"status", to_string(frames.back().status)},
+                {"median_milliseconds", quantile(times, 0.5)},
+                {"percentile_95_milliseconds", quantile(times, 0.95)}};
+    report.update(shape_report(editor));
+    report["frames"] = frame_list(frames);
+    return report;
+}
+
+int run_drag(const DragArguments& arguments) {
+    Editor editor = open_editor(arguments.solver);
+    const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
+    const auto frames = drag(editor, goal, arguments.frames);
+    write_results(arguments.solver, editor, to_csv(frames));
+    print(drag_report(arguments, editor, frames));
+    const auto has_converged = [](const SolveReport& frame) { return frame.status == Status::converged; };
+    return std::ranges::all_of(frames, has_converged) ? k_success : k_not_converged;
+}
+
+}  // namespace
+
+Command add_drag(CLI::App& program) {
+    CLI::App& command =
+        *program.add_subcommand("drag", "Move handles to their targets frame by frame and report, as JSON");
+    const auto arguments = std::make_shared<DragArguments>();
+    add_solver_arguments(command, arguments->solver);
+    command.add_option("--frames", arguments->frames, "Number of equal steps from rest to the targets")
+        ->required()
+        ->check(CLI::Range(1, 100000))
+        ->type_name("N");
+    return {&command, [arguments] { return run_drag(*arguments); }};
+}
+
+}  // namespace chebnet

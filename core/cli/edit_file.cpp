@@ -1,0 +1,73 @@
+#include "edit_file.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+#include "io/obj.h"
+#include "net/error.h"
+
+namespace chebnet {
+namespace {
+
+using nlohmann::json;
+
+json parse_json(const std::string& path) {
+    try {
+        return json::parse(read_file(path));
+    } catch (const json::exception& error) {
+        // The library puts its own name, "[json.exception.…] ", in front of what is wrong and where.
+        const std::string what = error.what();
+        throw Error(ErrorCode::bad_syntax, path + ": not valid JSON: " + what.substr(what.find("] ") + 2));
+    }
+}
+
+const json& member(const json& object, const char* key, const std::string& where) {
+    const auto found = object.find(key);
+    if (found == object.end()) throw Error(ErrorCode::bad_syntax, where + " has no \"" + key + "\"");
+    return *found;
+}
+
+int read_vertex(const json& value, int vertex_count, const std::string& where) {
+    if (!value.is_number_integer()) throw Error(ErrorCode::bad_syntax, where + " is not an integer");
+    if (value < 0 || value >= vertex_count)
+        throw Error(ErrorCode::index_out_of_range,
+                    where + " is " + value.dump() + ", but the vertices are 0 to " + std::to_string(vertex_count - 1));
+    return value.get<int>();
+}
+
+Eigen::Vector3d read_target(const json& value, const std::string& where) {
+    const auto is_number = [](const json& entry) { return entry.is_number(); };
+    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, is_number))
+        throw Error(ErrorCode::bad_syntax, where + " is not a list of three numbers");
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+Handle read_handle(const json& value, int vertex_count, const std::string& where) {
+    if (!value.is_object()) throw Error(ErrorCode::bad_syntax, where + " is not an object");
+    return {read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
+            read_target(member(value, "target", where), where + ".target")};
+}
+
+}  // namespace
+
+std::vector<Handle> read_edit(const std::string& path, int vertex_count) {
+    const json edit = parse_json(path);
+    if (!edit.is_object()) throw Error(ErrorCode::bad_syntax, path + ": not a JSON object");
+    const json& list = member(edit, "handles", path + ":");
+    if (!list.is_array()) throw Error(ErrorCode::bad_syntax, path + ": \"handles\" is not a list");
+
+    std::vector<Handle> handles;
+    std::unordered_map<int, std::size_t> handle_of_vertex;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string where = path + ": handles[" + std::to_string(i) + "]";
+        handles.push_back(read_handle(list[i], vertex_count, where));
+        const auto [earlier, is_new] = handle_of_vertex.emplace(handles.back().vertex, i);
+        if (!is_new)
+            throw Error(ErrorCode::repeated_vertex, where + " holds vertex " + std::to_string(earlier->first) +
+                                                        ", as handles[" + std::to_string(earlier->second) + "] does");
+    }
+    return handles;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "edit/editor.h"
+
+namespace chebnet {
+
+/// Reads an edit, `{"handles": [{"vertex": i from 0, "target": [x, y, z]}, …]}`, for a net of `vertex_count` vertices.
+/// Other keys are passed over. Throws Error file_access, too_large, bad_syntax, index_out_of_range, repeated_vertex;
+/// each message names the file and the handle, from 0.
+std::vector<Handle> read_edit(const std::string& path, int vertex_count);
+
+}  // namespace chebnet

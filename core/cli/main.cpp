@@ -1,0 +1,46 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "command.h"
+
+namespace {
+
+using namespace chebnet;
+
+int run(int argc, char** argv) {
+    CLI::App program("Editor for discrete Chebyshev nets: nets of edges that keep their length.", "chebnet");
+    program.set_version_flag("--version", "chebnet " CHEBNET_VERSION);
+    program.require_subcommand(1);
+    program.footer(
+        "A NET is an OBJ file, or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
+        "Exit codes: 0 done and converged, 1 did not converge, 2 bad usage or input.");
+    const Command commands[] = {add_info(program), add_make(program), add_solve(program), add_drag(program)};
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        return program.exit(help_or_version);
+    }
+    return std::ranges::find_if(commands, [](const Command& c) { return c.arguments->parsed(); })->run();
+}
+
+/// Names and values from the command line may hold line breaks; an error is one line whatever they hold.
+std::string one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return std::iscntrl(c); }, ' ');
+    return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "chebnet: " << one_line(error.what()) << '\n';
+        return k_bad_input;
+    }
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "edit/editor.h"
+
+namespace chebnet {
+
+/// Keys keep the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+/// How the net stands now: max dL, handle error, bend, corner angles, and handle pairs that are out of reach.
+Json shape_report(const Editor& editor);
+
+/// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
+void print(const Json& report);
+
+}  // namespace chebnet

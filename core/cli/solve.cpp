@@ -1,0 +1,50 @@
+#include <map>
+#include <memory>
+
+#include "command.h"
+#include "edit_file.h"
+#include "report.h"
+#include "solver_arguments.h"
+
+namespace chebnet {
+namespace {
+
+Json iterations_by_stage(const Trace& trace) {
+    std::map<int, int> counts;
+    for (const TraceRow& row : trace) ++counts[row.stage];
+    Json stages = Json::object();
+    for (const auto& [stage, count] : counts) stages[std::to_string(stage)] = count;
+    return stages;
+}
+
+Json solve_report(const SolverArguments& arguments, const Editor& editor, const SolveReport& solved) {
+    Json report{{"net", arguments.net},
+                {"method", editor.method()},
+                {"status", to_string(solved.status)},
+                {"iterations", solved.iterations},
+                {"iterations_by_stage", iterations_by_stage(solved.trace)},
+                {"milliseconds", solved.milliseconds},
+                {"factorisation_milliseconds", solved.factorisation_ms}};
+    report.update(shape_report(editor));
+    return report;
+}
+
+int run_solve(const SolverArguments& arguments) {
+    Editor editor = open_editor(arguments);
+    editor.set_handles(read_edit(arguments.edit, editor.net().vertex_count()));
+    const SolveReport solved = editor.solve();
+    write_results(arguments, editor, to_csv(solved.trace));
+    print(solve_report(arguments, editor, solved));
+    return solved.status == Status::converged ? k_success : k_not_converged;
+}
+
+}  // namespace
+
+Command add_solve(CLI::App& program) {
+    CLI::App& command = *program.add_subcommand("solve", "Move handles to their targets at once and report, as JSON");
+    const auto arguments = std::make_shared<SolverArguments>();
+    add_solver_arguments(command, *arguments);
+    return {&command, [arguments] { return run_solve(*arguments); }};
+}
+
+}  // namespace chebnet

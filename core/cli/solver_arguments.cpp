@@ -1,0 +1,72 @@
+#include "solver_arguments.h"
+
+#include "io/obj.h"
+#include "net/error.h"
+#include "net_argument.h"
+#include "text_table.h"
+
+namespace chebnet {
+namespace {
+
+std::string method_list() {
+    std::vector<std::vector<std::string>> rows;
+    for (const MethodInfo& method : method_table())
+        rows.push_back({method.name, std::string(method.sentence) + " (" + method.citation + ")"});
+    return "Methods:\n" + text_table(rows);
+}
+
+std::string default_text(const OptionInfo& option) {
+    const double value = get_option(Options{}, option.name);
+    return std::string_view(option.kind) == "flag" ? (value != 0 ? "on" : "off") : to_text(value);
+}
+
+std::string range_text(const OptionInfo& option) {
+    return std::string_view(option.kind) == "flag" ? "on, off"
+                                                   : to_text(option.smallest) + " to " + to_text(option.largest);
+}
+
+std::string option_list() {
+    std::vector<std::vector<std::string>> rows;
+    for (const OptionInfo& option : option_table())
+        rows.push_back({option.name, default_text(option), range_text(option), option.sentence});
+    return "Options for --set (default, range, meaning):\n" + text_table(rows);
+}
+
+void set_option(Editor& editor, const std::string& setting) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) throw Error(ErrorCode::bad_option, "--set wants key=value, but found " + setting);
+    editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
+}
+
+}  // namespace
+
+void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
+    add_net_argument(command, arguments.net);
+    command.add_option("--edit", arguments.edit, R"({"handles": [{"vertex": 0, "target": [x, y, z]}, ...]})")
+        ->required()
+        ->type_name("EDIT.json");
+    command.add_option("--method", arguments.method, "Method, see below")->type_name("NAME")->capture_default_str();
+    command.add_option("--threshold", arguments.threshold, "Short for --set threshold=...")->type_name("NUMBER");
+    command.add_option("--max-iterations", arguments.max_iterations, "Short for --set max_iterations=...")
+        ->type_name("NUMBER");
+    command.add_option("--set", arguments.settings, "Options of the solver, see below")->type_name("KEY=VALUE");
+    command.add_option("-o,--output", arguments.output, "Write the edited net, as OBJ")->type_name("OUT.obj");
+    command.add_option("--trace", arguments.trace, "Write one line for each iteration, as CSV")->type_name("TRACE.csv");
+    command.footer([] { return method_list() + '\n' + option_list(); });
+}
+
+Editor open_editor(const SolverArguments& arguments) {
+    Editor editor(load_net(arguments.net));
+    editor.set_method(arguments.method);
+    if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
+    if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
+    for (const std::string& setting : arguments.settings) set_option(editor, setting);
+    return editor;
+}
+
+void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {
+    if (!arguments.output.empty()) write_file(arguments.output, write_obj(editor.positions(), editor.net().faces()));
+    if (!arguments.trace.empty()) write_file(arguments.trace, trace_csv);
+}
+
+}  // namespace chebnet

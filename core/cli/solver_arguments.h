@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/editor.h"
+
+namespace chebnet {
+
+/// What `solve` and `drag` have in common. Options stay text here: the core reads and checks them.
+struct SolverArguments {
+    std::string net, edit;
+    std::string method{k_default_method};
+    std::string threshold, max_iterations;  ///< empty: the default
+    std::vector<std::string> settings;      ///< each "key=value"
+    std::string output, trace;              ///< files to write; empty: none
+};
+
+/// Declares the arguments and lists methods and options in the command's help.
+void add_solver_arguments(CLI::App& command, SolverArguments& arguments);
+
+/// The net with method and options as asked for, at rest, without handles. Throws Error.
+Editor open_editor(const SolverArguments& arguments);
+
+/// Writes the files that were asked for. Throws Error file_access.
+void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);
+
+}  // namespace chebnet

@@ -1,0 +1,27 @@
+#include "io/text.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace chebnet {
+
+std::optional<double> parse_number(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = fast_float::from_chars(text.data(), end, number);
+    if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
+    return number;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string shown(text.substr(0, longest));
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return '"' + shown + (text.size() > longest ? "...\"" : "\"");
+}
+
+}  // namespace chebnet

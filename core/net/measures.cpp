@@ -1,0 +1,110 @@
+#include "net/measures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace chebnet {
+
+namespace {
+
+/// Calls visit(vertex, angle) for every corner of every face.
+template <typename Visit>
+void for_each_corner(const Net& net, const Positions& x, Visit visit) {
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        const std::size_t n = face.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const int v = face[k];
+            const Eigen::Vector3d to_next = x.col(face[(k + 1) % n]) - x.col(v);
+            const Eigen::Vector3d to_previous = x.col(face[(k + n - 1) % n]) - x.col(v);
+            visit(v, std::atan2(to_next.cross(to_previous).norm(), to_next.dot(to_previous)));
+        }
+    }
+}
+
+/// Whether a face has both neighbours a and b next to the vertex whose corners are given.
+bool share_face(const std::vector<std::pair<int, int>>& corners, int a, int b) {
+    return std::any_of(corners.begin(), corners.end(), [&](const std::pair<int, int>& corner) {
+        return (corner.first == a && corner.second == b) || (corner.first == b && corner.second == a);
+    });
+}
+
+/// V, for each vertex the pairs of neighbours (next, previous) of its face corners.
+std::vector<std::vector<std::pair<int, int>>> corners_by_vertex(const Net& net) {
+    std::vector<std::vector<std::pair<int, int>>> corners(static_cast<std::size_t>(net.vertex_count()));
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        const std::size_t n = face.size();
+        for (std::size_t k = 0; k < n; ++k) corners[face[k]].emplace_back(face[(k + 1) % n], face[(k + n - 1) % n]);
+    }
+    return corners;
+}
+
+}  // namespace
+
+Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions) {
+    Eigen::VectorXd ratios(net.edge_count());
+    for (int e = 0; e < net.edge_count(); ++e)
+        ratios[e] =
+            (positions.col(net.edges()(0, e)) - positions.col(net.edges()(1, e))).norm() / net.rest_lengths()[e];
+    return ratios;
+}
+
+double max_deviation(const Eigen::VectorXd& ratios) {
+    double largest = 0;
+    for (double r : ratios) {
+        const double dL = deviation(r);
+        if (!std::isfinite(dL)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, dL);
+    }
+    return largest;
+}
+
+double max_deviation(const Net& net, const Positions& positions) { return max_deviation(edge_ratios(net, positions)); }
+
+AngleRange corner_angle_range(const Net& net, const Positions& positions) {
+    AngleRange range{std::numbers::pi, 0};
+    for_each_corner(net, positions, [&](int, double angle) {
+        range.smallest = std::min(range.smallest, angle);
+        range.largest = std::max(range.largest, angle);
+    });
+    return range;
+}
+
+Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {
+    const double right = std::numbers::pi / 2;
+    Eigen::VectorXd farthest = Eigen::VectorXd::Constant(net.vertex_count(), right);
+    for_each_corner(net, positions, [&](int v, double angle) {
+        if (std::abs(angle - right) > std::abs(farthest[v] - right)) farthest[v] = angle;
+    });
+    return farthest;
+}
+
+double bend(const Net& net, const Topology& topology, const Positions& positions) {
+    const auto corners = corners_by_vertex(net);
+    const Positions& rest = net.rest_positions();
+    double sum = 0;
+    long pairs = 0;
+    for (int v = 0; v < net.vertex_count(); ++v) {
+        if (topology.valence(v) != 3 && topology.valence(v) != 4) continue;
+        const std::span<const int> neighbours = topology.neighbours(v), edges = topology.incident_edges(v);
+        for (std::size_t i = 0; i < neighbours.size(); ++i)
+            for (std::size_t j = i + 1; j < neighbours.size(); ++j) {
+                const int a = neighbours[i], b = neighbours[j];
+                if (share_face(corners[v], a, b)) continue;
+                const double length = (net.rest_lengths()[edges[i]] + net.rest_lengths()[edges[j]]) / 2;
+                const auto curvature = [&](const Positions& x) {
+                    return (x.col(a) - 2 * x.col(v) + x.col(b)).norm() / length;
+                };
+                const double change = curvature(positions) - curvature(rest);
+                sum += change * change;
+                ++pairs;
+            }
+    }
+    return pairs > 0 ? std::sqrt(sum / static_cast<double>(pairs)) : 0;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,126 @@
+#include "net/topology.h"
+
+#include <limits>
+#include <queue>
+
+namespace chebnet {
+
+Topology::Topology(const Net& net)
+    : m_net(net),
+      m_start(static_cast<std::size_t>(net.vertex_count()) + 1, 0),
+      m_neighbours(2 * static_cast<std::size_t>(net.edge_count())),
+      m_incident_edges(m_neighbours.size()),
+      m_is_boundary(static_cast<std::size_t>(net.vertex_count()), false) {
+    const Eigen::Matrix2Xi& edges = net.edges();
+    for (int e = 0; e < net.edge_count(); ++e)
+        for (int side = 0; side < 2; ++side) ++m_start[edges(side, e) + 1];
+    for (std::size_t v = 1; v < m_start.size(); ++v) m_start[v] += m_start[v - 1];
+
+    // The smaller neighbours of a vertex come first, then the larger: as edges are in lexicographic order, both runs
+    // are ascending.
+    std::vector<int> next(m_start.begin(), m_start.end() - 1);
+    for (int side = 1; side >= 0; --side)
+        for (int e = 0; e < net.edge_count(); ++e) {
+            const int slot = next[edges(side, e)]++;
+            m_neighbours[slot] = edges(1 - side, e);
+            m_incident_edges[slot] = e;
+        }
+
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 1)
+            for (int side = 0; side < 2; ++side) m_is_boundary[edges(side, e)] = true;
+}
+
+std::span<const int> Topology::neighbours(int vertex) const {
+    return {m_neighbours.data() + m_start[vertex], m_neighbours.data() + m_start[vertex + 1]};
+}
+
+std::span<const int> Topology::incident_edges(int vertex) const {
+    return {m_incident_edges.data() + m_start[vertex], m_incident_edges.data() + m_start[vertex + 1]};
+}
+
+std::vector<std::vector<int>> Topology::boundary_loops() const {
+    std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
+    const auto next_slot = [&](int vertex) {
+        for (int slot = m_start[vertex]; slot < m_start[vertex + 1]; ++slot) {
+            const int e = m_incident_edges[slot];
+            if (m_net.edge_face_counts()[e] == 1 && !walked[e]) return slot;
+        }
+        return -1;
+    };
+    // Every vertex has an even number of boundary edges (each of its fans of faces has two ends), so a walk along
+    // unwalked edges ends where it began. Whenever it meets itself, what lies between is a loop of its own.
+    std::vector<std::vector<int>> loops;
+    std::vector<int> place_in_walk(static_cast<std::size_t>(m_net.vertex_count()), -1);
+    for (int origin = 0; origin < m_net.vertex_count(); ++origin) {
+        std::vector<int> walk{origin};
+        place_in_walk[origin] = 0;
+        for (int slot = next_slot(origin); slot >= 0; slot = next_slot(walk.back())) {
+            walked[m_incident_edges[slot]] = true;
+            const int vertex = m_neighbours[slot];
+            if (const int place = place_in_walk[vertex]; place >= 0) {
+                loops.emplace_back(walk.begin() + place, walk.end());
+                for (int v : loops.back()) place_in_walk[v] = -1;
+                walk.resize(static_cast<std::size_t>(place));
+            }
+            place_in_walk[vertex] = static_cast<int>(walk.size());
+            walk.push_back(vertex);
+        }
+        place_in_walk[origin] = -1;
+    }
+    return loops;
+}
+
+int Topology::component_count() const {
+    std::vector<bool> seen(static_cast<std::size_t>(m_net.vertex_count()), false);
+    int components = 0;
+    std::vector<int> stack;
+    for (int root = 0; root < m_net.vertex_count(); ++root) {
+        if (seen[root]) continue;
+        ++components;
+        seen[root] = true;
+        stack.push_back(root);
+        while (!stack.empty()) {
+            const int v = stack.back();
+            stack.pop_back();
+            for (int n : neighbours(v))
+                if (!seen[n]) {
+                    seen[n] = true;
+                    stack.push_back(n);
+                }
+        }
+    }
+    return components;
+}
+
+std::map<int, int> Topology::singular_vertices() const {
+    std::map<int, int> counts;
+    for (int v = 0; v < m_net.vertex_count(); ++v)
+        if (!is_boundary(v) && valence(v) != 4) ++counts[valence(v)];
+    return counts;
+}
+
+std::vector<double> Topology::distances_from(int source) const {
+    std::vector<double> distance(static_cast<std::size_t>(m_net.vertex_count()),
+                                 std::numeric_limits<double>::infinity());
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    distance[source] = 0;
+    queue.emplace(0.0, source);
+    while (!queue.empty()) {
+        const auto [d, v] = queue.top();
+        queue.pop();
+        if (d > distance[v]) continue;  // an older, longer way to v
+        for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot) {
+            const int n = m_neighbours[slot];
+            const double along = d + m_net.rest_lengths()[m_incident_edges[slot]];
+            if (along < distance[n]) {
+                distance[n] = along;
+                queue.emplace(along, n);
+            }
+        }
+    }
+    return distance;
+}
+
+}  // namespace chebnet

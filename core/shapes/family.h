@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "net/net.h"
+#include "shapes/shapes.h"
+
+namespace chebnet {
+
+/// The values of one shape's parameters, each within its range.
+class Values {
+public:
+    explicit Values(std::span<const ShapeParameter> parameters);
+    /// `name` must be one of the parameters.
+    double operator[](std::string_view name) const { return m_values[index(name)]; }
+    double& operator[](std::string_view name) { return m_values[index(name)]; }
+
+private:
+    std::size_t index(std::string_view name) const;
+
+    std::span<const ShapeParameter> m_parameters;
+    std::vector<double> m_values;
+};
+
+/// One kind of shape: its line of the gallery, and how it is made.
+struct Family {
+    ShapeInfo info;
+    Shape (*make)(const Values& values);
+};
+
+extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant;
+
+/// The parameter that every family has.
+constexpr ShapeParameter vertices_parameter(double value) {
+    return {"vertices", value, 100, 100000, "About how many vertices the net has."};
+}
+
+/// A surface whose edges all have one length, before it has its size and place.
+struct Surface {
+    Positions positions;
+    Faces faces;
+};
+
+/// The net of `surface`, 10 units across, centred over the origin and standing on the ground z = 0.
+Net place_net(Surface surface);
+
+}  // namespace chebnet

@@ -1,0 +1,32 @@
+#include "shapes/box_figure.h"
+#include "shapes/family.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr ShapeParameter k_parameters[] = {
+    vertices_parameter(2000),
+    {"arm", 1.2, 0.3, 5, "Length of each arm divided by its width."},
+};
+
+Shape make(const Values& values) {
+    const double reach = 1 + 2 * values["arm"];
+    const Eigen::Vector3d ones(1, 1, 1);
+    Box boxes[3];
+    std::vector<Eigen::Vector3d> tips;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d tip = reach * Eigen::Vector3d::Unit(axis);
+        const Eigen::Vector3d corner = tip.cwiseMax(ones);
+        boxes[axis] = {-corner, corner};
+        tips.insert(tips.end(), {-tip, tip});
+    }
+    return make_box_figure(boxes, values["vertices"], tips);
+}
+
+}  // namespace
+
+constinit const Family k_jack = {
+    {"jack", "Jack", "Six square arms about one cube. Its net lines meet in threes and sixes.", k_parameters}, make};
+
+}  // namespace chebnet

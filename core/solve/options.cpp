@@ -1,0 +1,115 @@
+#include "solve/options.h"
+
+#include <fast_float/fast_float.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "net/error.h"
+
+namespace chebnet {
+
+namespace {
+
+using Member = std::variant<double Options::*, int Options::*, bool Options::*>;
+
+struct Entry {
+    OptionInfo info;
+    Member member;
+};
+
+constexpr const char* k_number = "number";
+constexpr const char* k_integer = "integer";
+constexpr const char* k_flag = "flag";
+
+const Entry k_entries[] = {
+    {{"threshold", k_number, 1e-24, 1, "Converged when the largest dL is below this (ε3)."}, &Options::threshold},
+    {{"energy_tolerance", k_number, 0, 1, "A stage ends when the energy changes by less than this part of it (ε1)."},
+     &Options::energy_tolerance},
+    {{"gradient_tolerance", k_number, 0, 1e6, "A stage ends when the gradient's norm is below this (ε2)."},
+     &Options::gradient_tolerance},
+    {{"max_iterations", k_integer, 0, 1e6, "A solve gives up after so many iterations."}, &Options::max_iterations},
+    {{"p_start", k_number, 1.5, 200, "Exponent of the energy while edges are far from their length."},
+     &Options::p_start},
+    {{"p_end", k_number, 1.5, 200, "Exponent that evens out the last deviations."}, &Options::p_end},
+    {{"adaptive_p", k_flag, 0, 1, "Begin with the small exponent; off: the large one from the start."},
+     &Options::adaptive_p},
+    {{"switch_deviation", k_number, 0, 1e6, "The large exponent takes over when the largest dL is below this."},
+     &Options::switch_deviation},
+    {{"adaptive_reduction", k_flag, 0, 1, "Near the end, move only the vertices close to edges that are still off."},
+     &Options::adaptive_reduction},
+    {{"reduction_deviation", k_number, 0, 1e6, "Variables are reduced when the largest dL is below this."},
+     &Options::reduction_deviation},
+    {{"active_fraction", k_number, 0, 1, "An edge is off while its dL is above this part of the threshold (ε4)."},
+     &Options::active_fraction},
+    {{"active_rings", k_integer, 0, 100, "Rings of neighbours that stay free around an edge that is off."},
+     &Options::active_rings},
+};
+
+const Entry& find_entry(std::string_view key) {
+    std::string known;
+    for (const Entry& entry : k_entries) {
+        if (key == entry.info.name) return entry;
+        known += known.empty() ? "" : ", ";
+        known += entry.info.name;
+    }
+    throw Error(ErrorCode::bad_option, "unknown option \"" + std::string(key) + "\"; known are " + known);
+}
+
+[[noreturn]] void refuse(const OptionInfo& info, std::string_view value) {
+    const std::string shown(value.substr(0, 40));
+    std::string wanted = "on or off";
+    if (info.kind != k_flag) {
+        char range[64];
+        std::snprintf(range, sizeof range, " from %g to %g", info.smallest, info.largest);
+        wanted = std::string(info.kind == k_integer ? "a whole number" : "a number") + range;
+    }
+    throw Error(ErrorCode::bad_option,
+                "option " + std::string(info.name) + " must be " + wanted + ", not \"" + shown + "\"");
+}
+
+bool parse_flag(const OptionInfo& info, std::string_view value) {
+    if (value == "on" || value == "true" || value == "1") return true;
+    if (value == "off" || value == "false" || value == "0") return false;
+    refuse(info, value);
+}
+
+double parse_number(const OptionInfo& info, std::string_view value) {
+    double number = 0;
+    const char* end = value.data() + value.size();
+    const auto [stop, error] = fast_float::from_chars(value.data(), end, number);
+    const bool in_range = number >= info.smallest && number <= info.largest;  // false for NaN
+    const bool whole = info.kind != k_integer || number == std::floor(number);
+    if (error != std::errc() || stop != end || !in_range || !whole) refuse(info, value);
+    return number;
+}
+
+}  // namespace
+
+void set_option(Options& options, std::string_view key, std::string_view value) {
+    const Entry& entry = find_entry(key);
+    if (const auto* flag = std::get_if<bool Options::*>(&entry.member))
+        options.** flag = parse_flag(entry.info, value);
+    else if (const auto* integer = std::get_if<int Options::*>(&entry.member))
+        options.** integer = static_cast<int>(parse_number(entry.info, value));
+    else
+        options.*std::get<double Options::*>(entry.member) = parse_number(entry.info, value);
+}
+
+double get_option(const Options& options, std::string_view key) {
+    return std::visit([&](auto member) { return static_cast<double>(options.*member); }, find_entry(key).member);
+}
+
+std::span<const OptionInfo> option_table() {
+    static const auto table = [] {
+        std::vector<OptionInfo> infos;
+        for (const Entry& entry : k_entries) infos.push_back(entry.info);
+        return infos;
+    }();
+    return table;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,202 @@
+#include "solve/staged_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "net/measures.h"
+#include "solve/degenerate_edges.h"
+#include "solve/stopwatch.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
+constexpr int k_max_halvings = 40;
+// A reduced iteration must bring max dL below this part of what it was. One with all vertices free brings it to about a
+// ninth: the majorizer's step is 2/3 of what is needed, and dL is quadratic.
+constexpr double k_reduced_progress = 0.5;
+// When no net exists there is nothing to be exact about: the shape is even enough when the energy falls by less than
+// this part of it. Going on to the minimum takes hundreds of iterations that nobody can see.
+constexpr double k_unreachable_progress = 1e-3;
+
+}  // namespace
+
+void StagedNewton::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
+    m_net = &net;
+    m_topology = &topology;
+    m_is_free.assign(static_cast<std::size_t>(net.vertex_count()), true);
+    for (int v : handle_vertices) m_is_free[v] = false;
+    m_all = std::make_unique<FreePart>(net, m_is_free);
+}
+
+Status StagedNewton::start(Positions& positions, const Options& options, bool reachable) {
+    m_options = options;
+    m_reachable = reachable;
+    m_reduction_allowed = options.adaptive_reduction;
+    open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
+    enter_stage(options.adaptive_p ? 1 : 2);
+    measure(positions);
+    if (m_max_deviation < m_options.threshold) return Status::converged;
+    if (!std::isfinite(m_total_energy)) return Status::non_finite;
+    if (m_all->size() == 0) return reachable ? Status::stalled : Status::unreachable;
+    return Status::running;
+}
+
+Status StagedNewton::iterate(Positions& positions, TraceRow& row) {
+    Stopwatch watch;
+    choose_stage();
+    measure(positions);  // the exponent may have changed
+    std::unique_ptr<FreePart> reduced;
+    if (m_stage == 3) reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges(), m_all.get());
+    FreePart& part = reduced ? *reduced : *m_all;
+
+    const Eigen::Matrix3Xd gradient = assemble(part, positions);
+    row.stage = m_stage;
+    row.p = m_p;
+    row.free_vertices = part.size();
+    row.gradient_norm = gradient.norm() * m_net->mean_length();
+    row.assembly_ms = watch.milliseconds();
+
+    watch.restart();
+    const bool factorised = part.system().factorize();
+    Eigen::Matrix3Xd direction;
+    if (factorised) direction = -part.system().solve(gradient);
+    row.factorisation_ms = watch.milliseconds();
+
+    watch.restart();
+    const double energy_before = m_total_energy, deviation_before = m_max_deviation;
+    const bool usable = factorised && direction.allFinite();
+    const LineSearch search =
+        usable ? search_line(part, positions, direction, gradient.cwiseProduct(direction).sum()) : LineSearch{0, false};
+    measure(positions);
+    row.step = search.step;
+    row.energy = m_total_energy;
+    row.max_deviation = m_max_deviation;
+    row.line_search_ms = watch.milliseconds();
+
+    if (m_max_deviation < m_options.threshold) return Status::converged;
+    if (!factorised && !gradient.allFinite()) return Status::non_finite;
+    const double change = std::abs(energy_before - m_total_energy);
+    const double tolerance = m_reachable ? m_options.energy_tolerance : k_unreachable_progress;
+    if (!search.accepted || change <= tolerance * energy_before || row.gradient_norm < m_options.gradient_tolerance)
+        return at_minimum();
+    if (m_stage == 3 && m_max_deviation > k_reduced_progress * deviation_before) free_all_vertices();
+    return Status::running;
+}
+
+/// Stages only go forward within one solve.
+void StagedNewton::choose_stage() {
+    int stage = m_stage;
+    if (stage == 1 && m_reachable && m_max_deviation < m_options.switch_deviation) stage = 2;
+    if (stage == 2 && m_reduction_allowed && m_max_deviation < m_options.reduction_deviation) stage = 3;
+    if (stage != m_stage) enter_stage(stage);
+}
+
+void StagedNewton::enter_stage(int stage) {
+    m_stage = stage;
+    m_p = stage == 1 ? m_options.p_start : m_options.p_end;
+    m_energy = m_make_energy(m_p);
+}
+
+/// The energy can fall no further with this stage's exponent and free vertices.
+Status StagedNewton::at_minimum() {
+    if (!m_reachable) return Status::unreachable;
+    if (m_stage == 2) return Status::stalled;
+    if (m_stage == 3)
+        free_all_vertices();
+    else
+        enter_stage(2);
+    return Status::running;
+}
+
+void StagedNewton::free_all_vertices() {
+    m_reduction_allowed = false;
+    enter_stage(2);
+}
+
+/// Section 3.3: the ends of edges with dL > ε_4 and their rings of neighbours.
+std::vector<bool> StagedNewton::vertices_near_bad_edges() const {
+    const double active_deviation = m_options.active_fraction * m_options.threshold;
+    std::vector<bool> reached(m_is_free.size(), false);
+    std::vector<int> front;
+    const auto reach = [&](int v) {
+        if (reached[v]) return;
+        reached[v] = true;
+        front.push_back(v);
+    };
+    for (int e = 0; e < m_net->edge_count(); ++e)
+        if (deviation(m_ratios[e]) > active_deviation)
+            for (int side = 0; side < 2; ++side) reach(m_net->edges()(side, e));
+    for (int ring = 0; ring < m_options.active_rings; ++ring) {
+        std::vector<int> previous;
+        previous.swap(front);
+        for (int v : previous)
+            for (int n : m_topology->neighbours(v)) reach(n);
+    }
+    for (std::size_t v = 0; v < reached.size(); ++v) reached[v] = reached[v] && m_is_free[v];
+    return reached;
+}
+
+/// Fills the part's system with the curvature of its edges and returns the gradient, 3×nodes.
+Eigen::Matrix3Xd StagedNewton::assemble(FreePart& part, const Positions& positions) const {
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, part.size());
+    BlockSystem& system = part.system();
+    system.set_zero();
+    for (const FreePart::Edge& edge : part.edges()) {
+        const double L = m_net->rest_lengths()[edge.index], r = m_ratios[edge.index];
+        const Eigen::Vector3d u =
+            (positions.col(m_net->edges()(0, edge.index)) - positions.col(m_net->edges()(1, edge.index))) / (r * L);
+        const Eigen::Vector3d force = m_energy->slope(r) / L * u;
+        if (edge.node_a >= 0) gradient.col(edge.node_a) += force;
+        if (edge.node_b >= 0) gradient.col(edge.node_b) -= force;
+
+        const Curvature c = m_energy->curvature(r);
+        const Eigen::Matrix3d B =
+            (c.tangential * Eigen::Matrix3d::Identity() + (c.radial - c.tangential) * u * u.transpose()) / (L * L);
+        if (edge.link >= 0)
+            system.add_at_link(edge.link, B);
+        else
+            system.add_at_node(std::max(edge.node_a, edge.node_b), B);
+    }
+    return gradient;
+}
+
+double StagedNewton::energy(const FreePart& part, const Positions& positions) const {
+    double sum = 0;
+    for (const FreePart::Edge& edge : part.edges()) {
+        const auto difference =
+            positions.col(m_net->edges()(0, edge.index)) - positions.col(m_net->edges()(1, edge.index));
+        const double r = difference.norm() / m_net->rest_lengths()[edge.index];
+        sum += r > 0 ? m_energy->value(r) : std::numeric_limits<double>::infinity();
+    }
+    return sum;
+}
+
+/// Armijo backtracking from the full step; on failure the positions stay.
+StagedNewton::LineSearch StagedNewton::search_line(const FreePart& part, Positions& positions,
+                                                   const Eigen::Matrix3Xd& direction, double slope) const {
+    const double before = energy(part, positions);
+    const Positions origin = positions;
+    double step = 1;
+    for (int halving = 0; halving <= k_max_halvings; ++halving, step /= 2) {
+        for (int i = 0; i < part.size(); ++i) {
+            const int v = part.vertices()[i];
+            positions.col(v) = origin.col(v) + step * direction.col(i);
+        }
+        if (energy(part, positions) <= before + k_sufficient_decrease * step * slope) return {step, true};
+    }
+    positions = origin;
+    return {0, false};
+}
+
+/// Updates what is known of the present positions.
+void StagedNewton::measure(const Positions& positions) {
+    m_ratios = edge_ratios(*m_net, positions);
+    m_max_deviation = max_deviation(m_ratios);
+    m_total_energy = 0;
+    for (const FreePart::Edge& edge : m_all->edges()) m_total_energy += m_energy->value(m_ratios[edge.index]);
+}
+
+}  // namespace chebnet

@@ -1,0 +1,239 @@
+/** What a visitor does: look, drag, cancel, add, remove, undo, open files; by real pointer, keyboard and file events. */
+import { join } from 'node:path';
+import { copyFileSync } from 'node:fs';
+import type { Browser } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { distance, dragBy, largestDeviation, largestError } from './geometry';
+import { OUTPUT, README_PICTURE, Script, launch, newPage, serve } from './page';
+
+const SHAPE = 'vault:vertices=1000';
+
+const chebnet = await load();
+const reference = chebnet.openRecipe(SHAPE);
+const { edges, restPositions, suggestedHandles } = reference;
+const { meanLength } = reference.info;
+const dragged = suggestedHandles.at(-1)!;
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serve>>;
+let visit: Awaited<ReturnType<typeof newPage>>;
+let script: Script;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launch(), serve()]);
+});
+afterAll(async () => {
+  await browser.close();
+  site.close();
+});
+
+beforeEach(async () => {
+  visit = await newPage(browser);
+  script = new Script(visit.page);
+  await visit.page.goto(site.address);
+  await script.waitForNet();
+});
+afterEach(async () => {
+  const { complaints } = visit;
+  await visit.close();
+  expect(complaints).toEqual([]);
+});
+
+test('a visitor sees a net within two seconds, with handles and a line that says what to do', async () => {
+  const fresh = await newPage(browser);
+  const began = Date.now();
+  await fresh.page.goto(site.address);
+  await new Script(fresh.page).waitForNet();
+  const waited = Date.now() - began;
+  console.log(`first net after ${waited} ms`);
+  expect(waited).toBeLessThan(2000);
+  expect((await new Script(fresh.page).stats()).handles).toBeGreaterThan(1);
+  expect(await fresh.page.locator('body').innerText()).toMatch(/drag/i);
+  expect(fresh.complaints).toEqual([]);
+  await fresh.close();
+});
+
+test('the page brings its own strict content security policy', async () => {
+  const meta = visit.page.locator('meta[http-equiv="Content-Security-Policy" i]');
+  const policy = (await meta.getAttribute('content')) ?? '';
+  expect(policy).toMatch(/script-src/);
+  expect(policy).not.toMatch(/'unsafe-eval'/);
+  expect(/script-src([^;]*)/.exec(policy)?.[1]).not.toMatch(/unsafe-inline|\*|https?:/);
+});
+
+test('the first net can be looked at', async () => {
+  await script.settled();
+  await visit.page.screenshot({ path: join(OUTPUT, 'first-desktop.png') });
+  await visit.page.setViewportSize({ width: 390, height: 844 });
+  await visit.page.waitForTimeout(500);
+  await visit.page.screenshot({ path: join(OUTPUT, 'first-phone.png') });
+  const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+});
+
+describe('on a vault', () => {
+  beforeEach(async () => {
+    await script.open({ recipe: SHAPE });
+    await script.settled();
+  });
+
+  test('the page shows the net that was asked for', async () => {
+    const stats = await script.stats();
+    expect(stats).toMatchObject({ vertices: reference.info.vertices, edges: reference.info.edges });
+    expect(stats.handles).toBe(suggestedHandles.length);
+    expect(largestError(await script.positions(), restPositions)).toBeLessThan(1e-9);
+  });
+
+  test('dragging a handle moves the net, and every edge keeps its length', async () => {
+    const before = await script.position(dragged);
+    const frames: number[] = [];
+    await dragBy(script, dragged, [-70, -50], { during: async () => void frames.push((await script.stats()).iterations) });
+    await script.settled();
+    const stats = await script.stats();
+    const positions = await script.positions();
+    await visit.page.screenshot({ path: join(OUTPUT, 'dragged-desktop.png') });
+
+    expect(stats.status).toBe('converged');
+    expect(stats.maxDeviation).toBeLessThan(1e-6);
+    expect(stats.milliseconds).toBeGreaterThan(0);
+    expect(stats.framesPerSecond).toBeGreaterThan(0);
+    expect(stats.method).toBe('li2022');
+    expect(largestDeviation(positions, edges, meanLength)).toBeLessThan(1.001e-6);
+    expect(distance(await script.position(dragged), before)).toBeGreaterThan(meanLength);
+    for (const anchor of suggestedHandles.slice(0, -1)) {
+      const rest = Array.from(restPositions.subarray(3 * anchor, 3 * anchor + 3));
+      expect(distance(await script.position(anchor), rest)).toBeLessThan(1e-9);
+    }
+  });
+
+  test('the net follows while the pointer is still down', async () => {
+    const before = await script.positions();
+    let during = before;
+    await dragBy(script, dragged, [-60, -40], {
+      atEnd: async () => {
+        await visit.page.waitForTimeout(500);
+        during = await script.positions();
+      },
+    });
+    const free = [...before.keys()].filter((i) => !suggestedHandles.includes(Math.floor(i / 3)));
+    expect(Math.max(...free.map((i) => Math.abs(before[i]! - during[i]!)))).toBeGreaterThan(0.1 * meanLength);
+  });
+
+  test('Escape cancels a drag', async () => {
+    const before = await script.position(dragged);
+    await dragBy(script, dragged, [-70, -50], { atEnd: () => visit.page.keyboard.press('Escape') });
+    await script.settled();
+    expect(distance(await script.position(dragged), before)).toBeLessThan(1e-9);
+    expect((await script.stats()).status).toBe('converged');
+  });
+
+  test('undo takes back a whole drag, redo repeats it', async () => {
+    const before = await script.positions();
+    await dragBy(script, dragged, [-70, -50]);
+    await script.settled();
+    const after = await script.positions();
+    await visit.page.keyboard.press('Control+z');
+    await script.settled();
+    expect(largestError(await script.positions(), before)).toBeLessThan(1e-6 * meanLength);
+    await visit.page.keyboard.press('Control+Shift+z');
+    await script.settled();
+    expect(largestError(await script.positions(), after)).toBeLessThan(1e-6 * meanLength);
+  });
+
+  test('a click adds a handle, Delete removes it, undo brings it back', async () => {
+    const place = await script.screenPosition(middleVertex());
+    await visit.page.mouse.click(place.x, place.y);
+    await expectHandles(suggestedHandles.length + 1);
+    await visit.page.mouse.click(place.x, place.y);
+    await visit.page.keyboard.press('Delete');
+    await expectHandles(suggestedHandles.length);
+    await visit.page.keyboard.press('Control+z');
+    await expectHandles(suggestedHandles.length + 1);
+  });
+
+  test('dragging beside the net turns the view and moves nothing', async () => {
+    const before = await script.screenPosition(dragged);
+    const canvas = (await visit.page.locator('canvas').first().boundingBox())!;
+    await visit.page.mouse.move(canvas.x + 12, canvas.y + canvas.height / 2);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(canvas.x + 120, canvas.y + canvas.height / 2, { steps: 5 });
+    await visit.page.mouse.up();
+    await visit.page.waitForTimeout(300);
+    const after = await script.screenPosition(dragged);
+    expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+    expect(largestError(await script.positions(), restPositions)).toBeLessThan(1e-9);
+  });
+
+  test('a handle out of reach is named, and the net recovers', async () => {
+    const home = await script.position(dragged);
+    await script.move(dragged, [home[0], home[1], home[2] + 1000]);
+    await script.settled();
+    expect((await script.stats()).status).toBe('unreachable');
+    expect((await script.positions()).every(Number.isFinite)).toBe(true);
+    const pair = new RegExp(`${suggestedHandles.slice(0, -1).join('|')}`);
+    const text = await visit.page.locator('body').innerText();
+    expect(text).toMatch(new RegExp(`\\b${dragged}\\b`));
+    expect(text).toMatch(pair);
+    expect(text).toMatch(/reach/i);
+    await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
+
+    await script.move(dragged, home);
+    await script.settled();
+    expect((await script.stats()).status).toBe('converged');
+    expect(largestDeviation(await script.positions(), edges, meanLength)).toBeLessThan(1.001e-6);
+  });
+
+  test('an OBJ opens by script and by file', async () => {
+    const small = chebnet.openRecipe('vault:vertices=300');
+    const { vertices } = small.info;
+    const obj = small.toObj();
+    small.dispose();
+    await script.open({ obj });
+    expect((await script.stats()).vertices).toBe(vertices);
+
+    const file = { name: 'vault.obj', mimeType: 'model/obj', buffer: Buffer.from(reference.toObj()) };
+    const chooser = visit.page.waitForEvent('filechooser');
+    await visit.page.getByRole('button', { name: /open/i }).first().click();
+    await (await chooser).setFiles(file);
+    await visit.page.waitForFunction(
+      (count) => (window as unknown as { chebnet: { stats(): { vertices: number } } }).chebnet.stats().vertices === count,
+      reference.info.vertices,
+    );
+  });
+
+  test('a bad OBJ is refused with code and message, and the net stays', async () => {
+    const refused = await visit.page.evaluate(async () => {
+      const api = (window as unknown as { chebnet: { open(net: { obj: string }): Promise<unknown> } }).chebnet;
+      return api.open({ obj: 'v 0 0 0\nf 1 2 3\n' }).then(
+        () => null,
+        (error: Error & { code: string }) => ({ isError: error instanceof Error, code: error.code, message: error.message }),
+      );
+    });
+    expect(refused).toMatchObject({ isError: true, code: 'index_out_of_range' });
+    expect(refused?.message).toMatch(/2/);
+    expect((await script.stats()).vertices).toBe(reference.info.vertices);
+  });
+});
+
+test.runIf(process.env['CHEBNET_SCREENSHOT'])('the picture for the README', async () => {
+  await script.settled();
+  await visit.page.waitForTimeout(1000);
+  await visit.page.screenshot({ path: join(OUTPUT, 'readme.png') });
+  copyFileSync(join(OUTPUT, 'readme.png'), README_PICTURE);
+});
+
+/** The vertex nearest to the middle of the net's box, seen from above: in plain sight and no handle. */
+function middleVertex(): number {
+  const points = [...Array(reference.info.vertices).keys()].map((v) => restPositions.subarray(3 * v, 3 * v + 3));
+  const middle = [0, 1].map((k) => {
+    const values = points.map((point) => point[k]!);
+    return (Math.min(...values) + Math.max(...values)) / 2;
+  });
+  const far = (point: Float64Array) => Math.hypot(point[0]! - middle[0]!, point[1]! - middle[1]!);
+  return points.reduce((best, point, v) => (far(point) < far(points[best]!) ? v : best), 0);
+}
+
+async function expectHandles(count: number) {
+  await expect.poll(async () => (await script.stats()).handles, { timeout: 5000 }).toBe(count);
+}

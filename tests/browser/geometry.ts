@@ -1,0 +1,52 @@
+/** Lengths computed by the tests themselves, and a hand on the pointer. */
+import type { Script } from './page';
+
+export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
+}
+
+/** dL of the worst edge against `length`. */
+export function largestDeviation(positions: Float64Array, edges: Int32Array, length: number): number {
+  let largest = 0;
+  for (let e = 0; e < edges.length; e += 2) {
+    const [a, b] = [3 * edges[e]!, 3 * edges[e + 1]!];
+    const ratio = distance(positions.subarray(a, a + 3), positions.subarray(b, b + 3)) / length;
+    const deviation = ratio + 1 / ratio - 2;
+    if (!(deviation <= largest)) largest = deviation; // NaN must not pass
+  }
+  return largest;
+}
+
+/** Largest difference of a coordinate. */
+export function largestError(a: Float64Array, b: Float64Array): number {
+  if (a.length !== b.length) return Infinity;
+  let largest = 0;
+  a.forEach((value, i) => {
+    const difference = Math.abs(value - b[i]!);
+    if (!(difference <= largest)) largest = difference;
+  });
+  return largest;
+}
+
+interface Watching {
+  /** After each move of the pointer. */
+  during?(): Promise<void>;
+  /** Before the button is let go. */
+  atEnd?(): Promise<void>;
+}
+
+/** Drags the handle at a vertex across the screen with the mouse. */
+export async function dragBy(script: Script, vertex: number, [dx, dy]: [number, number], watching: Watching = {}) {
+  const { mouse } = script.page;
+  const { x, y } = await script.screenPosition(vertex);
+  const steps = 10;
+  await mouse.move(x, y);
+  await mouse.down();
+  for (let i = 1; i <= steps; ++i) {
+    await mouse.move(x + (dx * i) / steps, y + (dy * i) / steps);
+    await script.page.waitForTimeout(30);
+    await watching.during?.();
+  }
+  await watching.atEnd?.();
+  await mouse.up();
+}

@@ -1,0 +1,171 @@
+/** The built page in a real browser: a server for it, the browser, and an eye on everything it complains about. */
+import { existsSync, mkdirSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { chromium } from 'playwright-core';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const DIST = join(ROOT, 'web/dist');
+export const README_PICTURE = join(ROOT, 'web/screenshot.png');
+export const OUTPUT = join(ROOT, 'tests/output');
+mkdirSync(OUTPUT, { recursive: true });
+
+const TYPES: Record<string, string> = {
+  '.css': 'text/css',
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+};
+
+/** No eval, no script or style of others, nothing from elsewhere; in the page and, other than by its meta element, in the
+ *  worker. `style` elements and attributes are what uPlot and three.js need. */
+const POLICY = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "worker-src 'self'",
+  "connect-src 'self'",
+  "img-src 'self' data: blob:",
+  "style-src 'self' 'unsafe-inline'",
+].join('; ');
+
+/** Serves the built page below a folder, as any host of static files might. */
+export async function serve(): Promise<{ address: string; close(): void }> {
+  const server = createServer((request, response) => {
+    const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
+    const file = join(DIST, path === '/' ? 'index.html' : path);
+    readFile(file).then(
+      (body) => {
+        const type = TYPES[extname(file)] ?? 'application/octet-stream';
+        response.writeHead(200, { 'content-type': type, 'content-security-policy': POLICY }).end(body);
+      },
+      () => response.writeHead(404).end(),
+    );
+  });
+  await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
+  const { port } = server.address() as AddressInfo;
+  return {
+    address: `http://127.0.0.1:${port}/some/folder/`,
+    close: () => {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+export function launch(): Promise<Browser> {
+  const executablePath = [process.env['CHROMIUM'] ?? '', '/usr/bin/chromium'].find(existsSync);
+  if (executablePath === undefined) throw new Error('no Chromium: install it or set CHROMIUM to its path');
+  return chromium.launch({
+    executablePath,
+    args: [
+      '--no-sandbox',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+    ],
+  });
+}
+
+/** What the browser itself says about drawing in software. */
+const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/];
+
+/** A page in a context of its own. `complaints` collects every error and warning. */
+export async function newPage(browser: Browser, options: BrowserContextOptions = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    permissions: ['clipboard-read', 'clipboard-write'],
+    ...options,
+  });
+  const page = await context.newPage();
+  const complaints: string[] = [];
+  page.on('console', (message) => {
+    const serious = ['error', 'warning', 'assert'].includes(message.type());
+    if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error.stack ?? error)));
+  page.on('requestfailed', (request) => complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.url()}: ${response.status()}`);
+  });
+  page.on('crash', () => complaints.push('the page crashed'));
+  return { page, complaints, close: () => context.close() };
+}
+
+/** What these tests use of `window.chebnet`. */
+export interface Scripting {
+  open(net: { recipe: string } | { obj: string }): Promise<unknown>;
+  setHandles(handles: { vertex: number; target?: [number, number, number] }[]): unknown;
+  move(vertex: number, target: [number, number, number]): unknown;
+  settled(): Promise<unknown>;
+  positions(): Float64Array | Float32Array;
+  stats(): {
+    vertices: number;
+    edges: number;
+    handles: number;
+    status: string;
+    maxDeviation: number;
+    iterations: number;
+    milliseconds: number;
+    framesPerSecond: number;
+    method: string;
+  };
+  setOptions(options: Record<string, unknown>): unknown;
+  on(event: 'frame' | 'settled' | 'error', listener: (what: unknown) => void): unknown;
+  screenPosition(vertex: number): { x: number; y: number };
+}
+
+type Scripted = { chebnet?: Scripting };
+
+/** `window.chebnet` from outside: each call runs in the page. */
+export class Script {
+  constructor(readonly page: Page) {}
+
+  async waitForNet() {
+    await this.page.waitForFunction(() => ((window as Scripted).chebnet?.stats().vertices ?? 0) > 0);
+  }
+
+  open(net: Parameters<Scripting['open']>[0]) {
+    return this.page.evaluate(async (each) => void (await (window as Scripted).chebnet!.open(each)), net);
+  }
+
+  setHandles(handles: Parameters<Scripting['setHandles']>[0]) {
+    return this.page.evaluate(async (each) => void (await (window as Scripted).chebnet!.setHandles(each)), handles);
+  }
+
+  move(vertex: number, target: [number, number, number]) {
+    const both = [vertex, target] as const;
+    return this.page.evaluate(async ([v, t]) => void (await (window as Scripted).chebnet!.move(v, t)), both);
+  }
+
+  settled() {
+    return this.page.evaluate(async () => void (await (window as Scripted).chebnet!.settled()));
+  }
+
+  stats() {
+    return this.page.evaluate(() => (window as Scripted).chebnet!.stats());
+  }
+
+  screenPosition(vertex: number) {
+    return this.page.evaluate((v) => (window as Scripted).chebnet!.screenPosition(v), vertex);
+  }
+
+  async positions() {
+    return Float64Array.from(await this.page.evaluate(() => Array.from((window as Scripted).chebnet!.positions())));
+  }
+
+  async position(vertex: number): Promise<[number, number, number]> {
+    const [x = NaN, y = NaN, z = NaN] = (await this.positions()).subarray(3 * vertex, 3 * vertex + 3);
+    return [x, y, z];
+  }
+}

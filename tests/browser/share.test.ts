@@ -1,0 +1,74 @@
+/** Links: what one visitor copies, another one sees. */
+import type { Browser } from 'playwright-core';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { distance, dragBy } from './geometry';
+import { Script, launch, newPage, serve } from './page';
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serve>>;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launch(), serve()]);
+});
+afterAll(async () => {
+  await browser.close();
+  site.close();
+});
+
+/** Opens an address as somebody who was never here before. */
+async function arrive(address: string) {
+  const visit = await newPage(browser);
+  const script = new Script(visit.page);
+  await visit.page.goto(address);
+  await script.waitForNet();
+  return { ...visit, script };
+}
+
+test('a copied link shows the same scene', async () => {
+  const recipe = 'vault:vertices=1000';
+  const reference = (await load()).openRecipe(recipe);
+  const dragged = reference.suggestedHandles.at(-1)!;
+  const { meanLength, vertices } = reference.info;
+
+  const sender = await arrive(site.address);
+  await sender.script.open({ recipe });
+  await dragBy(sender.script, dragged, [-60, -40]);
+  await sender.script.settled();
+  await sender.page.getByRole('button', { name: /copy link|share/i }).first().click();
+  await sender.page.waitForTimeout(500);
+  const link = await sender.page.evaluate(() => navigator.clipboard.readText());
+  console.log(`link of ${link.length} characters`);
+  expect(link.startsWith(`${site.address}#`)).toBe(true);
+  expect(link.length).toBeLessThan(8000);
+
+  const receiver = await arrive(link);
+  await receiver.script.settled();
+  const [sent, received] = [await sender.script.positions(), await receiver.script.positions()];
+  expect(received).toHaveLength(3 * vertices);
+  const errors = Array.from({ length: vertices }, (_, v) =>
+    distance(sent.subarray(3 * v, 3 * v + 3), received.subarray(3 * v, 3 * v + 3)),
+  );
+  expect(Math.max(...errors)).toBeLessThan(1e-4 * meanLength);
+  expect((await receiver.script.stats()).handles).toBe((await sender.script.stats()).handles);
+  const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
+  expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
+
+  for (const visit of [sender, receiver]) {
+    expect(visit.complaints).toEqual([]);
+    await visit.close();
+  }
+});
+
+test.each(['#nonsense', '#v=999&d=AAAA', '#%E0%A4%A', `#${'A'.repeat(5000)}`])('a broken link (%.12s) shows the first net and says so', async (hash) => {
+  const usual = await arrive(site.address);
+  const broken = await arrive(site.address + hash);
+  await expect.poll(() => broken.page.locator('[role=alert], [role=status]').allInnerTexts()).toContainEqual(
+    expect.stringMatching(/link/i),
+  );
+  expect((await broken.script.stats()).vertices).toBe((await usual.script.stats()).vertices);
+  for (const visit of [usual, broken]) {
+    expect(visit.complaints).toEqual([]);
+    await visit.close();
+  }
+});

@@ -1,0 +1,323 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "io/obj.h"
+#include "net/measures.h"
+#include "program.h"
+#include "shapes/shapes.h"
+#include "solve/method.h"
+#include "solve/options.h"
+
+using namespace chebnet;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+const std::string k_recipe = "vault:vertices=400";
+
+json edit_entry(int vertex, const Eigen::Vector3d& target) {
+    return {{"vertex", vertex}, {"target", {target.x(), target.y(), target.z()}}};
+}
+
+/// Anchors at rest; the last handle goes the given fraction of the way to the middle of the net.
+json pull_edit(double fraction) {
+    const Shape shape = make_shape(k_recipe);
+    const Positions& rest = shape.net.rest_positions();
+    const Eigen::Vector3d middle = rest.rowwise().mean();
+    json edit{{"handles", json::array()}, {"comment", "passed over"}};
+    for (const int vertex : shape.suggested_handles) {
+        const double t = vertex == shape.suggested_handles.back() ? fraction : 0;
+        edit["handles"].push_back(edit_entry(vertex, (1 - t) * rest.col(vertex) + t * middle));
+    }
+    return edit;
+}
+
+/// The two ends of the net, a hundred nets apart.
+json unreachable_edit() { return {{"handles", {edit_entry(0, {0, 0, 0}), edit_entry(399 / 2, {1000, 0, 0})}}}; }
+
+int line_count(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+int sum(const json& counts) {
+    return std::accumulate(counts.begin(), counts.end(), 0, [](int n, const json& c) { return n + c.get<int>(); });
+}
+
+double handle_distance(const Positions& positions, const json& edit) {
+    double largest = 0;
+    for (const json& handle : edit["handles"]) {
+        const auto target = handle["target"].get<std::array<double, 3>>();
+        const Eigen::Vector3d position = positions.col(handle["vertex"].get<int>());
+        largest = std::max(largest, (position - Eigen::Vector3d::Map(target.data())).norm());
+    }
+    return largest;
+}
+
+/// A saved result, measured against the lengths of the net it came from.
+double max_deviation_of_file(const Sandbox& box, const std::string& name) {
+    return max_deviation(make_shape(k_recipe).net, read_obj(box.read(name), name).positions);
+}
+
+void check_shape_report(const json& report) {
+    for (const char* key : {"max_dL", "max_handle_error", "bend"}) CHECK(report.at(key).is_number());
+    CHECK(report.at("unreachable_pairs").is_array());
+    CHECK(report.at("smallest_corner_angle_degrees") > 0);
+    CHECK(report.at("largest_corner_angle_degrees") <= 180);
+}
+
+/// A user sees exit code 2, nothing on standard output, and one line that holds `what`.
+void check_refused(const Run& run, const std::string& what) {
+    CHECK(run.exit_code == 2);
+    CHECK(run.out.empty());
+    CHECK(line_count(run.err) == 1);
+    CHECK_THAT(run.err, Catch::Matchers::StartsWith("chebnet: ") && Contains(what));
+}
+
+}  // namespace
+
+TEST_CASE("help and version answer on standard output") {
+    const Sandbox box;
+    for (const char* arguments : {"--help", "info --help", "make --help", "solve --help", "drag --help", "--version"}) {
+        const Run run = box.run(arguments);
+        INFO(arguments);
+        CHECK(run.exit_code == 0);
+        CHECK(run.err.empty());
+        CHECK_THAT(run.out, Contains("chebnet") || Contains("Usage"));
+    }
+}
+
+TEST_CASE("the help of solve and drag lists every method and option") {
+    const Sandbox box;
+    for (const char* arguments : {"solve --help", "drag --help"}) {
+        const std::string help = box.run(arguments).out;
+        for (const MethodInfo& method : method_table()) CHECK_THAT(help, Contains(method.name));
+        for (const OptionInfo& option : option_table()) CHECK_THAT(help, Contains(option.name));
+    }
+}
+
+TEST_CASE("make --list shows every shape with its parameters") {
+    const Run run = Sandbox().run("make --list");
+    CHECK(run.exit_code == 0);
+    for (const ShapeInfo& shape : shape_table()) {
+        CHECK_THAT(run.out, Contains(shape.name));
+        for (const ShapeParameter& parameter : shape.parameters) CHECK_THAT(run.out, Contains(parameter.name));
+    }
+}
+
+TEST_CASE("info describes a recipe, and the same for the file made from it") {
+    const Sandbox box;
+    for (const ShapeInfo& shape : shape_table()) {
+        const std::string recipe = std::string(shape.name) + ":vertices=300";
+        INFO(recipe);
+        CHECK(box.run("make " + recipe + " -o net.obj").exit_code == 0);
+        json of_recipe = box.run("info " + recipe).json(), of_file = box.run("info net.obj").json();
+        CHECK(of_recipe.at("max_dL") < 1e-20);
+        CHECK(of_recipe.at("chebyshev") == true);
+        for (const char* key : {"vertices", "edges", "faces", "components"}) CHECK(of_recipe.at(key) > 0);
+        CHECK(of_recipe.at("boundary_loops") >= 0);
+        CHECK(of_recipe.at("mean_length") > 0);
+        CHECK(of_recipe.at("singular_vertices_by_valence").is_object());
+        of_recipe.erase("net"), of_file.erase("net");
+        CHECK(of_recipe == of_file);
+    }
+}
+
+TEST_CASE("info measures lengths against their mean") {
+    const Sandbox box;
+    box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
+    const json info = box.run("info kite.obj").json();
+    CHECK(info.at("mean_length") == 2);
+    CHECK(info.at("max_dL").get<double>() == Approx(0.5 + 1 / 0.5 - 2));
+    CHECK(info.at("chebyshev") == false);
+    CHECK(info.at("boundary_loops") == 1);
+}
+
+TEST_CASE("solve reports, and writes the net and the trace") {
+    const Sandbox box;
+    const json edit = pull_edit(0.2);
+    box.write("pull.json", edit.dump());
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json -o out.obj --trace trace.csv");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+
+    const json report = run.json();
+    check_shape_report(report);
+    CHECK(report.at("net") == k_recipe);
+    CHECK(report.at("method") == std::string(k_default_method));
+    CHECK(report.at("status") == "converged");
+    CHECK(report.at("max_dL") < 1e-6);
+    CHECK(report.at("max_handle_error") == 0);
+    CHECK(report.at("iterations") > 0);
+    CHECK(report.at("iterations") == sum(report.at("iterations_by_stage")));
+    CHECK(report.at("milliseconds") >= report.at("factorisation_milliseconds"));
+
+    CHECK(max_deviation_of_file(box, "out.obj") == report.at("max_dL"));
+    CHECK(handle_distance(read_obj(box.read("out.obj"), "out.obj").positions, edit) == 0);
+    CHECK(line_count(box.read("trace.csv")) == report.at("iterations").get<int>() + 1);
+}
+
+TEST_CASE("every method solves by its name") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.1).dump());
+    for (const MethodInfo& method : method_table()) {
+        const Run run = box.run("solve " + k_recipe + " --edit pull.json --method " + method.name);
+        INFO(method.name << run.err);
+        CHECK(run.exit_code <= 1);
+        CHECK(run.json().at("method") == method.name);
+    }
+}
+
+TEST_CASE("options reach the solver, by short names too") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const std::string solve = "solve " + k_recipe + " --edit pull.json ";
+    const json loose = box.run(solve + "--threshold 1e-3").json();
+    CHECK(loose.at("iterations") < box.run(solve).json().at("iterations"));
+    CHECK(loose.at("iterations") == box.run(solve + "--set adaptive_p=on threshold=1e-3").json().at("iterations"));
+    CHECK(loose.at("iterations") ==
+          box.run(solve + "--set adaptive_p=on --set threshold=1e-3").json().at("iterations"));
+}
+
+TEST_CASE("a run that does not converge ends with 1 and still reports and writes") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json --max-iterations 1 -o out.obj");
+    CHECK(run.exit_code == 1);
+    CHECK(run.err.empty());
+    CHECK(run.json().at("status") == "max_iterations");
+    CHECK(run.json().at("iterations") == 1);
+    CHECK(box.has("out.obj"));
+}
+
+TEST_CASE("handles out of reach are named") {
+    const Sandbox box;
+    box.write("far.json", unreachable_edit().dump());
+    const Run run = box.run("solve " + k_recipe + " --edit far.json -o out.obj");
+    CHECK(run.exit_code == 1);
+    const json report = run.json();
+    CHECK(report.at("status") == "unreachable");
+    REQUIRE(report.at("unreachable_pairs").size() == 1);
+    const json& pair = report.at("unreachable_pairs")[0];
+    CHECK(pair.at("vertices") == json{0, 399 / 2});
+    CHECK(pair.at("distance") == 1000);
+    CHECK(pair.at("reach") < 1000);
+    CHECK(max_deviation_of_file(box, "out.obj") < std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("drag reports every frame") {
+    const Sandbox box;
+    const json edit = pull_edit(0.2);
+    box.write("pull.json", edit.dump());
+    const Run run = box.run("drag " + k_recipe + " --edit pull.json --frames 5 -o out.obj --trace trace.csv");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+
+    const json report = run.json();
+    check_shape_report(report);
+    CHECK(report.at("status") == "converged");
+    CHECK(report.at("max_handle_error") == 0);
+    CHECK(report.at("median_milliseconds") <= report.at("percentile_95_milliseconds"));
+    const json& frames = report.at("frames");
+    REQUIRE(frames.size() == 5);
+    int iterations = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        CHECK(frames[i].at("frame") == i + 1);
+        CHECK(frames[i].at("status") == "converged");
+        CHECK(frames[i].at("max_dL") < 1e-6);
+        CHECK(frames[i].at("milliseconds") >= 0);
+        iterations += frames[i].at("iterations").get<int>();
+    }
+    CHECK(handle_distance(read_obj(box.read("out.obj"), "out.obj").positions, edit) == 0);
+    CHECK_THAT(box.read("trace.csv"), Catch::Matchers::StartsWith("frame,iteration,"));
+    CHECK(line_count(box.read("trace.csv")) == iterations + 1);
+}
+
+TEST_CASE("a drag with a frame that does not converge ends with 1") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const Run run = box.run("drag " + k_recipe + " --edit pull.json --frames 2 --max-iterations 1");
+    CHECK(run.exit_code == 1);
+    CHECK(run.json().at("frames").size() == 2);
+}
+
+TEST_CASE("bad usage is refused with one line") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const std::string solve = "solve " + k_recipe + " --edit pull.json ";
+    const std::string drag = "drag " + k_recipe + " --edit pull.json ";
+    check_refused(box.run(""), "subcommand");
+    check_refused(box.run("fold"), "fold");
+    check_refused(box.run("info"), "NET");
+    check_refused(box.run("info a.obj b.obj"), "b.obj");
+    check_refused(box.run("make"), "RECIPE");
+    check_refused(box.run("make dome"), "-o");
+    check_refused(box.run("solve " + k_recipe), "--edit");
+    check_refused(box.run(solve + "--colour red"), "--colour");
+    check_refused(box.run(solve + "--method guess"), "guess");
+    check_refused(box.run(solve + "--threshold small"), "small");
+    check_refused(box.run(solve + "--max-iterations -1"), "max_iterations");
+    check_refused(box.run(solve + "--set colour=red"), "colour");
+    check_refused(box.run(solve + "--set p_end=nan"), "p_end");
+    check_refused(box.run(solve + "--set adaptive_p"), "key=value");
+    check_refused(box.run(drag), "--frames");
+    check_refused(box.run(drag + "--frames 0"), "--frames");
+    check_refused(box.run(drag + "--frames many"), "many");
+}
+
+TEST_CASE("a net that cannot be had is refused with one line") {
+    const Sandbox box;
+    box.write("three.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n");
+    box.write("cloud.obj", "v 0 0 0\n");
+    check_refused(box.run("info missing.obj"), "missing.obj");
+    check_refused(box.run("info missing.ply"), "missing.ply");
+    check_refused(box.run("info three.obj"), "three.obj:4");
+    check_refused(box.run("info cloud.obj"), "cloud.obj");
+    check_refused(box.run("info vault:colour=3"), "colour");
+    check_refused(box.run("info 'two\nlines'"), "two lines");
+    check_refused(box.run("make pyramid -o out.obj"), "pyramid");
+}
+
+TEST_CASE("a file hides a shape of the same name, a folder does not") {
+    const Sandbox box;
+    box.make_folder("vault");
+    CHECK(box.run("info vault").exit_code == 0);
+    box.write("dome", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    CHECK(box.run("info dome").json().at("vertices") == 3);
+}
+
+TEST_CASE("a bad edit is refused, naming file and handle") {
+    const auto [text, what] = GENERATE(table<std::string, std::string>({
+        {"", "edit.json"},
+        {"{\"handles\": [}", "line 1"},
+        {"[]", "edit.json"},
+        {"{}", "handles"},
+        {R"({"handles": {}})", "handles"},
+        {R"({"handles": [7]})", "handles[0]"},
+        {R"({"handles": [{"target": [0, 0, 0]}]})", "handles[0] has no \"vertex\""},
+        {R"({"handles": [{"vertex": 1}]})", "handles[0] has no \"target\""},
+        {R"({"handles": [{"vertex": 1.5, "target": [0, 0, 0]}]})", "handles[0].vertex"},
+        {R"({"handles": [{"vertex": -1, "target": [0, 0, 0]}]})", "handles[0].vertex is -1"},
+        {R"({"handles": [{"vertex": 18446744073709551615, "target": [0, 0, 0]}]})", "handles[0].vertex"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0]}]})", "handles[0].target"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, null]}]})", "handles[0].target"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 1e999]}]})", "edit.json"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0]}, {"vertex": 1, "target": [0, 0, 0]}]})", "handles[1]"},
+    }));
+    const Sandbox box;
+    box.write("edit.json", text);
+    INFO(text);
+    const Run run = box.run("solve " + k_recipe + " --edit edit.json");
+    check_refused(run, what);
+    CHECK_THAT(run.err, Contains("edit.json"));
+}
+
+TEST_CASE("output that cannot be written is refused") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.1).dump());
+    const std::string solve = "solve " + k_recipe + " --edit pull.json ";
+    check_refused(box.run("make dome -o no/such/folder.obj"), "no/such/folder.obj");
+    check_refused(box.run(solve + "-o no/such/folder.obj"), "no/such/folder.obj");
+    check_refused(box.run(solve + "--trace no/such/folder.csv"), "no/such/folder.csv");
+    check_refused(box.run("solve " + k_recipe + " --edit missing.json"), "missing.json");
+    if (std::filesystem::exists("/dev/full")) check_refused(box.run("info dome", "/dev/full"), "standard output");
+}

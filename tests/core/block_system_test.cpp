@@ -1,0 +1,78 @@
+#include "linear/block_system.h"
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "sample_nets.h"
+
+using namespace chebnet;
+
+TEST_CASE("A block system solves what its dense matrix says, time and again") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    const auto random_block = [&] {
+        const Eigen::Matrix3d A = Eigen::Matrix3d::NullaryExpr([&] { return normal(random); });
+        return Eigen::Matrix3d(A * A.transpose());
+    };
+    const Net net = samples::patch(6, 5);
+    const Eigen::Matrix2Xi& links = net.edges();
+    const int n = net.vertex_count();
+    BlockSystem system(n, links);
+
+    for (int round = 0; round < 3; ++round) {
+        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+        system.set_zero();
+        for (int k = 0; k < links.cols(); ++k) {
+            const Eigen::Matrix3d B = random_block();
+            system.add_at_link(k, B);
+            const int a = 3 * links(0, k), b = 3 * links(1, k);
+            dense.block<3, 3>(a, a) += B;
+            dense.block<3, 3>(b, b) += B;
+            dense.block<3, 3>(a, b) -= B;
+            dense.block<3, 3>(b, a) -= B;
+        }
+        for (int node : {0, n / 2, n - 1}) {
+            const Eigen::Matrix3d B = random_block() + Eigen::Matrix3d::Identity();
+            system.add_at_node(node, B);
+            dense.block<3, 3>(3 * node, 3 * node) += B;
+        }
+        REQUIRE(system.factorize());
+        const Eigen::Matrix3Xd rhs = Eigen::Matrix3Xd::NullaryExpr(3, n, [&] { return normal(random); });
+        const Eigen::Matrix3Xd x = system.solve(rhs);
+        const Eigen::VectorXd residual = dense * x.reshaped() - rhs.reshaped();
+        CHECK(residual.norm() < 1e-9 * rhs.norm() * dense.norm());
+    }
+}
+
+TEST_CASE("A system that is not positive definite is refused") {
+    BlockSystem system(3, (Eigen::Matrix2Xi(2, 2) << 0, 1, 1, 2).finished());
+    system.add_at_link(0, Eigen::Matrix3d::Identity());
+    system.add_at_link(1, -Eigen::Matrix3d::Identity());
+    system.add_at_node(0, Eigen::Matrix3d::Identity());
+    CHECK_FALSE(system.factorize());
+    system.add_at_node(1, Eigen::Matrix3d::Constant(std::nan("")));
+    CHECK_FALSE(system.factorize());
+}
+
+TEST_CASE("The order found is a permutation and makes less fill than the natural one") {
+    const Net net = samples::patch(20, 20);
+    const BlockSystem whole(net.vertex_count(), net.edges());
+    std::vector<int> rank = whole.elimination_rank();
+    std::vector<int> sorted = rank;
+    std::sort(sorted.begin(), sorted.end());
+    for (int i = 0; i < net.vertex_count(); ++i) REQUIRE(sorted[i] == i);
+
+    const auto factored = [&](std::vector<int> order) {
+        BlockSystem system(net.vertex_count(), net.edges(), std::move(order));
+        for (int k = 0; k < net.edge_count(); ++k) system.add_at_link(k, Eigen::Matrix3d::Identity());
+        system.add_at_node(0, Eigen::Matrix3d::Identity());
+        REQUIRE(system.factorize());
+        return system.factor_entries();
+    };
+    std::vector<int> natural(rank.size());
+    for (std::size_t i = 0; i < natural.size(); ++i) natural[i] = static_cast<int>(i);
+    CHECK(factored(rank) < factored(natural));
+}

@@ -1,0 +1,190 @@
+#include "net/net.h"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "net/error.h"
+#include "net/measures.h"
+#include "net/topology.h"
+#include "sample_nets.h"
+
+using namespace chebnet;
+
+namespace {
+
+Positions unit_square() {
+    Positions x(3, 4);
+    x << 0, 1, 1, 0,  //
+        0, 0, 1, 1,   //
+        0, 0, 0, 0;
+    return x;
+}
+
+Faces one_face(std::initializer_list<int> face) {
+    Faces faces;
+    faces.add(face);
+    return faces;
+}
+
+ErrorCode code_of(const Positions& x, const Faces& faces, std::string* message = nullptr) {
+    try {
+        Net net(x, faces);
+    } catch (const Error& error) {
+        if (message != nullptr) *message = error.what();
+        return error.code();
+    }
+    FAIL("the net was accepted");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("A net refuses what is not sound, and names it") {
+    std::string message;
+    Positions x = unit_square();
+
+    CHECK(code_of(x, Faces()) == ErrorCode::no_faces);
+    CHECK(code_of(x, one_face({0, 1})) == ErrorCode::small_face);
+    CHECK(code_of(x, one_face({0, 1, 2, 4}), &message) == ErrorCode::index_out_of_range);
+    CHECK(message == "face 0 names vertex 4, but vertices go from 0 to 3");
+    CHECK(code_of(x, one_face({0, 1, 2, -1})) == ErrorCode::index_out_of_range);
+    CHECK(code_of(x, one_face({0, 1, 2, 1}), &message) == ErrorCode::repeated_vertex);
+    CHECK(message == "face 0 names vertex 1 twice");
+    CHECK(code_of(x, one_face({0, 1, 2}), &message) == ErrorCode::unused_vertex);
+    CHECK(message == "vertex 3 belongs to no face");
+
+    x.col(2) = x.col(1);
+    CHECK(code_of(x, one_face({0, 1, 2, 3}), &message) == ErrorCode::zero_length_edge);
+    CHECK(message == "edge 1–2 has length zero");
+    x(1, 3) = std::numeric_limits<double>::quiet_NaN();
+    CHECK(code_of(x, one_face({0, 1, 2, 3}), &message) == ErrorCode::non_finite);
+    CHECK(message == "vertex 3 has a coordinate that is not finite");
+}
+
+TEST_CASE("An edge with three faces is refused by name") {
+    Positions x(3, 5);
+    x << 0, 1, 0, 0, 0,  //
+        0, 0, 1, -1, 0,  //
+        0, 0, 0, 0, 1;
+    Faces faces;
+    faces.add({0, 1, 2});
+    faces.add({1, 0, 3});
+    faces.add({0, 1, 4});
+    std::string message;
+    CHECK(code_of(x, faces, &message) == ErrorCode::non_manifold_edge);
+    CHECK(message == "edge 0–1 has 3 faces, more than two");
+}
+
+TEST_CASE("Edges are unique, ordered, and as many as Euler says") {
+    const int m = GENERATE(2, 5, 9), n = GENERATE(2, 4);
+    const Net net = samples::patch(m, n);
+    REQUIRE(net.vertex_count() - net.edge_count() + net.face_count() == 1);
+    for (int e = 0; e < net.edge_count(); ++e) {
+        CHECK(net.edges()(0, e) < net.edges()(1, e));
+        if (e > 0) {
+            const bool ascending =
+                net.edges()(0, e - 1) < net.edges()(0, e) ||
+                (net.edges()(0, e - 1) == net.edges()(0, e) && net.edges()(1, e - 1) < net.edges()(1, e));
+            CHECK(ascending);
+        }
+    }
+}
+
+TEST_CASE("Rest lengths: one for a Chebyshev net, each edge its own otherwise") {
+    const Net net = samples::patch(6, 5);
+    CHECK(net.is_chebyshev());
+    CHECK(net.rest_lengths().isApproxToConstant(1.0, 1e-14));
+
+    const Net mixed = samples::mixed_mesh();
+    CHECK_FALSE(mixed.is_chebyshev());
+    CHECK(max_deviation(mixed, mixed.rest_positions()) == 0);
+
+    const Net forced(mixed.rest_positions(), mixed.faces(), RestLengths::equal);
+    CHECK(forced.rest_lengths().isApproxToConstant(mixed.mean_length(), 1e-14));
+}
+
+TEST_CASE("Topology of open, closed and separate pieces") {
+    const Net open = samples::patch(5, 4);
+    const Topology of_open(open);
+    const auto loops = of_open.boundary_loops();
+    REQUIRE(loops.size() == 1);
+    CHECK(loops[0].size() == 2 * (5 + 4) - 4);
+    CHECK(of_open.component_count() == 1);
+    CHECK(of_open.singular_vertices().empty());
+
+    const Net closed = samples::cube();
+    const Topology of_closed(closed);
+    CHECK(of_closed.boundary_loops().empty());
+    CHECK(of_closed.singular_vertices() == std::map<int, int>{{3, 8}});
+
+    Positions x(3, 8);
+    x << unit_square(), unit_square().colwise() + Eigen::Vector3d(5, 0, 0);
+    Faces faces = one_face({0, 1, 2, 3});
+    faces.add({4, 5, 6, 7});
+    const Net two(x, faces);
+    const Topology of_two(two);
+    CHECK(of_two.component_count() == 2);
+    CHECK(of_two.boundary_loops().size() == 2);
+    CHECK(std::isinf(of_two.distances_from(0)[4]));
+}
+
+TEST_CASE("Two quads that touch in one vertex have a boundary loop each") {
+    Positions x(3, 7);
+    x << 0, 1, 1, 0, 2, 2, 1,  //
+        0, 0, 1, 1, 1, 2, 2,   //
+        0, 0, 0, 0, 0, 0, 0;
+    Faces faces = one_face({0, 1, 2, 3});
+    faces.add({2, 4, 5, 6});
+    const Net net(x, faces);
+    const auto loops = Topology(net).boundary_loops();
+    REQUIRE(loops.size() == 2);
+    CHECK(loops[0].size() == 4);
+    CHECK(loops[1].size() == 4);
+}
+
+TEST_CASE("Distance along a patch of unit edges is the number of steps") {
+    const Net net = samples::patch(7, 5);
+    const Topology topology(net);
+    const std::vector<double> distance = topology.distances_from(0);
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 7; ++i) CHECK(distance[j * 7 + i] == Approx(i + j));
+}
+
+TEST_CASE("Deviation is eq. 1 without its cancellation") {
+    CHECK(deviation(1) == 0);
+    CHECK(deviation(2) == Approx(2 + 0.5 - 2));
+    CHECK(deviation(1 + 1e-9) == Approx(1e-18).epsilon(1e-6));
+    CHECK(std::isinf(deviation(0)));
+}
+
+TEST_CASE("Fairness and angles do not see rigid motions, and do see bending") {
+    const Net net = samples::patch(6, 6, 0.3);
+    const Topology topology(net);
+    const Eigen::AngleAxisd turn(1.1, Eigen::Vector3d(1, 2, 3).normalized());
+    const Positions moved = (turn.toRotationMatrix() * net.rest_positions()).colwise() + Eigen::Vector3d(4, -5, 6);
+    CHECK(bend(net, topology, moved) == Approx(0).margin(1e-12));
+    CHECK(max_deviation(net, moved) < 1e-24);
+    const AngleRange before = corner_angle_range(net, net.rest_positions()), after = corner_angle_range(net, moved);
+    CHECK(after.smallest == Approx(before.smallest));
+    CHECK(after.largest == Approx(before.largest));
+
+    // Folding a flat strip by an angle φ across one line changes ‖x_a − 2x + x_b‖ there from 0 to 2 sin(φ/2).
+    const Net strip = samples::patch(3, 2, 0);
+    const double phi = 0.4;
+    Positions folded = strip.rest_positions();
+    for (int v : {2, 5}) folded.col(v) = folded.col(v - 1) + Eigen::Vector3d(std::cos(phi), 0, std::sin(phi));
+    // Both ends of the fold line have valence 3 and one straight pair each.
+    CHECK(bend(strip, Topology(strip), folded) == Approx(2 * std::sin(phi / 2)));
+}
+
+TEST_CASE("The corner angle of a vertex is the one farthest from a right angle") {
+    const double shear = GENERATE(0.3, 1.0, 2.5);
+    Positions x = unit_square();
+    x.col(2) = x.col(1) + Eigen::Vector3d(std::cos(shear), std::sin(shear), 0);
+    x.col(3) = x.col(0) + Eigen::Vector3d(std::cos(shear), std::sin(shear), 0);
+    const Net rhombus(x, one_face({0, 1, 2, 3}));
+    const Eigen::VectorXd angles = vertex_corner_angles(rhombus, x);
+    CHECK(angles[0] == Approx(shear));
+    CHECK(angles[1] == Approx(EIGEN_PI - shear));
+}

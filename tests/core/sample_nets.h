@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "edit/editor.h"
+#include "net/net.h"
+
+namespace chebnet::samples {
+
+/// A patch of m × n vertices with edges of length 1, flat (arch = 0) or bent into a translational surface: both
+/// families of net lines are polylines of unit chords whose direction turns by up to ±arch radians.
+inline Net patch(int m, int n, double arch = 0.6) {
+    const auto polyline = [&](int count, const Eigen::Vector3d& along) {
+        Positions points = Positions::Zero(3, count);
+        for (int i = 1; i < count; ++i) {
+            const double angle = count > 2 ? arch * (1 - 2.0 * (i - 1) / (count - 2)) : 0;
+            points.col(i) = points.col(i - 1) + std::cos(angle) * along + std::sin(angle) * Eigen::Vector3d::UnitZ();
+        }
+        return points;
+    };
+    const Positions u = polyline(m, Eigen::Vector3d::UnitX()), v = polyline(n, Eigen::Vector3d::UnitY());
+    Positions x(3, m * n);
+    Faces faces;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < m; ++i) {
+            x.col(j * m + i) = u.col(i) + v.col(j);
+            if (i + 1 < m && j + 1 < n) faces.add({j * m + i, j * m + i + 1, (j + 1) * m + i + 1, (j + 1) * m + i});
+        }
+    return Net(x, faces);
+}
+
+/// The surface of a unit cube: 8 singular vertices of valence 3, closed.
+inline Net cube() {
+    Positions x(3, 8);
+    for (int i = 0; i < 8; ++i) x.col(i) << (i & 1), (i >> 1 & 1), (i >> 2 & 1);
+    Faces faces;
+    faces.add({0, 2, 3, 1});
+    faces.add({4, 5, 7, 6});
+    faces.add({0, 1, 5, 4});
+    faces.add({2, 6, 7, 3});
+    faces.add({0, 4, 6, 2});
+    faces.add({1, 3, 7, 5});
+    return Net(x, faces);
+}
+
+/// A triangle, a quad and a pentagon in a row, with edges of different lengths: a general mesh.
+inline Net mixed_mesh() {
+    Positions x(3, 8);
+    x << 0, 1, 2, 3, 3.5, 3, 2, 1,   //
+        0, 0, 0, 0, 0.6, 1.2, 1, 1,  //
+        0, 0.1, 0, 0.1, 0, 0.1, 0, 0.2;
+    Faces faces;
+    faces.add({0, 1, 7});
+    faces.add({1, 2, 6, 7});
+    faces.add({2, 3, 4, 5, 6});
+    return Net(x, faces);
+}
+
+/// Handles at the given vertices, at rest.
+inline std::vector<Handle> handles_at_rest(const Net& net, std::initializer_list<int> vertices) {
+    std::vector<Handle> handles;
+    for (int v : vertices) handles.push_back({v, net.rest_positions().col(v)});
+    return handles;
+}
+
+/// Moves every coordinate by up to ± amount.
+inline Positions shaken(Positions x, double amount, std::mt19937& random) {
+    std::uniform_real_distribution<double> noise(-amount, amount);
+    for (double& coordinate : x.reshaped()) coordinate += noise(random);
+    return x;
+}
+
+}  // namespace chebnet::samples

@@ -1,0 +1,237 @@
+/** What crosses the border: lengths of arrays, tables, errors, memory. */
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import type { Editor, Handle } from '../../wasm/chebnet';
+import { failure, firstEdit, load } from './load';
+
+/** The memories of the modules made; there is one. */
+const memories: WebAssembly.Memory[] = [];
+const instantiate = WebAssembly.instantiate;
+vi.spyOn(WebAssembly, 'instantiate').mockImplementation((async (source: BufferSource, imports: WebAssembly.Imports) => {
+  const made = await instantiate(source, imports);
+  memories.push(...Object.values(made.instance.exports).filter((each) => each instanceof WebAssembly.Memory));
+  return made;
+}) as typeof WebAssembly.instantiate);
+
+const chebnet = await load();
+const SHAPE = chebnet.shapes()[0]!.name;
+
+const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
+
+let editor: Editor;
+beforeEach(() => {
+  editor = chebnet.openRecipe(`${SHAPE}:vertices=300`);
+});
+afterEach(() => editor.dispose());
+
+describe('tables', () => {
+  test('name every shape with its parameters', () => {
+    for (const shape of chebnet.shapes()) {
+      expect(shape.title).not.toBe('');
+      expect(shape.sentence).not.toBe('');
+      expect(shape.parameters.map(({ name }) => name)).toContain('vertices');
+      for (const { value, smallest, largest } of shape.parameters) {
+        expect(value).toBeGreaterThanOrEqual(smallest);
+        expect(value).toBeLessThanOrEqual(largest);
+      }
+    }
+  });
+
+  test('name the methods', () => {
+    expect(chebnet.methods().map(({ name }) => name)).toContain(editor.method);
+  });
+
+  test('name the options, with the values a new editor has', () => {
+    for (const { name, kind, value } of chebnet.options()) {
+      expect(editor.options()[name]).toBe(kind === 'flag' ? value === 1 : value);
+    }
+  });
+});
+
+describe('an editor', () => {
+  test('gives arrays of the right lengths and types', () => {
+    const { vertices, edges, faces } = editor.info;
+    expect(editor.edges).toBeInstanceOf(Int32Array);
+    expect(editor.edges).toHaveLength(2 * edges);
+    expect(editor.faceStart).toHaveLength(faces + 1);
+    expect(editor.faceVertices).toHaveLength(editor.faceStart[faces]!);
+    expect(editor.restPositions).toBeInstanceOf(Float64Array);
+    expect(editor.restPositions).toHaveLength(3 * vertices);
+    expect(editor.positions()).toHaveLength(3 * vertices);
+    expect(editor.deviations()).toBeInstanceOf(Float32Array);
+    expect(editor.deviations()).toHaveLength(edges);
+    expect(editor.cornerAngles()).toHaveLength(vertices);
+    expect(Math.max(...editor.edges, ...editor.faceVertices)).toBe(vertices - 1);
+    expect(editor.bend()).toBe(0);
+  });
+
+  test('describes its net', () => {
+    const square = chebnet.openObj(SQUARE);
+    expect(square.info).toEqual({
+      vertices: 4,
+      edges: 4,
+      faces: 1,
+      boundaryLoops: 1,
+      components: 1,
+      singularVertices: {},
+      meanLength: 1,
+      maxDeviationFromMean: 0,
+      isChebyshev: true,
+    });
+    expect(square.suggestedHandles).toHaveLength(0);
+    square.dispose();
+  });
+
+  test('suggests handles that differ', () => {
+    expect(editor.suggestedHandles.length).toBeGreaterThan(1);
+    expect(new Set(editor.suggestedHandles).size).toBe(editor.suggestedHandles.length);
+  });
+
+  test('keeps handles exactly, moves them and forgets them', () => {
+    const handles = firstEdit(editor);
+    editor.setHandles(handles);
+    expect(editor.handles()).toEqual(handles);
+    const { vertex } = handles[0]!;
+    editor.moveHandle(vertex, [0.1, 0.2, 0.3]);
+    expect(editor.handles()[0]).toEqual({ vertex, target: [0.1, 0.2, 0.3] });
+    expect(editor.positions().subarray(3 * vertex, 3 * vertex + 3)).toEqual(Float64Array.of(0.1, 0.2, 0.3));
+    editor.setHandles([]);
+    expect(editor.handles()).toEqual([]);
+  });
+
+  test('traces each iteration', () => {
+    editor.setHandles(firstEdit(editor));
+    const { trace, iterations, maxDeviation, status } = editor.solve();
+    expect(status).toBe('converged');
+    expect(trace).toHaveLength(iterations);
+    trace.forEach((row, i) => {
+      expect(row.iteration).toBe(i + 1);
+      expect([1, 2, 3]).toContain(row.stage);
+      expect(Object.values(row).every(Number.isFinite)).toBe(true);
+    });
+    expect(trace.at(-1)?.maxDeviation).toBe(maxDeviation);
+    expect(Math.max(...editor.deviations())).toBeCloseTo(maxDeviation, 12);
+  });
+
+  test('sets options by number and by flag', () => {
+    editor.setOption('threshold', 1e-5);
+    editor.setOption('adaptive_p', false);
+    editor.setOption('max_iterations', 7);
+    expect(editor.options()).toMatchObject({ threshold: 1e-5, adaptive_p: false, max_iterations: 7 });
+  });
+
+  test('takes positions and goes back to rest', () => {
+    const moved = editor.restPositions.map((coordinate) => 1.5 * coordinate);
+    editor.setPositions(moved);
+    expect(editor.positions()).toEqual(moved);
+    editor.reset();
+    expect(editor.positions()).toEqual(editor.restPositions);
+  });
+
+  test('writes an OBJ that opens as the same net', () => {
+    const again = chebnet.openObj(editor.toObj());
+    expect(again.restPositions).toEqual(editor.positions());
+    expect(again.faceVertices).toEqual(editor.faceVertices);
+    expect(again.edges).toEqual(editor.edges);
+    again.dispose();
+    expect(editor.toObj(3).length).toBeLessThan(editor.toObj(17).length);
+  });
+
+  test('gives copies: what is changed outside stays outside', () => {
+    editor.positions().fill(NaN);
+    editor.restPositions.fill(NaN);
+    expect(editor.positions().every(Number.isFinite)).toBe(true);
+  });
+
+  test('names handles out of reach', () => {
+    const [first, last] = [editor.suggestedHandles[0]!, editor.suggestedHandles.at(-1)!];
+    editor.setHandles([
+      { vertex: first, target: [0, 0, 0] },
+      { vertex: last, target: [1000, 0, 0] },
+    ]);
+    expect(editor.solve().status).toBe('unreachable');
+    const [pair] = editor.unreachablePairs();
+    expect([pair?.vertexA, pair?.vertexB].sort()).toEqual([first, last].sort());
+    expect(pair?.distance).toBe(1000);
+    expect(pair?.reach).toBeLessThan(1000);
+    expect(editor.positions().every(Number.isFinite)).toBe(true);
+  });
+});
+
+describe('errors', () => {
+  const cases: [string, string, RegExp, (() => unknown)][] = [
+    ['an unknown shape', 'bad_option', /nosuch/, () => chebnet.openRecipe('nosuch')],
+    ['a recipe that is none', 'bad_syntax', /recipe/, () => chebnet.openRecipe(7 as never)],
+    ['an OBJ that is none', 'bad_syntax', /OBJ/, () => chebnet.openObj(new Uint8Array(3) as never)],
+    ['a bad line', 'bad_syntax', /net\.obj:2/, () => chebnet.openObj('v 0 0 0\nv 1 zero 0\n', 'net.obj')],
+    ['an OBJ without faces', 'no_faces', /face/, () => chebnet.openObj('v 0 0 0\n')],
+    ['a face too far', 'index_out_of_range', /5/, () => chebnet.openObj(SQUARE + 'f 3 4 5\n')],
+    [
+      'three faces at an edge',
+      'non_manifold_edge',
+      /./,
+      () => chebnet.openObj('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n'),
+    ],
+    ['a handle too far', 'index_out_of_range', /999999/, () => editor.setHandles([handle(999999)])],
+    ['half a vertex', 'index_out_of_range', /0\.5/, () => editor.setHandles([handle(0.5)])],
+    ['a vertex beyond int', 'index_out_of_range', /4294967296/, () => editor.setHandles([handle(2 ** 32)])],
+    ['two handles at a vertex', 'repeated_vertex', /3/, () => editor.setHandles([handle(3), handle(3)])],
+    ['a target that is NaN', 'non_finite', /./, () => editor.setHandles([handle(3, [0, NaN, 0])])],
+    ['a target of 2 numbers', 'non_finite', /3 numbers/, () => editor.setHandles([handle(3, [0, 1] as never)])],
+    ['handles that are none', 'bad_option', /array/, () => editor.setHandles('all' as never)],
+    ['moving what is no handle', 'index_out_of_range', /5/, () => editor.moveHandle(5, [0, 0, 0])],
+    ['an unknown method', 'bad_option', /li2022/, () => editor.setMethod('magic')],
+    ['an unknown option', 'bad_option', /threshold/, () => editor.setOption('treshold', 1)],
+    ['an option that is NaN', 'bad_option', /threshold/, () => editor.setOption('threshold', NaN)],
+    ['an option that is text', 'bad_option', /threshold/, () => editor.setOption('threshold', 'low' as never)],
+    ['positions too short', 'index_out_of_range', /Float64Array/, () => editor.setPositions(new Float64Array(3))],
+    ['positions of floats', 'index_out_of_range', /Float64Array/, () => editor.setPositions(new Float32Array(3) as never)],
+    ['positions that are NaN', 'non_finite', /./, () => editor.setPositions(editor.positions().fill(NaN))],
+    ['a budget below 0', 'bad_option', /budget/, () => editor.solve({ iterations: -1 })],
+    ['a budget of NaN ms', 'bad_option', /budget/, () => editor.solve({ milliseconds: NaN })],
+    ['18 digits', 'bad_option', /digits/, () => editor.toObj(18)],
+  ];
+
+  test.each(cases)('%s', (_, code, message, action) => {
+    const error = failure(action);
+    expect(error).toBeInstanceOf(Error);
+    expect(error.code).toBe(code);
+    expect(error.message).toMatch(message);
+  });
+
+  test('leave the editor as it was', () => {
+    editor.setHandles([handle(3)]);
+    failure(() => editor.setHandles([handle(4), handle(999999)]));
+    expect(editor.handles()).toEqual([handle(3)]);
+  });
+
+  test('say so after dispose, and dispose may be repeated', () => {
+    editor.dispose();
+    editor.dispose();
+    for (const action of [() => editor.positions(), () => editor.solve(), () => editor.method]) {
+      expect(failure(action).code).toBe('disposed');
+      expect(failure(action).message).toMatch(/disposed/);
+    }
+  });
+});
+
+test('memory does not grow with editors disposed', () => {
+  const openAndDispose = (count: number) => {
+    for (let i = 0; i < count; ++i) {
+      const each = chebnet.openRecipe(`${SHAPE}:vertices=2000`);
+      each.setHandles(firstEdit(each));
+      each.solve({ iterations: 2 });
+      failure(() => each.setMethod('magic')); // neither do errors keep anything
+      each.dispose();
+    }
+  };
+  const bytes = () => memories.reduce((sum, memory) => sum + memory.buffer.byteLength, 0);
+  openAndDispose(10);
+  const before = bytes();
+  openAndDispose(200);
+  expect(memories).toHaveLength(1);
+  expect(bytes()).toBe(before);
+});
+
+function handle(vertex: number, target: Handle['target'] = [0, 0, 0]): Handle {
+  return { vertex, target };
+}

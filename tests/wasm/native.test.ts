@@ -1,0 +1,89 @@
+/** The module does what the native program does, and does it again the same. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, describe, expect, test } from 'vitest';
+import type { Editor, SolveReport } from '../../wasm/chebnet';
+import { ROOT, firstEdit, largestDistance, load } from './load';
+
+const SIZES = [200, 1000, 4000];
+const PROGRAM = fileURLToPath(new URL('build/native/chebnet', ROOT));
+
+const chebnet = await load();
+const folder = mkdtempSync(join(tmpdir(), 'chebnet-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+interface Solved {
+  status: string;
+  iterations: number;
+  positions: Float64Array;
+}
+
+function solveNatively(recipe: string, editor: Editor): Solved {
+  const edit = join(folder, 'edit.json');
+  const out = join(folder, 'out.obj');
+  writeFileSync(edit, JSON.stringify({ handles: firstEdit(editor) }));
+  // Exit status 1 says "did not converge", which is a result like others; 2 says that something is wrong.
+  const script = '"$@" || [ $? -eq 1 ]';
+  const command = ['-c', script, 'sh', PROGRAM, 'solve', recipe, '--edit', edit, '-o', out];
+  const { status, iterations } = JSON.parse(execFileSync('sh', command, { encoding: 'utf8' })) as Solved;
+  const result = chebnet.openObj(readFileSync(out, 'utf8'));
+  const positions = result.restPositions;
+  result.dispose();
+  return { status, iterations, positions };
+}
+
+function solveHere(editor: Editor): Solved {
+  editor.setHandles(firstEdit(editor));
+  const { status, iterations } = editor.solve();
+  return { status, iterations, positions: editor.positions() };
+}
+
+const recipes = chebnet.shapes().flatMap(({ name }) => SIZES.map((size) => `${name}:vertices=${size}`));
+
+describe.each(recipes)('%s', (recipe) => {
+  test('is solved as by the native program', () => {
+    const editor = chebnet.openRecipe(recipe);
+    const native = solveNatively(recipe, editor);
+    const here = solveHere(editor);
+    const difference = largestDistance(here.positions, native.positions) / editor.info.meanLength;
+    editor.dispose();
+
+    expect(here.status).toBe('converged');
+    expect(native.status).toBe('converged');
+    expect(Math.abs(here.iterations - native.iterations)).toBeLessThanOrEqual(1);
+    if (here.iterations === native.iterations) expect(difference).toBeLessThan(1e-6);
+  });
+
+  test('gives the same bits twice', () => {
+    const [first, second] = [chebnet.openRecipe(recipe), chebnet.openRecipe(recipe)];
+    const [one, two] = [solveHere(first), solveHere(second)];
+    first.dispose();
+    second.dispose();
+
+    expect(two.iterations).toBe(one.iterations);
+    expect(Buffer.from(two.positions.buffer).equals(Buffer.from(one.positions.buffer))).toBe(true);
+  });
+});
+
+test('a solve in slices ends like one in a piece', () => {
+  const recipe = `${chebnet.shapes()[0]!.name}:vertices=500`;
+  const [whole, sliced] = [chebnet.openRecipe(recipe), chebnet.openRecipe(recipe)];
+  const one = solveHere(whole);
+  sliced.setHandles(firstEdit(sliced));
+  let report: SolveReport;
+  let iterations = 0;
+  do {
+    report = sliced.solve({ iterations: 1 });
+    iterations += report.iterations;
+    expect(report.iterations).toBeLessThanOrEqual(1);
+  } while (report.status === 'running');
+
+  expect(report.status).toBe('converged');
+  expect(iterations).toBe(one.iterations);
+  expect(sliced.positions()).toEqual(one.positions);
+  whole.dispose();
+  sliced.dispose();
+});
