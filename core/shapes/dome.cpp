@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "shapes/family.h"
 #include "shapes/grid.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
-    {"reach", 55, 10, 90, "How far the two main arches reach down from the top, in degrees."},
+    {"reach", 55, 10, 70, "How far the two main arches reach down from the top, in degrees."},
 };
 
 /// The compass: the point on the sphere about the origin at distance 1 from `a` and `b`, which lie on the sphere, on
@@ -63,9 +64,9 @@ Shape make(const Values& values) {
                 mirror.cwiseProduct(first_quarter.col(std::abs(y) * half.columns + std::abs(x)));
         }
 
-    return {place_net({positions, grid_faces({columns, rows})}),
-            {vertex(0, rows / 2), vertex(columns - 1, rows / 2), vertex(columns / 2, 0), vertex(columns / 2, rows - 1),
-             vertex(columns / 2, rows / 2)}};
+    const int right = columns - 1, back = rows - 1;
+    return {place_net({std::move(positions), grid_faces({columns, rows})}),
+            {vertex(0, 0), vertex(right, 0), vertex(0, back), vertex(right, back), vertex(columns / 2, rows / 2)}};
 }
 
 }  // namespace

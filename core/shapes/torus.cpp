@@ -1,4 +1,3 @@
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -11,34 +10,33 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
-    {"thickness", 0.35, 0.15, 1, "Size of the upright ring divided by that of the lying one."},
+    {"thickness", 0.35, 0.15, 1, "Length around the upright ring divided by that around the lying one."},
 };
 
-/// The upright section: a lens, two arcs that meet in a crest above and below. A round one would lie along the ring's
-/// own edges in four places, and the net would fold flat there: an arc keeps this far from the horizontal.
-Positions lens(int arc_vertices) {
-    constexpr double steepest = 70 * std::numbers::pi / 180;
+/// The upright ring: two arcs of equal edges that meet in a crest above and below. A round one would, in four places,
+/// run along the lying ring and fold the net flat there; the arcs stay clear of that direction.
+Positions lens(int vertices) {
+    constexpr double widest_lean = 70 * std::numbers::pi / 180;
+    const int half = vertices / 2;
     const Positions arc = guide(
-        arc_vertices, [](double t) { return Eigen::Vector3d(-std::sin(steepest * t), 0, std::cos(steepest * t)); });
-    Positions section(3, 2 * (arc_vertices - 1));
-    section << arc.leftCols(arc_vertices - 1), (-arc).rightCols(0),
-        (-arc.leftCols(arc_vertices - 1)).colwise() + arc.col(arc_vertices - 1);
-    return section;
+        half + 1, [](double t) { return Eigen::Vector3d(-std::sin(widest_lean * t), 0, std::cos(widest_lean * t)); });
+    Positions ring(3, 2 * half);
+    ring << arc.leftCols(half), (-arc.leftCols(half)).colwise() + arc.col(half);
+    return ring;
 }
 
 Shape make(const Values& values) {
-    GridSize size = grid_size(values["vertices"], values["thickness"]);
-    size.rows = (size.rows + 1) / 2 * 2;
-    const Positions lying = regular_polygon(size.columns);
-    const Positions standing = lens(size.rows / 2 + 1);
+    const int rows = 2 * static_cast<int>(std::lround(std::sqrt(values["vertices"] * values["thickness"]) / 2));
+    const int columns = static_cast<int>(std::lround(values["vertices"] / rows));
 
-    const auto vertex = [size](int quarter, int row) { return row * size.columns + quarter * size.columns / 4; };
-    return {place_net({sum_of_guides(lying, standing), grid_faces(size, true, true)}),
-            {vertex(0, 0), vertex(1, 0), vertex(2, 0), vertex(3, 0)}};
+    const auto vertex = [columns](int quarter, int row) { return row * columns + quarter * columns / 4; };
+    return {place_net({sum_of_guides(regular_polygon(columns), lens(rows)), grid_faces({columns, rows}, true, true)}),
+            {vertex(0, 0), vertex(1, 0), vertex(3, 0), vertex(2, rows / 2)}};
 }
 
 }  // namespace
 
-constinit const Family k_torus = {{"torus", "Torus", "A ring: one circle carried around another.", k_parameters}, make};
+constinit const Family k_torus = {
+    {"torus", "Torus", "A ring: a small upright ring carried along a large lying one.", k_parameters}, make};
 
 }  // namespace chebnet

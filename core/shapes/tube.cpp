@@ -10,7 +10,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
-    {"aspect", 1.5, 0.3, 6, "Length of the tube divided by the length around it."},
+    {"aspect", 1.2, 0.3, 6, "Length of the tube divided by the length around it."},
     {"bend", 30, 0, 50, "How far the tube leans to either side, in degrees."},
 };
 

@@ -1,6 +1,7 @@
 #include "shapes/voxel_solid.h"
 
 #include <array>
+#include <unordered_map>
 #include <utility>
 
 namespace chebnet {
@@ -8,21 +9,6 @@ namespace chebnet {
 namespace {
 
 using Point = Eigen::Vector3i;
-
-/// Calls visit(cell, axis, side) for each square of the boundary: the one that closes the filled `cell` along `axis`,
-/// below (side 0) or above (side 1).
-template <typename Visit>
-void for_each_face(const VoxelSolid& solid, Visit visit) {
-    Point cell;
-    for (cell.z() = solid.low().z(); cell.z() < solid.high().z(); ++cell.z())
-        for (cell.y() = solid.low().y(); cell.y() < solid.high().y(); ++cell.y())
-            for (cell.x() = solid.low().x(); cell.x() < solid.high().x(); ++cell.x()) {
-                if (!solid.filled(cell)) continue;
-                for (int axis = 0; axis < 3; ++axis)
-                    for (int side = 0; side < 2; ++side)
-                        if (!solid.filled(cell + (2 * side - 1) * Point::Unit(axis))) visit(cell, axis, side);
-            }
-}
 
 /// The eight cells about a lattice point are its octants 0 … 7: bit `axis` is set in those above the point.
 bool contains(unsigned octants, int octant) { return octants >> octant & 1; }
@@ -49,8 +35,7 @@ constexpr int k_none = -1;
 
 class BoundaryBuilder {
 public:
-    explicit BoundaryBuilder(const VoxelSolid& solid)
-        : m_solid(solid), m_extent(solid.high() - solid.low() + Point::Ones()), m_place(m_extent.prod(), k_none) {}
+    explicit BoundaryBuilder(const VoxelSolid& solid) : m_solid(solid) {}
 
     Surface build() {
         for_each_face(m_solid, [this](const Point& cell, int axis, int side) { add_face(cell, axis, side); });
@@ -73,14 +58,10 @@ private:
 
     /// The vertex at `point` of the square that closes `cell` along `axis`.
     int vertex(const Point& point, const Point& cell, int axis) {
-        const Point place = point - m_solid.low();
-        int& corners = m_place[(place.z() * m_extent.y() + place.y()) * m_extent.x() + place.x()];
-        if (corners == k_none) {
-            corners = static_cast<int>(m_corners.size());
-            m_corners.push_back(make_vertices(point));
-        }
+        const auto [corners, is_new] = m_corners.try_emplace(place_of(point));
+        if (is_new) corners->second = make_vertices(point);
         const Point above = cell - point + Point::Ones();
-        return m_corners[corners][Corner{above.x() | above.y() << 1 | above.z() << 2, axis}.index()];
+        return corners->second[Corner{above.x() | above.y() << 1 | above.z() << 2, axis}.index()];
     }
 
     /// One new vertex for each fan of squares about `point`.
@@ -134,12 +115,14 @@ private:
         return octants;
     }
 
+    int place_of(const Point& point) const {
+        const Point place = point - m_solid.low(), extent = m_solid.high() - m_solid.low() + Point::Ones();
+        return (place.z() * extent.y() + place.y()) * extent.x() + place.x();
+    }
     int vertex_count() const { return static_cast<int>(m_coordinates.size() / 3); }
 
     const VoxelSolid& m_solid;
-    Point m_extent;            // of the lattice points
-    std::vector<int> m_place;  // lattice point → its entry in m_corners
-    std::vector<CornerVertices> m_corners;
+    std::unordered_map<int, CornerVertices> m_corners;  // at the lattice points of the boundary
     std::vector<double> m_coordinates;
     Faces m_faces;
 };
@@ -164,12 +147,6 @@ void VoxelSolid::fill(const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
 std::size_t VoxelSolid::index(const Eigen::Vector3i& cell) const {
     const Point place = cell - m_low, size = m_high - m_low;
     return (static_cast<std::size_t>(place.z()) * size.y() + place.y()) * size.x() + place.x();
-}
-
-int boundary_face_count(const VoxelSolid& solid) {
-    int count = 0;
-    for_each_face(solid, [&count](const Point&, int, int) { ++count; });
-    return count;
 }
 
 Surface boundary_surface(const VoxelSolid& solid) { return BoundaryBuilder(solid).build(); }

@@ -28,8 +28,20 @@ private:
     std::vector<char> m_filled;
 };
 
-/// Number of squares between filled and empty cells.
-int boundary_face_count(const VoxelSolid& solid);
+/// Calls visit(cell, axis, side) for each square of the boundary: the one that closes the filled `cell` along `axis`,
+/// below (side 0) or above (side 1).
+template <typename Visit>
+void for_each_face(const VoxelSolid& solid, Visit visit) {
+    Eigen::Vector3i cell;
+    for (cell.z() = solid.low().z(); cell.z() < solid.high().z(); ++cell.z())
+        for (cell.y() = solid.low().y(); cell.y() < solid.high().y(); ++cell.y())
+            for (cell.x() = solid.low().x(); cell.x() < solid.high().x(); ++cell.x()) {
+                if (!solid.filled(cell)) continue;
+                for (int axis = 0; axis < 3; ++axis)
+                    for (int side = 0; side < 2; ++side)
+                        if (!solid.filled(cell + (2 * side - 1) * Eigen::Vector3i::Unit(axis))) visit(cell, axis, side);
+            }
+}
 
 /// The boundary of a solid, squares of side 1 at their places in the lattice, counterclockwise from outside, as a
 /// closed manifold: a lattice point becomes one vertex for each fan of squares about it, so that cubes which touch in

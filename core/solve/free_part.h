@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "linear/block_system.h"
+#include "linear/graph_system.h"
 #include "net/net.h"
 
 namespace chebnet {

@@ -1,4 +1,4 @@
-#include "linear/block_system.h"
+#include "linear/graph_system.h"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
@@ -75,4 +75,24 @@ TEST_CASE("The order found is a permutation and makes less fill than the natural
     std::vector<int> natural(rank.size());
     for (std::size_t i = 0; i < natural.size(); ++i) natural[i] = static_cast<int>(i);
     CHECK(factored(rank) < factored(natural));
+}
+
+TEST_CASE("A Laplacian system solves three coordinates at once") {
+    const Net net = samples::patch(5, 4);
+    LaplacianSystem system(net.vertex_count(), net.edges());
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(20, 20);
+    for (int k = 0; k < net.edge_count(); ++k) {
+        const int a = net.edges()(0, k), b = net.edges()(1, k);
+        const double w = 1 + 0.1 * k;
+        system.add_at_link(k, LaplacianSystem::Block(w));
+        dense(a, a) += w;
+        dense(b, b) += w;
+        dense(a, b) -= w;
+        dense(b, a) -= w;
+    }
+    system.add_at_node(3, LaplacianSystem::Block(2.0));
+    dense(3, 3) += 2;
+    REQUIRE(system.factorize());
+    const Eigen::Matrix3Xd rhs = net.rest_positions();
+    CHECK((system.solve(rhs) * dense - rhs).norm() < 1e-10 * rhs.norm());
 }

@@ -1,4 +1,4 @@
-#include "linear/block_system.h"
+#include "linear/graph_system.h"
 
 #include <Eigen/OrderingMethods>
 #include <algorithm>
@@ -6,8 +6,9 @@
 
 namespace chebnet {
 
-BlockSystem::BlockSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank)
-    : m_rank(std::move(elimination_rank)), m_links(links), m_permuted(3 * node_count) {
+template <int size>
+GraphSystem<size>::GraphSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank)
+    : m_rank(std::move(elimination_rank)), m_links(links), m_permuted(size * node_count, 3 / size) {
     if (m_rank.empty()) {
         m_rank.resize(static_cast<std::size_t>(node_count));
         order_nodes(links);
@@ -16,7 +17,8 @@ BlockSystem::BlockSystem(int node_count, const Eigen::Matrix2Xi& links, std::vec
     m_factor.analyzePattern(m_upper);
 }
 
-void BlockSystem::order_nodes(const Eigen::Matrix2Xi& links) {
+template <int size>
+void GraphSystem<size>::order_nodes(const Eigen::Matrix2Xi& links) {
     const int n = node_count();
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(links.cols()) + m_rank.size());
@@ -31,7 +33,8 @@ void BlockSystem::order_nodes(const Eigen::Matrix2Xi& links) {
     for (int place = 0; place < n; ++place) m_rank[order.indices()[place]] = place;
 }
 
-void BlockSystem::build_pattern(const Eigen::Matrix2Xi& links) {
+template <int size>
+void GraphSystem<size>::build_pattern(const Eigen::Matrix2Xi& links) {
     const int n = node_count();
     // For each column of blocks the links above the diagonal, sorted by row.
     std::vector<std::vector<std::pair<int, int>>> column(static_cast<std::size_t>(n));  // (row rank, link)
@@ -40,48 +43,57 @@ void BlockSystem::build_pattern(const Eigen::Matrix2Xi& links) {
         column[col].emplace_back(row, k);
     }
 
-    m_upper.resize(3 * n, 3 * n);
-    m_upper.reserve(9 * links.cols() + 6 * n);
+    m_upper.resize(size * n, size * n);
+    m_upper.reserve(size * size * (links.cols() + n));
     m_diagonal_start.resize(static_cast<std::size_t>(n));
     m_link_position.resize(static_cast<std::size_t>(links.cols()));
     for (int j = 0; j < n; ++j) {
         std::sort(column[j].begin(), column[j].end());
-        m_diagonal_start[j] = 3 * static_cast<int>(column[j].size());
+        m_diagonal_start[j] = size * static_cast<int>(column[j].size());
         for (std::size_t t = 0; t < column[j].size(); ++t)
-            m_link_position[column[j][t].second] = {j, 3 * static_cast<int>(t)};
-        for (int c = 0; c < 3; ++c) {
-            m_upper.startVec(3 * j + c);
+            m_link_position[column[j][t].second] = {j, size * static_cast<int>(t)};
+        for (int c = 0; c < size; ++c) {
+            m_upper.startVec(size * j + c);
             for (const auto& [row, link] : column[j])
-                for (int r = 0; r < 3; ++r) m_upper.insertBack(3 * row + r, 3 * j + c) = 0;
-            for (int r = 0; r <= c; ++r) m_upper.insertBack(3 * j + r, 3 * j + c) = 0;
+                for (int r = 0; r < size; ++r) m_upper.insertBack(size * row + r, size * j + c) = 0;
+            for (int r = 0; r <= c; ++r) m_upper.insertBack(size * j + r, size * j + c) = 0;
         }
     }
     m_upper.finalize();
 }
 
-void BlockSystem::set_zero() { m_upper.coeffs().setZero(); }
+template <int size>
+void GraphSystem<size>::set_zero() {
+    m_upper.coeffs().setZero();
+}
 
-void BlockSystem::add_to_diagonal(int rank, const Eigen::Matrix3d& B) {
-    for (int c = 0; c < 3; ++c) {
-        double* entry = m_upper.valuePtr() + m_upper.outerIndexPtr()[3 * rank + c] + m_diagonal_start[rank];
+template <int size>
+void GraphSystem<size>::add_to_diagonal(int rank, const Block& B) {
+    for (int c = 0; c < size; ++c) {
+        double* entry = m_upper.valuePtr() + m_upper.outerIndexPtr()[size * rank + c] + m_diagonal_start[rank];
         for (int r = 0; r <= c; ++r) entry[r] += B(r, c);
     }
 }
 
-void BlockSystem::add_at_node(int node, const Eigen::Matrix3d& B) { add_to_diagonal(m_rank[node], B); }
+template <int size>
+void GraphSystem<size>::add_at_node(int node, const Block& B) {
+    add_to_diagonal(m_rank[node], B);
+}
 
-void BlockSystem::add_at_link(int link, const Eigen::Matrix3d& B) {
+template <int size>
+void GraphSystem<size>::add_at_link(int link, const Block& B) {
     add_to_diagonal(m_rank[m_links(0, link)], B);
     add_to_diagonal(m_rank[m_links(1, link)], B);
     // B is symmetric, so the block is the same whichever of the two nodes comes first.
     const auto [column, place] = m_link_position[link];
-    for (int c = 0; c < 3; ++c) {
-        double* entry = m_upper.valuePtr() + m_upper.outerIndexPtr()[3 * column + c] + place;
-        for (int r = 0; r < 3; ++r) entry[r] -= B(r, c);
+    for (int c = 0; c < size; ++c) {
+        double* entry = m_upper.valuePtr() + m_upper.outerIndexPtr()[size * column + c] + place;
+        for (int r = 0; r < size; ++r) entry[r] -= B(r, c);
     }
 }
 
-bool BlockSystem::factorize() {
+template <int size>
+bool GraphSystem<size>::factorize() {
     if (!m_upper.coeffs().allFinite()) return false;
     m_factor.factorize(m_upper);
     if (m_factor.info() != Eigen::Success) return false;
@@ -90,12 +102,20 @@ bool BlockSystem::factorize() {
     return pivots.size() == 0 || pivots.minCoeff() > 0;
 }
 
-Eigen::Matrix3Xd BlockSystem::solve(const Eigen::Matrix3Xd& rhs) {
-    for (int i = 0; i < node_count(); ++i) m_permuted.segment<3>(3 * m_rank[i]) = rhs.col(i);
+template <int size>
+Eigen::Matrix3Xd GraphSystem<size>::solve(const Eigen::Matrix3Xd& rhs) {
+    // A column of 3 rows, or a row of 3 columns, in place of each other.
+    const auto permuted = [&](int node) {
+        return m_permuted.template middleRows<size>(size * m_rank[node]).reshaped(3, 1);
+    };
+    for (int i = 0; i < node_count(); ++i) permuted(i) = rhs.col(i);
     m_permuted = m_factor.solve(m_permuted);
     Eigen::Matrix3Xd x(3, node_count());
-    for (int i = 0; i < node_count(); ++i) x.col(i) = m_permuted.segment<3>(3 * m_rank[i]);
+    for (int i = 0; i < node_count(); ++i) x.col(i) = permuted(i);
     return x;
 }
+
+template class GraphSystem<1>;
+template class GraphSystem<3>;
 
 }  // namespace chebnet

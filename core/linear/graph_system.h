@@ -8,17 +8,20 @@
 
 namespace chebnet {
 
-/// A sparse symmetric positive definite system whose unknowns are 3-vectors at the nodes of a graph and whose matrix is
-/// a sum of terms of nodes and of links: the shape of every Newton-like system on a net.
+/// A sparse symmetric positive definite system on a graph. The unknown at a node has `size` rows (3: a Newton-like
+/// system for positions; 1: a Laplacian, which serves the three coordinates as three right-hand sides), and the matrix
+/// is a sum of terms of nodes and of links.
 ///
 /// Construction orders the nodes and does the symbolic factorisation; after that, set_zero / add_* / factorize / solve
-/// repeat at numeric cost only. The order is found on the graph of nodes, a ninth of the matrix's entries, and keeps
-/// each node's three unknowns together.
-class BlockSystem {
+/// repeat at numeric cost only. The order is found on the graph of nodes and keeps the rows of a node together.
+template <int size>
+class GraphSystem {
 public:
+    using Block = Eigen::Matrix<double, size, size>;
+
     /// `links`: 2×K, the joined pairs of nodes (distinct pairs, no loops), nodes in [0, node_count).
     /// `elimination_rank`: node → place in the order of elimination; empty: a fill-reducing one is found (AMD).
-    BlockSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank = {});
+    GraphSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank = {});
 
     int node_count() const { return static_cast<int>(m_rank.size()); }
     /// node → place in the order of elimination. Restricted to some of the nodes it is a good order for them too: the
@@ -27,13 +30,15 @@ public:
 
     void set_zero();
     /// Adds the symmetric block B at a node.
-    void add_at_node(int node, const Eigen::Matrix3d& B);
-    /// Adds [[B, −B], [−B, B]] at the two nodes of a link, by the link's column in the constructor's `links`.
-    void add_at_link(int link, const Eigen::Matrix3d& B);
+    void add_at_node(int node, const Block& B);
+    /// Adds [[B, −B], [−B, B]], B symmetric, at the two nodes of a link, by the link's column in the constructor's
+    /// `links`.
+    void add_at_link(int link, const Block& B);
 
     /// Numeric factorisation of the present matrix. False if it is not positive definite or not finite.
     bool factorize();
-    /// The solution of matrix · x = rhs, both 3×node_count. Only after factorize() returned true.
+    /// The solution of matrix · x = rhs, both 3×node_count (for size 1, three systems at once). Only after factorize()
+    /// returned true.
     Eigen::Matrix3Xd solve(const Eigen::Matrix3Xd& rhs);
 
     /// Entries of the triangular factor.
@@ -42,18 +47,26 @@ public:
 private:
     void order_nodes(const Eigen::Matrix2Xi& links);
     void build_pattern(const Eigen::Matrix2Xi& links);
-    void add_to_diagonal(int rank, const Eigen::Matrix3d& B);
+    void add_to_diagonal(int rank, const Block& B);
 
     std::vector<int> m_rank;
-    // Upper triangle by columns, in the order of elimination. The three columns of a node hold the same blocks above
-    // the diagonal, so that a block is found by its first entry in each of them.
+    // Upper triangle by columns, in the order of elimination. The columns of a node hold the same blocks above the
+    // diagonal, so that a block is found by its first entry in each of them.
     Eigen::SparseMatrix<double> m_upper;
     std::vector<int> m_diagonal_start;                 // rank → place of the diagonal block in the node's columns
     std::vector<std::pair<int, int>> m_link_position;  // link → (rank of its column, place of the block in it)
     Eigen::Matrix2Xi m_links;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factor;
     long m_factor_entries = 0;
-    Eigen::VectorXd m_permuted;
+    Eigen::MatrixXd m_permuted;  // right-hand sides in the order of elimination
 };
+
+/// For positions: three coupled unknowns a node.
+using BlockSystem = GraphSystem<3>;
+/// For a scalar Laplacian, solved for three coordinates at once.
+using LaplacianSystem = GraphSystem<1>;
+
+extern template class GraphSystem<1>;
+extern template class GraphSystem<3>;
 
 }  // namespace chebnet
