@@ -3,7 +3,11 @@
  * be reused. Positions are 3 numbers a vertex, x y z, in the net's own unit. Every failure is a thrown `ChebnetError`.
  */
 
-/** An `Error` whose `code` is a name from core/net/error.h, e.g. "non_manifold_edge", and whose message is the core's. */
+/**
+ * An `Error` whose `code` is a name from core/net/error.h, e.g. "non_manifold_edge", and whose message is the core's.
+ * Two codes more: "disposed" (the editor was used after dispose) and "internal" (a fault of chebnet itself). Only a trap
+ * of the module, a `WebAssembly.RuntimeError`, carries no code: then nothing of it may be used any more.
+ */
 export interface ChebnetError extends Error {
   code: string;
 }

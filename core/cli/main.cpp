@@ -14,7 +14,7 @@ using namespace chebnet;
 int run(int argc, char** argv) {
     CLI::App program("Editor for discrete Chebyshev nets: nets of edges that keep their length.", "chebnet");
     program.set_version_flag("--version", "chebnet " CHEBNET_VERSION);
-    program.require_subcommand(1);
+    program.require_subcommand(0, 1);  // that one is there is checked below, so that a misspelt one is named
     program.footer(
         "A NET is an OBJ file, or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
         "Exit codes: 0 done and converged, 1 did not converge, 2 bad usage or input.");
@@ -24,7 +24,9 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& help_or_version) {
         return program.exit(help_or_version);
     }
-    return std::ranges::find_if(commands, [](const Command& c) { return c.arguments->parsed(); })->run();
+    for (const Command& command : commands)
+        if (command.arguments->parsed()) return command.run();
+    throw CLI::RequiredError("A subcommand (see chebnet --help)");
 }
 
 /// Names and values from the command line may hold line breaks; an error is one line whatever they hold.

@@ -20,11 +20,11 @@ inline constexpr int k_max_file_elements = 2'000'000;
 /// `f v`, `f v/vt`, `f v//vn`, `f v/vt/vn`, negative (relative) indices, comments, line continuation by a backslash, LF
 /// and CRLF; other statements (vt, vn, g, o, s, usemtl, …) are passed over, curves and surfaces (`curv`, `surf`, …) and
 /// polylines (`l`) and points (`p`) too. `name` is what messages call the text.
-/// Throws Error bad_syntax, index_out_of_range, non_finite, too_large; each message is `name:line: what`.
+/// Throws Error bad_syntax, index_out_of_range, small_face, non_finite, too_large; each message is `name:line: what`.
 Mesh read_obj(std::string_view text, std::string_view name);
 
 /// Writes OBJ text, one `v` line a vertex and one `f` line a face, in order. `digits` significant digits, 1 … 17;
-/// 17 returns every coordinate exactly.
+/// 17 returns every coordinate exactly. Throws Error bad_option for another number of digits.
 std::string write_obj(const Positions& positions, const Faces& faces, int digits = 17);
 
 /// The whole of a file as text. Throws Error file_access, too_large.

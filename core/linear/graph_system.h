@@ -1,10 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-#include <span>
 #include <vector>
+
+#include "linear/cholesky.h"
 
 namespace chebnet {
 
@@ -20,13 +19,13 @@ public:
     using Block = Eigen::Matrix<double, size, size>;
 
     /// `links`: 2×K, the joined pairs of nodes (distinct pairs, no loops), nodes in [0, node_count).
-    /// `elimination_rank`: node → place in the order of elimination; empty: a fill-reducing one is found (AMD).
+    /// `elimination_rank`: node → place in the order of elimination; empty: a fill-reducing one is found.
     GraphSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank = {});
 
-    int node_count() const { return static_cast<int>(m_rank.size()); }
+    int node_count() const { return static_cast<int>(m_node_blocks.size()); }
     /// node → place in the order of elimination. Restricted to some of the nodes it is a good order for them too: the
     /// fill of a principal submatrix in the same order is a part of the whole's.
-    const std::vector<int>& elimination_rank() const { return m_rank; }
+    const std::vector<int>& elimination_rank() const { return m_factor.rank(); }
 
     void set_zero();
     /// Adds the symmetric block B at a node.
@@ -41,24 +40,14 @@ public:
     /// returned true.
     Eigen::Matrix3Xd solve(const Eigen::Matrix3Xd& rhs);
 
-    /// Entries of the triangular factor.
-    long factor_entries() const { return m_factor_entries; }
+    /// Entries kept for the triangular factor.
+    long factor_entries() const { return m_factor.entries(); }
 
 private:
-    void order_nodes(const Eigen::Matrix2Xi& links);
-    void build_pattern(const Eigen::Matrix2Xi& links);
-    void add_to_diagonal(int rank, const Block& B);
-
-    std::vector<int> m_rank;
-    // Upper triangle by columns, in the order of elimination. The columns of a node hold the same blocks above the
-    // diagonal, so that a block is found by its first entry in each of them.
-    Eigen::SparseMatrix<double> m_upper;
-    std::vector<int> m_diagonal_start;                 // rank → place of the diagonal block in the node's columns
-    std::vector<std::pair<int, int>> m_link_position;  // link → (rank of its column, place of the block in it)
+    std::vector<Block> m_node_blocks, m_link_blocks;
     Eigen::Matrix2Xi m_links;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factor;
-    long m_factor_entries = 0;
-    Eigen::MatrixXd m_permuted;  // right-hand sides in the order of elimination
+    Cholesky<size> m_factor;
+    Eigen::Matrix3Xd m_permuted;  // a right-hand side in the order of elimination
 };
 
 /// For positions: three coupled unknowns a node.

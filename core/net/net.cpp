@@ -88,7 +88,8 @@ void Net::choose_rest_lengths(RestLengths choice) {
         if (!std::isfinite(m_rest_lengths[e]))
             throw Error(ErrorCode::non_finite, edge_name(a, b) + " is too long to be measured");
     }
-    m_mean_length = m_rest_lengths.mean();
+    // Summing differences keeps the mean of 100,000 equal lengths at that length to the last bit.
+    m_mean_length = m_rest_lengths[0] + (m_rest_lengths.array() - m_rest_lengths[0]).mean();
 
     const double shortest = m_rest_lengths.minCoeff() / m_mean_length;
     const double longest = m_rest_lengths.maxCoeff() / m_mean_length;

@@ -17,23 +17,30 @@ struct CellBox {
     Eigen::Vector3i low, high;
 };
 
-/// Rounds outwards from the origin where a box would vanish, so that figures symmetric about it stay so.
-CellBox cells_of(const Box& box, double cells_per_unit) {
-    CellBox cells;
+/// How a figure is laid into the lattice of cells: its origin at a lattice point (offset 0) or in the middle of a cell
+/// (offset 1/2). What is symmetric about the origin is an even number of cells wide on the one and odd on the other.
+struct Placement {
+    double cells_per_unit, offset;
+};
+
+/// A box that rounding would make vanish is thickened away from the origin, so that symmetric figures stay symmetric.
+CellBox cells_of(const Box& box, const Placement& placement) {
+    const auto rounded = [&](double x) {
+        return static_cast<int>(std::lround(x * placement.cells_per_unit + placement.offset));
+    };
+    CellBox cells{box.low.unaryExpr(rounded), box.high.unaryExpr(rounded)};
     for (int axis = 0; axis < 3; ++axis) {
-        int& low = cells.low[axis] = static_cast<int>(std::lround(box.low[axis] * cells_per_unit));
-        int& high = cells.high[axis] = static_cast<int>(std::lround(box.high[axis] * cells_per_unit));
-        if (low < high) continue;
+        if (cells.low[axis] < cells.high[axis]) continue;
         const double middle = box.low[axis] + box.high[axis];
-        low -= middle <= 0;
-        high += middle >= 0;
+        cells.low[axis] -= middle <= 0;
+        cells.high[axis] += middle >= 0;
     }
     return cells;
 }
 
-std::vector<CellBox> cells_of(std::span<const Box> boxes, double cells_per_unit) {
+std::vector<CellBox> cells_of(std::span<const Box> boxes, const Placement& placement) {
     std::vector<CellBox> cells;
-    for (const Box& box : boxes) cells.push_back(cells_of(box, cells_per_unit));
+    for (const Box& box : boxes) cells.push_back(cells_of(box, placement));
     return cells;
 }
 
@@ -77,20 +84,21 @@ double face_count(const std::vector<CellBox>& boxes) {
     return count;
 }
 
-/// Rounding makes the number of vertices jump, so scales around the one that the area alone suggests are tried.
-double scale_for(std::span<const Box> boxes, double vertices) {
+/// Rounding makes the number of vertices jump, so placements around the scale that the area alone suggests are tried.
+Placement place_for(std::span<const Box> boxes, double vertices) {
     constexpr double fine = 64, step = 1.01;
-    const double area = face_count(cells_of(boxes, fine)) / (fine * fine);
-    double best = 0, smallest_miss = std::numeric_limits<double>::infinity();
-    for (int trial = -40; trial <= 40; ++trial) {
-        const double scale = std::sqrt(vertices / area) * std::pow(step, trial);
-        // A closed net of quads has as many vertices as faces, but for a few.
-        const double miss = std::abs(face_count(cells_of(boxes, scale)) - vertices);
-        if (miss < smallest_miss) {
+    const double area = face_count(cells_of(boxes, {fine, 0})) / (fine * fine);
+    Placement best{};
+    double smallest_miss = std::numeric_limits<double>::infinity();
+    for (const double offset : {0.0, 0.5})
+        for (int trial = -40; trial <= 40; ++trial) {
+            const Placement placement{std::sqrt(vertices / area) * std::pow(step, trial), offset};
+            // A closed net of quads has as many vertices as faces, but for a few.
+            const double miss = std::abs(face_count(cells_of(boxes, placement)) - vertices);
+            if (miss >= smallest_miss) continue;
             smallest_miss = miss;
-            best = scale;
+            best = placement;
         }
-    }
     return best;
 }
 
@@ -103,11 +111,13 @@ int nearest_vertex(const Positions& positions, const Eigen::Vector3d& point) {
 }  // namespace
 
 Shape make_box_figure(std::span<const Box> boxes, double vertices, std::span<const Eigen::Vector3d> handles) {
-    const double scale = scale_for(boxes, vertices);
-    Surface surface = boundary_surface(union_of(cells_of(boxes, scale)));
+    const Placement placement = place_for(boxes, vertices);
+    Surface surface = boundary_surface(union_of(cells_of(boxes, placement)));
     std::vector<int> handle_vertices;
-    for (const Eigen::Vector3d& point : handles)
-        handle_vertices.push_back(nearest_vertex(surface.positions, scale * point));
+    for (const Eigen::Vector3d& point : handles) {
+        const Eigen::Vector3d placed = (point * placement.cells_per_unit).array() + placement.offset;
+        handle_vertices.push_back(nearest_vertex(surface.positions, placed));
+    }
     return {place_net(std::move(surface)), handle_vertices};
 }
 

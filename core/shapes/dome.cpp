@@ -17,10 +17,12 @@ constexpr ShapeParameter k_parameters[] = {
     {"reach", 55, 10, 70, "How far the two main arches reach down from the top, in degrees."},
 };
 
-/// The compass: the point on the sphere about the origin at distance 1 from `a` and `b`, which lie on the sphere, on
-/// the side to which a − b turns when seen from outside. Worked out from their midpoint m, not from the centre: x = m +
-/// e with e ⟂ a − b, |e|² = 1 − |a − b|²/4 and, because |x| = |a|, m·e = |a − b|²/4 − 1/2. So no large numbers cancel,
-/// and edges are equal to the last digits on fine nets too.
+/// One step of the compass method (Frei Otto et al., IL 10 Grid Shells, 1974): the point of the sphere about the origin
+/// at distance 1 from both `a` and `b` on it, on the side to which a − b turns when seen from outside.
+///
+/// With the midpoint m it is m + e, where e ⟂ a − b, |e|² = 1 − |a − b|²/4 and, because it is as far out as `a` and
+/// `b`, m·e = |a − b|²/4 − 1/2. Reckoned like this from m, not from the centre, no large numbers cancel: edges come out
+/// equal to the last digits on the finest net as well.
 Eigen::Vector3d compass(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const Eigen::Vector3d middle = (a + b) / 2;
     const double half_diagonal_squared = (a - b).squaredNorm() / 4;

@@ -7,8 +7,8 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(3000),
-    {"legs", 2.5, 1, 6, "Length of the legs."},
-    {"trunk", 4.5, 1, 6, "Length of the trunk."},
+    {"legs", 2.5, 1, 6, "Length of the legs, where the body is 4 high."},
+    {"trunk", 4.5, 1, 6, "Length of the trunk, where the body is 4 high."},
 };
 
 Shape make(const Values& values) {
@@ -33,13 +33,15 @@ Shape make(const Values& values) {
     add(-0.25, 0.25, -4.5, -4, 1, 3.5);                  // tail
 
     const Eigen::Vector3d handles[] = {
-        {1.5, -3, 0}, {-1.5, -3, 0}, {1.5, 2, 0}, {-1.5, 2, 0}, {0, 6.5, belly + trunk_end + 0.5}};
+        {1.25, -3.25, 0}, {-1.25, -3.25, 0}, {1.25, 1.75, 0}, {-1.25, 1.75, 0}, {0, 6.5, belly + trunk_end + 0.5}};
     return make_box_figure(boxes, values["vertices"], handles);
 }
 
 }  // namespace
 
 constinit const Family k_elephant = {
-    {"elephant", "Elephant", "A blocky elephant. Its net lines meet in threes, fives and sixes.", k_parameters}, make};
+    {"elephant", "Elephant", "An elephant of blocks. At its corners three, five or six edges meet instead of four.",
+     k_parameters},
+    make};
 
 }  // namespace chebnet

@@ -1,13 +1,12 @@
 #include "shapes/grid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace chebnet {
 
 GridSize grid_size(double vertices, double aspect) {
-    const auto rounded = [](double count) { return std::max(3, static_cast<int>(std::lround(count))); };
+    const auto rounded = [](double count) { return static_cast<int>(std::lround(count)); };
     // The shorter direction first: the longer one makes up for its rounding.
     if (aspect >= 1) {
         const int columns = rounded(std::sqrt(vertices / aspect));

@@ -12,7 +12,7 @@ struct GridSize {
     int columns, rows;
 };
 
-/// The grid of about `vertices` vertices in all with about `aspect` rows to a column, at least three of each.
+/// The grid of about `vertices` vertices in all with about `aspect` rows to a column.
 GridSize grid_size(double vertices, double aspect);
 
 /// Quads of a grid, vertex = row · columns + column. A closed direction joins its last vertex to its first. Faces turn

@@ -27,6 +27,8 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_jack = {
-    {"jack", "Jack", "Six square arms about one cube. Its net lines meet in threes and sixes.", k_parameters}, make};
+    {"jack", "Jack", "Six square arms around a cube. At its corners three or six edges meet instead of four.",
+     k_parameters},
+    make};
 
 }  // namespace chebnet

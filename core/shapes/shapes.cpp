@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -65,16 +66,25 @@ double read_value(const ShapeParameter& parameter, std::string_view text) {
     // Also refuses NaN, which is not within any range.
     if (*value >= parameter.smallest && *value <= parameter.largest) return *value;
     std::ostringstream message;
+    message.imbue(std::locale::classic());
     message << parameter.name << " is " << quoted(text) << ", but goes from " << parameter.smallest << " to "
             << parameter.largest;
     throw Error(ErrorCode::bad_option, message.str());
 }
 
-void read_item(std::string_view item, const ShapeInfo& shape, Values& values) {
-    const std::vector<std::string_view> parts = split(item, '=');
-    if (parts.size() != 2) fail_syntax(quoted(item) + " is not key=value");
-    const ShapeParameter& parameter = find_parameter(shape, parts[0]);
-    values[parameter.name] = read_value(parameter, parts[1]);
+Values read_values(const ShapeInfo& shape, std::string_view list) {
+    Values values(shape.parameters);
+    std::vector<const ShapeParameter*> given;
+    for (const std::string_view item : split(list, ',')) {
+        const std::vector<std::string_view> parts = split(item, '=');
+        if (parts.size() != 2) fail_syntax(quoted(item) + " is not key=value");
+        const ShapeParameter& parameter = find_parameter(shape, parts[0]);
+        if (std::count(given.begin(), given.end(), &parameter) > 0)
+            fail_syntax(std::string(parameter.name) + " is given twice");
+        given.push_back(&parameter);
+        values[parameter.name] = read_value(parameter, parts[1]);
+    }
+    return values;
 }
 
 }  // namespace
@@ -111,10 +121,8 @@ Shape make_shape(std::string_view recipe) {
         fail_syntax("the recipe is longer than " + std::to_string(k_longest_recipe) + " characters");
     const std::size_t colon = recipe.find(':');
     const Family& family = find_family(trimmed(recipe.substr(0, colon)));
-    Values values(family.info.parameters);
-    if (colon != recipe.npos)
-        for (const std::string_view item : split(recipe.substr(colon + 1), ',')) read_item(item, family.info, values);
-    return family.make(values);
+    if (colon == recipe.npos) return family.make(Values(family.info.parameters));
+    return family.make(read_values(family.info, recipe.substr(colon + 1)));
 }
 
 }  // namespace chebnet

@@ -30,6 +30,7 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_steps = {
-    {"steps", "Steps", "A staircase. Its net lines meet in threes and fives.", k_parameters}, make};
+    {"steps", "Steps", "A stepped pyramid. At its corners three or five edges meet instead of four.", k_parameters},
+    make};
 
 }  // namespace chebnet

@@ -37,6 +37,6 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_torus = {
-    {"torus", "Torus", "A ring: a small upright ring carried along a large lying one.", k_parameters}, make};
+    {"torus", "Torus", "A small upright ring carried along a large lying one.", k_parameters}, make};
 
 }  // namespace chebnet

@@ -26,9 +26,9 @@ constexpr double k_unreachable_progress = 1e-3;
 void StagedNewton::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
     m_net = &net;
     m_topology = &topology;
-    m_is_free.assign(static_cast<std::size_t>(net.vertex_count()), true);
-    for (int v : handle_vertices) m_is_free[v] = false;
+    m_is_free = free_vertices(net.vertex_count(), handle_vertices);
     m_all = std::make_unique<FreePart>(net, m_is_free);
+    m_all_system = std::make_unique<BlockSystem>(m_all->size(), m_all->links());
 }
 
 Status StagedNewton::start(Positions& positions, const Options& options, bool reachable) {
@@ -49,10 +49,16 @@ Status StagedNewton::iterate(Positions& positions, TraceRow& row) {
     choose_stage();
     measure(positions);  // the exponent may have changed
     std::unique_ptr<FreePart> reduced;
-    if (m_stage == 3) reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges(), m_all.get());
-    FreePart& part = reduced ? *reduced : *m_all;
+    std::unique_ptr<BlockSystem> reduced_system;
+    if (m_stage == 3) {
+        reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges());
+        reduced_system = std::make_unique<BlockSystem>(
+            reduced->size(), reduced->links(), reduced->induced_order(*m_all, m_all_system->elimination_rank()));
+    }
+    const FreePart& part = reduced ? *reduced : *m_all;
+    BlockSystem& system = reduced ? *reduced_system : *m_all_system;
 
-    const Eigen::Matrix3Xd gradient = assemble(part, positions);
+    const Eigen::Matrix3Xd gradient = assemble(part, system, positions);
     row.stage = m_stage;
     row.p = m_p;
     row.free_vertices = part.size();
@@ -60,9 +66,9 @@ Status StagedNewton::iterate(Positions& positions, TraceRow& row) {
     row.assembly_ms = watch.milliseconds();
 
     watch.restart();
-    const bool factorised = part.system().factorize();
+    const bool factorised = system.factorize();
     Eigen::Matrix3Xd direction;
-    if (factorised) direction = -part.system().solve(gradient);
+    if (factorised) direction = -system.solve(gradient);
     row.factorisation_ms = watch.milliseconds();
 
     watch.restart();
@@ -140,9 +146,8 @@ std::vector<bool> StagedNewton::vertices_near_bad_edges() const {
 }
 
 /// Fills the part's system with the curvature of its edges and returns the gradient, 3×nodes.
-Eigen::Matrix3Xd StagedNewton::assemble(FreePart& part, const Positions& positions) const {
+Eigen::Matrix3Xd StagedNewton::assemble(const FreePart& part, BlockSystem& system, const Positions& positions) const {
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, part.size());
-    BlockSystem& system = part.system();
     system.set_zero();
     for (const FreePart::Edge& edge : part.edges()) {
         const double L = m_net->rest_lengths()[edge.index], r = m_ratios[edge.index];

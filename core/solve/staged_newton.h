@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "energy/edge_energy.h"
+#include "linear/graph_system.h"
 #include "solve/free_part.h"
 #include "solve/method.h"
 
@@ -38,7 +39,7 @@ private:
     void choose_stage();
     void enter_stage(int stage);
     std::vector<bool> vertices_near_bad_edges() const;
-    Eigen::Matrix3Xd assemble(FreePart& part, const Positions& positions) const;
+    Eigen::Matrix3Xd assemble(const FreePart& part, BlockSystem& system, const Positions& positions) const;
     double energy(const FreePart& part, const Positions& positions) const;
     LineSearch search_line(const FreePart& part, Positions& positions, const Eigen::Matrix3Xd& direction,
                            double slope) const;
@@ -51,6 +52,7 @@ private:
     const Topology* m_topology = nullptr;
     std::vector<bool> m_is_free;
     std::unique_ptr<FreePart> m_all;  // every vertex but the handles
+    std::unique_ptr<BlockSystem> m_all_system;
     Options m_options;
     bool m_reachable = true;
 

@@ -7,6 +7,7 @@ import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { chromium } from 'playwright-core';
+import type { Scripting } from '../../web/src/scripting';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const DIST = join(ROOT, 'web/dist');
@@ -24,15 +25,14 @@ const TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
 };
 
-/** No eval, no script or style of others, nothing from elsewhere; in the page and, other than by its meta element, in the
- *  worker. `style` elements and attributes are what uPlot and three.js need. */
+/** No eval, nothing inline, nothing from elsewhere: in the page and, where its meta element has no say, in the worker. */
 const POLICY = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
   "worker-src 'self'",
   "connect-src 'self'",
-  "img-src 'self' data: blob:",
-  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self'",
+  "style-src 'self'",
 ].join('; ');
 
 /** Serves the built page below a folder, as any host of static files might. */
@@ -102,66 +102,43 @@ export async function newPage(browser: Browser, options: BrowserContextOptions =
   return { page, complaints, close: () => context.close() };
 }
 
-/** What these tests use of `window.chebnet`. */
-export interface Scripting {
-  open(net: { recipe: string } | { obj: string }): Promise<unknown>;
-  setHandles(handles: { vertex: number; target?: [number, number, number] }[]): unknown;
-  move(vertex: number, target: [number, number, number]): unknown;
-  settled(): Promise<unknown>;
-  positions(): Float64Array | Float32Array;
-  stats(): {
-    vertices: number;
-    edges: number;
-    handles: number;
-    status: string;
-    maxDeviation: number;
-    iterations: number;
-    milliseconds: number;
-    framesPerSecond: number;
-    method: string;
-  };
-  setOptions(options: Record<string, unknown>): unknown;
-  on(event: 'frame' | 'settled' | 'error', listener: (what: unknown) => void): unknown;
-  screenPosition(vertex: number): { x: number; y: number };
-}
-
-type Scripted = { chebnet?: Scripting };
-
 /** `window.chebnet` from outside: each call runs in the page. */
 export class Script {
   constructor(readonly page: Page) {}
 
   async waitForNet() {
-    await this.page.waitForFunction(() => ((window as Scripted).chebnet?.stats().vertices ?? 0) > 0);
+    await this.page.waitForFunction(() => window.chebnet !== undefined && window.chebnet.stats().vertices > 0, null, {
+      timeout: 15_000,
+    });
   }
 
   open(net: Parameters<Scripting['open']>[0]) {
-    return this.page.evaluate(async (each) => void (await (window as Scripted).chebnet!.open(each)), net);
+    return this.page.evaluate((each) => window.chebnet.open(each), net);
   }
 
   setHandles(handles: Parameters<Scripting['setHandles']>[0]) {
-    return this.page.evaluate(async (each) => void (await (window as Scripted).chebnet!.setHandles(each)), handles);
+    return this.page.evaluate((each) => window.chebnet.setHandles(each), handles);
   }
 
   move(vertex: number, target: [number, number, number]) {
     const both = [vertex, target] as const;
-    return this.page.evaluate(async ([v, t]) => void (await (window as Scripted).chebnet!.move(v, t)), both);
+    return this.page.evaluate(([v, t]) => window.chebnet.move(v, t), both);
   }
 
   settled() {
-    return this.page.evaluate(async () => void (await (window as Scripted).chebnet!.settled()));
+    return this.page.evaluate(() => window.chebnet.settled());
   }
 
   stats() {
-    return this.page.evaluate(() => (window as Scripted).chebnet!.stats());
+    return this.page.evaluate(() => window.chebnet.stats());
   }
 
   screenPosition(vertex: number) {
-    return this.page.evaluate((v) => (window as Scripted).chebnet!.screenPosition(v), vertex);
+    return this.page.evaluate((v) => window.chebnet.screenPosition(v), vertex);
   }
 
   async positions() {
-    return Float64Array.from(await this.page.evaluate(() => Array.from((window as Scripted).chebnet!.positions())));
+    return Float64Array.from(await this.page.evaluate(() => Array.from(window.chebnet.positions())));
   }
 
   async position(vertex: number): Promise<[number, number, number]> {

@@ -60,7 +60,7 @@ test('a copied link shows the same scene', async () => {
   }
 });
 
-test.each(['#nonsense', '#v=999&d=AAAA', '#%E0%A4%A', `#${'A'.repeat(5000)}`])('a broken link (%.12s) shows the first net and says so', async (hash) => {
+test.each(['#nonsense', '#v=999&d=AAAA', '#%E0%A4%A', `#${'A'.repeat(5000)}`])('a broken link shows the first net and says so: %.12s', async (hash) => {
   const usual = await arrive(site.address);
   const broken = await arrive(site.address + hash);
   await expect.poll(() => broken.page.locator('[role=alert], [role=status]').allInnerTexts()).toContainEqual(

@@ -217,7 +217,7 @@ describe('errors', () => {
 test('memory does not grow with editors disposed', () => {
   const openAndDispose = (count: number) => {
     for (let i = 0; i < count; ++i) {
-      const each = chebnet.openRecipe(`${SHAPE}:vertices=2000`);
+      const each = chebnet.openRecipe(`${SHAPE}:vertices=1000`);
       each.setHandles(firstEdit(each));
       each.solve({ iterations: 2 });
       failure(() => each.setMethod('magic')); // neither do errors keep anything

@@ -11,6 +11,18 @@ export interface HandleData {
   anchor: boolean;
 }
 
+/** A handle of a scene that is yet to be opened; `target` null: where the vertex rests. */
+export interface HandleSeed {
+  vertex: number;
+  target: Vec3 | null;
+  anchor: boolean;
+}
+
+/** Positions as a link carries them (packing.ts); they become numbers beside the net they belong to. */
+export interface PackedPositions {
+  packed: Uint8Array;
+}
+
 /** Options of core/solve/options.h that differ from their defaults. */
 export type SolverOptions = Record<string, number | boolean>;
 
@@ -30,6 +42,22 @@ export interface ChebnetDocument {
   method: string;
   options: SolverOptions;
   view: ViewState;
-  /** Positions to start from, 3 numbers a vertex; null: the rest positions. */
+  /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
   positions: Float64Array | null;
+  /** Nothing is left to be solved. */
+  settled: boolean;
+}
+
+/** What can be opened: a document whose handles and positions may still be where the net has them. */
+export interface Scene {
+  net: NetSource;
+  /** `suggested`: those that come with the recipe. */
+  handles: HandleSeed[] | 'suggested';
+  method: string;
+  options: SolverOptions;
+  view: ViewState;
+  /** null: the rest positions. */
+  positions: Float64Array | PackedPositions | null;
+  /** The positions are final and stay untouched; else the net is solved on from them. */
+  settled: boolean;
 }

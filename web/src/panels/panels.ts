@@ -9,6 +9,8 @@ export interface PanelEvents {
   /** The user wants to pick a file. */
   pickFile(): void;
   selectHandle(vertex: number | null): void;
+  /** A vertex typed in, for whoever cannot click on it; below the number of vertices, and no handle yet. */
+  addHandle(vertex: number): void;
   deleteHandle(vertex: number): void;
   setHandleTarget(vertex: number, target: Vec3): void;
   setAnchor(vertex: number, anchor: boolean): void;

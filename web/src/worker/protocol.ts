@@ -8,19 +8,21 @@ import type {
   TraceRow,
   UnreachablePair,
 } from '../../../wasm/chebnet';
-import type { HandleData, NetSource, SolverOptions } from '../document/document';
+import type { Scene, SolverOptions } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
 export const PROTOCOL_VERSION = 1;
 
-/** From the page to the worker. `id` comes back in the answer. */
+/** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
   | { type: 'hello'; version: number }
-  | { type: 'open'; net: NetSource; handles: HandleData[] | 'suggested'; method: string; options: SolverOptions; positions: Float64Array | null }
+  /** If it fails, the net edited before stays. */
+  | { type: 'open'; scene: Omit<Scene, 'view'> }
   | { type: 'handles'; handles: Handle[] }
-  /** The target of the moment while a handle is dragged. Latest wins. */
+  /** The target of the moment while a handle is dragged. Answered when it is taken: at once, or when the solve for the
+   *  target before has had its share of time. */
   | { type: 'drag'; vertex: number; target: [number, number, number] }
-  | { type: 'release' }
+  /** Begins no solve; one under way goes on with them. */
   | { type: 'options'; method: string; options: SolverOptions }
   /** Solve on until it ends. */
   | { type: 'solve' }
@@ -30,8 +32,10 @@ export type Request = { id: number } & (
   | { type: 'cancel' }
   /** Back to the rest positions, handles too. */
   | { type: 'reset' }
-  /** Put positions and handles back, e.g. by undo. */
-  | { type: 'restore'; positions: Float64Array; handles: Handle[] }
+  /** Put positions and handles back, e.g. by undo. Unless `settled`, solve on from there. */
+  | { type: 'restore'; positions: Float64Array; handles: Handle[]; settled: boolean }
+  /** The page has taken the last frame; until it says so, no other is sent. Has no answer. */
+  | { type: 'seen' }
   | { type: 'export'; format: 'obj'; digits: number }
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
@@ -67,7 +71,11 @@ export interface FrameData {
   unreachable: UnreachablePair[];
 }
 
-/** From the worker to the page. `id` is that of the request answered, 0 for news. */
+/**
+ * From the worker to the page. `id` is that of the request answered. `frame` and `settled` are news: they carry the id of
+ * the last request that touched the net (`touchesNet`) and did not fail. After such a request `settled` comes when
+ * nothing is left to solve; requests that follow fast share one.
+ */
 export type Response = { id: number } & (
   | { type: 'ready'; version: number; shapes: ShapeInfo[]; methods: MethodInfo[]; options: OptionInfo[] }
   | { type: 'opened'; net: OpenedNet; frame: FrameData }
@@ -78,3 +86,13 @@ export type Response = { id: number } & (
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }
 );
+
+const TOUCHING = ['open', 'handles', 'drag', 'options', 'solve', 'step', 'cancel', 'reset', 'restore'] as const;
+
+/** Whether a request changes the net, its targets or the solve; a `settled` follows it then. */
+export function touchesNet(type: Request['type']): type is (typeof TOUCHING)[number] {
+  return (TOUCHING as readonly string[]).includes(type);
+}
+
+/** Code of the error after which the worker that sent it must be discarded: the module itself broke. */
+export const CRASHED = 'crashed';

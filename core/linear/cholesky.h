@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "linear/supernodes.h"
+
+namespace chebnet {
+
+/// Multifrontal supernodal Cholesky factorisation L Lᵀ of a symmetric positive definite matrix of size×size blocks on a
+/// graph (Duff & Reid 1983; Liu 1992). analyze() once; factorize() as often as values change, without allocation.
+template <int size>
+class Cholesky {
+public:
+    using Block = Eigen::Matrix<double, size, size>;
+
+    /// `links`: 2×K, the joined pairs of nodes. `rank`: node → place in a fill-reducing order.
+    void analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank);
+
+    /// `node_blocks`: the diagonal block of each node; `link_blocks`: the off-diagonal block of each link, symmetric.
+    /// False if the matrix is not positive definite or not finite.
+    bool factorize(const std::vector<Block>& node_blocks, const std::vector<Block>& link_blocks);
+
+    /// Solves in place. `x`: (size·node_count) × right_hand_sides, rows in the order of elimination, row-major if there
+    /// are several right-hand sides. Only after factorize() returned true.
+    template <int right_hand_sides>
+    void solve(double* x);
+
+    /// node → place in the order of elimination.
+    const std::vector<int>& rank() const { return m_supernodes.rank; }
+    /// Entries kept for the factor, zeros of merged supernodes included.
+    long entries() const { return static_cast<long>(m_panels.size()); }
+
+private:
+    /// Where a block of the matrix goes: into which panel entry.
+    struct Scatter {
+        int source;  // node, or node_count + link
+        int offset;  // of the block's first entry in the panel
+    };
+
+    void place_panels();
+    void place_blocks(int node_count, const Eigen::Matrix2Xi& links);
+    void place_updates();
+    int panel_rows(int s) const;   // own columns and rows below, in rows of the matrix, padded
+    int update_size(int s) const;  // rows below, likewise
+    void add_update(int child, const double* from, double* panel, int panel_rows, double* update, int update_rows,
+                    int own_columns);
+    template <int right_hand_sides>
+    void scatter_add(int s, double* x) const;
+    template <int right_hand_sides>
+    void gather(int s, const double* x);
+
+    Supernodes m_supernodes;
+    std::vector<long> m_panel_start;   // S + 1, into m_panels
+    std::vector<double> m_panels;      // column-major, panel_rows(s) × size·columns(s)
+    std::vector<int> m_scatter_start;  // S + 1, into m_scatter
+    std::vector<Scatter> m_scatter;
+    std::vector<int> m_local_row;  // as Supernodes::rows: the row's place in the parent's front, in nodes
+    std::vector<int> m_run_end;    // likewise: the end of the run of rows that stand together there
+    std::vector<int> m_child_start, m_children;
+    std::vector<double> m_stack;     // updates waiting for their parents
+    std::vector<double> m_gathered;  // rows of right-hand sides of one panel
+};
+
+extern template class Cholesky<1>;
+extern template class Cholesky<3>;
+
+}  // namespace chebnet

@@ -1,0 +1,367 @@
+#include "shapes/shapes.h"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "net/error.h"
+#include "net/measures.h"
+#include "net/topology.h"
+#include "shapes/voxel_solid.h"
+
+using namespace chebnet;
+
+namespace {
+
+/// Largest difference of an edge's length from that of the first edge, relative to it.
+double edge_length_spread(const Net& net) {
+    const Positions& p = net.rest_positions();
+    const auto length = [&](int e) { return (p.col(net.edges()(0, e)) - p.col(net.edges()(1, e))).norm(); };
+    double spread = 0;
+    for (int e = 0; e < net.edge_count(); ++e) spread = std::max(spread, std::abs(length(e) / length(0) - 1));
+    return spread;
+}
+
+/// No side of a face is run through twice in the same direction.
+bool is_consistently_oriented(const Net& net) {
+    std::set<std::pair<int, int>> sides;
+    for (int f = 0; f < net.face_count(); ++f) {
+        const auto face = net.faces()[f];
+        for (std::size_t k = 0; k < face.size(); ++k)
+            if (!sides.insert({face[k], face[(k + 1) % face.size()]}).second) return false;
+    }
+    return true;
+}
+
+/// The faces at each vertex of a closed net follow each other in one round.
+bool has_one_fan_at_each_vertex(const Net& net) {
+    std::vector<std::map<int, int>> next(net.vertex_count());
+    for (int f = 0; f < net.face_count(); ++f) {
+        const auto face = net.faces()[f];
+        const auto n = face.size();
+        for (std::size_t k = 0; k < n; ++k) next[face[k]][face[(k + 1) % n]] = face[(k + n - 1) % n];
+    }
+    for (const auto& round : next) {
+        std::size_t faces = 1;
+        for (int v = round.at(round.begin()->first); v != round.begin()->first; v = round.at(v)) ++faces;
+        if (faces != round.size()) return false;
+    }
+    return true;
+}
+
+int euler_characteristic(const Net& net) { return net.vertex_count() - net.edge_count() + net.face_count(); }
+
+/// Normal of a quad, with twice its area as length.
+Eigen::Vector3d face_normal(const Net& net, int f) {
+    const Positions& p = net.rest_positions();
+    const auto face = net.faces()[f];
+    return (p.col(face[2]) - p.col(face[0])).cross(p.col(face[3]) - p.col(face[1]));
+}
+
+Eigen::Vector3d face_middle(const Net& net, int f) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int v : net.faces()[f]) sum += net.rest_positions().col(v);
+    return sum / 4;
+}
+
+/// Volume within a closed net of planar quads; positive if they face outwards.
+double volume(const Net& net) {
+    double sum = 0;
+    for (int f = 0; f < net.face_count(); ++f) sum += face_middle(net, f).dot(face_normal(net, f)) / 6;
+    return sum;
+}
+
+std::string recipe_text(const std::string& name, const std::vector<std::pair<std::string, double>>& values) {
+    std::ostringstream text;
+    text.precision(17);
+    text << name;
+    char separator = ':';
+    for (const auto& [key, value] : values) {
+        text << std::exchange(separator, ',') << key << '=' << value;
+    }
+    return text.str();
+}
+
+/// Recipes of a shape with every parameter but `vertices` at the one or the other end of its range.
+std::vector<std::string> extreme_recipes(const ShapeInfo& shape, double vertices) {
+    std::vector<std::string> recipes;
+    const std::size_t free_parameters = shape.parameters.size() - 1;
+    for (unsigned corner = 0; corner < 1u << free_parameters; ++corner) {
+        std::vector<std::pair<std::string, double>> values{{"vertices", vertices}};
+        for (std::size_t k = 0; k < free_parameters; ++k) {
+            const ShapeParameter& parameter = shape.parameters[k + 1];
+            values.emplace_back(parameter.name, corner >> k & 1 ? parameter.largest : parameter.smallest);
+        }
+        recipes.push_back(recipe_text(shape.name, values));
+    }
+    return recipes;
+}
+
+void check_shape(const std::string& recipe) {
+    INFO(recipe);
+    const Shape shape = make_shape(recipe);
+    const Net& net = shape.net;
+    CHECK(net.is_chebyshev());
+    CHECK(edge_length_spread(net) < 1e-12);
+    CHECK(is_consistently_oriented(net));
+
+    const Eigen::Vector3d low = net.rest_positions().rowwise().minCoeff();
+    const Eigen::Vector3d high = net.rest_positions().rowwise().maxCoeff();
+    CHECK((high - low).maxCoeff() == Approx(10));
+    CHECK((high + low).head<2>().norm() < 1e-12);
+    CHECK(std::abs(low.z()) < 1e-12);
+
+    const std::set<int> handles(shape.suggested_handles.begin(), shape.suggested_handles.end());
+    CHECK(handles.size() == shape.suggested_handles.size());
+    CHECK(handles.size() >= 4);
+    CHECK(*handles.begin() >= 0);
+    CHECK(*handles.rbegin() < net.vertex_count());
+    // An anchor next to the vertex to drag would hold it back by the length of one edge.
+    const Topology topology(net);
+    for (const int neighbour : topology.neighbours(shape.suggested_handles.back()))
+        CHECK(handles.count(neighbour) == 0);
+}
+
+/// "code: message" of the error that a recipe is refused with.
+std::string refusal(const std::string& recipe) {
+    try {
+        make_shape(recipe);
+    } catch (const Error& error) {
+        return std::string(to_string(error.code())) + ": " + error.what();
+    }
+    return "none";
+}
+
+/// Size of the random solids of the tests below, and how many.
+constexpr int k_room = 5, k_solids = 300;
+
+VoxelSolid random_solid(std::mt19937& random) {
+    VoxelSolid solid({0, 0, 0}, {k_room, k_room, k_room});
+    std::bernoulli_distribution is_filled(std::uniform_real_distribution(0.05, 0.95)(random));
+    Eigen::Vector3i cell;
+    for (cell.z() = 0; cell.z() < k_room; ++cell.z())
+        for (cell.y() = 0; cell.y() < k_room; ++cell.y())
+            for (cell.x() = 0; cell.x() < k_room; ++cell.x())
+                if (is_filled(random)) solid.fill(cell, cell + Eigen::Vector3i::Ones());
+    return solid;
+}
+
+int filled_count(const VoxelSolid& solid) {
+    int count = 0;
+    Eigen::Vector3i cell;
+    for (cell.z() = 0; cell.z() < k_room; ++cell.z())
+        for (cell.y() = 0; cell.y() < k_room; ++cell.y())
+            for (cell.x() = 0; cell.x() < k_room; ++cell.x()) count += solid.filled(cell);
+    return count;
+}
+
+Net boundary_net(const VoxelSolid& solid) {
+    Surface surface = boundary_surface(solid);
+    return Net(std::move(surface.positions), std::move(surface.faces));
+}
+
+/// The boundary of the solid with these cells.
+Net net_of_cells(const std::vector<Eigen::Vector3i>& cells) {
+    VoxelSolid solid({0, 0, 0}, {k_room, k_room, k_room});
+    for (const Eigen::Vector3i& cell : cells) solid.fill(cell, cell + Eigen::Vector3i::Ones());
+    return boundary_net(solid);
+}
+
+bool is_closed_manifold(const Net& net) {
+    for (const int faces : net.edge_face_counts())
+        if (faces != 2) return false;
+    return has_one_fan_at_each_vertex(net) && is_consistently_oriented(net) && euler_characteristic(net) % 2 == 0;
+}
+
+}  // namespace
+
+TEST_CASE("Every shape is exact, oriented and in place by default") {
+    for (const ShapeInfo& shape : shape_table()) check_shape(shape.name);
+}
+
+TEST_CASE("Every shape is exact at the ends of its ranges and at every size") {
+    for (const ShapeInfo& shape : shape_table()) {
+        check_shape(recipe_text(shape.name, {{"vertices", 100000}}));
+        for (const double vertices : {100, 317, 1000, 10000})
+            for (const std::string& recipe : extreme_recipes(shape, vertices)) check_shape(recipe);
+    }
+}
+
+TEST_CASE("A shape has about as many vertices as its recipe says") {
+    for (const ShapeInfo& shape : shape_table()) {
+        for (const double vertices : {1000, 4000, 20000, 100000}) {
+            const std::string recipe = recipe_text(shape.name, {{"vertices", vertices}});
+            INFO(recipe);
+            CHECK(make_shape(recipe).net.vertex_count() == Approx(vertices).epsilon(0.15));
+        }
+        for (const double vertices : {1000, 10000})
+            for (const std::string& recipe : extreme_recipes(shape, vertices)) {
+                INFO(recipe);
+                CHECK(make_shape(recipe).net.vertex_count() == Approx(vertices).epsilon(0.15));
+            }
+    }
+}
+
+TEST_CASE("The open shapes are grids that face up or outwards") {
+    const Net vault = make_shape("vault").net, dome = make_shape("dome").net, tube = make_shape("tube:bend=0").net;
+    CHECK(Topology(vault).boundary_loops().size() == 1);
+    CHECK(Topology(dome).boundary_loops().size() == 1);
+    CHECK(Topology(tube).boundary_loops().size() == 2);
+    for (const Net* net : {&vault, &dome, &tube}) CHECK(Topology(*net).singular_vertices().empty());
+
+    for (int f = 0; f < vault.face_count(); ++f) REQUIRE(face_normal(vault, f).z() > 0);
+    for (int f = 0; f < dome.face_count(); ++f) REQUIRE(face_normal(dome, f).z() > 0);
+    for (int f = 0; f < tube.face_count(); ++f)
+        REQUIRE(face_normal(tube, f).head<2>().dot(face_middle(tube, f).head<2>()) > 0);
+}
+
+TEST_CASE("The torus is closed, of genus one and without singular vertices") {
+    const Net torus = make_shape("torus").net;
+    CHECK(is_closed_manifold(torus));
+    CHECK(euler_characteristic(torus) == 0);
+    CHECK(Topology(torus).singular_vertices().empty());
+}
+
+TEST_CASE("The dome lies on a sphere") {
+    const Net dome = make_shape("dome:reach=70,vertices=3000").net;
+    const Positions& p = dome.rest_positions();
+    // Centre and radius from the crown and two opposite corners, which lie in one plane with the axis.
+    const Eigen::Vector3d corner = p.col(0), crown = p.col(dome.vertex_count() / 2);
+    const double drop = crown.z() - corner.z(), radius = (corner.head<2>().squaredNorm() + drop * drop) / (2 * drop);
+    const Eigen::Vector3d centre = crown - radius * Eigen::Vector3d::UnitZ();
+    CHECK((p.colwise() - centre).colwise().norm().maxCoeff() == Approx(radius).epsilon(1e-12));
+    CHECK((p.colwise() - centre).colwise().norm().minCoeff() == Approx(radius).epsilon(1e-12));
+}
+
+TEST_CASE("No shape of a smooth family is folded flat, whatever its parameters") {
+    for (const std::string name : {"vault", "dome", "tube", "torus"})
+        for (const ShapeInfo& shape : shape_table())
+            for (const double vertices : {100, 3000})
+                for (const std::string& recipe : extreme_recipes(shape, vertices)) {
+                    if (name != shape.name) continue;
+                    INFO(recipe);
+                    const Net net = make_shape(recipe).net;
+                    CHECK(corner_angle_range(net, net.rest_positions()).smallest > 10 * 3.14159 / 180);
+                }
+}
+
+TEST_CASE("The closed figures have the singular vertices that their sentences name") {
+    const Net jack = make_shape("jack").net, steps = make_shape("steps:steps=3").net,
+              elephant = make_shape("elephant").net;
+    for (const Net* net : {&jack, &steps, &elephant}) {
+        CHECK(is_closed_manifold(*net));
+        CHECK(euler_characteristic(*net) == 2);
+        CHECK(volume(*net) > 0);
+    }
+    using Valences = std::map<int, int>;
+    CHECK(Topology(jack).singular_vertices() == Valences{{3, 24}, {6, 8}});
+    CHECK(Topology(steps).singular_vertices() == Valences{{3, 16}, {5, 8}});
+    const Valences elephants = Topology(elephant).singular_vertices();
+    CHECK(elephants.size() == 3);
+    for (const int valence : {3, 5, 6}) CHECK(elephants.count(valence) == 1);
+}
+
+TEST_CASE("The boundary of any solid is a closed manifold that encloses its cubes") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (int trial = 0; trial < k_solids; ++trial) {
+        CAPTURE(trial);
+        const VoxelSolid solid = random_solid(random);
+        if (filled_count(solid) == 0) continue;
+        const Net net = boundary_net(solid);
+        REQUIRE(is_closed_manifold(net));
+        REQUIRE(edge_length_spread(net) == 0);
+        REQUIRE(volume(net) == Approx(filled_count(solid)));
+    }
+}
+
+TEST_CASE("Cubes that touch in an edge or a vertex alone are parted") {
+    const Net at_edge = net_of_cells({{0, 0, 0}, {1, 1, 0}}), at_vertex = net_of_cells({{0, 0, 0}, {1, 1, 1}});
+    for (const Net* net : {&at_edge, &at_vertex}) {
+        CHECK(is_closed_manifold(*net));
+        CHECK(net->vertex_count() == 16);
+        CHECK(Topology(*net).component_count() == 2);
+    }
+}
+
+TEST_CASE("Cubes that touch in an edge whose ends join them anyway are joined along it") {
+    // Two opposite pillars between full slabs: parted, the pillars' common edge would be there twice.
+    std::vector<Eigen::Vector3i> cells{{0, 0, 1}, {1, 1, 1}};
+    for (const int z : {0, 2})
+        for (const int y : {0, 1})
+            for (const int x : {0, 1}) cells.push_back({x, y, z});
+    const Net net = net_of_cells(cells);
+    CHECK(is_closed_manifold(net));
+    CHECK(volume(net) == Approx(10));
+}
+
+TEST_CASE("A hollow solid has an inner boundary") {
+    std::vector<Eigen::Vector3i> cells;
+    for (int cell = 0; cell < 27; ++cell)
+        if (cell != 13) cells.push_back({cell % 3, cell / 3 % 3, cell / 9});
+    const Net net = net_of_cells(cells);
+    CHECK(is_closed_manifold(net));
+    CHECK(Topology(net).component_count() == 2);
+    CHECK(volume(net) == Approx(26));
+}
+
+TEST_CASE("The same recipe gives the same bits, however it is spaced") {
+    const Net a = make_shape("vault:rise=0.4,vertices=500").net,
+              b = make_shape(" vault : vertices = 500 , rise=.4 ").net;
+    CHECK(a.rest_positions() == b.rest_positions());
+    CHECK(a.faces().vertices == b.faces().vertices);
+}
+
+TEST_CASE("The gallery is complete") {
+    std::set<std::string> names;
+    for (const ShapeInfo& shape : shape_table()) {
+        INFO(shape.name);
+        CHECK(names.insert(shape.name).second);
+        CHECK(std::string(shape.sentence).back() == '.');
+        REQUIRE(!shape.parameters.empty());
+        CHECK(std::string(shape.parameters[0].name) == "vertices");
+        CHECK(shape.parameters[0].smallest == 100);
+        CHECK(shape.parameters[0].largest == 100000);
+        for (const ShapeParameter& parameter : shape.parameters) {
+            CHECK(parameter.smallest <= parameter.value);
+            CHECK(parameter.value <= parameter.largest);
+            CHECK(std::string(parameter.sentence).back() == '.');
+        }
+    }
+}
+
+TEST_CASE("A recipe that makes no shape is refused with what is wrong and what is known") {
+    const std::string form = "; a recipe is NAME or NAME:key=value,key=value";
+    CHECK(refusal("") == "bad_syntax: the recipe names no shape" + form);
+    CHECK(refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
+    CHECK(refusal("ball") ==
+          "bad_option: there is no shape \"ball\"; known are vault, dome, tube, torus, jack, steps, elephant");
+    CHECK(refusal("Dome").rfind("bad_option: there is no shape \"Dome\"", 0) == 0);
+    CHECK(refusal("dome:rise=1") == "bad_option: dome has no parameter \"rise\"; known are vertices, reach");
+    CHECK(refusal("dome:vertices=99") == "bad_option: vertices is \"99\", but goes from 100 to 100000");
+    CHECK(refusal("dome:vertices=100001") == "bad_option: vertices is \"100001\", but goes from 100 to 100000");
+    CHECK(refusal("dome:reach=90") == "bad_option: reach is \"90\", but goes from 10 to 70");
+    CHECK(refusal("vault:rise=-0.1") == "bad_option: rise is \"-0.1\", but goes from 0.02 to 0.6");
+    CHECK(refusal("dome:reach=nan") == "bad_option: reach is \"nan\", but goes from 10 to 70");
+    CHECK(refusal("dome:reach=inf") == "bad_option: reach is \"inf\", but goes from 10 to 70");
+    CHECK(refusal("dome:reach=1e999") == "bad_option: reach is \"1e999\", but goes from 10 to 70");
+    CHECK(refusal("dome:reach=wide") == "bad_syntax: reach is \"wide\", which is not a number" + form);
+    CHECK(refusal("dome:reach=50deg") == "bad_syntax: reach is \"50deg\", which is not a number" + form);
+    CHECK(refusal("dome:reach=") == "bad_syntax: reach is \"\", which is not a number" + form);
+    CHECK(refusal("dome:") == "bad_syntax: \"\" is not key=value" + form);
+    CHECK(refusal("dome:reach") == "bad_syntax: \"reach\" is not key=value" + form);
+    CHECK(refusal("dome:reach=50,") == "bad_syntax: \"\" is not key=value" + form);
+    CHECK(refusal("dome:reach=50=60") == "bad_syntax: \"reach=50=60\" is not key=value" + form);
+    CHECK(refusal("dome:reach=50,reach=60") == "bad_syntax: reach is given twice" + form);
+    CHECK(refusal(std::string(100000, 'x')) == "bad_syntax: the recipe is longer than 1000 characters" + form);
+    CHECK(refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"; known are " +
+                                      std::string("vault, dome, tube, torus, jack, steps, elephant"));
+}

@@ -1,0 +1,47 @@
+/** Nets and scenes to try things on. */
+import { DEFAULT_VIEW } from '../../web/src/document/defaults';
+import type { ChebnetDocument } from '../../web/src/document/document';
+import type { PackingNet } from '../../web/src/document/packing';
+
+/** A flat grid of unit squares, some of them cut into triangles. */
+export function grid(columns: number, rows: number, isCut: () => boolean = () => false): PackingNet {
+  const restPositions = Float64Array.from({ length: 3 * columns * rows }, (_, i) => {
+    const vertex = Math.floor(i / 3);
+    return [vertex % columns, Math.floor(vertex / columns), 0][i % 3] ?? 0;
+  });
+  const faces: number[][] = [];
+  for (let row = 0; row + 1 < rows; ++row) {
+    for (let column = 0; column + 1 < columns; ++column) {
+      const a = row * columns + column;
+      const [b, c, d] = [a + 1, a + 1 + columns, a + columns];
+      faces.push(...(isCut() ? [[a, b, c], [a, c, d]] : [[a, b, c, d]]));
+    }
+  }
+  return { restPositions, ...incidence(faces) };
+}
+
+function incidence(faces: number[][]): Omit<PackingNet, 'restPositions'> {
+  const edges = new Map<string, number[]>();
+  for (const face of faces) {
+    face.forEach((a, k) => {
+      const edge = [a, face[(k + 1) % face.length] ?? a].sort((x, y) => x - y);
+      edges.set(edge.join(), edge);
+    });
+  }
+  const starts = [0];
+  for (const face of faces) starts.push((starts.at(-1) ?? 0) + face.length);
+  return { edges: Int32Array.from([...edges.values()].flat()), faceStart: Int32Array.from(starts), faceVertices: Int32Array.from(faces.flat()) };
+}
+
+/** A document of a net that stands at `positions`. */
+export function documentAt(positions: Float64Array | null): ChebnetDocument {
+  return {
+    net: { recipe: 'vault:vertices=1000' },
+    handles: [],
+    method: 'li2022',
+    options: {},
+    view: DEFAULT_VIEW,
+    positions,
+    settled: true,
+  };
+}

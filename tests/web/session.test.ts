@@ -1,0 +1,257 @@
+/** The session over the real core, its time in the hands of the test. */
+import { beforeEach, describe, expect, test } from 'vitest';
+import type { Chebnet, Editor } from '../../wasm/chebnet';
+import { freshScene } from '../../web/src/document/defaults';
+import type { Scene } from '../../web/src/document/document';
+import { packPositions } from '../../web/src/document/packing';
+import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
+import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
+import { Session } from '../../web/src/worker/session';
+import { largestDistance, load } from '../wasm/load';
+
+type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
+
+const core = await load();
+/** The core with slices of one iteration each, however fast the machine is. */
+const patientCore: Chebnet = { ...core, openRecipe: patientEditor };
+const recipe = 'vault:vertices=300';
+const reference = core.openRecipe(recipe);
+const dragged = reference.suggestedHandles.at(-1) ?? -1;
+const home = at(reference.restPositions, dragged);
+const away: [number, number, number] = [home[0] + 0.5, home[1], home[2] - 1];
+
+let session: Session;
+let said: Response[];
+let tasks: (() => void)[];
+let time: number;
+let lastId: number;
+
+beforeEach(() => {
+  said = [];
+  tasks = [];
+  time = 0;
+  lastId = 0;
+  session = new Session(patientCore, { post: (response) => said.push(response), soon: (task) => tasks.push(task), now: () => time });
+});
+
+function patientEditor(from: string): Editor {
+  const editor = core.openRecipe(from);
+  const solve = editor.solve.bind(editor);
+  editor.solve = () => solve({ iterations: 1 });
+  return editor;
+}
+
+function at(positions: Float64Array, vertex: number): [number, number, number] {
+  const [x = NaN, y = NaN, z = NaN] = positions.subarray(3 * vertex, 3 * vertex + 3);
+  return [x, y, z];
+}
+
+function ask(body: Body): number {
+  session.handle({ id: ++lastId, ...body } as Request);
+  return lastId;
+}
+
+function open(change: Partial<Scene> = {}): number {
+  return ask({ type: 'open', scene: { ...freshScene({ recipe }), ...change } });
+}
+
+/** Lets slices run, each `milliseconds` long, until none is left or `count` have run. */
+function run(milliseconds = 20, count = 1000): void {
+  for (; tasks.length > 0 && count > 0; --count) {
+    time += milliseconds;
+    tasks.shift()?.();
+  }
+}
+
+function frames(type: 'frame' | 'settled'): FrameData[] {
+  return said.flatMap((response) => (response.type === type ? [response.frame] : []));
+}
+
+function settled(): { id: number; frame: FrameData } {
+  const last = said.flatMap((response) => (response.type === 'settled' ? [response] : [])).at(-1);
+  return last ?? expect.fail('not settled');
+}
+
+test('says hello with the tables, to a page of the same version', () => {
+  ask({ type: 'hello', version: PROTOCOL_VERSION });
+  expect(said).toMatchObject([{ type: 'ready', shapes: core.shapes(), methods: core.methods(), options: core.options() }]);
+  ask({ type: 'hello', version: PROTOCOL_VERSION + 1 });
+  expect(said.at(-1)).toMatchObject({ type: 'error', code: 'version' });
+});
+
+describe('a scene', () => {
+  test('opens with the handles of its recipe', () => {
+    const id = open();
+    run();
+    expect(said[0]).toMatchObject({ id, type: 'opened', net: { info: reference.info } });
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged', method: 'li2022' } });
+    expect(settled().frame.handles.map(({ vertex }) => vertex)).toEqual([...reference.suggestedHandles]);
+  });
+
+  test('is solved for its targets', () => {
+    open({ handles: [{ vertex: 0, target: null, anchor: true }, { vertex: dragged, target: away, anchor: false }] });
+    run();
+    expect(settled().frame.status).toBe('converged');
+    expect(at(settled().frame.positions, dragged)).toEqual(away);
+  });
+
+  test('that is settled stays as it is, bit for bit', () => {
+    const positions = reference.restPositions.map((x) => x + 0.001);
+    open({ positions, handles: [], settled: true });
+    run();
+    expect(settled().frame.positions).toEqual(positions);
+    expect(settled().frame).toMatchObject({ status: 'converged', iterations: 0 });
+  });
+
+  test('opens with packed positions', () => {
+    const positions = reference.restPositions.map((x) => 1.1 * x);
+    open({ positions: { packed: packPositions(positions, reference, 1e-6) }, handles: [], settled: true });
+    run();
+    expect(largestDistance(settled().frame.positions, positions)).toBeLessThan(1e-4 * reference.info.meanLength);
+    expect(settled().frame.status).toBe('running');
+  });
+
+  test.each<[string, Partial<Scene>]>([
+    ['bad_option', { net: { recipe: 'cathedral' } }],
+    ['bad_option', { method: 'magic' }],
+    ['bad_option', { options: { magic: 1 } }],
+    ['bad_option', { options: { threshold: -1 } }],
+    ['index_out_of_range', { handles: [{ vertex: 9999, target: null, anchor: false }] }],
+    ['repeated_vertex', { handles: [0, 0].map((vertex) => ({ vertex, target: null, anchor: false })) }],
+    ['bad_link', { positions: { packed: new Uint8Array(99) } }],
+    ['non_finite', { positions: reference.restPositions.map(() => NaN) }],
+    ['no_faces', { net: { obj: '', name: 'empty.obj' } }],
+  ])('that is wrong (%s) is refused, and the net before stays', (code, change) => {
+    open();
+    run();
+    const id = open(change);
+    expect(said.at(-1)).toMatchObject({ id, type: 'error', code });
+    const again = ask({ type: 'solve' });
+    run();
+    expect(settled()).toMatchObject({ id: again, frame: { status: 'converged' } });
+  });
+});
+
+test('nothing works without a net', () => {
+  for (const body of [{ type: 'solve' }, { type: 'cancel' }, { type: 'handles', handles: [] }] as Body[]) {
+    ask(body);
+    expect(said.at(-1)).toMatchObject({ type: 'error', code: 'no_net' });
+  }
+});
+
+describe('a drag', () => {
+  beforeEach(() => {
+    open();
+    run();
+    said = [];
+  });
+
+  test('is answered at once and ends settled', () => {
+    const id = ask({ type: 'drag', vertex: dragged, target: away });
+    expect(said).toEqual([{ id, type: 'done' }]);
+    run();
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
+    expect(at(settled().frame.positions, dragged)).toEqual(away);
+    expect(settled().frame.maxDeviation).toBeLessThan(1e-6);
+  });
+
+  test('is interrupted by the next, and only the last one settles', () => {
+    ask({ type: 'drag', vertex: dragged, target: away });
+    run(20, 1);
+    const id = ask({ type: 'drag', vertex: dragged, target: home });
+    run();
+    expect(frames('settled')).toHaveLength(1);
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
+  });
+
+  test('of a vertex that is no handle is refused, and what goes on goes on', () => {
+    const id = ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', vertex: 5, target: home });
+    expect(said.at(-1)).toMatchObject({ type: 'error', code: 'index_out_of_range' });
+    run();
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
+  });
+
+  test('sends no frame before the last was seen, and none faster than a display shows', () => {
+    ask({ type: 'seen' });
+    ask({ type: 'drag', vertex: dragged, target: away });
+    run(20, 3);
+    expect(frames('frame')).toHaveLength(1);
+    ask({ type: 'seen' });
+    run(1, 1);
+    expect(frames('frame')).toHaveLength(2);
+    ask({ type: 'seen' });
+    run(1, 1);
+    expect(frames('frame')).toHaveLength(2);
+  });
+
+  test('gives each row of the trace once', () => {
+    ask({ type: 'drag', vertex: dragged, target: away });
+    while (tasks.length > 0) {
+      run(20, 1);
+      ask({ type: 'seen' });
+    }
+    const rows = said.flatMap((each) => ('frame' in each ? each.frame.trace : []));
+    expect(rows.map(({ iteration }) => iteration)).toEqual(rows.map((_, i) => i + 1));
+    expect(settled().frame).toMatchObject({ iterations: rows.length, stage: rows.at(-1)?.stage });
+  });
+});
+
+describe('by hand', () => {
+  beforeEach(() => {
+    open();
+    run();
+  });
+
+  test('a step is one iteration, a cancel none', () => {
+    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'cancel' });
+    run();
+    expect(settled().frame).toMatchObject({ status: 'running', iterations: 0 });
+    ask({ type: 'step' });
+    run();
+    expect(settled().frame).toMatchObject({ status: 'running', iterations: 1 });
+    ask({ type: 'step' });
+    expect(settled().frame).toMatchObject({ iterations: 2, trace: [{ iteration: 2 }] });
+    ask({ type: 'solve' });
+    run();
+    expect(settled().frame.status).toBe('converged');
+  });
+
+  test('options are all or none', () => {
+    ask({ type: 'options', method: 'li2022', options: { p_end: 30 } });
+    ask({ type: 'options', method: 'li2022', options: { p_start: 3, threshold: NaN } });
+    expect(said.at(-1)).toMatchObject({ type: 'error', code: expect.stringMatching(/bad_option|non_finite/) });
+    ask({ type: 'options', method: 'li2022', options: { threshold: 1e-30 } });
+    expect(settled().frame.status).not.toBe('stalled');
+  });
+
+  test('reset and restore bring back what was', () => {
+    ask({ type: 'drag', vertex: dragged, target: away });
+    run();
+    const { positions, handles } = settled().frame;
+    ask({ type: 'reset' });
+    expect(settled().frame).toMatchObject({ positions: reference.restPositions, status: 'converged' });
+    ask({ type: 'restore', positions, handles, settled: true });
+    run();
+    expect(settled().frame).toMatchObject({ positions, handles, status: 'converged', iterations: 0 });
+  });
+
+  test('what is out of reach is said so', () => {
+    ask({ type: 'drag', vertex: dragged, target: [0, 0, 500] });
+    run();
+    expect(settled().frame.status).toBe('unreachable');
+    expect(settled().frame.unreachable[0]).toMatchObject({ vertexB: dragged });
+    const { positions, handles } = settled().frame;
+    ask({ type: 'reset' });
+    ask({ type: 'restore', positions, handles, settled: true });
+    expect(settled().frame.status).toBe('unreachable');
+  });
+
+  test('export and thumbnail do not touch the net', () => {
+    said = [];
+    ask({ type: 'export', format: 'obj', digits: 17 });
+    ask({ type: 'thumbnail', recipe: 'dome:vertices=100' });
+    expect(said).toMatchObject([{ type: 'exported', text: reference.toObj(17) }, { type: 'thumbnail' }]);
+  });
+});

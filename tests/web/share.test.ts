@@ -1,0 +1,207 @@
+/** Links: a scene goes in and comes out, and nothing else does. */
+import { deflateSync } from 'fflate';
+import { describe, expect, test } from 'vitest';
+import type { ChebnetDocument } from '../../web/src/document/document';
+import { unpackPositions } from '../../web/src/document/packing';
+import { LARGEST_LINK, LONG_LINK, decodeScene, encodeScene, linkAdvice } from '../../web/src/document/share';
+import { largestDistance } from '../wasm/load';
+import { documentAt, grid } from './nets';
+import { printedSeed, random } from './random';
+
+const net = grid(10, 10);
+const moved = net.restPositions.map((x, i) => x + 0.1 * Math.sin(i));
+
+function hashOf(document: ChebnetDocument, on = net): string {
+  const { hash } = encodeScene(document, on, 1e-6);
+  if (hash === null) throw new Error('no hash');
+  return hash;
+}
+
+describe('a scene comes back', () => {
+  const view: ChebnetDocument['view'] = {
+    camera: { position: [1.5, -2, 3], target: [0, 0.25, 0] },
+    field: 'angle',
+    colourMap: 'log',
+    showFaces: false,
+  };
+  const full: ChebnetDocument = {
+    ...documentAt(moved),
+    handles: [
+      { vertex: 0, target: [0, 0, 0], anchor: true },
+      { vertex: 37, target: [0.1 + 0.2, -1e-17, 123456.789012345], anchor: false },
+    ],
+    method: 'another',
+    options: { threshold: 1e-8, adaptive_p: false },
+    view,
+  };
+
+  test('whole', () => {
+    const { positions, handles, ...rest } = decodeScene(hashOf(full));
+    expect(rest).toEqual({ net: full.net, method: 'another', options: full.options, view, settled: true });
+    expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1]]);
+    expect(positions).toHaveProperty('packed');
+    if (positions && 'packed' in positions) {
+      expect(largestDistance(unpackPositions(positions.packed, net), moved)).toBeLessThan(1e-4);
+    }
+  });
+
+  test('at rest, without positions', () => {
+    const hash = hashOf(documentAt(net.restPositions));
+    expect(decodeScene(hash).positions).toBeNull();
+    expect(hash.length).toBeLessThan(300);
+  });
+
+  test('with the text of a small file', () => {
+    const source = { obj: 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n# größer\n', name: 'small.obj' };
+    expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual(source);
+  });
+
+  test('while it is being solved', () => {
+    expect(decodeScene(hashOf({ ...documentAt(moved), settled: false })).settled).toBe(false);
+  });
+
+  test('from an address that may stand anywhere', () => {
+    expect(hashOf(full)).toMatch(/^#v1=[\w-]+$/);
+  });
+});
+
+describe('what is too large', () => {
+  const next = random(1);
+  const large = grid(150, 150);
+  const shaken = large.restPositions.map((x) => x + next());
+
+  test('are positions: they are left out, the net is solved for its handles instead, and this is said', () => {
+    const shared = encodeScene(documentAt(shaken), large, 1e-6);
+    expect(shared).toMatchObject({ positions: false });
+    expect(decodeScene(shared.hash ?? '')).toMatchObject({ positions: null, settled: false });
+    expect(linkAdvice(shared)).toMatch(/too large/);
+  });
+
+  test('is a file: there is no link, and this is said', () => {
+    const obj = Array.from({ length: 20_000 }, () => `v ${next()} ${next()} ${next()}`).join('\n');
+    const shared = encodeScene({ ...documentAt(null), net: { obj, name: 'large.obj' } }, net, 1e-6);
+    expect(shared).toEqual({ hash: null });
+    expect(linkAdvice(shared)).toMatch(/too large for a link/);
+  });
+
+  test('for some programs is said', () => {
+    expect(linkAdvice({ hash: '#'.repeat(LONG_LINK), positions: true })).toBeNull();
+    expect(linkAdvice({ hash: '#'.repeat(LONG_LINK + 1), positions: true })).toMatch(/2,001 characters/);
+    expect(linkAdvice({ hash: '#'.repeat(8001), positions: true })).toMatch(/file/);
+    expect(LARGEST_LINK).toBeGreaterThan(8000);
+  });
+});
+
+describe('hostile links are refused', () => {
+  const valid = {
+    net: { recipe: 'vault' },
+    handles: [[3, 0, 1, 2, 3]],
+    method: 'li2022',
+    options: {},
+    view: { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true },
+    settled: true,
+  };
+
+  function hash(content: Uint8Array): string {
+    return `#v1=${Buffer.from(deflateSync(content)).toString('base64url')}`;
+  }
+
+  function hashOfJson(json: string, packed = new Uint8Array()): string {
+    const text = Buffer.from(json);
+    const length = Buffer.alloc(4);
+    length.writeUInt32LE(text.length);
+    return hash(Buffer.concat([length, text, packed]));
+  }
+
+  function failureOf(text: string): unknown {
+    try {
+      decodeScene(text);
+    } catch (error) {
+      return error;
+    }
+    return null;
+  }
+
+  const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
+
+  test('not this one', () => {
+    expect(decodeScene(hashOfJson(JSON.stringify(valid)))).toMatchObject({ net: { recipe: 'vault' } });
+  });
+
+  test.each(['#', '#nonsense', '#%E0%A4%A', '#v2=AAAA', '#v01=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
+    expect(failureOf(text)).toMatchObject({ code: 'foreign_link', message: expect.stringMatching(/link/) });
+  });
+
+  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____'])('not deflated: %s', bad);
+
+  test('cut off anywhere', () => {
+    const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });
+    for (let length = 4; length < whole.length; length += 7) {
+      const scene = failureOf(whole.slice(0, length)) ?? decodeScene(whole.slice(0, length));
+      // What is cut off at the very end may be no more than some positions, which the net then misses.
+      if (scene instanceof Error) expect(scene).toMatchObject({ code: 'bad_link' });
+      else expect(() => unpackPositions((scene as { positions: { packed: Uint8Array } }).positions.packed, net)).toThrow();
+    }
+  });
+
+  test('bombs, in little time', () => {
+    const bombs = [hash(new Uint8Array(20e6)), hashOfJson(JSON.stringify(valid), new Uint8Array(20e6))];
+    const start = performance.now();
+    bombs.forEach(bad);
+    expect(performance.now() - start).toBeLessThan(2000);
+  });
+
+  test('headers longer than the content', () => {
+    bad(hash(new Uint8Array()));
+    bad(hash(Uint8Array.of(1, 2)));
+    bad(hash(Uint8Array.of(255, 255, 255, 255, 123, 125)));
+  });
+
+  test.each(['', '{', 'null', '[]', '"x"', '{}', '\ufeff{}'])('no scene: %s', (json) => bad(hashOfJson(json)));
+
+  const point = '"handles":[[3,0,1,2,3]]';
+  const json = JSON.stringify(valid);
+  test.each([
+    [point, '"handles":[[-1,0]]'],
+    [point, '"handles":[[1.5,0]]'],
+    [point, '"handles":[[2147483648,0]]'],
+    [point, '"handles":[[1e999,0]]'],
+    [point, '"handles":[["3",0]]'],
+    [point, '"handles":[[null,0]]'],
+    [point, '"handles":[[3,2]]'],
+    [point, '"handles":[[3]]'],
+    [point, '"handles":[[3,0,1]]'],
+    [point, '"handles":[[3,0,1,2,3,4]]'],
+    [point, '"handles":[[3,0,1,2,1e999]]'],
+    [point, '"handles":[[3,0,1,2,NaN]]'],
+    [point, '"handles":[[3,0,1,2,null]]'],
+    [point, '"handles":{}'],
+    ['{"recipe":"vault"}', '{"recipe":7}'],
+    ['{"recipe":"vault"}', '{"obj":"v"}'],
+    ['{"recipe":"vault"}', 'null'],
+    ['"options":{}', '"options":{"threshold":"1"}'],
+    ['"options":{}', '"options":{"threshold":1e999}'],
+    ['"options":{}', '"options":[]'],
+    ['"li2022"', '{}'],
+    ['"camera":null', '"camera":[1,2,3]'],
+    ['"camera":null', '"camera":[1,2,3,4,5,1e999]'],
+    ['"camera":null', '"camera":[1,2,3,1,2,3]'],
+    ['"deviation"', '"__proto__"'],
+    ['"paper"', '"rainbow"'],
+    ['"settled":true', '"settled":1'],
+  ])('%s as %s', (part, instead) => {
+    expect(json).toContain(part);
+    bad(hashOfJson(json.replace(part, instead)));
+  });
+
+  test('noise', () => {
+    const next = random(printedSeed('noise in links'));
+    const whole = hashOf(documentAt(moved)).slice(4);
+    for (let round = 0; round < 300; ++round) {
+      const bytes = Buffer.from(whole, 'base64url');
+      for (let hit = 0; hit < 3; ++hit) bytes[Math.floor(next() * bytes.length)] = Math.floor(256 * next());
+      const error = failureOf(`#v1=${bytes.toString('base64url')}`);
+      if (error !== null) expect(error).toMatchObject({ code: 'bad_link' });
+    }
+  });
+});

@@ -1,0 +1,313 @@
+// The core, seen from JavaScript. Everything here only translates: numbers, text and flat arrays cross by copy, an
+// exception becomes a JavaScript Error with a `code`. wasm/chebnet.js gives it the shape of wasm/chebnet.d.ts.
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edit/editor.h"
+#include "io/obj.h"
+#include "net/error.h"
+#include "net/measures.h"
+#include "shapes/shapes.h"
+#include "solve/method.h"
+#include "solve/options.h"
+
+using emscripten::val;
+
+namespace chebnet {
+namespace {
+
+/// What one JavaScript editor owns.
+struct Session {
+    Editor editor;
+    std::vector<int> suggested_handles;
+};
+
+// ---------------------------------------------------------------------------------------------- crossing the border
+
+/// A copy on the JavaScript side: a view would be cut off when the memory grows.
+template <typename T>
+val copy_out(const T* data, std::size_t size) {
+    return val(emscripten::typed_memory_view(size, data)).template call<val>("slice");
+}
+
+template <typename Container>
+val copy_out(const Container& container) {
+    return copy_out(container.data(), static_cast<std::size_t>(container.size()));
+}
+
+[[noreturn]] void throw_to_javascript(const char* code, const char* message) {
+    val error = val::global("Error").new_(std::string(message));
+    error.set("code", std::string(code));
+    error.throw_();
+}
+
+/// `guarded<&f>` is f with its C++ exceptions turned into JavaScript ones.
+template <auto function>
+struct Guard;
+
+template <typename Result, typename... Arguments, Result (*function)(Arguments...)>
+struct Guard<function> {
+    static Result call(Arguments... arguments) {
+        try {
+            return function(std::forward<Arguments>(arguments)...);
+        } catch (const Error& error) {
+            throw_to_javascript(to_string(error.code()), error.what());
+        } catch (const std::bad_alloc&) {
+            throw_to_javascript("internal", "there is not enough memory for this");
+        } catch (const std::exception& error) {
+            throw_to_javascript("internal", error.what());
+        }
+    }
+};
+
+template <auto function>
+constexpr auto guarded = &Guard<function>::call;
+
+// ------------------------------------------------------------------------------------------------------------ tables
+
+val shapes() {
+    val table = val::array();
+    for (const ShapeInfo& shape : shape_table()) {
+        val parameters = val::array();
+        for (const ShapeParameter& parameter : shape.parameters) {
+            val row = val::object();
+            row.set("name", std::string(parameter.name));
+            row.set("value", parameter.value);
+            row.set("smallest", parameter.smallest);
+            row.set("largest", parameter.largest);
+            row.set("sentence", std::string(parameter.sentence));
+            parameters.call<void>("push", row);
+        }
+        val row = val::object();
+        row.set("name", std::string(shape.name));
+        row.set("title", std::string(shape.title));
+        row.set("sentence", std::string(shape.sentence));
+        row.set("parameters", parameters);
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+val methods() {
+    val table = val::array();
+    for (const MethodInfo& method : method_table()) {
+        val row = val::object();
+        row.set("name", std::string(method.name));
+        row.set("sentence", std::string(method.sentence));
+        row.set("citation", std::string(method.citation));
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+val option_rows(const Options& values) {
+    val table = val::array();
+    for (const OptionInfo& option : option_table()) {
+        val row = val::object();
+        row.set("name", std::string(option.name));
+        row.set("kind", std::string(option.kind));
+        row.set("value", get_option(values, option.name));
+        row.set("smallest", option.smallest);
+        row.set("largest", option.largest);
+        row.set("sentence", std::string(option.sentence));
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+val default_options() { return option_rows(Options{}); }
+
+// ----------------------------------------------------------------------------------------------------------- opening
+
+Session* open_recipe(std::string recipe) {
+    Shape shape = make_shape(recipe);
+    return new Session{Editor(std::move(shape.net)), std::move(shape.suggested_handles)};
+}
+
+Session* open_obj(std::string text, std::string name) {
+    Mesh mesh = read_obj(text, name);
+    return new Session{Editor(Net(std::move(mesh.positions), std::move(mesh.faces))), {}};
+}
+
+// ----------------------------------------------------------------------------------------------------------- the net
+
+double max_deviation_from_mean(const Net& net) {
+    double largest = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto a = net.rest_positions().col(net.edges()(0, e)), b = net.rest_positions().col(net.edges()(1, e));
+        largest = std::max(largest, deviation((a - b).norm() / net.mean_length()));
+    }
+    return largest;
+}
+
+val info(const Session& session) {
+    const Net& net = session.editor.net();
+    const Topology& topology = session.editor.topology();
+    val singular = val::object();
+    for (const auto& [valence, count] : topology.singular_vertices()) singular.set(valence, count);
+    val info = val::object();
+    info.set("vertices", net.vertex_count());
+    info.set("edges", net.edge_count());
+    info.set("faces", net.face_count());
+    info.set("boundaryLoops", static_cast<int>(topology.boundary_loops().size()));
+    info.set("components", topology.component_count());
+    info.set("singularVertices", singular);
+    info.set("meanLength", net.mean_length());
+    info.set("maxDeviationFromMean", max_deviation_from_mean(net));
+    info.set("isChebyshev", net.is_chebyshev());
+    return info;
+}
+
+val edges(const Session& session) { return copy_out(session.editor.net().edges()); }
+val face_start(const Session& session) { return copy_out(session.editor.net().faces().start); }
+val face_vertices(const Session& session) { return copy_out(session.editor.net().faces().vertices); }
+val rest_positions(const Session& session) { return copy_out(session.editor.net().rest_positions()); }
+val suggested_handles(const Session& session) { return copy_out(session.suggested_handles); }
+
+// --------------------------------------------------------------------------------------------------- what is asked for
+
+std::string method(const Session& session) { return session.editor.method(); }
+void set_method(Session& session, std::string name) { session.editor.set_method(name); }
+val options(const Session& session) { return option_rows(session.editor.options()); }
+void set_option(Session& session, std::string name, std::string value) { session.editor.set_option(name, value); }
+
+val handle_vertices(const Session& session) {
+    std::vector<int> vertices;
+    for (const Handle& handle : session.editor.handles()) vertices.push_back(handle.vertex);
+    return copy_out(vertices);
+}
+
+val handle_targets(const Session& session) {
+    std::vector<double> targets;
+    for (const Handle& handle : session.editor.handles())
+        targets.insert(targets.end(), handle.target.begin(), handle.target.end());
+    return copy_out(targets);
+}
+
+/// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n.
+void set_handles(Session& session, val vertices, val targets) {
+    const auto vertex = emscripten::convertJSArrayToNumberVector<int>(vertices);
+    const auto target = emscripten::convertJSArrayToNumberVector<double>(targets);
+    std::vector<Handle> handles;
+    for (std::size_t i = 0; i < vertex.size(); ++i)
+        handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2])});
+    session.editor.set_handles(std::move(handles));
+}
+
+void move_handle(Session& session, int vertex, double x, double y, double z) {
+    session.editor.move_handle(vertex, Eigen::Vector3d(x, y, z));
+}
+
+/// `flat`: a Float64Array whose length is a multiple of 3.
+void set_positions(Session& session, val flat) {
+    const auto numbers = emscripten::convertJSArrayToNumberVector<double>(flat);
+    session.editor.set_positions(
+        Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3)));
+}
+
+// ------------------------------------------------------------------------------------------------------------ solving
+
+/// 12 numbers a row, in the order of TraceRow.
+val flat_trace(const Trace& trace) {
+    std::vector<double> numbers;
+    numbers.reserve(12 * trace.size());
+    for (const TraceRow& row : trace) {
+        numbers.insert(numbers.end(), {static_cast<double>(row.iteration), static_cast<double>(row.stage), row.p,
+                                       row.energy, row.max_deviation, row.gradient_norm, row.step,
+                                       static_cast<double>(row.free_vertices), row.assembly_ms, row.factorisation_ms,
+                                       row.line_search_ms, row.total_ms});
+    }
+    return copy_out(numbers);
+}
+
+val solve(Session& session, int iterations, double milliseconds) {
+    const SolveReport report = session.editor.solve({iterations, milliseconds});
+    val result = val::object();
+    result.set("status", std::string(to_string(report.status)));
+    result.set("maxDeviation", report.max_deviation);
+    result.set("milliseconds", report.milliseconds);
+    result.set("factorisationMs", report.factorisation_ms);
+    result.set("iterations", report.iterations);
+    result.set("trace", flat_trace(report.trace));
+    return result;
+}
+
+void reset(Session& session) { session.editor.reset(); }
+
+// ----------------------------------------------------------------------------------------------------------- the result
+
+val positions(const Session& session) { return copy_out(session.editor.positions()); }
+
+val deviations(const Session& session) {
+    const Eigen::VectorXd ratios = edge_ratios(session.editor.net(), session.editor.positions());
+    const Eigen::VectorXf result = ratios.unaryExpr([](double ratio) { return deviation(ratio); }).cast<float>();
+    return copy_out(result);
+}
+
+val corner_angles(const Session& session) {
+    const Eigen::VectorXf result =
+        vertex_corner_angles(session.editor.net(), session.editor.positions()).cast<float>();
+    return copy_out(result);
+}
+
+double bend_of(const Session& session) {
+    return bend(session.editor.net(), session.editor.topology(), session.editor.positions());
+}
+
+val unreachable_pairs(const Session& session) {
+    val pairs = val::array();
+    for (const UnreachablePair& pair : session.editor.unreachable_pairs()) {
+        val row = val::object();
+        row.set("vertexA", pair.vertex_a);
+        row.set("vertexB", pair.vertex_b);
+        row.set("distance", pair.distance);
+        row.set("reach", pair.reach);
+        pairs.call<void>("push", row);
+    }
+    return pairs;
+}
+
+std::string to_obj(const Session& session, int digits) {
+    return write_obj(session.editor.positions(), session.editor.net().faces(), digits);
+}
+
+EMSCRIPTEN_BINDINGS(chebnet) {
+    emscripten::function("shapes", guarded<&shapes>);
+    emscripten::function("methods", guarded<&methods>);
+    emscripten::function("defaultOptions", guarded<&default_options>);
+    emscripten::function("openRecipe", guarded<&open_recipe>, emscripten::allow_raw_pointers());
+    emscripten::function("openObj", guarded<&open_obj>, emscripten::allow_raw_pointers());
+    emscripten::class_<Session>("Session")
+        .function("info", guarded<&info>)
+        .function("edges", guarded<&edges>)
+        .function("faceStart", guarded<&face_start>)
+        .function("faceVertices", guarded<&face_vertices>)
+        .function("restPositions", guarded<&rest_positions>)
+        .function("suggestedHandles", guarded<&suggested_handles>)
+        .function("method", guarded<&method>)
+        .function("setMethod", guarded<&set_method>)
+        .function("options", guarded<&options>)
+        .function("setOption", guarded<&set_option>)
+        .function("handleVertices", guarded<&handle_vertices>)
+        .function("handleTargets", guarded<&handle_targets>)
+        .function("setHandles", guarded<&set_handles>)
+        .function("moveHandle", guarded<&move_handle>)
+        .function("setPositions", guarded<&set_positions>)
+        .function("solve", guarded<&solve>)
+        .function("reset", guarded<&reset>)
+        .function("positions", guarded<&positions>)
+        .function("deviations", guarded<&deviations>)
+        .function("cornerAngles", guarded<&corner_angles>)
+        .function("bend", guarded<&bend_of>)
+        .function("unreachablePairs", guarded<&unreachable_pairs>)
+        .function("toObj", guarded<&to_obj>);
+}
+
+}  // namespace
+}  // namespace chebnet

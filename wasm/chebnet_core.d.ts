@@ -1,0 +1,52 @@
+/** What wasm/bindings.cpp gives to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
+import type { MethodInfo, NetInfo, OptionInfo, ShapeInfo, Status, UnreachablePair } from '../../wasm/chebnet';
+
+export interface CoreReport {
+  status: Status;
+  maxDeviation: number;
+  milliseconds: number;
+  factorisationMs: number;
+  iterations: number;
+  /** 12 numbers a row, in the order of TraceRow. */
+  trace: Float64Array;
+}
+
+export interface Session {
+  info(): NetInfo;
+  edges(): Int32Array;
+  faceStart(): Int32Array;
+  faceVertices(): Int32Array;
+  restPositions(): Float64Array;
+  suggestedHandles(): Int32Array;
+  method(): string;
+  setMethod(name: string): void;
+  options(): OptionInfo[];
+  setOption(name: string, value: string): void;
+  handleVertices(): Int32Array;
+  handleTargets(): Float64Array;
+  setHandles(vertices: Int32Array, targets: Float64Array): void;
+  moveHandle(vertex: number, x: number, y: number, z: number): void;
+  setPositions(positions: Float64Array): void;
+  solve(iterations: number, milliseconds: number): CoreReport;
+  reset(): void;
+  positions(): Float64Array;
+  deviations(): Float32Array;
+  cornerAngles(): Float32Array;
+  bend(): number;
+  unreachablePairs(): UnreachablePair[];
+  toObj(digits: number): string;
+  delete(): void;
+}
+
+export interface Core {
+  shapes(): ShapeInfo[];
+  methods(): MethodInfo[];
+  defaultOptions(): OptionInfo[];
+  openRecipe(recipe: string): Session;
+  openObj(text: string, name: string): Session;
+}
+
+export default function createCore(settings: {
+  locateFile?: (path: string) => string;
+  wasmBinary?: ArrayBuffer | Uint8Array;
+}): Promise<Core>;

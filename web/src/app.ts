@@ -1,0 +1,444 @@
+/** The controller: owns the document, its history and the worker's client, and keeps view and panels in step with them.
+ *  Everything a user or a script can do to the net is a method here. */
+import type { OptionInfo } from '../../wasm/chebnet';
+import { freshScene } from './document/defaults';
+import type { ChebnetDocument, HandleData, NetSource, Scene, SolverOptions, Vec3, ViewState } from './document/document';
+import { encodeScene } from './document/share';
+import type { Shared } from './document/share';
+import { UndoHistory } from './document/undo';
+import type { Snapshot } from './document/undo';
+import type { PanelEvents, Panels } from './panels/panels';
+import type { View, ViewEvents } from './view/view';
+import { Client, SolverError } from './worker/client';
+import type { Opened, WorkerLike } from './worker/client';
+import type { FrameData, OpenedNet } from './worker/protocol';
+
+/** What an app is made from. */
+export interface AppParts {
+  createView(events: ViewEvents): View;
+  createPanels(events: PanelEvents): Panels;
+  spawnWorker(): WorkerLike;
+}
+
+/** What the outside wants of a user's wish that is not about the net itself. */
+export interface AppServices {
+  pickFile(): void;
+  copyLink(): void;
+  exportObj(): void;
+}
+
+/** A net that is open, and all that belongs to it. */
+export interface Opening {
+  document: ChebnetDocument;
+  net: OpenedNet;
+  frame: FrameData;
+}
+
+type Listener = (error?: unknown) => void;
+export type AppEvent = 'frame' | 'settled' | 'error';
+
+export class App {
+  readonly #view: View;
+  readonly #panels: Panels;
+  readonly #client: Client;
+  readonly #history = new UndoHistory();
+  readonly #listeners: Record<AppEvent, Set<Listener>> = { frame: new Set(), settled: new Set(), error: new Set() };
+  #optionTable: OptionInfo[] = [];
+  #opening: Opening | null = null;
+  #reopening = false;
+  #selected: number | null = null;
+  #dragMoved = false;
+  #saidUnreachable = false;
+
+  constructor({ createView, createPanels, spawnWorker }: AppParts, services: AppServices) {
+    this.#client = new Client(spawnWorker, {
+      frame: (frame, settled) => this.#showFrame(frame, settled),
+      restarted: (reason, opened) => this.#restarted(reason, opened),
+    });
+    this.#view = createView(this.#viewEvents());
+    this.#panels = createPanels(this.#panelEvents(services));
+  }
+
+  /** The net that is open; null before the first. Not to be changed. */
+  get opening(): Opening | null {
+    return this.#opening;
+  }
+
+  get framesPerSecond(): number {
+    return this.#view.framesPerSecond();
+  }
+
+  screenPosition(vertex: number): { x: number; y: number } {
+    return this.#view.screenPosition(vertex);
+  }
+
+  /** Starts the solver and fills the tables of the panels. */
+  async start(): Promise<void> {
+    const { shapes, methods, options } = await this.#client.hello();
+    this.#optionTable = options;
+    this.#panels.showTables(shapes, methods, options, (recipe) => this.#client.thumbnail(recipe));
+  }
+
+  /** Calls `listener` on every event of that kind; returns what ends this. */
+  on(event: AppEvent, listener: Listener): () => void {
+    this.#listeners[event].add(listener);
+    return () => this.#listeners[event].delete(listener);
+  }
+
+  /** Resolves when nothing is under way and the net is settled. */
+  settled(): Promise<void> {
+    return this.#client.idle();
+  }
+
+  /** Shows a failure to the user and to listeners. */
+  report(error: unknown): void {
+    // When a worker is lost everything that waits for it fails; that is said once, by #restarted.
+    const known = error instanceof SolverError && error.code === 'worker_lost' && this.#opening !== null;
+    if (!known) this.#panels.say(sentence(error), 'error');
+    this.#emit('error', error);
+  }
+
+  say(message: string): void {
+    this.#panels.say(message, 'info');
+  }
+
+  // ------------------------------------------------------------------------------------------------------ whole scenes
+
+  /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays. */
+  async openScene(scene: Scene): Promise<void> {
+    const opened = await this.#client.open(scene);
+    this.#history.endGesture(this.#dragMoved);
+    const before = this.#snapshot();
+    if (before) this.#history.record(before);
+    this.#showOpened(scene, opened);
+    if (opened.frame.handles.length === 0) this.say('Click a vertex to make it a handle.');
+  }
+
+  /** Opens a net as it comes, to be solved and shown as the present one is. */
+  openNet(net: NetSource): Promise<void> {
+    const fresh = freshScene(net);
+    if (this.#opening === null) return this.openScene(fresh);
+    const { method, options, view } = this.#opening.document;
+    return this.openScene({ ...fresh, method, options, view: { ...view, camera: null } });
+  }
+
+  /** The present scene as the hash of a link. */
+  share(): Shared {
+    if (this.#opening === null) return { hash: null };
+    const { net } = this.#opening;
+    const document = { ...this.#opening.document, settled: this.#isSettled() };
+    const usual = this.#optionTable.find(({ name }) => name === 'threshold')?.value;
+    return encodeScene(document, net, Number(document.options.threshold ?? usual));
+  }
+
+  /** The present net as OBJ text, every coordinate exact. */
+  obj(): Promise<string> {
+    return this.#client.exportObj(17);
+  }
+
+  // ----------------------------------------------------------------------------------------------------------- handles
+
+  /** Replaces the handles. */
+  async setHandles(handles: readonly HandleData[]): Promise<void> {
+    const before = this.#snapshot();
+    this.#change({ handles: [...handles] });
+    try {
+      await this.#client.setHandles(targetsOf(handles));
+    } catch (error) {
+      if (before) this.#change({ handles: [...before.handles] });
+      throw error;
+    }
+    if (before) this.#history.record(before);
+    this.#showDocument();
+  }
+
+  /** Makes a vertex a handle, where it stands, and selects it. */
+  async addHandle(vertex: number): Promise<void> {
+    const handles = [...this.#handles(), { vertex, target: this.positionOf(vertex), anchor: false }];
+    await this.setHandles(handles);
+    this.select(vertex);
+  }
+
+  async deleteHandle(vertex: number): Promise<void> {
+    await this.setHandles(this.#handles().filter((handle) => handle.vertex !== vertex));
+  }
+
+  /** Moves a handle. Moves one after another with the same `key` are undone together. */
+  async moveHandle(vertex: number, target: Vec3, key: string | null = null): Promise<void> {
+    const before = this.#snapshot();
+    await this.#client.drag(vertex, target);
+    if (before) this.#history.record(before, key);
+    this.#change({ handles: this.#withTarget(vertex, target) });
+    this.#showDocument();
+  }
+
+  select(vertex: number | null): void {
+    this.#selected = vertex;
+    this.#showDocument();
+  }
+
+  deleteSelected(): void {
+    if (this.#selected !== null) this.#try(this.deleteHandle(this.#selected));
+  }
+
+  /** Where a vertex stands. */
+  positionOf(vertex: number): Vec3 {
+    const positions = this.#opening?.frame.positions;
+    return [positions?.[3 * vertex] ?? 0, positions?.[3 * vertex + 1] ?? 0, positions?.[3 * vertex + 2] ?? 0];
+  }
+
+  // ----------------------------------------------------------------------------------------------------------- solving
+
+  async setOptions(method: string, options: SolverOptions): Promise<void> {
+    await this.#client.setOptions(method, options);
+    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
+    const unusual = Object.entries(options).filter(([name, value]) => Number(value) !== usual.get(name));
+    this.#change({ method, options: Object.fromEntries(unusual) });
+    this.#showDocument();
+  }
+
+  /** Back to rest, handles too. */
+  async reset(): Promise<void> {
+    const before = this.#snapshot();
+    if (before === null || this.#opening === null) return;
+    const { restPositions } = this.#opening.net;
+    const atRest = ({ vertex, anchor }: HandleData): HandleData => {
+      const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * vertex, 3 * vertex + 3);
+      return { vertex, anchor, target: [x, y, z] };
+    };
+    this.#history.record(before);
+    this.#change({ handles: before.handles.map(atRest) });
+    this.#showDocument();
+    await this.#client.reset();
+  }
+
+  // -------------------------------------------------------------------------------------------------------------- undo
+
+  undo(): void {
+    this.#goTo((now) => this.#history.undo(now));
+  }
+
+  redo(): void {
+    this.#goTo((now) => this.#history.redo(now));
+  }
+
+  #goTo(choose: (now: Snapshot) => Snapshot | null): void {
+    const now = this.#snapshot();
+    const state = now === null || this.#reopening ? null : choose(now);
+    if (state) this.#restore(state);
+  }
+
+  #restore(state: Snapshot): void {
+    const document = this.#opening?.document;
+    if (document === undefined) return;
+    const { net, handles, positions, settled } = state;
+    if (net !== document.net) return this.#reopen(document, state);
+    this.#change({ handles: [...handles], positions, settled });
+    this.#showDocument();
+    this.#try(this.#client.restore(positions, targetsOf(handles), settled));
+  }
+
+  #reopen({ method, options, view }: ChebnetDocument, { net, handles, positions, settled }: Snapshot): void {
+    const scene: Scene = { net, handles: [...handles], positions, settled, method, options, view: { ...view, camera: null } };
+    this.#reopening = true;
+    const opened = this.#client.open(scene).then((result) => this.#showOpened(scene, result));
+    this.#try(opened.finally(() => (this.#reopening = false)));
+  }
+
+  #snapshot(): Snapshot | null {
+    if (this.#opening === null) return null;
+    const { net, handles } = this.#opening.document;
+    return { net, handles, positions: this.#positions(), settled: this.#isSettled() };
+  }
+
+  /** While something is under way, the positions shown are not the last. */
+  #isSettled(): boolean {
+    return this.#opening?.document.settled === true && !this.#client.busy;
+  }
+
+  // ----------------------------------------------------------------------------------------------- from view and panels
+
+  #viewEvents(): ViewEvents {
+    return {
+      addHandle: (vertex) => this.#try(this.addHandle(vertex)),
+      selectHandle: (vertex) => this.select(vertex),
+      dragStart: () => this.#beginDrag(),
+      dragMove: (vertex, target) => this.#drag(vertex, target),
+      dragEnd: (_vertex, cancelled) => this.#endDrag(cancelled),
+      cameraChanged: (camera) => this.#changeView({ camera }),
+    };
+  }
+
+  #panelEvents({ pickFile, copyLink, exportObj }: AppServices): PanelEvents {
+    return {
+      pickFile,
+      copyLink,
+      exportObj,
+      openRecipe: (recipe) => this.#try(this.openNet({ recipe })),
+      selectHandle: (vertex) => this.select(vertex),
+      addHandle: (vertex) => this.#try(this.addHandle(vertex)),
+      deleteHandle: (vertex) => this.#try(this.deleteHandle(vertex)),
+      setHandleTarget: (vertex, target) => this.#try(this.moveHandle(vertex, target)),
+      setAnchor: (vertex, anchor) => this.#setAnchor(vertex, anchor),
+      setOptions: (method, options) => this.#try(this.setOptions(method, options)),
+      setView: (change) => this.#changeView(change),
+      solve: () => this.#try(this.#client.solve()),
+      step: () => this.#try(this.#client.step()),
+      cancel: () => this.#try(this.#client.cancel()),
+      reset: () => this.#try(this.reset()),
+      undoDrag: () => this.undo(),
+      frameAll: () => this.#view.frameAll(),
+    };
+  }
+
+  #beginDrag(): void {
+    const before = this.#snapshot();
+    if (before === null) return;
+    this.#dragMoved = false;
+    this.#history.beginGesture(before);
+  }
+
+  #drag(vertex: number, target: Vec3): void {
+    if (!this.#history.inGesture) return;
+    this.#dragMoved = true;
+    this.#change({ handles: this.#withTarget(vertex, target) });
+    this.#panels.showHandles(this.#handles(), this.#selected);
+    this.#view.showHandles(this.#handles(), this.#selected);
+    this.#try(this.#client.drag(vertex, target));
+  }
+
+  #endDrag(cancelled: boolean): void {
+    const before = cancelled ? this.#history.cancelGesture() : null;
+    if (before && this.#dragMoved) this.#restore(before);
+    this.#history.endGesture(this.#dragMoved);
+    this.#showDocument();
+  }
+
+  #setAnchor(vertex: number, anchor: boolean): void {
+    const before = this.#snapshot();
+    if (before) this.#history.record(before);
+    this.#change({ handles: this.#handles().map((handle) => (handle.vertex === vertex ? { ...handle, anchor } : handle)) });
+    this.#showDocument();
+  }
+
+  #changeView(change: Partial<ViewState>): void {
+    if (this.#opening === null) return;
+    const view = { ...this.#opening.document.view, ...change };
+    this.#change({ view });
+    if (change.camera !== undefined) return;
+    this.#view.setAppearance(view);
+    this.#showDocument();
+  }
+
+  // ---------------------------------------------------------------------------------------------------------- the state
+
+  #handles(): HandleData[] {
+    return this.#opening?.document.handles ?? [];
+  }
+
+  #withTarget(vertex: number, target: Vec3): HandleData[] {
+    return this.#handles().map((handle) => (handle.vertex === vertex ? { ...handle, target } : handle));
+  }
+
+  #positions(): Float64Array {
+    return this.#opening?.document.positions ?? new Float64Array();
+  }
+
+  /** The document is never changed in place: history and links may hold parts of it. */
+  #change(change: Partial<ChebnetDocument>): void {
+    if (this.#opening) this.#opening = { ...this.#opening, document: { ...this.#opening.document, ...change } };
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ showing
+
+  #showOpened(scene: Scene, { net, frame }: Opened): void {
+    const { method, options, view, settled } = scene;
+    const last = frame.handles.length - 1;
+    // Of the handles that come with a recipe the last is the one to drag.
+    const isAnchor = (i: number): boolean => (scene.handles === 'suggested' ? i < last : (scene.handles[i]?.anchor ?? false));
+    const handles = frame.handles.map(({ vertex, target }, i) => ({ vertex, target, anchor: isAnchor(i) }));
+    this.#opening = {
+      net,
+      frame,
+      document: { net: scene.net, handles, method, options, view, positions: frame.positions, settled },
+    };
+    this.#selected = null;
+    this.#view.setAppearance(view);
+    this.#view.showNet(net, frame, view.camera);
+    this.#panels.showNet(net);
+    this.#showDocument();
+    this.#showLive();
+  }
+
+  #showFrame(frame: FrameData, settled: boolean): void {
+    if (this.#opening === null) return;
+    this.#opening = { ...this.#opening, frame };
+    this.#change({ positions: frame.positions, settled });
+    this.#view.showFrame(frame);
+    this.#showLive();
+    this.#emit('frame');
+    if (!settled) return;
+    this.#sayUnreachable(frame);
+    this.#emit('settled');
+  }
+
+  #restarted(reason: string, opened: Opened | null): void {
+    if (opened === null || this.#opening === null) {
+      this.#panels.say(`The solver stopped and cannot go on with this net: ${sentence(reason)}`, 'error');
+      return;
+    }
+    const anchors = new Set(this.#handles().filter(({ anchor }) => anchor).map(({ vertex }) => vertex));
+    const handles = opened.frame.handles.map((handle) => ({ ...handle, anchor: anchors.has(handle.vertex) }));
+    this.#change({ handles });
+    this.#showDocument();
+    this.#panels.say(`The solver stopped and was started again; the net is as it last stood. ${sentence(reason)}`, 'error');
+  }
+
+  #showDocument(): void {
+    if (this.#opening === null) return;
+    const { document } = this.#opening;
+    if (!document.handles.some(({ vertex }) => vertex === this.#selected)) this.#selected = null;
+    this.#view.showHandles(document.handles, this.#selected);
+    this.#panels.showDocument(document, this.#selected, this.#history.canUndo);
+  }
+
+  #showLive(): void {
+    if (this.#opening) this.#panels.showFrame(this.#opening.frame, this.framesPerSecond, this.#client.solving);
+  }
+
+  /** Once, until all handles are within reach again. */
+  #sayUnreachable({ unreachable }: FrameData): void {
+    const [worst] = unreachable;
+    const said = this.#saidUnreachable;
+    this.#saidUnreachable = worst !== undefined;
+    if (worst === undefined || said) return;
+    const { vertexA, vertexB, distance, reach } = worst;
+    const [far, long] = [distance, reach].map((length) => length.toPrecision(3));
+    this.say(
+      `Handles ${vertexA} and ${vertexB} are out of reach of each other: they are ${far} apart, the net between them is ` +
+        `${long} long. It holds its best shape; bring them closer.`,
+    );
+  }
+
+  #emit(event: AppEvent, error?: unknown): void {
+    for (const listener of this.#listeners[event]) listener(error);
+  }
+
+  /** For what the user does: a failure is shown, not thrown. */
+  #try(doing: Promise<unknown>): void {
+    doing.catch((error: unknown) => this.report(error));
+  }
+}
+
+function targetsOf(handles: readonly HandleData[]): { vertex: number; target: Vec3 }[] {
+  return handles.map(({ vertex, target }) => ({ vertex, target }));
+}
+
+/** What went wrong, as a sentence. */
+function sentence(error: unknown): string {
+  const text = error instanceof Error ? error.message : String(error);
+  const end = /[.!?]$/.test(text) ? '' : '.';
+  // The name of a file stays as it is.
+  const start = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() : text.charAt(0);
+  return `${start}${text.slice(1)}${end}`;
+}

@@ -1,0 +1,110 @@
+/** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
+import { App } from './app';
+import { defaultScene } from './document/defaults';
+import { decodeScene, linkAdvice } from './document/share';
+import { download } from './files/download';
+import { pickFile, readNetFile } from './files/import';
+import { createPanels } from './panels/sidebar';
+import { createScripting } from './scripting';
+import { createView } from './view/scene';
+
+const app = new App(
+  {
+    createView: (events) => createView(element('view'), events),
+    createPanels: (events) => createPanels(element('panels'), events),
+    spawnWorker: () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' }),
+  },
+  {
+    pickFile: () => attempt(async () => openFile(await pickFile())),
+    copyLink: () => attempt(copyLink),
+    exportObj: () => attempt(exportObj),
+  },
+);
+const ready = start();
+window.chebnet = createScripting(app, ready);
+
+addEventListener('hashchange', () => attempt(followLink));
+addEventListener('keydown', pressKey);
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  attempt(() => openFile(event.dataTransfer?.files[0] ?? null));
+});
+
+function element(id: string): HTMLElement {
+  const found = document.getElementById(id);
+  if (found === null) throw new Error(`the page has no element "${id}"`);
+  return found;
+}
+
+function attempt(doing: () => Promise<void>): void {
+  doing().catch((error: unknown) => app.report(error));
+}
+
+/** A link that cannot be opened is said to be so, and the default net takes its place. */
+async function start(): Promise<void> {
+  try {
+    await app.start();
+    if (location.hash.length > 1) await app.openScene(decodeScene(location.hash));
+  } catch (error) {
+    app.report(error);
+  }
+  if (app.opening === null) await app.openScene(defaultScene()).catch((error: unknown) => app.report(error));
+}
+
+async function followLink(): Promise<void> {
+  if (location.hash.length <= 1) return;
+  await ready;
+  await app.openScene(decodeScene(location.hash));
+  app.say('The link is open. Undo brings back what was here before.');
+}
+
+async function copyLink(): Promise<void> {
+  const shared = app.share();
+  const advice = linkAdvice(shared) ?? '';
+  if (shared.hash === null) return app.say(advice);
+  const link = new URL(shared.hash, location.href).href;
+  try {
+    await navigator.clipboard.writeText(link);
+    app.say(`The link is copied. ${advice}`.trim());
+  } catch {
+    history.replaceState(null, '', link);
+    app.say(`The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim());
+  }
+}
+
+async function exportObj(): Promise<void> {
+  const net = app.opening?.document.net;
+  if (net === undefined) return;
+  const name = 'recipe' in net ? (net.recipe.split(':')[0] ?? 'net') : net.name.replace(/\.obj$/i, '');
+  download(`${name}.obj`, await app.obj(), 'model/obj');
+}
+
+async function openFile(file: File | null): Promise<void> {
+  if (file) await app.openNet(await readNetFile(file));
+}
+
+function pressKey(event: KeyboardEvent): void {
+  if (event.defaultPrevented || isTyping(event.target)) return;
+  const command = commandOf(event);
+  if (command === null) return;
+  event.preventDefault();
+  command();
+}
+
+function commandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
+  const letter = key.toLowerCase();
+  if (altKey) return null;
+  if (ctrlKey || metaKey) {
+    if (letter === 'z') return () => (shiftKey ? app.redo() : app.undo());
+    return letter === 'y' && ctrlKey ? () => app.redo() : null;
+  }
+  if (key === 'Delete' || key === 'Backspace') return () => app.deleteSelected();
+  return key === 'Escape' ? () => app.select(null) : null;
+}
+
+/** In a field for text the keys belong to the text. */
+function isTyping(target: EventTarget | null): boolean {
+  if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'range', 'button'].includes(target.type);
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+}

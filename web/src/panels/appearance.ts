@@ -1,0 +1,36 @@
+/** What the colours mean and whether faces are drawn. */
+import type { ColourMap, Field, ViewState } from '../document/document';
+import { makeSelect, makeSwitch, setValue } from './dom';
+import type { PanelEvents } from './panels';
+
+export class Appearance {
+  readonly content: HTMLElement[];
+  private readonly field: HTMLSelectElement;
+  private readonly map: HTMLSelectElement;
+  private readonly mapRow: HTMLElement;
+  private readonly faces: HTMLInputElement;
+
+  constructor(events: PanelEvents) {
+    const fields = [
+      { value: 'deviation', text: 'Deviation of edges' },
+      { value: 'angle', text: 'Corner angles' },
+    ];
+    const maps = [
+      { value: 'paper', text: 'Blue and red, as in the paper' },
+      { value: 'log', text: 'Logarithmic' },
+    ];
+    const field = makeSelect('Colour by', fields, (value) => events.setView({ field: value as Field }));
+    const map = makeSelect('Colours', maps, (value) => events.setView({ colourMap: value as ColourMap }));
+    const faces = makeSwitch('Faces', (showFaces) => events.setView({ showFaces }));
+    [this.field, this.map, this.mapRow, this.faces] = [field.select, map.select, map.row, faces.box];
+    this.content = [field.row, map.row, faces.row];
+  }
+
+  show({ field, colourMap, showFaces }: ViewState): void {
+    setValue(this.field, field);
+    setValue(this.map, colourMap);
+    // Angles have one map of their own.
+    this.mapRow.hidden = field === 'angle';
+    this.faces.checked = showFaces;
+  }
+}

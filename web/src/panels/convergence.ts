@@ -1,0 +1,80 @@
+/** What the plot shows: the solves of late. While a handle is dragged many short ones follow each other and the record rolls
+ *  on; when that has come to rest, the last one is left. */
+import type { TraceRow } from '../../../wasm/chebnet';
+
+/** The record rolls on when it has more iterations than this. */
+const LONGEST = 72;
+/** Below this, dL is rounding. */
+const SMALLEST = 1e-16;
+
+interface Solve {
+  /** Since the solve began. */
+  milliseconds: number[];
+  maxDeviations: number[];
+  stages: number[];
+}
+
+/** The record along one axis. A null parts two solves. */
+export interface Curve {
+  x: number[];
+  /** log₁₀ of max dL. */
+  y: (number | null)[];
+  /** Where stages begin. */
+  marks: { x: number; stage: number }[];
+}
+
+export class Convergence {
+  private solves: Solve[] = [];
+  private rested = false;
+
+  add(rows: readonly TraceRow[]): void {
+    for (const { iteration, stage, maxDeviation, totalMs } of rows) {
+      if (iteration === 1 || this.solves.length === 0) this.beginSolve();
+      const solve = this.solves.at(-1)!;
+      solve.milliseconds.push(totalMs);
+      solve.maxDeviations.push(maxDeviation);
+      solve.stages.push(stage);
+    }
+    while (this.solves.length > 1 && this.length > LONGEST) this.solves.shift();
+  }
+
+  /** Nothing more comes for the time being. */
+  rest(): void {
+    this.rested = true;
+    this.solves = this.solves.slice(-1);
+  }
+
+  clear(): void {
+    this.solves = [];
+    this.rested = false;
+  }
+
+  curve(byTime: boolean): Curve {
+    const curve: Curve = { x: [], y: [], marks: [] };
+    let start = 0;
+    for (const { milliseconds, maxDeviations, stages } of this.solves) {
+      if (start > 0) push(curve, start, null);
+      maxDeviations.forEach((deviation, i) => {
+        const x = start + (byTime ? milliseconds[i]! : i + 1);
+        if (stages[i] !== stages[i - 1]) curve.marks.push({ x, stage: stages[i]! });
+        push(curve, x, Number.isFinite(deviation) ? Math.log10(Math.max(deviation, SMALLEST)) : null);
+      });
+      start = curve.x.at(-1) ?? 0;
+    }
+    return curve;
+  }
+
+  private get length(): number {
+    return this.solves.reduce((sum, { stages }) => sum + stages.length, 0);
+  }
+
+  private beginSolve(): void {
+    if (this.rested) this.clear();
+    this.solves.push({ milliseconds: [], maxDeviations: [], stages: [] });
+  }
+}
+
+function push({ x, y }: Curve, at: number, value: number | null): void {
+  x.push(at);
+  y.push(value);
+}

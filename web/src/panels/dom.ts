@@ -1,0 +1,70 @@
+/** A few words for building native elements; all that the panels need instead of a framework. */
+
+type Attributes = Record<string, string | number | boolean>;
+
+/** An element with attributes (a boolean one is there or not) and children. */
+export function make<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'boolean') element.toggleAttribute(name, value);
+    else element.setAttribute(name, String(value));
+  }
+  element.append(...children);
+  return element;
+}
+
+export function makeButton(label: string | Node, click: () => void, attributes: Attributes = {}): HTMLButtonElement {
+  const button = make('button', { type: 'button', ...attributes }, label);
+  button.addEventListener('click', click);
+  return button;
+}
+
+/** A section that folds. */
+export function makeSection(title: string, open: boolean, ...children: Node[]): HTMLDetailsElement {
+  return make('details', { class: 'section', open }, make('summary', {}, title), ...children);
+}
+
+/** A choice of a few, as a select with its label. */
+export function makeSelect(
+  label: string,
+  choices: readonly { value: string; text: string }[],
+  chosen: (value: string) => void,
+): { row: HTMLLabelElement; select: HTMLSelectElement } {
+  const select = make('select', {}, ...choices.map(({ value, text }) => make('option', { value }, text)));
+  select.addEventListener('change', () => chosen(select.value));
+  return { row: make('label', { class: 'row' }, make('span', {}, label), select), select };
+}
+
+export function makeSwitch(label: string, changed: (on: boolean) => void): { row: HTMLLabelElement; box: HTMLInputElement } {
+  const box = make('input', { type: 'checkbox', class: 'switch' });
+  box.addEventListener('change', () => changed(box.checked));
+  return { row: make('label', { class: 'row' }, make('span', {}, label), box), box };
+}
+
+/** Writes only what is new: the document is left in peace otherwise. */
+export function setText(node: Node, text: string): void {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/** Leaves a field alone in which someone is typing. */
+export function setValue(field: HTMLInputElement | HTMLSelectElement, value: string): void {
+  if (document.activeElement !== field && field.value !== value) field.value = value;
+}
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** A line drawing on a 16 by 16 grid. */
+export function makeIcon(path: string): SVGSVGElement {
+  const icon = document.createElementNS(SVG, 'svg');
+  icon.setAttribute('viewBox', '0 0 16 16');
+  icon.setAttribute('class', 'icon');
+  icon.setAttribute('aria-hidden', 'true');
+  const line = document.createElementNS(SVG, 'path');
+  line.setAttribute('d', path);
+  icon.append(line);
+  return icon;
+}

@@ -1,0 +1,96 @@
+/** The shapes to begin with, each with a picture that is drawn when it comes into sight and nothing else is going on. */
+import type { ShapeInfo } from '../../../wasm/chebnet';
+import { make, makeButton, makeIcon } from './dom';
+import type { Idle } from './idle';
+import { drawThumbnail, type Wireframe } from './thumbnail';
+
+/** Enough to tell the shape, few enough to see the net. */
+const THUMBNAIL_VERTICES = 300;
+
+const FOLDER = 'M2 12.5v-9h4l1.5 2H14v7z';
+
+interface Item {
+  shape: ShapeInfo;
+  button: HTMLButtonElement;
+  canvas: HTMLCanvasElement;
+  net: Wireframe | null;
+}
+
+export class Gallery {
+  readonly element = make('div', { class: 'gallery', role: 'group', 'aria-label': 'Shapes' });
+  private readonly fileTile = this.makeFileTile();
+  private items: Item[] = [];
+  private waiting: Item[] = [];
+  private drawing = false;
+  private thumbnail: (recipe: string) => Promise<Wireframe> = () => Promise.reject(new Error('no shapes yet'));
+  private readonly sight = new IntersectionObserver((entries) => this.seen(entries));
+
+  constructor(
+    private readonly idle: Idle,
+    private readonly open: (recipe: string) => void,
+    private readonly openFile: () => void,
+  ) {
+    this.element.append(this.fileTile);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
+  }
+
+  showShapes(shapes: ShapeInfo[], thumbnail: (recipe: string) => Promise<Wireframe>): void {
+    this.thumbnail = thumbnail;
+    this.items = shapes.map((shape) => this.makeItem(shape));
+    this.element.replaceChildren(...this.items.map(({ button }) => button), this.fileTile);
+    for (const { button } of this.items) this.sight.observe(button);
+  }
+
+  /** null: what is open is from a file. */
+  showCurrent(name: string | null): void {
+    this.fileTile.classList.toggle('current', name === null);
+    for (const { shape, button, canvas, net } of this.items) {
+      const pressed = String(shape.name === name);
+      if (button.ariaPressed === pressed) continue;
+      button.ariaPressed = pressed;
+      // In its new colour.
+      if (net) drawThumbnail(canvas, net);
+    }
+  }
+
+  private makeItem(shape: ShapeInfo): Item {
+    const canvas = make('canvas', { 'aria-hidden': 'true' });
+    const button = makeButton(canvas, () => this.open(shape.name), { title: shape.sentence, 'aria-pressed': 'false' });
+    button.append(make('span', {}, shape.title));
+    return { shape, button, canvas, net: null };
+  }
+
+  private makeFileTile(): HTMLButtonElement {
+    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: 'Open an OBJ file, or drop one on the page' });
+    tile.append(make('span', {}, 'Open OBJ'));
+    return tile;
+  }
+
+  private seen(entries: IntersectionObserverEntry[]): void {
+    for (const { target, isIntersecting } of entries) {
+      const item = this.items.find(({ button }) => button === target);
+      if (!isIntersecting || !item) continue;
+      this.sight.unobserve(target);
+      this.waiting.push(item);
+    }
+    if (!this.drawing) void this.drawWaiting();
+  }
+
+  private async drawWaiting(): Promise<void> {
+    this.drawing = true;
+    for (let item = this.waiting.shift(); item; item = this.waiting.shift()) {
+      await this.idle.quiet();
+      try {
+        item.net = await this.thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
+        drawThumbnail(item.canvas, item.net);
+      } catch {
+        // A picture less; the name still opens the shape.
+      }
+    }
+    this.drawing = false;
+  }
+
+  private redraw(): void {
+    for (const { canvas, net } of this.items) if (net) drawThumbnail(canvas, net);
+  }
+}

@@ -1,0 +1,90 @@
+/** The colour map with its ends, and below it the range of the data. */
+import type { ViewState } from '../document/document';
+import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
+import { onThemeChange, readTheme } from '../view/theme';
+import type { FrameData } from '../worker/protocol';
+import { make, setText } from './dom';
+import { ROUNDING, small } from './words';
+
+const STOPS = 24;
+const DEGREES = 180 / Math.PI;
+
+export class Legend {
+  private readonly name = make('h2');
+  private readonly bar = make('div', { class: 'bar' });
+  private readonly data = make('div', { class: 'data' });
+  private readonly ticks = make('div', { class: 'ticks' });
+  private readonly words = make('p', { class: 'words' });
+  readonly element = make(
+    'section',
+    { class: 'legend', 'aria-label': 'Legend' },
+    this.name,
+    this.bar,
+    make('div', { class: 'track' }, this.data),
+    this.ticks,
+    this.words,
+  );
+  private view: Pick<ViewState, 'field' | 'colourMap'> = { field: 'deviation', colourMap: 'paper' };
+  private scale: Scale | null = null;
+
+  constructor() {
+    onThemeChange(() => this.draw());
+  }
+
+  show(view: Pick<ViewState, 'field' | 'colourMap'>): void {
+    const same = this.scale !== null && view.field === this.view.field && view.colourMap === this.view.colourMap;
+    this.view = view;
+    if (!same) this.draw();
+  }
+
+  showFrame({ deviations, cornerAngles }: FrameData): void {
+    if (!this.scale) return;
+    const byAngle = this.view.field === 'angle';
+    const [low, high] = range(byAngle ? cornerAngles : deviations);
+    const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
+    const left = legendPosition(this.scale, from);
+    const width = Math.max(0.02, legendPosition(this.scale, to) - left);
+    this.data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
+    this.data.style.width = `${(100 * width).toFixed(1)}%`;
+    setText(this.words, byAngle ? `Net: ${from.toFixed(0)}° to ${to.toFixed(0)}°` : `Net: ${deviationRange(from, to)}`);
+  }
+
+  private draw(): void {
+    const scale = scaleOf(this.view.field, this.view.colourMap, readTheme(document.documentElement));
+    this.scale = scale;
+    setText(this.name, scale.title);
+    const [low, high] = scale.shown;
+    const stops = Array.from({ length: STOPS + 1 }, (_, i) => {
+      const value = scale.logarithmic ? low * (high / low) ** (i / STOPS) : low + (high - low) * (i / STOPS);
+      return cssColour(scale.colour(positionOn(scale, value)));
+    });
+    this.bar.style.background = `linear-gradient(to right, ${stops.join(',')})`;
+    this.ticks.replaceChildren(
+      ...scale.ticks.map(({ value, label }) => {
+        const tick = make('span', {}, label);
+        tick.style.left = `${100 * legendPosition(scale, value)}%`;
+        return tick;
+      }),
+    );
+  }
+}
+
+/** Where a value stands on the legend, which may show more than the map tells apart. */
+function legendPosition(scale: Scale, value: number): number {
+  return positionOn({ ...scale, low: scale.shown[0], high: scale.shown[1] }, value);
+}
+
+function deviationRange(low: number, high: number): string {
+  if (high < ROUNDING) return 'exact';
+  return low < ROUNDING ? `up to ${small(high)}` : `${small(low)} to ${small(high)}`;
+}
+
+function range(values: Float32Array): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return [low, high];
+}

@@ -1,0 +1,29 @@
+/** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
+import { make, makeButton } from './dom';
+
+const INFO_MS = 6000;
+
+export class Messages {
+  // Both must be in the page before anything is said, or screen readers miss the first line.
+  private readonly infos = make('div', { role: 'status' });
+  private readonly errors = make('div', { role: 'alert' });
+  readonly element = make('div', { class: 'messages' }, this.infos, this.errors);
+  private timer = 0;
+
+  say(message: string, kind: 'info' | 'error'): void {
+    if (kind === 'error') this.sayError(message);
+    else this.sayInfo(message);
+  }
+
+  private sayInfo(message: string): void {
+    this.infos.replaceChildren(make('p', { class: 'message' }, message));
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.infos.replaceChildren(), INFO_MS);
+  }
+
+  private sayError(message: string): void {
+    const line = make('p', { class: 'message error' }, make('span', {}, message));
+    line.append(makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': 'Dismiss' }));
+    this.errors.replaceChildren(line);
+  }
+}

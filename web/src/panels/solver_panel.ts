@@ -1,0 +1,118 @@
+/** The method and its settings, and the buttons that set it going. */
+import type { MethodInfo, OptionInfo } from '../../../wasm/chebnet';
+import type { ChebnetDocument, SolverOptions } from '../document/document';
+import { make, makeButton, makeSwitch, setText, setValue } from './dom';
+import type { PanelEvents } from './panels';
+import { title } from './words';
+
+/** Seldom touched; the rest of the table is shown at once. */
+const SELDOM = ['energy_tolerance', 'gradient_tolerance', 'switch_deviation', 'reduction_deviation', 'active_fraction', 'active_rings'];
+
+interface Setting {
+  option: OptionInfo;
+  input: HTMLInputElement;
+  row: HTMLElement;
+}
+
+export class SolverPanel {
+  readonly content: HTMLElement[];
+  private readonly method = make('select', { 'aria-label': 'Method' });
+  private readonly citation = make('p', { class: 'quiet' });
+  private readonly usual = make('div');
+  private readonly seldom = make('div');
+  private readonly defaults: HTMLButtonElement;
+  private readonly buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
+  private methods: MethodInfo[] = [];
+  private settings: Setting[] = [];
+  private options: SolverOptions = {};
+
+  constructor(private readonly events: PanelEvents) {
+    this.buttons = {
+      cancel: makeButton('Cancel', () => events.cancel(), { disabled: true }),
+      undo: makeButton('Undo last drag', () => events.undoDrag(), { disabled: true }),
+    };
+    this.defaults = makeButton('Back to defaults', () => this.set({}), { class: 'plain link' });
+    this.method.addEventListener('change', () => this.set(this.options));
+    this.content = [
+      make(
+        'div',
+        { class: 'buttons' },
+        makeButton('Solve', () => events.solve(), { title: 'Iterate until the solve ends' }),
+        makeButton('One step', () => events.step(), { title: 'One iteration, then stop' }),
+        this.buttons.cancel,
+        makeButton('Reset to rest', () => events.reset()),
+        this.buttons.undo,
+      ),
+      make('label', { class: 'row' }, make('span', {}, 'Method'), this.method),
+      this.citation,
+      this.usual,
+      make('details', { class: 'more' }, make('summary', {}, 'More settings'), this.seldom),
+      this.defaults,
+    ];
+  }
+
+  showTables(methods: MethodInfo[], options: OptionInfo[]): void {
+    this.methods = methods;
+    this.method.replaceChildren(
+      ...methods.map(({ name, sentence }) => make('option', { value: name, title: sentence }, name)),
+    );
+    this.settings = options.map((option) => this.makeSetting(option));
+    const isSeldom = ({ option }: Setting) => SELDOM.includes(option.name);
+    this.usual.replaceChildren(...this.settings.filter((each) => !isSeldom(each)).map(({ row }) => row));
+    this.seldom.replaceChildren(...this.settings.filter(isSeldom).map(({ row }) => row));
+  }
+
+  showDocument({ method, options }: ChebnetDocument, canUndo: boolean): void {
+    this.options = options;
+    setValue(this.method, method);
+    const info = this.methods.find(({ name }) => name === method);
+    setText(this.citation, info ? `${info.sentence} ${info.citation}` : '');
+    for (const { option, input } of this.settings) this.showSetting(option, input, options[option.name] ?? option.value);
+    this.defaults.hidden = Object.keys(options).length === 0;
+    this.buttons.undo.disabled = !canUndo;
+  }
+
+  showSolving(solving: boolean): void {
+    if (this.buttons.cancel.disabled === solving) this.buttons.cancel.disabled = !solving;
+  }
+
+  private makeSetting(option: OptionInfo): Setting {
+    if (option.kind === 'flag') {
+      const { row, box } = makeSwitch(title(option.name), (on) => this.change(option, on));
+      row.title = option.sentence;
+      return { option, input: box, row };
+    }
+    const step = option.kind === 'integer' ? 1 : 'any';
+    const { smallest: min, largest: max } = option;
+    const input = make('input', { type: 'number', step, min, max, required: true });
+    input.addEventListener('change', () => {
+      if (input.reportValidity()) this.change(option, input.valueAsNumber);
+    });
+    const row = make('label', { class: 'row', title: option.sentence }, make('span', {}, title(option.name)), input);
+    return { option, input, row };
+  }
+
+  private showSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
+    if (kind === 'flag') input.checked = Boolean(value);
+    else setValue(input, plain(Number(value)));
+  }
+
+  private change({ name }: OptionInfo, value: number | boolean): void {
+    this.set({ ...this.options, [name]: value });
+  }
+
+  private set(options: SolverOptions): void {
+    // Sent whole: what is left out goes back to its default.
+    const all = Object.fromEntries(this.settings.map(({ option }) => [option.name, usualValue(option)]));
+    this.events.setOptions(this.method.value, { ...all, ...options });
+  }
+}
+
+function usualValue({ kind, value }: OptionInfo): number | boolean {
+  return kind === 'flag' ? value !== 0 : value;
+}
+
+/** 1e-6 rather than 0.000001. */
+function plain(value: number): string {
+  return value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential() : String(value);
+}

@@ -1,0 +1,70 @@
+/** Where to stand to see the whole net. */
+import { Matrix4, type PerspectiveCamera, Vector3 } from 'three';
+
+/** From the front, a little to the right and from above. */
+const DIRECTION = new Vector3(0.55, -1, 0.62).normalize();
+const UP = new Vector3(0, 0, 1);
+
+export interface Stand {
+  position: Vector3;
+  target: Vector3;
+}
+
+/** Room to leave free at each side of the picture, as a share of its height or width. */
+export interface Margins {
+  top: number;
+  right: number;
+  bottom: number;
+  left: number;
+}
+
+/** The nearest stand from which all points (4 numbers each) are in the picture, within the margins. */
+export function fitCamera(points: Float32Array, count: number, camera: PerspectiveCamera, margins: Margins): Stand {
+  const basis = new Matrix4().lookAt(DIRECTION, new Vector3(), UP);
+  const right = new Vector3();
+  const up = new Vector3();
+  basis.extractBasis(right, up, new Vector3());
+  const slope = Math.tan((camera.fov * Math.PI) / 360);
+  const across = new Span(slope * camera.aspect, margins.left, margins.right);
+  const upright = new Span(slope, margins.bottom, margins.top);
+  const p = new Vector3();
+  for (let i = 0; i < count; i++) {
+    p.fromArray(points, 4 * i);
+    const towards = p.dot(DIRECTION);
+    across.include(p.dot(right), towards);
+    upright.include(p.dot(up), towards);
+  }
+  const distance = Math.max(across.distance, upright.distance);
+  const target = new Vector3()
+    .addScaledVector(right, across.centre(distance))
+    .addScaledVector(up, upright.centre(distance));
+  return { position: target.clone().addScaledVector(DIRECTION, distance), target };
+}
+
+/** One direction of the picture. From a distance d before centre c, a point (x, towards) is within both sides if
+ *  x − c ≤ high · (d − towards) and c − x ≤ low · (d − towards): of all points, one bounds each side. */
+class Span {
+  private readonly low: number;
+  private readonly high: number;
+  private below = -Infinity;
+  private above = -Infinity;
+
+  constructor(slope: number, lowMargin: number, highMargin: number) {
+    this.low = slope * (1 - 2 * lowMargin);
+    this.high = slope * (1 - 2 * highMargin);
+  }
+
+  include(x: number, towards: number): void {
+    this.below = Math.max(this.below, -x + this.low * towards);
+    this.above = Math.max(this.above, x + this.high * towards);
+  }
+
+  get distance(): number {
+    return (this.below + this.above) / (this.low + this.high);
+  }
+
+  /** In the middle of what is free at a greater distance. */
+  centre(distance: number): number {
+    return (this.above - this.high * distance + this.low * distance - this.below) / 2;
+  }
+}

@@ -1,0 +1,88 @@
+/** The faces as fans of triangles in a quiet material, pushed back a little so that the lines lie on them. */
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial } from 'three';
+import { type ColourTexture, type NetData, READ_NET } from './net_data';
+import type { Theme } from './theme';
+
+const VERTEX = /* glsl */ `
+out vec3 seen;
+out float angle;
+${READ_NET}
+void main() {
+  vec4 p = readVertex(gl_VertexID);
+  vec4 inView = modelViewMatrix * vec4(p.xyz, 1.0);
+  seen = inView.xyz;
+  angle = p.w;
+  gl_Position = projectionMatrix * inView;
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform sampler2D colours;
+uniform float low, high;
+uniform bool byAngle;
+uniform vec3 front, back;
+in vec3 seen;
+in float angle;
+out vec4 colour;
+void main() {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  // A light over the viewer's left shoulder, soft enough that no fold turns black.
+  float light = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)));
+  vec3 base = mix(back, front, light);
+  if (byAngle) base = texture(colours, vec2((angle - low) / (high - low), 0.5)).rgb * (0.82 + 0.18 * light);
+  colour = vec4(base, 1.0);
+}`;
+
+/** Three vertices a triangle, fans from the first vertex of each face. */
+export function fanTriangles(faceStart: Int32Array, faceVertices: Int32Array): Uint32Array<ArrayBuffer> {
+  const faces = faceStart.length - 1;
+  const triangles = new Uint32Array(3 * (faceVertices.length - 2 * faces));
+  let to = 0;
+  for (let face = 0; face < faces; face++) {
+    const first = faceStart[face]!;
+    for (let corner = first + 1; corner + 1 < faceStart[face + 1]!; corner++) {
+      triangles[to++] = faceVertices[first]!;
+      triangles[to++] = faceVertices[corner]!;
+      triangles[to++] = faceVertices[corner + 1]!;
+    }
+  }
+  return triangles;
+}
+
+export class NetFaces {
+  readonly object: Mesh<BufferGeometry, ShaderMaterial>;
+
+  constructor(data: NetData, colours: ColourTexture, faceStart: Int32Array, faceVertices: Int32Array) {
+    // No attributes: the shader finds each vertex by its number.
+    const geometry = new BufferGeometry();
+    geometry.setIndex(new BufferAttribute(fanTriangles(faceStart, faceVertices), 1));
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1.5,
+      polygonOffsetUnits: 2,
+      uniforms: {
+        ...data.uniforms,
+        ...colours.uniforms,
+        front: { value: new Color() },
+        back: { value: new Color() },
+      },
+    });
+    this.object = new Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = 1;
+  }
+
+  setTheme(theme: Theme): void {
+    const { front, back } = this.object.material.uniforms;
+    front!.value.setRGB(...theme.faceLight);
+    back!.value.setRGB(...theme.faceDark);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}

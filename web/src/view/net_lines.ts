@@ -1,0 +1,157 @@
+/** The edges as lines with a width. Each edge is a strip of four vertices; the card reads both ends and the deviation from the
+ *  net's textures (net_data.ts), so nothing is written per edge when the net moves. That draws half the vertices of three's
+ *  LineSegments2 and uploads a sixth as much, so one kind of line serves nets of every size. Plain vertices, not instances:
+ *  graphics cards, and still more their stand-ins in software, are slow at instances as small as these. */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  GLSL3,
+  Mesh,
+  type PerspectiveCamera,
+  ShaderMaterial,
+  Vector2,
+} from 'three';
+import { type ColourTexture, type NetData, READ_NET } from './net_data';
+import type { Theme } from './theme';
+
+const VERTEX = /* glsl */ `
+in ivec2 ends;
+uniform vec2 viewport;      // device pixels
+uniform float width;        // device pixels
+uniform float near;
+uniform float lift;
+uniform vec2 fadeRange;     // distances from the camera
+uniform bool byAngle;
+out float value;
+out float across;
+out float away;
+${READ_NET}
+
+/** A line that leaves through the camera is cut at the near plane. */
+vec3 cut(vec3 p, vec3 q) { return p.z > -near ? mix(p, q, (p.z + near) / (p.z - q.z)) : p; }
+
+/** A little nearer on the line of sight: in front of faces that are not quite flat. */
+vec3 lifted(vec3 p) { return p * (1.0 - lift / max(length(p), lift)); }
+
+void main() {
+  // Of the four vertices of an edge, odd ones stand at its second end, the latter two at its other side.
+  int corner = gl_VertexID & 3;
+  bool second = (corner & 1) == 1;
+  float side = corner < 2 ? -1.0 : 1.0;
+  vec4 a = readVertex(ends.x), b = readVertex(ends.y);
+  vec3 p = (modelViewMatrix * vec4(a.xyz, 1.0)).xyz, q = (modelViewMatrix * vec4(b.xyz, 1.0)).xyz;
+  vec4 c = projectionMatrix * vec4(lifted(cut(p, q)), 1.0), d = projectionMatrix * vec4(lifted(cut(q, p)), 1.0);
+  vec2 along = (d.xy / d.w - c.xy / c.w) * viewport;
+  along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
+  // One pixel more than the line is wide leaves room for its soft rim.
+  float reach = 0.5 * (width + 2.0);
+  gl_Position = second ? d : c;
+  gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
+  across = side * reach;
+  float dL = readDeviation(gl_VertexID >> 2);
+  value = byAngle ? (second ? b.w : a.w) : log(max(dL, 1e-30)) / log(10.0);
+  away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform sampler2D colours;
+uniform float low, high, width, fade, inkShare;
+uniform vec3 fadeColour, ink;
+in float value;
+in float across;
+in float away;
+out vec4 colour;
+void main() {
+  vec3 mapped = texture(colours, vec2((value - low) / (high - low), 0.5)).rgb;
+  mapped = mix(mapped, ink, inkShare);
+  // Lines thinner than a pixel are drawn one pixel wide and lighter.
+  float rim = clamp(0.5 * max(width, 1.0) + 0.5 - abs(across), 0.0, 1.0) * min(width, 1.0);
+  if (rim < 0.02) discard;
+  colour = vec4(mix(mapped, fadeColour, fade * away), rim);
+}`;
+
+const INK_SHARE = 0.55;
+/** In edge lengths. */
+const LIFT = 0.12;
+
+/** How wide a line is for an edge of so many pixels: thin in dense nets, so that they do not fill up. */
+function lineWidth(edgePixels: number): number {
+  return Math.min(1.7, Math.max(0.55, 0.11 * edgePixels + 0.35));
+}
+
+/** Both ends of its edge for each of the four vertices, and two triangles among them. */
+function strips(edges: Int32Array): BufferGeometry {
+  const count = edges.length / 2;
+  const ends = new Int32Array(8 * count);
+  const triangles = new Uint32Array(6 * count);
+  for (let e = 0; e < count; e++) {
+    for (let corner = 0; corner < 4; corner++) ends.set([edges[2 * e]!, edges[2 * e + 1]!], 8 * e + 2 * corner);
+    triangles.set([4 * e, 4 * e + 1, 4 * e + 2, 4 * e + 2, 4 * e + 1, 4 * e + 3], 6 * e);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('ends', new BufferAttribute(ends, 2));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  return geometry;
+}
+
+export class NetLines {
+  readonly object: Mesh<BufferGeometry, ShaderMaterial>;
+
+  constructor(
+    private readonly data: NetData,
+    colours: ColourTexture,
+    edges: Int32Array,
+  ) {
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      transparent: true,
+      // What hides lines are faces and handles. If lines hid lines, their soft rims would cut gaps at every crossing.
+      depthWrite: false,
+      uniforms: {
+        ...data.uniforms,
+        ...colours.uniforms,
+        viewport: { value: new Vector2() },
+        width: { value: 1 },
+        near: { value: 0.01 },
+        lift: { value: LIFT * data.edgeLength },
+        fadeRange: { value: new Vector2() },
+        fade: { value: 0 },
+        fadeColour: { value: new Color() },
+        ink: { value: new Color() },
+        inkShare: { value: 0 },
+      },
+    });
+    this.object = new Mesh(strips(edges), material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = 2;
+  }
+
+  setTheme(theme: Theme): void {
+    const { fade, fadeColour, ink } = this.object.material.uniforms;
+    fadeColour!.value.setRGB(...theme.fade);
+    ink!.value.setRGB(...theme.ink);
+    fade!.value = theme.fadeShare;
+  }
+
+  /** Over faces that carry the colours, lines turn towards ink to be told from them. */
+  setOverColours(over: boolean): void {
+    this.object.material.uniforms.inkShare!.value = over ? INK_SHARE : 0;
+  }
+
+  beforeDraw(camera: PerspectiveCamera, size: Vector2, pixelRatio: number, distance: number): void {
+    const { viewport, width, near, fadeRange } = this.object.material.uniforms;
+    const pixelsPerLength = size.y / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
+    viewport!.value.copy(size).multiplyScalar(pixelRatio);
+    width!.value = lineWidth(this.data.edgeLength * pixelsPerLength) * pixelRatio;
+    near!.value = camera.near;
+    fadeRange!.value.set(distance - 0.7, distance + 1.2);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}

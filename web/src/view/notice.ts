@@ -1,0 +1,46 @@
+/** A line in the place of the picture when there can be none. */
+import type { View } from './view';
+
+export function createNotice(container: HTMLElement): { show(text: string): void; hide(): void; remove(): void } {
+  const element = document.createElement('p');
+  element.className = 'view-notice';
+  element.setAttribute('role', 'alert');
+  element.hidden = true;
+  container.append(element);
+  return {
+    show(text) {
+      element.textContent = text;
+      element.hidden = false;
+    },
+    hide: () => (element.hidden = true),
+    remove: () => element.remove(),
+  };
+}
+
+/** What draws here. Without a graphics card smoothing by samples would halve the frame rate; lines are smooth by themselves. */
+export function probeGraphics(): 'none' | 'software' | 'card' {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return 'none';
+  const names = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name) ? 'software' : 'card';
+}
+
+/** Stands in where there is no WebGL: says so, and lets the rest of the page work. */
+export function createBlankView(container: HTMLElement): View {
+  const notice = createNotice(container);
+  notice.show('The net is drawn with WebGL 2, which this browser lacks or has switched off. The panels and the solver still work.');
+  const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
+  return {
+    showNet() {},
+    showFrame() {},
+    showHandles() {},
+    setAppearance() {},
+    frameAll() {},
+    camera: () => nowhere,
+    framesPerSecond: () => 0,
+    screenPosition: () => ({ x: 0, y: 0 }),
+    dispose: () => notice.remove(),
+  };
+}

@@ -1,0 +1,88 @@
+/** Marks drawn over the picture as SVG: crisp at any size, animated by the style sheet, and free of charge for the graphics
+ *  card. Places are CSS pixels on the canvas. */
+
+export type Place = { x: number; y: number };
+
+export interface Strain {
+  from: Place;
+  to: Place;
+  /** null: only the line. */
+  label: { text: string; at: Place } | null;
+}
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+export class Overlay {
+  readonly element = make('svg', 'overlay');
+  private readonly strains = make('g', 'strains');
+  private readonly tether = make('line', 'tether');
+  private readonly hover = make('g', 'hover');
+  private readonly ring = make('circle', 'ring');
+  private readonly pulse = make('circle', 'pulse');
+
+  constructor() {
+    this.element.setAttribute('aria-hidden', 'true');
+    const plus = make('path', 'plus');
+    plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
+    this.hover.append(this.ring, plus);
+    this.element.append(this.strains, this.tether, this.pulse, this.hover);
+    this.setHover(null, 0, false);
+    this.setPulse(null, 0);
+    this.setTether(null);
+  }
+
+  /** What a click would take; `adds`: it would become a handle. */
+  setHover(place: Place | null, radius: number, adds: boolean): void {
+    if (!show(this.hover, place)) return;
+    this.hover.classList.toggle('adds', adds);
+    this.hover.setAttribute('transform', `translate(${place!.x} ${place!.y})`);
+    this.ring.setAttribute('r', String(radius));
+  }
+
+  /** Beckons towards the handle to drag. */
+  setPulse(place: Place | null, radius: number): void {
+    if (!show(this.pulse, place)) return;
+    put(this.pulse, { cx: place!.x, cy: place!.y, r: radius });
+  }
+
+  /** From the vertex to the hand that pulls it, while the net has not come along. */
+  setTether(ends: { from: Place; to: Place } | null): void {
+    if (!show(this.tether, ends)) return;
+    putLine(this.tether, ends!);
+  }
+
+  /** Pairs of handles that are pulled farther apart than the net is long. */
+  setStrains(strains: Strain[]): void {
+    if (strains.length === 0 && !this.strains.hasChildNodes()) return;
+    this.strains.replaceChildren(
+      ...strains.flatMap(({ from, to, label }) => {
+        const line = make('line', 'strain');
+        putLine(line, { from, to });
+        if (label === null) return [line];
+        const text = make('text', 'strain-label');
+        put(text, label.at);
+        text.textContent = label.text;
+        return [line, text];
+      }),
+    );
+  }
+}
+
+function make<Tag extends keyof SVGElementTagNameMap>(tag: Tag, name: string): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS(SVG, tag);
+  element.classList.add(name);
+  return element;
+}
+
+function show(element: SVGElement, something: unknown): boolean {
+  element.toggleAttribute('hidden', !something);
+  return Boolean(something);
+}
+
+function put(element: SVGElement, attributes: { [name: string]: number }): void {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value.toFixed(1));
+}
+
+function putLine(line: SVGElement, { from, to }: { from: Place; to: Place }): void {
+  put(line, { x1: from.x, y1: from.y, x2: to.x, y2: to.y });
+}

@@ -1,0 +1,307 @@
+/** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
+ *  old one is lost. */
+import type { Handle } from '../../../wasm/chebnet';
+import type { Scene, SolverOptions, Vec3 } from '../document/document';
+import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
+import type { FrameData, OpenedNet, Request, Response } from './protocol';
+
+/** The part of a `Worker` that the client uses. */
+export interface WorkerLike {
+  postMessage(request: Request): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Response>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+}
+
+export interface ClientEvents {
+  /** News of the net; `settled`: nothing is left to be solved. Frames from before the last open, restore or reset do not come. */
+  frame(frame: FrameData, settled: boolean): void;
+  /** A worker was lost. Another has the net as it last stood, here it is; null: it could not, and no net is open. */
+  restarted(reason: string, opened: Opened | null): void;
+}
+
+/** A failure on the other side, with the core's code and message; or "worker_lost". */
+export class SolverError extends Error {
+  constructor(
+    readonly code: string,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+export interface Opened {
+  net: OpenedNet;
+  frame: FrameData;
+}
+
+type OpenScene = Omit<Scene, 'view'>;
+type Answered<T extends Response['type']> = Extract<Response, { type: T }>;
+type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
+type Body = WithoutId<Request>;
+
+interface Waiting {
+  type: Request['type'];
+  resolve(response: Response): void;
+  reject(error: SolverError): void;
+}
+
+interface PendingDrag {
+  target: Vec3;
+  taken(): void;
+  refused(error: unknown): void;
+  promise: Promise<void>;
+}
+
+export class Client {
+  readonly #spawn: () => WorkerLike;
+  readonly #events: ClientEvents;
+  readonly #patience: number;
+  #worker: WorkerLike | null = null;
+  /** The worker has done something already: if it is lost, another may do better. */
+  #proven = false;
+  #lastId = 0;
+  readonly #waiting = new Map<number, Waiting>();
+  /** The newest target of each vertex, to be sent when the drag under way is answered. */
+  readonly #pendingDrags = new Map<number, PendingDrag>();
+  #dragsUnderWay = 0;
+  /** The last request answered that touched the net, and the last of which the news says that it is settled. */
+  #touched = 0;
+  #settled = 0;
+  /** News of requests before this one is of the past. */
+  #barrier = 0;
+  /** The net as it last stood, for the next worker. */
+  #scene: OpenScene | null = null;
+  #silence: ReturnType<typeof setTimeout> | undefined;
+  #whenIdle: (() => void)[] = [];
+
+  /** @param patience milliseconds of silence, while the worker is busy, after which it counts as lost. */
+  constructor(spawn: () => WorkerLike, events: ClientEvents, patience = 60_000) {
+    this.#spawn = spawn;
+    this.#events = events;
+    this.#patience = patience;
+  }
+
+  /** Whether requests wait or the net is being solved. */
+  get busy(): boolean {
+    return this.#waiting.size > 0 || this.#pendingDrags.size > 0 || this.solving;
+  }
+
+  /** Whether the net is yet to settle. */
+  get solving(): boolean {
+    return this.#touched > this.#settled;
+  }
+
+  /** Resolves when nothing waits and the net is settled. */
+  async idle(): Promise<void> {
+    if (this.busy) await new Promise<void>((resolve) => this.#whenIdle.push(resolve));
+  }
+
+  /** The tables of what the solver can do. */
+  hello(): Promise<Answered<'ready'>> {
+    return this.#ask({ type: 'hello', version: PROTOCOL_VERSION }, 'ready');
+  }
+
+  /** If it fails, the net opened before stays. */
+  async open(scene: OpenScene): Promise<Opened> {
+    this.#sendAllDrags();
+    const { net, frame } = await this.#ask({ type: 'open', scene }, 'opened');
+    this.#scene = scene;
+    this.#remember(frame.handles, frame.positions);
+    return { net, frame };
+  }
+
+  async setHandles(handles: Handle[]): Promise<void> {
+    await this.#tell({ type: 'handles', handles });
+    this.#remember(handles, null);
+  }
+
+  /**
+   * A target of the moment. At most one is under way; of those that come meanwhile only the newest of each vertex is
+   * sent. Resolves when the worker has taken this target or a newer one.
+   */
+  drag(vertex: number, target: Vec3): Promise<void> {
+    const pending = this.#pendingDrags.get(vertex) ?? newPendingDrag(target);
+    pending.target = target;
+    this.#pendingDrags.set(vertex, pending);
+    if (this.#dragsUnderWay === 0) this.#sendDrag();
+    return pending.promise;
+  }
+
+  async setOptions(method: string, options: SolverOptions): Promise<void> {
+    await this.#tell({ type: 'options', method, options });
+    if (this.#scene) this.#scene = { ...this.#scene, method, options };
+  }
+
+  async restore(positions: Float64Array, handles: Handle[], settled: boolean): Promise<void> {
+    await this.#tell({ type: 'restore', positions, handles, settled });
+    this.#remember(handles, positions);
+  }
+
+  solve(): Promise<void> {
+    return this.#tell({ type: 'solve' });
+  }
+
+  step(): Promise<void> {
+    return this.#tell({ type: 'step' });
+  }
+
+  cancel(): Promise<void> {
+    return this.#tell({ type: 'cancel' });
+  }
+
+  reset(): Promise<void> {
+    return this.#tell({ type: 'reset' });
+  }
+
+  /** 17 digits return every coordinate exactly. */
+  async exportObj(digits: number): Promise<string> {
+    this.#sendAllDrags();
+    return (await this.#ask({ type: 'export', format: 'obj', digits }, 'exported')).text;
+  }
+
+  thumbnail(recipe: string): Promise<{ edges: Int32Array; positions: Float32Array }> {
+    return this.#ask({ type: 'thumbnail', recipe }, 'thumbnail');
+  }
+
+  // -------------------------------------------------------------------------------------------------------- requests
+
+  /** For requests that are done or fail. Drags that wait go first: the order of the user's hands is kept. */
+  async #tell(body: Body): Promise<void> {
+    this.#sendAllDrags();
+    await this.#ask(body, 'done');
+  }
+
+  #ask<T extends Response['type']>(body: Body, answer: T): Promise<Answered<T>> {
+    const id = ++this.#lastId;
+    if (body.type === 'open' || body.type === 'restore' || body.type === 'reset') this.#barrier = id;
+    return new Promise((resolve, reject) => {
+      const take = (response: Response): void => {
+        if (response.type === answer) resolve(response as Answered<T>);
+        else reject(new SolverError('internal', `The solver answered "${body.type}" with "${response.type}".`));
+      };
+      this.#waiting.set(id, { type: body.type, resolve: take, reject });
+      this.#post({ id, ...body } as Request);
+      this.#watch();
+    });
+  }
+
+  #sendDrag(): void {
+    const [next] = this.#pendingDrags;
+    if (next === undefined) return;
+    const [vertex, { target, taken, refused }] = next;
+    this.#pendingDrags.delete(vertex);
+    this.#dragsUnderWay += 1;
+    const onward = (): void => {
+      this.#dragsUnderWay -= 1;
+      if (this.#dragsUnderWay === 0) this.#sendDrag();
+    };
+    this.#ask({ type: 'drag', vertex, target }, 'done').then(taken, refused).finally(onward);
+  }
+
+  #sendAllDrags(): void {
+    while (this.#pendingDrags.size > 0) this.#sendDrag();
+  }
+
+  #remember(handles: readonly Handle[], positions: Float64Array | null): void {
+    if (this.#scene === null) return;
+    const seeds = handles.map(({ vertex, target }) => ({ vertex, target, anchor: false }));
+    this.#scene = { ...this.#scene, handles: seeds, positions: positions ?? this.#scene.positions };
+  }
+
+  // -------------------------------------------------------------------------------------------------------- answers
+
+  #receive(response: Response): void {
+    if (response.type === 'error' && response.code === CRASHED) return this.#lose(response.message);
+    this.#proven = true;
+    if (response.type === 'frame' || response.type === 'settled') this.#news(response);
+    else this.#answered(response);
+    this.#watch();
+    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
+  }
+
+  #news({ id, type, frame }: Answered<'frame' | 'settled'>): void {
+    if (type === 'settled') this.#settled = Math.max(this.#settled, id);
+    if (id >= this.#barrier) {
+      this.#remember(frame.handles, frame.positions);
+      this.#events.frame(frame, !this.solving);
+    }
+    this.#post({ id: ++this.#lastId, type: 'seen' });
+  }
+
+  #answered(response: Response): void {
+    const waiting = this.#waiting.get(response.id);
+    if (waiting === undefined) return;
+    this.#waiting.delete(response.id);
+    if (response.type === 'error') {
+      // What failed changed nothing, so the news of what went on before still counts.
+      if (this.#barrier === response.id) this.#barrier = 0;
+      waiting.reject(new SolverError(response.code, response.message));
+    } else {
+      if (touchesNet(waiting.type)) this.#touched = Math.max(this.#touched, response.id);
+      waiting.resolve(response);
+    }
+  }
+
+  // ---------------------------------------------------------------------------------------------------------- workers
+
+  #post(request: Request): void {
+    this.#worker ??= this.#start();
+    this.#worker.postMessage(request);
+  }
+
+  #start(): WorkerLike {
+    const worker = this.#spawn();
+    const lose = (reason: string): void => {
+      if (worker === this.#worker) this.#lose(reason);
+    };
+    worker.onmessage = ({ data }) => {
+      if (worker === this.#worker) this.#receive(data);
+    };
+    worker.onerror = ({ message }) => lose(message || 'The solver could not be started.');
+    worker.onmessageerror = () => lose('A message of the solver could not be read.');
+    this.#proven = false;
+    return worker;
+  }
+
+  /** Starts counting the silence anew, as long as there is something to wait for. */
+  #watch(): void {
+    clearTimeout(this.#silence);
+    if (this.busy) this.#silence = setTimeout(() => this.#lose('The solver did not answer any more.'), this.#patience);
+  }
+
+  #lose(reason: string): void {
+    const hopeful = this.#proven;
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#settled = this.#touched;
+    const waiting = [...this.#waiting.values()];
+    this.#waiting.clear();
+    for (const { reject } of waiting) reject(new SolverError('worker_lost', reason));
+    if (this.#scene !== null) this.#replay(reason, hopeful);
+    this.#watch();
+    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
+  }
+
+  /** Opens the net as it last stood in a new worker. It is not solved on: that may be what broke the old one. */
+  #replay(reason: string, hopeful: boolean): void {
+    const scene = this.#scene;
+    this.#scene = null;
+    if (scene === null || !hopeful) return this.#events.restarted(reason, null);
+    this.open({ ...scene, settled: true }).then(
+      (opened) => this.#events.restarted(reason, opened),
+      () => this.#events.restarted(reason, null),
+    );
+  }
+}
+
+function newPendingDrag(target: Vec3): PendingDrag {
+  let taken = (): void => {};
+  let refused = (_error: unknown): void => {};
+  const promise = new Promise<void>((resolve, reject) => {
+    taken = resolve;
+    refused = reject;
+  });
+  return { target, taken, refused, promise };
+}

@@ -1,0 +1,335 @@
+/** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
+import type { Chebnet, Editor, SolveReport, TraceRow } from '../../../wasm/chebnet';
+import { unpackPositions } from '../document/packing';
+import type { SolverOptions } from '../document/document';
+import { CRASHED, PROTOCOL_VERSION } from './protocol';
+import type { FrameData, OpenedNet, Request, Response } from './protocol';
+
+/** Milliseconds of solving between two looks at the messages; one iteration is the least. */
+const SLICE = 12;
+/**
+ * Milliseconds that a solve has before its first frame is sent or the next target interrupts it. A net that is solved in
+ * this time is only ever shown solved, while the hand still sees it move at once.
+ */
+const SHARE = 32;
+
+type Drag = Extract<Request, { type: 'drag' }>;
+type OpenScene = Extract<Request, { type: 'open' }>['scene'];
+type Answer = Response extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
+
+/** Surroundings of a session; a test gives its own. */
+export interface SessionHost {
+  post(response: Response, transfer: Transferable[]): void;
+  /** Runs `task` after the messages that wait already. */
+  soon(task: () => void): void;
+  now(): number;
+}
+
+/**
+ * One net being edited. Requests are answered in the order they come; a request that touches the net interrupts the
+ * solve between two iterations and the solve begins anew from where the net stands.
+ */
+export class Session {
+  readonly #core: Chebnet;
+  readonly #host: SessionHost;
+  #editor: Editor | null = null;
+  /** The last request that touched the net. */
+  #touch = 0;
+  #solving = false;
+  #sliceWaits = false;
+  /** When the present solve began, or sent its last frame. */
+  #shareStart = 0;
+  /** A target that waits until the present solve has had its share. */
+  #nextDrag: Drag | null = null;
+  #status: FrameData['status'] = 'running';
+  /** The newest row of the present solve; null before its first iteration. */
+  #row: TraceRow | null = null;
+  #unsentRows: TraceRow[] = [];
+  #frameSeen = true;
+
+  constructor(core: Chebnet, host: SessionHost) {
+    this.#core = core;
+    this.#host = host;
+  }
+
+  handle(request: Request): void {
+    if (request.type !== 'seen') this.#takeNextDrag();
+    this.#attempt(request.id, () => this.#answer(request));
+  }
+
+  #answer(request: Request): void {
+    switch (request.type) {
+      case 'hello':
+        return this.#reply(request, this.#hello(request.version));
+      case 'open':
+        return this.#open(request.id, request.scene);
+      case 'handles':
+        this.#net().setHandles(request.handles);
+        return this.#accept(request, true);
+      case 'drag':
+        if (this.#solving && !this.#hadItsShare()) this.#nextDrag = request;
+        else this.#drag(request);
+        return;
+      case 'options':
+        applyOptions(this.#core, this.#net(), request.method, request.options);
+        if (!this.#solving) this.#judge();
+        return this.#accept(request, this.#solving);
+      case 'solve':
+        return this.#accept(request, true);
+      case 'step':
+        this.#note(this.#net().solve({ iterations: 1 }));
+        return this.#accept(request, false);
+      case 'cancel':
+        return this.#accept(request, false);
+      case 'reset':
+        this.#net().reset();
+        this.#judge();
+        return this.#accept(request, false);
+      case 'restore':
+        this.#restore(request);
+        return this.#accept(request, !request.settled);
+      case 'seen':
+        this.#frameSeen = true;
+        return;
+      case 'export':
+        return this.#reply(request, { type: 'exported', text: this.#net().toObj(request.digits) });
+      case 'thumbnail':
+        return this.#reply(request, this.#thumbnail(request.recipe));
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------------------- requests
+
+  #hello(version: number): Answer {
+    if (version !== PROTOCOL_VERSION) {
+      throw failure('version', 'Page and solver are of different versions; load the page again.');
+    }
+    const { shapes, methods, options } = this.#core;
+    return { type: 'ready', version, shapes: shapes(), methods: methods(), options: options() };
+  }
+
+  #open(id: number, scene: OpenScene): void {
+    const editor = openNet(this.#core, scene.net);
+    try {
+      prepare(this.#core, editor, scene);
+    } catch (error) {
+      editor.dispose();
+      throw error;
+    }
+    this.#editor?.dispose();
+    this.#editor = editor;
+    this.#touch = id;
+    this.#forgetSolve();
+    this.#judge();
+    const frame = this.#frame();
+    this.#post({ id, type: 'opened', net: describe(editor), frame }, buffersOf(frame));
+    this.#go(!scene.settled);
+  }
+
+  #drag(request: Drag): void {
+    this.#net().moveHandle(request.vertex, request.target);
+    this.#accept(request, true);
+  }
+
+  #takeNextDrag(): void {
+    const drag = this.#nextDrag;
+    this.#nextDrag = null;
+    if (drag) this.#attempt(drag.id, () => this.#drag(drag));
+  }
+
+  #restore({ positions, handles }: Extract<Request, { type: 'restore' }>): void {
+    this.#net().setHandles(handles);
+    this.#net().setPositions(positions);
+    this.#judge();
+  }
+
+  #thumbnail(recipe: string): Answer {
+    const editor = this.#core.openRecipe(recipe);
+    const { edges, restPositions } = editor;
+    editor.dispose();
+    return { type: 'thumbnail', edges, positions: Float32Array.from(restPositions) };
+  }
+
+  // --------------------------------------------------------------------------------------------------------- solving
+
+  /** Takes a request that touches the net: its id is that of the news from now on. */
+  #accept(request: Request, solve: boolean): void {
+    this.#net();
+    if (request.type !== 'step' && request.type !== 'solve' && request.type !== 'cancel') this.#row = null;
+    this.#touch = request.id;
+    this.#post({ id: request.id, type: 'done' });
+    this.#go(solve);
+  }
+
+  #go(solve: boolean): void {
+    this.#solving = solve;
+    if (!solve) return this.#settle();
+    this.#status = 'running';
+    this.#shareStart = this.#host.now();
+    this.#sliceSoon();
+  }
+
+  #sliceSoon(): void {
+    if (this.#sliceWaits) return;
+    this.#sliceWaits = true;
+    this.#host.soon(() => {
+      this.#sliceWaits = false;
+      if (!this.#solving) return;
+      try {
+        this.#slice();
+      } catch (error) {
+        // Hard problems end with a status; what throws here is broken.
+        this.#solving = false;
+        this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+      }
+    });
+  }
+
+  #slice(): void {
+    const report = this.#net().solve({ milliseconds: SLICE });
+    this.#note(report);
+    if (report.status !== 'running') this.#settle();
+    else this.#sliceSoon();
+    if (this.#solving && !this.#hadItsShare()) return;
+    if (this.#solving && this.#frameSeen) this.#send('frame');
+    this.#takeNextDrag();
+  }
+
+  #hadItsShare(): boolean {
+    return this.#host.now() - this.#shareStart >= SHARE;
+  }
+
+  #note(report: SolveReport): void {
+    this.#status = report.status;
+    this.#row = report.trace.at(-1) ?? this.#row;
+    this.#unsentRows.push(...report.trace);
+  }
+
+  #settle(): void {
+    this.#solving = false;
+    this.#send('settled');
+  }
+
+  #forgetSolve(): void {
+    this.#row = null;
+    this.#unsentRows = [];
+  }
+
+  /** How the net stands when it was put there rather than solved. */
+  #judge(): void {
+    const editor = this.#net();
+    const converged = largest(editor.deviations()) < Number(editor.options().threshold);
+    this.#status = converged ? 'converged' : editor.unreachablePairs().length > 0 ? 'unreachable' : 'running';
+  }
+
+  // --------------------------------------------------------------------------------------------------------- answers
+
+  #send(type: 'frame' | 'settled'): void {
+    this.#frameSeen = false;
+    this.#shareStart = this.#host.now();
+    const frame = this.#frame();
+    this.#post({ id: this.#touch, type, frame }, buffersOf(frame));
+  }
+
+  #frame(): FrameData {
+    const editor = this.#net();
+    const deviations = editor.deviations();
+    const trace = this.#unsentRows;
+    this.#unsentRows = [];
+    return {
+      positions: editor.positions(),
+      deviations,
+      cornerAngles: editor.cornerAngles(),
+      handles: editor.handles(),
+      status: this.#status,
+      maxDeviation: largest(deviations),
+      iterations: this.#row?.iteration ?? 0,
+      milliseconds: this.#row?.totalMs ?? 0,
+      stage: this.#row?.stage ?? 0,
+      bend: editor.bend(),
+      method: editor.method,
+      trace,
+      unreachable: editor.unreachablePairs(),
+    };
+  }
+
+  #net(): Editor {
+    if (this.#editor === null) throw failure('no_net', 'No net is open.');
+    return this.#editor;
+  }
+
+  #reply(request: Request, answer: Answer): void {
+    this.#post({ id: request.id, ...answer } as Response);
+  }
+
+  #post(response: Response, transfer: Transferable[] = []): void {
+    this.#host.post(response, transfer);
+  }
+
+  #attempt(id: number, doing: () => void): void {
+    try {
+      doing();
+    } catch (error) {
+      // Only a trap of the module comes without a code; see wasm/chebnet.d.ts.
+      const code = error instanceof Error && 'code' in error ? String(error.code) : CRASHED;
+      this.#post({ id, type: 'error', code, message: messageOf(error) });
+    }
+  }
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+function failure(code: string, message: string): Error {
+  return Object.assign(new Error(message), { code });
+}
+
+function openNet(core: Chebnet, net: OpenScene['net']): Editor {
+  return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name);
+}
+
+function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
+  applyOptions(core, editor, scene.method, scene.options);
+  const rest = editor.restPositions;
+  const seeds =
+    scene.handles === 'suggested' ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null })) : scene.handles;
+  // A vertex that is out of range gets a target all the same: the core says what is wrong with it.
+  const at = (vertex: number): [number, number, number] => [rest[3 * vertex] ?? 0, rest[3 * vertex + 1] ?? 0, rest[3 * vertex + 2] ?? 0];
+  editor.setHandles(seeds.map(({ vertex, target }) => ({ vertex, target: target ?? at(vertex) })));
+  const { positions } = scene;
+  if (positions !== null) editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
+}
+
+/** Sets the options named and puts the others back to their defaults; if one is refused, changes nothing. */
+function applyOptions(core: Chebnet, editor: Editor, method: string, options: SolverOptions): void {
+  const before = { method: editor.method, options: editor.options() };
+  const set = (name: string, values: SolverOptions): void => {
+    // What stays the same is not set again: a new method would do its symbolic work again.
+    if (name !== editor.method) editor.setMethod(name);
+    const present = editor.options();
+    for (const [key, value] of Object.entries(values)) {
+      if (Number(value) !== Number(present[key])) editor.setOption(key, value);
+    }
+  };
+  const defaults = Object.fromEntries(core.options().map(({ name, value }) => [name, value]));
+  try {
+    set(method, { ...defaults, ...options });
+  } catch (error) {
+    set(before.method, before.options);
+    throw error;
+  }
+}
+
+function describe(editor: Editor): OpenedNet {
+  const { info, edges, faceStart, faceVertices, restPositions, suggestedHandles } = editor;
+  return { info, edges, faceStart, faceVertices, restPositions, suggestedHandles, handles: editor.handles() };
+}
+
+function buffersOf({ positions, deviations, cornerAngles }: FrameData): Transferable[] {
+  return [positions.buffer, deviations.buffer, cornerAngles.buffer];
+}
+
+function largest(values: Float32Array): number {
+  return values.reduce((most, value) => Math.max(most, value), 0);
+}

@@ -1,0 +1,50 @@
+/** The module worker: loads the core and lets a session answer the page. */
+import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
+import { loadChebnet } from '../../../wasm/chebnet.js';
+import type { Chebnet } from '../../../wasm/chebnet';
+import { CRASHED } from './protocol';
+import type { Request, Response } from './protocol';
+import { Session } from './session';
+import { warmUp } from './warm_up';
+
+const WARM_UP_DELAY = 100;
+
+const queue: Request[] = [];
+let session: Session | null = null;
+
+function post(response: Response, transfer: Transferable[]): void {
+  self.postMessage(response, { transfer });
+}
+
+// A message to oneself comes after those that wait already; a timer would be slowed down to 4 ms.
+const channel = new MessageChannel();
+let tasks: (() => void)[] = [];
+channel.port1.onmessage = () => {
+  const due = tasks;
+  tasks = [];
+  for (const task of due) task();
+};
+
+function soon(task: () => void): void {
+  tasks.push(task);
+  channel.port2.postMessage(null);
+}
+
+self.onmessage = ({ data }: MessageEvent<Request>) => {
+  if (session) session.handle(data);
+  else queue.push(data);
+};
+
+function start(core: Chebnet): void {
+  session = new Session(core, { post, soon, now: () => performance.now() });
+  for (const request of queue.splice(0)) session.handle(request);
+  // After the first net is shown: a hand takes longer than this to find a handle.
+  setTimeout(() => warmUp(core), WARM_UP_DELAY);
+}
+
+loadChebnet({ wasmUrl })
+  .then(start)
+  .catch((error: unknown) => {
+    const message = `The solver could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
+    post({ id: 0, type: 'error', code: CRASHED, message }, []);
+  });
