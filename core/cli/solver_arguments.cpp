@@ -1,7 +1,6 @@
 #include "solver_arguments.h"
 
 #include "io/obj.h"
-#include "net/error.h"
 #include "net_argument.h"
 #include "text_table.h"
 
@@ -32,9 +31,16 @@ std::string option_list() {
     return "Options for --set (default, range, meaning):\n" + text_table(rows);
 }
 
+/// What is wrong with a word after --set; nothing if it is key=value. As --set takes every word up to the next option
+/// it may have swallowed the net, and a recipe holds an equals sign too.
+std::string setting_fault(const std::string& word) {
+    const auto equals = word.find('=');
+    const bool is_setting = equals != std::string::npos && word.find(':') > equals;
+    return is_setting ? "" : "wants key=value, not " + word + " (NET stands before --set)";
+}
+
 void set_option(Editor& editor, const std::string& setting) {
     const auto equals = setting.find('=');
-    if (equals == std::string::npos) throw Error(ErrorCode::bad_option, "--set wants key=value, but found " + setting);
     editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
 }
 
@@ -46,10 +52,15 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->required()
         ->type_name("EDIT.json");
     command.add_option("--method", arguments.method, "Method, see below")->type_name("NAME")->capture_default_str();
+    command.add_option("--init", arguments.initialisation, "Start of each solve: naive, arap:N or local_global:N")
+        ->type_name("INIT")
+        ->capture_default_str();
     command.add_option("--threshold", arguments.threshold, "Short for --set threshold=...")->type_name("NUMBER");
     command.add_option("--max-iterations", arguments.max_iterations, "Short for --set max_iterations=...")
         ->type_name("NUMBER");
-    command.add_option("--set", arguments.settings, "Options of the solver, see below")->type_name("KEY=VALUE");
+    command.add_option("--set", arguments.settings, "Options of the solver, see below")
+        ->check(setting_fault)
+        ->type_name("KEY=VALUE");
     command.add_option("-o,--output", arguments.output, "Write the edited net, as OBJ")->type_name("OUT.obj");
     command.add_option("--trace", arguments.trace, "Write one line for each iteration, as CSV")->type_name("TRACE.csv");
     command.footer([] { return method_list() + '\n' + option_list(); });
@@ -58,6 +69,7 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
 Editor open_editor(const SolverArguments& arguments) {
     Editor editor(load_net(arguments.net));
     editor.set_method(arguments.method);
+    editor.set_initialisation(arguments.initialisation);
     if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
     if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
     for (const std::string& setting : arguments.settings) set_option(editor, setting);

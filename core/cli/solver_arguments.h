@@ -13,6 +13,7 @@ namespace chebnet {
 struct SolverArguments {
     std::string net, edit;
     std::string method{k_default_method};
+    std::string initialisation{"naive"};
     std::string threshold, max_iterations;  ///< empty: the default
     std::vector<std::string> settings;      ///< each "key=value"
     std::string output, trace;              ///< files to write; empty: none

@@ -73,6 +73,12 @@ void Editor::set_method(std::unique_ptr<Method> method, std::string name) {
     restart();
 }
 
+void Editor::set_initialisation(std::string_view text) {
+    m_initialisation = Initialisation(text);
+    m_prepared = false;
+    restart();
+}
+
 void Editor::set_option(std::string_view key, std::string_view value) {
     chebnet::set_option(m_options, key, value);
     restart();
@@ -99,16 +105,20 @@ void Editor::snap_handles() {
     for (const Handle& handle : m_handles) m_positions.col(handle.vertex) = handle.target;
 }
 
+void Editor::prepare() {
+    std::vector<int> vertices;
+    for (const Handle& handle : m_handles) vertices.push_back(handle.vertex);
+    m_method->prepare(*m_net, *m_topology, vertices);
+    m_initialisation.prepare(*m_net, vertices);
+    m_prepared = true;
+}
+
 Status Editor::begin_solve() {
-    if (!m_prepared) {
-        std::vector<int> vertices;
-        for (const Handle& handle : m_handles) vertices.push_back(handle.vertex);
-        m_method->prepare(*m_net, *m_topology, vertices);
-        m_prepared = true;
-    }
+    if (!m_prepared) prepare();
     m_iterations = 0;
     m_elapsed_ms = 0;
     m_reachable = unreachable_pairs().empty();
+    if (max_deviation(*m_net, m_positions) >= m_options.threshold) m_initialisation.apply(m_positions);
     return m_method->start(m_positions, m_options, m_reachable);
 }
 

@@ -9,6 +9,7 @@
 
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/initialisation.h"
 #include "solve/method.h"
 #include "solve/options.h"
 #include "solve/trace.h"
@@ -48,6 +49,7 @@ public:
     const std::vector<Handle>& handles() const { return m_handles; }
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
+    const std::string& initialisation() const { return m_initialisation.name(); }
 
     /// Replaces the handles. Throws Error index_out_of_range, repeated_vertex or non_finite and then changes nothing.
     void set_handles(std::vector<Handle> handles);
@@ -57,6 +59,9 @@ public:
     void set_method(std::string_view name);
     /// Uses a method of one's own; `name` is what method() then says.
     void set_method(std::unique_ptr<Method> method, std::string name);
+    /// Chooses what is done to the positions at the beginning of each solve, before the method starts: "naive",
+    /// "arap:N" or "local_global:N" (see Initialisation). Throws Error bad_option and then changes nothing.
+    void set_initialisation(std::string_view text);
     /// Throws Error bad_option and then changes nothing.
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; handles then snap to their targets.
@@ -67,9 +72,9 @@ public:
 
     /// Goes on with the present solve until it ends or the budget runs out (status `running`; call again to go on).
     /// The first call after a solve has ended, or after a change of handles, targets, options or positions, starts a
-    /// new solve from the present positions. At least one iteration is made unless there is nothing to do. Never throws
-    /// over a hard problem: see Status. If handles are out of reach the net is stretched as evenly as the first stage
-    /// can and the status is `unreachable`.
+    /// new solve from the present positions, initialised unless they are a solution already. At least one iteration is
+    /// made unless there is nothing to do. Never throws over a hard problem: see Status. If handles are out of reach
+    /// the net is stretched as evenly as the first stage can and the status is `unreachable`.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of handles farther apart than the net allows, worst first. Necessary, not sufficient, for a net to exist.
@@ -81,6 +86,7 @@ public:
 private:
     void snap_handles();
     void restart() { m_running = false; }
+    void prepare();
     Status begin_solve();
     void measure_handle_distances() const;
     bool are_joined(int a, int b) const;
@@ -94,7 +100,8 @@ private:
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;
-    bool m_prepared = false;  // the method knows the present set of handles
+    Initialisation m_initialisation;
+    bool m_prepared = false;  // method and initialisation know the present set of handles
     bool m_running = false;   // a solve is under way
     bool m_reachable = true;  // as far as the handles' distances tell, for the solve under way
     int m_iterations = 0;     // of the solve under way

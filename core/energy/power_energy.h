@@ -15,14 +15,12 @@ public:
     double value(double r) const override;
     /// f′(r) = p (r^(p−1) − r^(−p−1)), likewise.
     double slope(double r) const override;
+    double second_derivative(double r) const override;
     /// The Hessian at r of the convex majorizer f̂(x) = g(x) + 1 / (g₀ + ∇g₀·(x − x₀)) with g = r^p (section 3.2.1):
     /// ∇²g + (2/g³) ∇g ∇gᵀ. Positive definite.
     Curvature curvature(double r) const override;
 
-    /// The true Hessian of f; its tangential weight f′/r is negative where r < 1.
-    Curvature hessian(double r) const;
-
-private:
+protected:
     double m_p;
 };
 

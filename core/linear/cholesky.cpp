@@ -140,7 +140,7 @@ bool Cholesky<size>::factorize(const std::vector<Block>& node_blocks, const std:
         }
         if (!dense::factor_panel(panel, rows, rows, columns)) return false;
         dense::subtract_outer_product(update, below, panel + columns, rows, below, columns);
-        std::memmove(taken, update, area * sizeof(double));
+        std::copy(update, update + area, taken);  // downwards, so that overlap does no harm
         stack = taken + area;
     }
     return true;

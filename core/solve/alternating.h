@@ -13,8 +13,7 @@ namespace chebnet {
 /// in units of the mean length; it has one stage and no exponent.
 class Alternating : public Method {
 public:
-    using MakeStep = std::unique_ptr<AlternatingStep> (*)(LaplacianPart&);
-    explicit Alternating(MakeStep make_step) : m_make_step(make_step) {}
+    explicit Alternating(MakeAlternatingStep make_step) : m_make_step(make_step) {}
 
     void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
     Status start(Positions& positions, const Options& options, bool reachable) override;
@@ -23,7 +22,7 @@ public:
 private:
     void measure(const Positions& positions);
 
-    MakeStep m_make_step;
+    MakeAlternatingStep m_make_step;
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
     std::vector<bool> m_is_free;
@@ -34,12 +33,5 @@ private:
     double m_energy = 0;         // at the present positions, in units of the mean length
     double m_max_deviation = 0;  // likewise
 };
-
-/// The method that iterates `Step`.
-template <typename Step>
-std::unique_ptr<Method> make_alternating() {
-    return std::make_unique<Alternating>(
-        [](LaplacianPart& part) -> std::unique_ptr<AlternatingStep> { return std::make_unique<Step>(part); });
-}
 
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "net/net.h"
 #include "solve/laplacian_part.h"
@@ -40,5 +41,12 @@ protected:
     LaplacianPart& m_part;
     Eigen::Matrix3Xd m_vectors;  // 3×E, t_e
 };
+
+using MakeAlternatingStep = std::unique_ptr<AlternatingStep> (*)(LaplacianPart&);
+
+template <typename Step>
+std::unique_ptr<AlternatingStep> make_alternating_step(LaplacianPart& part) {
+    return std::make_unique<Step>(part);
+}
 
 }  // namespace chebnet

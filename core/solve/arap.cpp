@@ -46,6 +46,6 @@ double ArapStep::energy(const Positions& positions) const {
     return sum / 2;
 }
 
-std::unique_ptr<Method> make_arap() { return make_alternating<ArapStep>(); }
+std::unique_ptr<Method> make_arap() { return std::make_unique<Alternating>(make_alternating_step<ArapStep>); }
 
 }  // namespace chebnet

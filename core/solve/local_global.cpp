@@ -22,6 +22,8 @@ double LocalGlobalStep::energy(const Positions& positions) const {
     return sum;
 }
 
-std::unique_ptr<Method> make_local_global() { return make_alternating<LocalGlobalStep>(); }
+std::unique_ptr<Method> make_local_global() {
+    return std::make_unique<Alternating>(make_alternating_step<LocalGlobalStep>);
+}
 
 }  // namespace chebnet

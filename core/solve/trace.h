@@ -20,12 +20,12 @@ const char* to_string(Status status);
 /// What one iteration did.
 struct TraceRow {
     int iteration = 0;         ///< from 1, counted since the solve was started
-    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3)
-    double p = 0;              ///< exponent of the energy
-    double energy = 0;         ///< E_p after the iteration, the constant 2 per edge subtracted
+    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3); 1 for a method without stages
+    double p = 0;              ///< exponent of the energy; 0 if it has none
+    double energy = 0;         ///< the method's own energy after the iteration; 0 where all edges have their length
     double max_deviation = 0;  ///< max dL after the iteration, over all edges
     double gradient_norm = 0;  ///< ‖∇E‖ before the step, in units of 1 / mean length
-    double step = 0;           ///< step size accepted by the line search
+    double step = 0;           ///< part of the direction accepted by the line search
     int free_vertices = 0;     ///< vertices that could move
     double assembly_ms = 0, factorisation_ms = 0, line_search_ms = 0;
     double total_ms = 0;  ///< time since the solve was started

@@ -36,7 +36,9 @@ async function mainThreadTasks(doing: () => Promise<void>): Promise<{ own: numbe
   const { traceEvents } = JSON.parse(String(await browser.stopTracing())) as { traceEvents: TraceEvent[] };
   const isMain = ({ name, args }: TraceEvent) => name === 'thread_name' && args?.name === 'CrRendererMain';
   const mainThreads = new Set(traceEvents.filter(isMain).map(({ pid, tid }) => `${pid} ${tid}`));
-  const tasks = traceEvents.filter(({ name, pid, tid }) => name === 'RunTask' && mainThreads.has(`${pid} ${tid}`));
+  // A task under way when tracing begins or ends has no duration.
+  const isWhole = ({ name, dur }: TraceEvent) => name === 'RunTask' && dur !== undefined;
+  const tasks = traceEvents.filter((event) => isWhole(event) && mainThreads.has(`${event.pid} ${event.tid}`));
   return { own: tasks.map(({ tdur = NaN }) => tdur / 1000), clock: tasks.map(({ dur = NaN }) => dur / 1000) };
 }
 

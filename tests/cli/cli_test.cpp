@@ -178,6 +178,17 @@ TEST_CASE("options reach the solver, by short names too") {
           box.run(solve + "--set adaptive_p=on --set threshold=1e-3").json().at("iterations"));
 }
 
+TEST_CASE("a solve can begin from another start") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    for (const char* start : {"naive", "arap:5", "local_global:5"}) {
+        const Run run = box.run("solve " + k_recipe + " --edit pull.json --init " + start);
+        INFO(start << run.err);
+        CHECK(run.exit_code == 0);
+        CHECK(run.json().at("max_dL") < 1e-6);
+    }
+}
+
 TEST_CASE("a run that does not converge ends with 1 and still reports and writes") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
@@ -254,11 +265,13 @@ TEST_CASE("bad usage is refused with one line") {
     check_refused(box.run("solve " + k_recipe), "--edit");
     check_refused(box.run(solve + "--colour red"), "--colour");
     check_refused(box.run(solve + "--method guess"), "guess");
+    check_refused(box.run(solve + "--init guess"), "guess");
     check_refused(box.run(solve + "--threshold small"), "small");
     check_refused(box.run(solve + "--max-iterations -1"), "max_iterations");
     check_refused(box.run(solve + "--set colour=red"), "colour");
     check_refused(box.run(solve + "--set p_end=nan"), "p_end");
     check_refused(box.run(solve + "--set adaptive_p"), "key=value");
+    check_refused(box.run("solve --set p_end=30 " + k_recipe + " --edit pull.json"), k_recipe);
     check_refused(box.run(drag), "--frames");
     check_refused(box.run(drag + "--frames 0"), "--frames");
     check_refused(box.run(drag + "--frames many"), "many");

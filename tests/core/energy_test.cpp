@@ -1,8 +1,18 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
+#include "energy/composite_power_energy.h"
+#include "energy/direct_energy.h"
+#include "energy/length_power_energy.h"
 #include "energy/power_energy.h"
+#include "energy/projected_power_energy.h"
+#include "net/measures.h"
 
 using namespace chebnet;
 
@@ -27,13 +37,55 @@ Eigen::Matrix3d block(const Curvature& c, const Eigen::Vector3d& u, double L) {
     return (c.radial * radial + c.tangential * (Eigen::Matrix3d::Identity() - radial)) / (L * L);
 }
 
-/// The majorizer of section 3.2.1 around d0, as a function of the edge vector: g + 1 / (g₀ + ∇g₀·(d − d₀)) − 2.
-/// Infinite where the linear part is not positive.
-double majorizer(double p, double L, const Eigen::Vector3d& d0, const Eigen::Vector3d& d) {
-    const double r0 = d0.norm() / L, g0 = std::pow(r0, p);
-    const Eigen::Vector3d gradient0 = p * std::pow(r0, p - 1) / L * d0.normalized();
-    const double linear = g0 + gradient0.dot(d - d0);
-    return linear > 0 ? std::pow(d.norm() / L, p) + 1 / linear - 2 : std::numeric_limits<double>::infinity();
+using Energy = std::shared_ptr<const EdgeEnergy>;
+/// A convex function of the edge vector d that bounds an energy and touches it at d₀.
+using Majorizer = std::function<double(double L, const Eigen::Vector3d& d0, const Eigen::Vector3d& d)>;
+
+struct Sample {
+    std::string name;
+    double p;
+    Energy energy;
+    Majorizer majorizer;  // none: the curvature is not that of a majorizer
+};
+
+/// The first-order expansion of r^q around d₀, at d.
+double linear_power(double q, double L, const Eigen::Vector3d& d0, const Eigen::Vector3d& d) {
+    const double r0 = d0.norm() / L;
+    return std::pow(r0, q) + q * std::pow(r0, q - 1) / L * d0.normalized().dot(d - d0);
+}
+
+/// g + 1 / (g₀ + ∇g₀·(d − d₀)) − 2 with g = r^p (section 3.2.1). Infinite where the linear part is not positive.
+Majorizer paper_majorizer(double p) {
+    return [p](double L, const Eigen::Vector3d& d0, const Eigen::Vector3d& d) {
+        const double linear = linear_power(p, L, d0, d);
+        return linear > 0 ? std::pow(d.norm() / L, p) + 1 / linear - 2 : std::numeric_limits<double>::infinity();
+    };
+}
+
+/// h⁺(g) + h⁻(g₀ + ∇g₀·(d − d₀)) with g = r^q, where h falls below 1 and rises above: composite majorization.
+Majorizer split_majorizer(double q, std::function<double(double)> h) {
+    return [q, h](double L, const Eigen::Vector3d& d0, const Eigen::Vector3d& d) {
+        const double rising = std::max(std::pow(d.norm() / L, q), 1.0), falling = linear_power(q, L, d0, d);
+        if (falling <= 0) return std::numeric_limits<double>::infinity();
+        return h(rising) + h(std::min(falling, 1.0));
+    };
+}
+
+std::vector<Sample> samples() {
+    std::vector<Sample> list;
+    for (const double p : {2.0, 3.0, 8.0, 50.0}) {
+        list.push_back({"paper", p, std::make_shared<PowerEnergy>(p), paper_majorizer(p)});
+        list.push_back({"composite", p, std::make_shared<CompositePowerEnergy>(p),
+                        split_majorizer(p, [](double y) { return y + 1 / y - 2; })});
+        list.push_back({"projected", p, std::make_shared<ProjectedPowerEnergy>(p), nullptr});
+    }
+    for (const double p : {2.0, 4.0, 8.0})
+        list.push_back({"length power", p, std::make_shared<LengthPowerEnergy>(p),
+                        split_majorizer(1, [p](double y) { return std::pow(std::abs(y - 1), p); })});
+    for (const double p : {2.0, 3.0, 8.0})
+        list.push_back({"direct", p, std::make_shared<DirectEnergy>(p),
+                        split_majorizer(1, [p](double y) { return std::pow(deviation(y), p); })});
+    return list;
 }
 
 }  // namespace
@@ -45,66 +97,123 @@ TEST_CASE("The energy is r^p + r^-p - 2, without cancellation near r = 1") {
     CHECK(PowerEnergy(p).value(1 + t) == Approx(p * p * t * t).epsilon(1e-5));
 }
 
+TEST_CASE("Every energy has its own value, and none at r = 1") {
+    const double r = GENERATE(0.6, 0.97, 1.0, 1.3);
+    for (const Sample& sample : samples()) {
+        INFO(sample.name << " p = " << sample.p);
+        CHECK(sample.energy->value(1) == 0);
+        CHECK(sample.energy->slope(1) == 0);
+        const double dL = r + 1 / r - 2;
+        const double expected = sample.name == "length power" ? std::pow(std::abs(r - 1), sample.p)
+                                : sample.name == "direct"     ? std::pow(dL, sample.p)
+                                                              : std::pow(r, sample.p) + std::pow(r, -sample.p) - 2;
+        CHECK(sample.energy->value(r) == Approx(expected).margin(1e-12));
+    }
+}
+
 TEST_CASE("Slope, true Hessian and gradient block agree with finite differences") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    const double p = GENERATE(2.0, 3.0, 8.0, 50.0);
-    const PowerEnergy energy(p);
-    for (int k = 0; k < 50; ++k) {
-        const RandomEdge edge(random);
-        const auto value = [&](const Eigen::Vector3d& d) { return energy.value(d.norm() / edge.L); };
-        const auto gradient = [&](const Eigen::Vector3d& d) {
-            return Eigen::Vector3d(energy.slope(d.norm() / edge.L) / edge.L * d.normalized());
-        };
-        const Eigen::Matrix3d hessian = block(energy.hessian(edge.r), edge.u, edge.L);
-        const double h = 1e-5 * edge.L / p;
-        for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
-            const double slope = (value(edge.d + step) - value(edge.d - step)) / (2 * h);
-            CHECK(slope == Approx(gradient(edge.d)[i]).margin(1e-5 * gradient(edge.d).norm() + 1e-9));
-            const Eigen::Vector3d column = (gradient(edge.d + step) - gradient(edge.d - step)) / (2 * h);
-            CHECK((column - hessian.col(i)).norm() < 1e-6 * hessian.norm());
+    for (const auto& [name, p, energy, majorizer] : samples()) {
+        INFO(name << " p = " << p);
+        for (int k = 0; k < 20; ++k) {
+            const RandomEdge edge(random);
+            const auto value = [&, &f = energy](const Eigen::Vector3d& d) { return f->value(d.norm() / edge.L); };
+            const auto gradient = [&, &f = energy](const Eigen::Vector3d& d) {
+                return Eigen::Vector3d(f->slope(d.norm() / edge.L) / edge.L * d.normalized());
+            };
+            const Eigen::Matrix3d hessian = block(energy->hessian(edge.r), edge.u, edge.L);
+            // Relative to r − 1, whose high powers some of the energies are.
+            const double h = 1e-4 * edge.L * std::min(1 / p, std::abs(edge.r - 1) / p);
+            for (int i = 0; i < 3; ++i) {
+                const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
+                const double slope = (value(edge.d + step) - value(edge.d - step)) / (2 * h);
+                CHECK(slope == Approx(gradient(edge.d)[i]).margin(1e-4 * gradient(edge.d).norm() + 1e-12));
+                const Eigen::Vector3d column = (gradient(edge.d + step) - gradient(edge.d - step)) / (2 * h);
+                CHECK((column - hessian.col(i)).norm() < 1e-4 * hessian.norm() + 1e-12);
+            }
         }
     }
 }
 
-TEST_CASE("The majorizer bounds the energy and touches its value and gradient; its Hessian is the one used") {
+TEST_CASE("A majorizer bounds its energy and touches value and gradient; its Hessian is the one used") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    const double p = GENERATE(2.0, 4.0, 50.0);
-    const PowerEnergy energy(p);
-    for (int k = 0; k < 100; ++k) {
-        const RandomEdge at(random), other(random);
-        const double L = at.L;
-        const auto bound = [&](const Eigen::Vector3d& d) { return majorizer(p, L, at.d, d); };
+    for (const auto& [name, p, energy, majorizer] : samples()) {
+        if (!majorizer) continue;
+        INFO(name << " p = " << p);
+        for (int k = 0; k < 50; ++k) {
+            const RandomEdge at(random), other(random);
+            const double L = at.L, h = 2e-4 * L / p;
+            if (std::abs(at.r - 1) * L < 2 * h) continue;  // the Hessian jumps there
+            CAPTURE(at.r, other.r);
+            const auto bound = [&, &m = majorizer](const Eigen::Vector3d& d) { return m(L, at.d, d); };
 
-        const Eigen::Vector3d elsewhere = other.d / other.L * L;
-        CHECK(bound(elsewhere) >= energy.value(other.r) * (1 - 1e-9) - 1e-9);
-        CHECK(bound(at.d) == Approx(energy.value(at.r)).margin(1e-9));
+            const Eigen::Vector3d elsewhere = other.d / other.L * L;
+            CHECK(bound(elsewhere) >= energy->value(other.r) * (1 - 1e-9) - 1e-9);
+            CHECK(bound(at.d) == Approx(energy->value(at.r)).margin(1e-9));
 
-        // Central differences of the bound: its gradient is the energy's, its Hessian the curvature block.
-        const double h = 2e-4 * L / p;
-        const Eigen::Vector3d gradient = energy.slope(at.r) / L * at.u;
-        const Eigen::Matrix3d hessian = block(energy.curvature(at.r), at.u, L);
-        for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
-            const double up = bound(at.d + step), down = bound(at.d - step), here = bound(at.d);
-            CHECK((up - down) / (2 * h) == Approx(gradient[i]).margin(1e-5 * hessian.norm() * L));
-            CHECK((up - 2 * here + down) / (h * h) == Approx(hessian(i, i)).margin(1e-3 * hessian.norm()));
+            // Central differences of the bound: its gradient is the energy's, its Hessian the curvature block.
+            const Eigen::Vector3d gradient = energy->slope(at.r) / L * at.u;
+            const Eigen::Matrix3d hessian = block(energy->curvature(at.r), at.u, L);
+            for (int i = 0; i < 3; ++i) {
+                const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
+                const double up = bound(at.d + step), down = bound(at.d - step), here = bound(at.d);
+                CHECK((up - down) / (2 * h) == Approx(gradient[i]).margin(1e-4 * hessian.norm() * L + 1e-9));
+                CHECK((up - 2 * here + down) / (h * h) ==
+                      Approx(hessian(i, i)).margin(2e-3 * hessian.norm() + 1e-3 / (L * L)));
+            }
         }
-        // The weights are the block's eigenvalues, times L².
-        CHECK(energy.curvature(at.r).radial > 0);
-        CHECK(energy.curvature(at.r).tangential > 0);
     }
 }
 
-TEST_CASE("The majorizer's Hessian is never below the true one") {
-    const double p = GENERATE(2.0, 5.0, 50.0), r = GENERATE(0.5, 0.9, 1.0, 1.1, 2.0);
-    const PowerEnergy energy(p);
-    CHECK(energy.curvature(r).radial >= energy.hessian(r).radial);
-    CHECK(energy.curvature(r).tangential >= energy.hessian(r).tangential);
+TEST_CASE("No curvature is indefinite, none of a majorizer is below the true one") {
+    const double r = GENERATE(0.3, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 2.0, 10.0);
+    for (const auto& [name, p, energy, majorizer] : samples()) {
+        INFO(name << " p = " << p);
+        const Curvature used = energy->curvature(r), real = energy->hessian(r);
+        CHECK(used.radial >= 0);
+        CHECK(used.tangential >= 0);
+        CHECK(used.radial >= real.radial * (1 - 1e-12));
+        CHECK(used.tangential >= real.tangential * (1 - 1e-12));
+        if (name == "paper") CHECK(used.tangential > 0);
+    }
+}
+
+TEST_CASE("Proposition 3: the Hessian of composite majorization is never above the paper's") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (const double p : {1.5, 2.0, 8.0, 50.0})
+        for (int k = 0; k < 200; ++k) {
+            const RandomEdge edge(random);
+            const Curvature composite = CompositePowerEnergy(p).curvature(edge.r);
+            const Curvature paper = PowerEnergy(p).curvature(edge.r);
+            CHECK(composite.radial <= paper.radial * (1 + 1e-12));
+            CHECK(composite.tangential <= paper.tangential * (1 + 1e-12));
+        }
+}
+
+TEST_CASE("Under composite majorization and projected Newton only stretched edges feel tangential stiffness") {
+    for (const double p : {2.0, 50.0}) {
+        const CompositePowerEnergy composite(p);
+        const ProjectedPowerEnergy projected(p);
+        for (const double r : {0.3, 0.8, 0.999}) {
+            CHECK(composite.curvature(r).tangential == 0);
+            CHECK(projected.curvature(r).tangential == 0);
+            CHECK(projected.curvature(r).radial == composite.hessian(r).radial);
+            CHECK(composite.curvature(r).radial > projected.curvature(r).radial);
+        }
+        // Both are the true Hessian where that is positive semi-definite.
+        for (const double r : {1.0, 1.001, 1.3, 3.0})
+            for (const Curvature& c : {composite.curvature(r), projected.curvature(r)}) {
+                CHECK(c.radial == composite.hessian(r).radial);
+                CHECK(c.tangential == composite.hessian(r).tangential);
+                CHECK((c.tangential > 0) == (r > 1));
+            }
+    }
 }
 
 TEST_CASE(

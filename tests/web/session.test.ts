@@ -155,27 +155,38 @@ describe('a drag', () => {
     expect(settled().frame.maxDeviation).toBeLessThan(1e-6);
   });
 
-  test('is interrupted by the next, and only the last one settles', () => {
+  test('is interrupted by the next once it had its share of time, and only the last one settles', () => {
     ask({ type: 'drag', vertex: dragged, target: away });
     run(20, 1);
     const id = ask({ type: 'drag', vertex: dragged, target: home });
+    expect(said).not.toContainEqual({ id, type: 'done' });
+    run(20, 1);
+    expect(said).toContainEqual({ id, type: 'done' });
     run();
     expect(frames('settled')).toHaveLength(1);
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
   });
 
+  test('that waits for its turn goes before what is asked after it', () => {
+    ask({ type: 'drag', vertex: dragged, target: away });
+    const waiting = ask({ type: 'drag', vertex: dragged, target: home });
+    const after = ask({ type: 'cancel' });
+    expect(said.map(({ id }) => id)).toEqual([waiting - 1, waiting, after, after]);
+    expect(at(settled().frame.positions, dragged)).toEqual(home);
+  });
+
   test('of a vertex that is no handle is refused, and what goes on goes on', () => {
     const id = ask({ type: 'drag', vertex: dragged, target: away });
-    ask({ type: 'drag', vertex: 5, target: home });
-    expect(said.at(-1)).toMatchObject({ type: 'error', code: 'index_out_of_range' });
-    run();
+    const wrong = ask({ type: 'drag', vertex: 5, target: home });
+    run(40);
+    expect(said).toContainEqual(expect.objectContaining({ id: wrong, type: 'error', code: 'index_out_of_range' }));
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
   });
 
   test('sends no frame before the last was seen, and none faster than a display shows', () => {
     ask({ type: 'seen' });
     ask({ type: 'drag', vertex: dragged, target: away });
-    run(20, 3);
+    run(40, 2);
     expect(frames('frame')).toHaveLength(1);
     ask({ type: 'seen' });
     run(1, 1);

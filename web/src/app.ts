@@ -41,6 +41,7 @@ export class App {
   readonly #view: View;
   readonly #panels: Panels;
   readonly #client: Client;
+  readonly #tables: ReturnType<Client['hello']>;
   readonly #history = new UndoHistory();
   readonly #listeners: Record<AppEvent, Set<Listener>> = { frame: new Set(), settled: new Set(), error: new Set() };
   #optionTable: OptionInfo[] = [];
@@ -55,6 +56,8 @@ export class App {
       frame: (frame, settled) => this.#showFrame(frame, settled),
       restarted: (reason, opened) => this.#restarted(reason, opened),
     });
+    // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
+    this.#tables = this.#client.hello();
     this.#view = createView(this.#viewEvents());
     this.#panels = createPanels(this.#panelEvents(services));
   }
@@ -72,9 +75,9 @@ export class App {
     return this.#view.screenPosition(vertex);
   }
 
-  /** Starts the solver and fills the tables of the panels. */
+  /** Waits for the solver and fills the tables of the panels. */
   async start(): Promise<void> {
-    const { shapes, methods, options } = await this.#client.hello();
+    const { shapes, methods, options } = await this.#tables;
     this.#optionTable = options;
     this.#panels.showTables(shapes, methods, options, (recipe) => this.#client.thumbnail(recipe));
   }

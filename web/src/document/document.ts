@@ -28,12 +28,15 @@ export type SolverOptions = Record<string, number | boolean>;
 
 export type Field = 'deviation' | 'angle';
 export type ColourMap = 'paper' | 'log';
+export type UpAxis = 'y' | 'z';
 
 export interface ViewState {
   camera: { position: Vec3; target: Vec3 } | null;
   field: Field;
   colourMap: ColourMap;
   showFaces: boolean;
+  /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
+  upAxis?: UpAxis;
 }
 
 export interface ChebnetDocument {

@@ -6,7 +6,7 @@ import { make, makeSelect } from './dom';
 
 const HEIGHT = 168;
 /** Labels of stages closer than this, in pixels, would run into each other. */
-const LABEL_ROOM = 14;
+const LABEL_ROOM = 6;
 /** So long after the last iteration the record is at rest. */
 const REST_MS = 1000;
 
@@ -124,7 +124,7 @@ export class ConvergencePlot {
     ctx.save();
     ctx.lineWidth = ratio;
     ctx.font = `${11 * ratio}px ${getComputedStyle(this.element).fontFamily}`;
-    ctx.textAlign = 'center';
+    ctx.textAlign = 'left';
     this.drawThreshold(plot, ratio);
     let free = -Infinity;
     for (const mark of this.curve.marks) {
@@ -138,7 +138,7 @@ export class ConvergencePlot {
       ctx.fillStyle = this.colour('--muted');
       const label = free < 0 ? `Stage ${mark.stage}` : String(mark.stage);
       ctx.fillText(label, x, bbox.top - 7 * ratio);
-      free = x + ctx.measureText(label).width / 2 + LABEL_ROOM * ratio;
+      free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
     }
     ctx.restore();
   }

@@ -28,6 +28,10 @@ export function makeSection(title: string, open: boolean, ...children: Node[]): 
   return make('details', { class: 'section', open }, make('summary', {}, title), ...children);
 }
 
+export function setSummary(section: HTMLDetailsElement, title: string): void {
+  setText(section.querySelector('summary')!, title);
+}
+
 /** A choice of a few, as a select with its label. */
 export function makeSelect(
   label: string,

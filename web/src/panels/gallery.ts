@@ -46,8 +46,8 @@ export class Gallery {
     this.fileTile.classList.toggle('current', name === null);
     for (const { shape, button, canvas, net } of this.items) {
       const pressed = String(shape.name === name);
-      if (button.ariaPressed === pressed) continue;
-      button.ariaPressed = pressed;
+      if (button.getAttribute('aria-pressed') === pressed) continue;
+      button.setAttribute('aria-pressed', pressed);
       // In its new colour.
       if (net) drawThumbnail(canvas, net);
     }

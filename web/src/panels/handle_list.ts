@@ -1,6 +1,6 @@
 /** The handles as a table: select, hold as anchor, put to exact coordinates, remove; and add one by its number. */
 import type { HandleData, Vec3 } from '../document/document';
-import { make, makeButton, makeIcon, setText, setValue } from './dom';
+import { make, makeButton, makeIcon, setValue } from './dom';
 import type { PanelEvents } from './panels';
 import { coordinate } from './words';
 
@@ -59,7 +59,7 @@ export class HandleList {
   private update({ element, select, anchor, fields, inputs }: Row, handle: HandleData, selected: boolean): void {
     element.classList.toggle('selected', selected);
     element.classList.toggle('anchor', handle.anchor);
-    if (select.ariaExpanded !== String(selected)) select.ariaExpanded = String(selected);
+    select.setAttribute('aria-expanded', String(selected));
     anchor.checked = handle.anchor;
     fields.hidden = !selected;
     if (selected) inputs.forEach((input, axis) => setValue(input, coordinate(handle.target[axis]!, this.edgeLength)));
@@ -103,8 +103,4 @@ export class HandleList {
 
 export function handleCount(handles: readonly HandleData[]): string {
   return `Handles (${handles.length})`;
-}
-
-export function setSummary(section: HTMLDetailsElement, text: string): void {
-  setText(section.querySelector('summary')!, text);
 }

@@ -26,6 +26,7 @@ export class Legend {
   );
   private view: Pick<ViewState, 'field' | 'colourMap'> = { field: 'deviation', colourMap: 'paper' };
   private scale: Scale | null = null;
+  private frame: FrameData | null = null;
 
   constructor() {
     onThemeChange(() => this.draw());
@@ -37,8 +38,14 @@ export class Legend {
     if (!same) this.draw();
   }
 
-  showFrame({ deviations, cornerAngles }: FrameData): void {
-    if (!this.scale) return;
+  showFrame(frame: FrameData): void {
+    this.frame = frame;
+    this.drawData();
+  }
+
+  private drawData(): void {
+    if (!this.scale || !this.frame) return;
+    const { deviations, cornerAngles } = this.frame;
     const byAngle = this.view.field === 'angle';
     const [low, high] = range(byAngle ? cornerAngles : deviations);
     const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
@@ -66,6 +73,7 @@ export class Legend {
         return tick;
       }),
     );
+    this.drawData();
   }
 }
 

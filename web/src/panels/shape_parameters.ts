@@ -46,6 +46,6 @@ export class ShapeParameters {
       const values = { ...recipe.values, [parameter.name]: fromSlider(parameter, input.valueAsNumber) };
       this.open(formatRecipe({ name: recipe.name, values }, shape));
     });
-    return make('label', { class: 'slider' }, make('span', {}, title(parameter.name)), output, input);
+    return make('label', { class: 'slider' }, make('span', {}, title(parameter.name)), input, output);
   }
 }

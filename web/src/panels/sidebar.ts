@@ -5,9 +5,9 @@ import type { ChebnetDocument, HandleData } from '../document/document';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { Appearance } from './appearance';
 import { ConvergencePlot } from './convergence_plot';
-import { make, makeButton, makeSection, setText } from './dom';
+import { make, makeButton, makeSection, setSummary, setText } from './dom';
 import { Gallery } from './gallery';
-import { handleCount, HandleList, setSummary } from './handle_list';
+import { handleCount, HandleList } from './handle_list';
 import { Idle } from './idle';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
@@ -41,6 +41,8 @@ class Sidebar implements Panels {
   private readonly status = make('span', { class: 'status-words' }, 'Loading the solver');
   private readonly light = make('i', { class: 'light', 'data-status': 'running' });
   private readonly fileName = make('p', { class: 'quiet', hidden: true });
+  private readonly toDrag = make('p', {}, 'Drag the ', make('em', {}, 'orange sphere'), '. Every edge keeps its length.');
+  private readonly toClick = make('p', { hidden: true }, 'Click a vertex to take hold of it. Every edge keeps its length.');
   private readonly handleSection: HTMLDetailsElement;
   private readonly sections: HTMLElement;
   private shapes: ShapeInfo[] = [];
@@ -71,13 +73,14 @@ class Sidebar implements Panels {
     );
     root.append(
       make(
-        'div',
-        { class: 'over' },
+        'section',
+        { class: 'over', 'aria-label': 'Title, actions and legend' },
         make(
           'header',
           { class: 'title' },
           make('h1', {}, 'chebnet'),
-          make('p', {}, 'Drag the ', make('em', {}, 'orange sphere'), '. Every edge keeps its length.'),
+          this.toDrag,
+          this.toClick,
         ),
         this.toolbar.element,
         this.legend.element,
@@ -131,6 +134,9 @@ class Sidebar implements Panels {
   showHandles(handles: readonly HandleData[], selected: number | null): void {
     setSummary(this.handleSection, handleCount(handles));
     this.numbers.showHandles(handles.length);
+    const draggable = handles.some(({ anchor }) => !anchor);
+    this.toDrag.hidden = !draggable;
+    this.toClick.hidden = draggable;
     this.handles.show(handles, selected);
   }
 

@@ -5,8 +5,8 @@ import { make, makeButton, makeSwitch, setText, setValue } from './dom';
 import type { PanelEvents } from './panels';
 import { title } from './words';
 
-/** Seldom touched; the rest of the table is shown at once. */
-const SELDOM = ['energy_tolerance', 'gradient_tolerance', 'switch_deviation', 'reduction_deviation', 'active_fraction', 'active_rings'];
+/** Shown at once; the rest of the table is a click away. */
+const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 'adaptive_reduction'];
 
 interface Setting {
   option: OptionInfo;
@@ -57,9 +57,9 @@ export class SolverPanel {
       ...methods.map(({ name, sentence }) => make('option', { value: name, title: sentence }, name)),
     );
     this.settings = options.map((option) => this.makeSetting(option));
-    const isSeldom = ({ option }: Setting) => SELDOM.includes(option.name);
-    this.usual.replaceChildren(...this.settings.filter((each) => !isSeldom(each)).map(({ row }) => row));
-    this.seldom.replaceChildren(...this.settings.filter(isSeldom).map(({ row }) => row));
+    const isUsual = ({ option }: Setting) => USUAL.includes(option.name);
+    this.usual.replaceChildren(...this.settings.filter(isUsual).map(({ row }) => row));
+    this.seldom.replaceChildren(...this.settings.filter((each) => !isUsual(each)).map(({ row }) => row));
   }
 
   showDocument({ method, options }: ChebnetDocument, canUndo: boolean): void {

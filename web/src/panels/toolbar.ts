@@ -23,7 +23,7 @@ export class Toolbar {
     this.undo = tool('undo', 'Undo', 'Undo the last change (Ctrl+Z)', () => events.undoDrag());
     this.element = make(
       'div',
-      { class: 'toolbar', role: 'toolbar', 'aria-label': 'Actions' },
+      { class: 'toolbar', role: 'group', 'aria-label': 'Actions' },
       this.undo,
       tool('reset', 'Reset', 'Back to the rest shape', () => events.reset()),
       tool('frame', 'Show all', 'See the whole net (Home)', () => events.frameAll()),

@@ -40,8 +40,9 @@ export function coordinate(value: number, edgeLength: number): string {
   return String(Number(value.toFixed(decimals)));
 }
 
-/** `switch_deviation` → `Switch deviation`. */
+/** `switch_deviation` → `Switch deviation`; but `p_end` → `p end`, for p is a letter of the paper. */
 export function title(name: string): string {
   const words = name.replaceAll('_', ' ');
+  if (words.charAt(1) === ' ') return words;
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

@@ -1,6 +1,7 @@
 /** Arrows along x, y, z at the selected handle: three's TransformControls, bound to this page's way of dragging. */
 import { Color, Mesh, Object3D, type PerspectiveCamera, SRGBColorSpace, type Vector2, Vector3 } from 'three';
 import { TransformControls, TransformControlsGizmo } from 'three/addons/controls/TransformControls.js';
+import type { UpAxis } from '../document/document';
 import type { Theme } from './theme';
 
 export interface ArrowEvents {
@@ -64,9 +65,11 @@ export class AxisArrows {
     this.controls.axis = null;
   }
 
-  setTheme({ axes, accent }: Theme): void {
+  /** Arrows have the colours of the net's axes, whichever of them is up. */
+  setTheme({ axes, accent }: Theme, up: UpAxis): void {
     const [x, y, z, active] = [...axes, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
-    this.controls.setColors(x!, y!, z!, active!);
+    if (up === 'z') this.controls.setColors(x!, y!, z!, active!);
+    else this.controls.setColors(x!, z!, y!, active!);
   }
 
   dispose(): void {

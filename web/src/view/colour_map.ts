@@ -36,7 +36,7 @@ const PAPER_RED = 2e-6;
 
 /** Ends of the plasma map fade into a light or a dark page: cut them off. */
 const PLASMA_LIGHT = [0, 0.78] as const;
-const PLASMA_DARK = [0.24, 1] as const;
+const PLASMA_DARK = [0.36, 1] as const;
 
 export function scaleOf(field: Field, map: ColourMap, colours: MapColours): Scale {
   if (field === 'angle') return angleScale(colours);

@@ -57,12 +57,13 @@ export class NetData {
 
   show({ positions, cornerAngles, deviations }: FrameData): void {
     const { points, vertexCount } = this;
-    const { scale, centre } = this.space;
-    const [cx, cy, cz] = centre;
+    const { scale, centre, axisY, axisZ, signY } = this.space;
+    const [cx, cy, cz] = [centre[0], centre[axisY], centre[axisZ]];
+    const scaleY = scale * signY;
     for (let i = 0, from = 0, to = 0; i < vertexCount; i++, from += 3, to += 4) {
       points[to] = (positions[from]! - cx) * scale;
-      points[to + 1] = (positions[from + 1]! - cy) * scale;
-      points[to + 2] = (positions[from + 2]! - cz) * scale;
+      points[to + 1] = (positions[from + axisY]! - cy) * scaleY;
+      points[to + 2] = (positions[from + axisZ]! - cz) * scale;
       points[to + 3] = cornerAngles[i]! * DEGREES;
     }
     this.deviations.set(deviations);

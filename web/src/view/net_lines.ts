@@ -80,15 +80,15 @@ function lineWidth(edgePixels: number): number {
   return Math.min(1.7, Math.max(0.55, 0.11 * edgePixels + 0.35));
 }
 
+const CORNERS = [0, 1, 2, 2, 1, 3] as const;
+
 /** Both ends of its edge for each of the four vertices, and two triangles among them. */
 function strips(edges: Int32Array): BufferGeometry {
   const count = edges.length / 2;
   const ends = new Int32Array(8 * count);
   const triangles = new Uint32Array(6 * count);
-  for (let e = 0; e < count; e++) {
-    for (let corner = 0; corner < 4; corner++) ends.set([edges[2 * e]!, edges[2 * e + 1]!], 8 * e + 2 * corner);
-    triangles.set([4 * e, 4 * e + 1, 4 * e + 2, 4 * e + 2, 4 * e + 1, 4 * e + 3], 6 * e);
-  }
+  for (let i = 0; i < ends.length; i++) ends[i] = edges[2 * (i >> 3) + (i & 1)]!;
+  for (let i = 0; i < triangles.length; i++) triangles[i] = 4 * Math.floor(i / 6) + CORNERS[i % 6]!;
   const geometry = new BufferGeometry();
   geometry.setAttribute('ends', new BufferAttribute(ends, 2));
   geometry.setIndex(new BufferAttribute(triangles, 1));

@@ -1,19 +1,10 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
-import {
-  DirectionalLight,
-  HemisphereLight,
-  Matrix4,
-  PerspectiveCamera,
-  Scene,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { ColourMap, Field, HandleData, Vec3 } from '../document/document';
+import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import type { HandleData, Vec3, ViewState } from '../document/document';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { AxisArrows } from './axis_arrows';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
+import { CameraRig } from './camera_rig';
 import { scaleOf } from './colour_map';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
@@ -31,16 +22,10 @@ import { onThemeChange, readTheme, type Theme } from './theme';
 import type { View, ViewEvents } from './view';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
-type Appearance = { field: Field; colourMap: ColourMap; showFaces: boolean };
+type Appearance = Omit<ViewState, 'camera'>;
 
-const FIELD_OF_VIEW = 32;
-const GLIDE_MS = 280;
-/** Share of the camera's momentum that a sixtieth of a second takes. */
-const DAMPING = 0.16;
-/** After a longer pause than this it is the first frame of a motion. */
-const LONG_FRAME_MS = 300;
-/** More pixels than this cost much and show little. */
-const LARGEST_PIXEL_RATIO = 2;
+/** More pixels than these cost much and show little; without a graphics card every one is dear. */
+const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 /** A label keeps so far from the edges of the canvas, in pixels. */
 const LABEL_ROOM = { side: 140, top: 120, bottom: 120 };
 /** So many unreachable pairs are drawn, the worst first. */
@@ -48,7 +33,7 @@ const SHOWN_STRAINS = 3;
 
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
-  return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics === 'card');
+  return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics);
 }
 
 /** What is drawn of one net. */
@@ -60,9 +45,8 @@ interface Shown {
 
 class SceneView implements View {
   private readonly scene = new Scene();
-  private readonly camera3d = new PerspectiveCamera(FIELD_OF_VIEW);
   private readonly renderer: WebGLRenderer;
-  private readonly orbit: OrbitControls;
+  private readonly rig: CameraRig;
   private readonly arrows: AxisArrows;
   private readonly marks = new HandleMarks();
   private readonly ground = new Ground();
@@ -77,27 +61,23 @@ class SceneView implements View {
   private readonly viewProjection = new Matrix4();
   private theme: Theme;
   private shown: Shown | null = null;
+  private net: OpenedNet | null = null;
+  private latest: FrameData | null = null;
+  private handles: readonly HandleData[] = [];
   private appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
   private selected: number | null = null;
-  private strains: FrameData['unreachable'] = [];
   private found: Found | null = null;
   private firstVisit = isFirstVisit();
   private frame = 0;
   private netMoved = false;
-  /** The camera still stands where it was put to show the whole net: a new size of the page puts it there again. */
-  private framed = true;
-  private steering = false;
-  private cameraMoved = false;
-  private glide: { from: Stand; to: Stand; start: number } | null = null;
-  private lastMove = 0;
   private drawTimes: number[] = [];
 
   constructor(
     private readonly container: HTMLElement,
     private readonly events: ViewEvents,
-    antialias: boolean,
+    private readonly graphics: 'card' | 'software',
   ) {
-    this.renderer = new WebGLRenderer({ antialias, alpha: true });
+    this.renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
@@ -107,16 +87,18 @@ class SceneView implements View {
     );
     container.append(canvas, this.overlay.element);
     this.notice = createNotice(container);
-    this.camera3d.up.set(0, 0, 1);
     this.report = new DragReport(this.noteFirstDrag(events));
-    this.orbit = this.createOrbit(canvas);
-    this.arrows = new AxisArrows(this.camera3d, canvas, {
+    this.rig = new CameraRig(canvas, {
+      moved: () => this.requestDraw(),
+      rested: () => events.cameraChanged(this.camera()),
+    });
+    this.arrows = new AxisArrows(this.rig.camera, canvas, {
       start: () => this.report.begin(this.selected!),
       move: (point) => this.carry(point),
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
     });
-    this.scene.add(this.ground.object, this.marks.object, ...this.arrows.objects, this.camera3d);
+    this.scene.add(this.ground.object, this.marks.object, ...this.arrows.objects, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
     this.theme = readTheme(container);
@@ -131,7 +113,8 @@ class SceneView implements View {
 
   showNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
     this.removeNet();
-    const data = new NetData(net, Space.of(net.restPositions));
+    this.net = net;
+    const data = new NetData(net, Space.of(net.restPositions, this.appearance.upAxis));
     const lines = new NetLines(data, this.colours, net.edges);
     const faces = new NetFaces(data, this.colours, net.faceStart, net.faceVertices);
     this.shown = { data, lines, faces };
@@ -139,21 +122,21 @@ class SceneView implements View {
     this.ground.showNet(data, faces.object.geometry);
     this.applyTheme();
     this.showFrame(frame);
-    this.glide = null;
-    this.framed = camera === null;
-    this.standAt(camera ? this.toStand(camera) : this.wholeNet());
+    this.rig.framed = camera === null;
+    this.rig.standAt(camera ? this.toStand(camera) : this.wholeNet());
   }
 
   showFrame(frame: FrameData): void {
     if (!this.shown) return;
+    this.latest = frame;
     this.shown.data.show(frame);
-    this.strains = frame.unreachable;
     this.netMoved = true;
     this.requestDraw();
   }
 
   showHandles(handles: readonly HandleData[], selected: number | null): void {
     if (!this.shown) return;
+    this.handles = handles;
     this.marks.show(handles, this.shown.data.space, this.report.vertex);
     this.selected = selected;
     if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
@@ -161,7 +144,9 @@ class SceneView implements View {
   }
 
   setAppearance(appearance: Appearance): void {
+    const turned = appearance.upAxis !== this.appearance.upAxis;
     this.appearance = appearance;
+    if (turned) this.turn();
     const { field, colourMap, showFaces } = appearance;
     this.colours.show(scaleOf(field, colourMap, this.theme), field === 'angle');
     if (this.shown) {
@@ -173,18 +158,14 @@ class SceneView implements View {
 
   frameAll(): void {
     if (!this.shown) return;
-    const to = this.wholeNet();
-    this.framed = true;
-    this.cameraMoved = true;
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.standAt(to);
-    else this.glide = { from: this.stand(), to, start: performance.now() };
-    this.requestDraw();
+    this.rig.framed = true;
+    this.rig.glideTo(this.wholeNet());
   }
 
   camera(): CameraPlace {
     if (!this.shown) return { position: [0, 0, 0], target: [0, 0, 0] };
     const { space } = this.shown.data;
-    return { position: space.toNet(this.camera3d.position), target: space.toNet(this.orbit.target) };
+    return { position: space.toNet(this.rig.camera.position), target: space.toNet(this.rig.orbit.target) };
   }
 
   framesPerSecond(): number {
@@ -204,39 +185,17 @@ class SceneView implements View {
     this.stopThemes();
     this.gestures.dispose();
     this.removeNet();
-    for (const thing of [this.arrows, this.orbit, this.marks, this.ground, this.colours, this.renderer]) thing.dispose();
+    for (const thing of [this.arrows, this.rig, this.marks, this.ground, this.colours, this.renderer]) thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
   }
 
-  private createOrbit(canvas: HTMLCanvasElement): OrbitControls {
-    const orbit = new OrbitControls(this.camera3d, canvas);
-    orbit.enableDamping = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    orbit.zoomSpeed = 1.2;
-    orbit.minDistance = 0.02;
-    orbit.maxDistance = 30;
-    orbit.addEventListener('start', () => {
-      this.steering = true;
-      this.framed = false;
-      this.glide = null;
-    });
-    orbit.addEventListener('change', () => {
-      this.cameraMoved = true;
-      this.requestDraw();
-    });
-    orbit.addEventListener('end', () => {
-      this.steering = false;
-      this.requestDraw();
-    });
-    return orbit;
-  }
-
   private createGestures(canvas: HTMLCanvasElement): Gestures {
     return new Gestures({
       canvas,
-      camera: this.camera3d,
-      orbit: this.orbit,
+      camera: this.rig.camera,
+      orbit: this.rig.orbit,
       arrows: this.arrows,
       marks: this.marks,
       report: this.report,
@@ -254,7 +213,7 @@ class SceneView implements View {
   private addLights(): void {
     const lamp = new DirectionalLight(0xffffff, 2.2);
     lamp.position.set(-1, 2, 2);
-    this.camera3d.add(lamp);
+    this.rig.camera.add(lamp);
     this.scene.add(new HemisphereLight(0xffffff, 0xb0b8c8, 1.5));
   }
 
@@ -292,13 +251,21 @@ class SceneView implements View {
     this.found = null;
   }
 
+  /** Another axis is up: everything stands elsewhere in the scene. */
+  private turn(): void {
+    if (!this.net || !this.latest) return;
+    this.showNet(this.net, this.latest, null);
+    this.showHandles(this.handles, this.selected);
+  }
+
   private readTheme(): void {
     this.theme = readTheme(this.container);
     this.applyTheme();
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.arrows]) part.setTheme(this.theme);
+    for (const part of [this.marks, this.ground]) part.setTheme(this.theme);
+    this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.shown?.lines.setTheme(this.theme);
     this.shown?.faces.setTheme(this.theme);
     this.setAppearance(this.appearance);
@@ -314,11 +281,10 @@ class SceneView implements View {
     const { clientWidth, clientHeight } = this.container;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.size.set(clientWidth, clientHeight);
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO[this.graphics]));
     this.renderer.setSize(clientWidth, clientHeight);
-    this.camera3d.aspect = clientWidth / clientHeight;
-    this.camera3d.updateProjectionMatrix();
-    if (this.framed && this.shown) this.standAt(this.wholeNet());
+    this.rig.resize(clientWidth, clientHeight);
+    if (this.rig.framed && this.shown) this.rig.standAt(this.wholeNet());
     // At once: setting the size has cleared the canvas.
     this.draw();
   }
@@ -331,61 +297,23 @@ class SceneView implements View {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     this.report.flush();
-    this.moveCamera();
+    this.rig.update();
     if (!this.shown) return;
     this.prepare(this.shown);
     if (this.netMoved) this.ground.drawShadow(this.renderer);
     this.netMoved = false;
-    this.renderer.render(this.scene, this.camera3d);
+    this.renderer.render(this.scene, this.rig.camera);
     this.drawOverlay();
     this.countDraw();
   }
 
   private prepare({ data, lines }: Shown): void {
-    const camera = this.camera3d;
-    const distance = camera.position.distanceTo(this.orbit.target);
-    camera.near = Math.max(1e-3, 0.02 * distance);
-    camera.far = distance + 8;
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
+    const { camera, distance } = this.rig;
     lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
     this.marks.beforeDraw(camera, this.size.y, data.edgeLength, distance);
     this.arrows.show(this.selected === null ? null : (this.marks.point(this.selected) ?? null));
     // From below, the floor would hide the net.
     this.ground.object.visible = camera.position.z > this.ground.object.position.z;
-  }
-
-  private moveCamera(): void {
-    const now = performance.now();
-    // By time, not by frame: on a slow machine the camera would coast for seconds.
-    const elapsed = now - this.lastMove;
-    this.orbit.dampingFactor = 1 - (1 - DAMPING) ** (elapsed < LONG_FRAME_MS ? 0.06 * elapsed : 1);
-    this.lastMove = now;
-    if (this.glide) this.glideOn(this.glide);
-    if (this.orbit.update() || this.glide || this.steering) return;
-    if (!this.cameraMoved) return;
-    this.cameraMoved = false;
-    this.events.cameraChanged(this.camera());
-  }
-
-  private glideOn({ from, to, start }: { from: Stand; to: Stand; start: number }): void {
-    const t = Math.min(1, (performance.now() - start) / GLIDE_MS);
-    const eased = 1 - (1 - t) ** 3;
-    this.camera3d.position.lerpVectors(from.position, to.position, eased);
-    this.orbit.target.lerpVectors(from.target, to.target, eased);
-    if (t === 1) this.glide = null;
-    this.requestDraw();
-  }
-
-  private stand(): Stand {
-    return { position: this.camera3d.position.clone(), target: this.orbit.target.clone() };
-  }
-
-  private standAt({ position, target }: Stand): void {
-    this.camera3d.position.copy(position);
-    this.orbit.target.copy(target);
-    this.orbit.update();
-    this.requestDraw();
   }
 
   private toStand({ position, target }: CameraPlace): Stand {
@@ -397,7 +325,7 @@ class SceneView implements View {
 
   private wholeNet(): Stand {
     const { points, vertexCount } = this.shown!.data;
-    return fitCamera(points, vertexCount, this.camera3d, this.margins());
+    return fitCamera(points, vertexCount, this.rig.camera, this.margins());
   }
 
   /** What title, tools and legend cover is up to the style sheet: pixels at top, right, bottom, left. */
@@ -409,8 +337,9 @@ class SceneView implements View {
   }
 
   private projection(): Projection {
-    this.camera3d.updateMatrixWorld();
-    this.viewProjection.multiplyMatrices(this.camera3d.projectionMatrix, this.camera3d.matrixWorldInverse);
+    const { camera } = this.rig;
+    camera.updateMatrixWorld();
+    this.viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     return { matrix: this.viewProjection.elements, width: this.size.x, height: this.size.y };
   }
 
@@ -452,7 +381,7 @@ class SceneView implements View {
   }
 
   private drawnStrains(): Strain[] {
-    return this.strains.slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
+    return (this.latest?.unreachable ?? []).slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
       const [a, b] = [this.marks.point(vertexA), this.marks.point(vertexB)];
       if (!a || !b) return [];
       const [from, to] = [this.place(a), this.place(b)];

@@ -1,17 +1,30 @@
 /** The scene's own coordinates: the rest net's box centred at the origin, its half diagonal 1 long. Nets of any size and place
- *  then look alike to camera, ground and markers, and single precision on the graphics card is enough. */
-import type { Vec3 } from '../document/document';
+ *  then look alike to camera, ground and markers, and single precision on the graphics card is enough. The scene's z is up;
+ *  a net whose y is up is turned about x. */
+import type { UpAxis, Vec3 } from '../document/document';
+
+type Point = { x: number; y: number; z: number };
 
 export class Space {
+  /** Which of the net's axes are the scene's y and z; y turned round by `signY`. */
+  readonly axisY: 1 | 2;
+  readonly axisZ: 1 | 2;
+  readonly signY: 1 | -1;
+  /** Height of the lowest point of the rest net, in the scene. */
+  readonly floor: number;
+
   private constructor(
+    up: UpAxis,
     readonly centre: Vec3,
     /** Scene length of one unit of the net. */
     readonly scale: number,
-    /** Height of the lowest point of the rest net, in the scene. */
-    readonly floor: number,
-  ) {}
+    heights: { y: number; z: number },
+  ) {
+    [this.axisY, this.axisZ, this.signY] = up === 'z' ? [1, 2, 1] : [2, 1, -1];
+    this.floor = (-heights[up] * scale) / 2;
+  }
 
-  static of(positions: Float64Array): Space {
+  static of(positions: Float64Array, up: UpAxis = 'z'): Space {
     const low: Vec3 = [Infinity, Infinity, Infinity];
     const high: Vec3 = [-Infinity, -Infinity, -Infinity];
     positions.forEach((x, i) => {
@@ -19,22 +32,24 @@ export class Space {
       if (x < low[axis]) low[axis] = x;
       if (x > high[axis]) high[axis] = x;
     });
-    const half = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2 || 1;
+    const [width, y, z] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
     const centre: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
-    return new Space(centre, 1 / half, (low[2] - centre[2]) / half);
+    return new Space(up, centre, 1 / (Math.hypot(width, y, z) / 2 || 1), { y, z });
   }
 
-  toScene(p: { x: number; y: number; z: number }, [x, y, z]: readonly [number, number, number]): void {
-    p.x = (x - this.centre[0]) * this.scale;
-    p.y = (y - this.centre[1]) * this.scale;
-    p.z = (z - this.centre[2]) * this.scale;
+  toScene(p: Point, place: readonly [number, number, number]): void {
+    const { centre, scale, axisY, axisZ, signY } = this;
+    p.x = (place[0] - centre[0]) * scale;
+    p.y = (place[axisY] - centre[axisY]) * scale * signY;
+    p.z = (place[axisZ] - centre[axisZ]) * scale;
   }
 
-  toNet(p: { x: number; y: number; z: number }): Vec3 {
-    return [
-      p.x / this.scale + this.centre[0],
-      p.y / this.scale + this.centre[1],
-      p.z / this.scale + this.centre[2],
-    ];
+  toNet(p: Point): Vec3 {
+    const { centre, scale, axisY, axisZ, signY } = this;
+    const place: Vec3 = [...centre];
+    place[0] += p.x / scale;
+    place[axisY] += (signY * p.y) / scale;
+    place[axisZ] += p.z / scale;
+    return place;
   }
 }

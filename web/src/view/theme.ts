@@ -18,10 +18,16 @@ export interface Theme extends MapColours {
 
 const DARK = '(prefers-color-scheme: dark)';
 
+/** Whatever way of writing a colour the build has found shortest, a canvas gives it back as #rrggbb. */
+const speller = document.createElement('canvas').getContext('2d')!;
+
 export function readTheme(element: Element): Theme {
   const style = getComputedStyle(element);
   const text = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  const colour = (name: string) => parseColour(text(name));
+  const colour = (name: string) => {
+    speller.fillStyle = text(name);
+    return parseColour(speller.fillStyle);
+  };
   return {
     dark: matchMedia(DARK).matches,
     good: colour('map-good'),

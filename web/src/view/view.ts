@@ -1,6 +1,6 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
  *  it never changes the document itself. */
-import type { ColourMap, Field, HandleData, Vec3 } from '../document/document';
+import type { HandleData, Vec3, ViewState } from '../document/document';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** What a hand did in the view. */
@@ -24,7 +24,7 @@ export interface View {
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   showFrame(frame: FrameData): void;
   showHandles(handles: readonly HandleData[], selected: number | null): void;
-  setAppearance(appearance: { field: Field; colourMap: ColourMap; showFaces: boolean }): void;
+  setAppearance(appearance: Omit<ViewState, 'camera'>): void;
   /** Back to a view of the whole net. */
   frameAll(): void;
   camera(): { position: Vec3; target: Vec3 };

@@ -1,11 +1,13 @@
-#include "solve/staged_newton.h"
+#include "solve/staged_descent.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "net/measures.h"
 #include "solve/degenerate_edges.h"
+#include "solve/stopping.h"
 #include "solve/stopwatch.h"
 
 namespace chebnet {
@@ -17,97 +19,92 @@ constexpr int k_max_halvings = 40;
 // A reduced iteration must bring max dL below this part of what it was. One with all vertices free brings it to about a
 // ninth: the majorizer's step is 2/3 of what is needed, and dL is quadratic.
 constexpr double k_reduced_progress = 0.5;
-// When no net exists there is nothing to be exact about: the shape is even enough when the energy falls by less than
-// this part of it. Going on to the minimum takes hundreds of iterations that nobody can see.
-constexpr double k_unreachable_progress = 1e-3;
 
 }  // namespace
 
-void StagedNewton::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
+StagedDescent::StagedDescent(MakeEnergy make_energy, std::unique_ptr<DescentDirection> direction, Adjust adjust)
+    : m_make_energy(make_energy), m_direction(std::move(direction)), m_adjust(adjust) {}
+
+void StagedDescent::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
     m_net = &net;
     m_topology = &topology;
     m_is_free = free_vertices(net.vertex_count(), handle_vertices);
     m_all = std::make_unique<FreePart>(net, m_is_free);
-    m_all_system = std::make_unique<BlockSystem>(m_all->size(), m_all->links());
+    m_direction->prepare(*m_all);
 }
 
-Status StagedNewton::start(Positions& positions, const Options& options, bool reachable) {
+Status StagedDescent::start(Positions& positions, const Options& options, bool reachable) {
     m_options = options;
+    m_adjust(m_options);
     m_reachable = reachable;
-    m_reduction_allowed = options.adaptive_reduction;
+    m_reduction_allowed = m_options.adaptive_reduction;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
-    enter_stage(options.adaptive_p ? 1 : 2);
+    enter_stage(m_options.adaptive_p ? 1 : 2);
     measure(positions);
     if (m_max_deviation < m_options.threshold) return Status::converged;
     if (!std::isfinite(m_total_energy)) return Status::non_finite;
-    if (m_all->size() == 0) return reachable ? Status::stalled : Status::unreachable;
-    return Status::running;
+    return m_all->size() == 0 ? ended(reachable) : Status::running;
 }
 
-Status StagedNewton::iterate(Positions& positions, TraceRow& row) {
-    Stopwatch watch;
+Status StagedDescent::iterate(Positions& positions, TraceRow& row) {
     choose_stage();
     measure(positions);  // the exponent may have changed
-    std::unique_ptr<FreePart> reduced;
-    std::unique_ptr<BlockSystem> reduced_system;
-    if (m_stage == 3) {
-        reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges());
-        reduced_system = std::make_unique<BlockSystem>(
-            reduced->size(), reduced->links(), reduced->induced_order(*m_all, m_all_system->elimination_rank()));
-    }
-    const FreePart& part = reduced ? *reduced : *m_all;
-    BlockSystem& system = reduced ? *reduced_system : *m_all_system;
-
-    const Eigen::Matrix3Xd gradient = assemble(part, system, positions);
-    row.stage = m_stage;
-    row.p = m_p;
-    row.free_vertices = part.size();
-    row.gradient_norm = gradient.norm() * m_net->mean_length();
-    row.assembly_ms = watch.milliseconds();
-
-    watch.restart();
-    const bool factorised = system.factorize();
-    Eigen::Matrix3Xd direction;
-    if (factorised) direction = -system.solve(gradient);
-    row.factorisation_ms = watch.milliseconds();
-
-    watch.restart();
     const double energy_before = m_total_energy, deviation_before = m_max_deviation;
-    const bool usable = factorised && direction.allFinite();
-    const LineSearch search =
-        usable ? search_line(part, positions, direction, gradient.cwiseProduct(direction).sum()) : LineSearch{0, false};
-    measure(positions);
-    row.step = search.step;
+    const bool moved = step(positions, row);
     row.energy = m_total_energy;
     row.max_deviation = m_max_deviation;
-    row.line_search_ms = watch.milliseconds();
 
     if (m_max_deviation < m_options.threshold) return Status::converged;
-    if (!factorised && !gradient.allFinite()) return Status::non_finite;
-    const double change = std::abs(energy_before - m_total_energy);
-    const double tolerance = m_reachable ? m_options.energy_tolerance : k_unreachable_progress;
-    if (!search.accepted || change <= tolerance * energy_before || row.gradient_norm < m_options.gradient_tolerance)
+    if (!std::isfinite(row.gradient_norm)) return Status::non_finite;
+    if (!moved || has_settled(m_options, m_reachable, energy_before, m_total_energy, row.gradient_norm))
         return at_minimum();
     if (m_stage == 3 && m_max_deviation > k_reduced_progress * deviation_before) free_all_vertices();
     return Status::running;
 }
 
+/// One step of the free vertices, or in stage 3 of those near bad edges. False if none was found that lowers the
+/// energy.
+bool StagedDescent::step(Positions& positions, TraceRow& row) {
+    Stopwatch watch;
+    std::unique_ptr<FreePart> reduced;
+    if (m_stage == 3) reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges());
+    const FreePart& part = reduced ? *reduced : *m_all;
+    const Eigen::Matrix3Xd slope = gradient(part, positions);
+    row.stage = m_stage;
+    row.p = m_p;
+    row.free_vertices = part.size();
+    row.gradient_norm = slope.norm() * m_net->mean_length();
+    row.assembly_ms = watch.milliseconds();
+
+    Eigen::Matrix3Xd direction;
+    const bool found = m_direction->find({*m_net, part, *m_energy, positions, m_ratios, slope}, direction, row);
+
+    watch.restart();
+    if (found && direction.allFinite())
+        row.step = search_line(part, positions, direction, slope.cwiseProduct(direction).sum());
+    if (row.step > 0) m_direction->accepted(row.step);
+    measure(positions);
+    row.line_search_ms = watch.milliseconds();
+    return row.step > 0;
+}
+
 /// Stages only go forward within one solve.
-void StagedNewton::choose_stage() {
+void StagedDescent::choose_stage() {
     int stage = m_stage;
     if (stage == 1 && m_reachable && m_max_deviation < m_options.switch_deviation) stage = 2;
     if (stage == 2 && m_reduction_allowed && m_max_deviation < m_options.reduction_deviation) stage = 3;
     if (stage != m_stage) enter_stage(stage);
 }
 
-void StagedNewton::enter_stage(int stage) {
+void StagedDescent::enter_stage(int stage) {
     m_stage = stage;
     m_p = stage == 1 ? m_options.p_start : m_options.p_end;
-    m_energy = m_make_energy(m_p);
+    m_energy = m_make_energy(m_p, m_options);
+    m_direction->restart();
 }
 
 /// The energy can fall no further with this stage's exponent and free vertices.
-Status StagedNewton::at_minimum() {
+Status StagedDescent::at_minimum() {
     if (!m_reachable) return Status::unreachable;
     if (m_stage == 2) return Status::stalled;
     if (m_stage == 3)
@@ -117,13 +114,13 @@ Status StagedNewton::at_minimum() {
     return Status::running;
 }
 
-void StagedNewton::free_all_vertices() {
+void StagedDescent::free_all_vertices() {
     m_reduction_allowed = false;
     enter_stage(2);
 }
 
 /// Section 3.3: the ends of edges with dL > ε_4 and their rings of neighbours.
-std::vector<bool> StagedNewton::vertices_near_bad_edges() const {
+std::vector<bool> StagedDescent::vertices_near_bad_edges() const {
     const double active_deviation = m_options.active_fraction * m_options.threshold;
     std::vector<bool> reached(m_is_free.size(), false);
     std::vector<int> front;
@@ -145,30 +142,21 @@ std::vector<bool> StagedNewton::vertices_near_bad_edges() const {
     return reached;
 }
 
-/// Fills the part's system with the curvature of its edges and returns the gradient, 3×nodes.
-Eigen::Matrix3Xd StagedNewton::assemble(const FreePart& part, BlockSystem& system, const Positions& positions) const {
-    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, part.size());
-    system.set_zero();
+/// Of the energy with respect to the part's vertices, 3×nodes.
+Eigen::Matrix3Xd StagedDescent::gradient(const FreePart& part, const Positions& positions) const {
+    Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, part.size());
     for (const FreePart::Edge& edge : part.edges()) {
         const double L = m_net->rest_lengths()[edge.index], r = m_ratios[edge.index];
         const Eigen::Vector3d u =
             (positions.col(m_net->edges()(0, edge.index)) - positions.col(m_net->edges()(1, edge.index))) / (r * L);
         const Eigen::Vector3d force = m_energy->slope(r) / L * u;
-        if (edge.node_a >= 0) gradient.col(edge.node_a) += force;
-        if (edge.node_b >= 0) gradient.col(edge.node_b) -= force;
-
-        const Curvature c = m_energy->curvature(r);
-        const Eigen::Matrix3d B =
-            (c.tangential * Eigen::Matrix3d::Identity() + (c.radial - c.tangential) * u * u.transpose()) / (L * L);
-        if (edge.link >= 0)
-            system.add_at_link(edge.link, B);
-        else
-            system.add_at_node(std::max(edge.node_a, edge.node_b), B);
+        if (edge.node_a >= 0) sum.col(edge.node_a) += force;
+        if (edge.node_b >= 0) sum.col(edge.node_b) -= force;
     }
-    return gradient;
+    return sum;
 }
 
-double StagedNewton::energy(const FreePart& part, const Positions& positions) const {
+double StagedDescent::energy(const FreePart& part, const Positions& positions) const {
     double sum = 0;
     for (const FreePart::Edge& edge : part.edges()) {
         const auto difference =
@@ -179,9 +167,9 @@ double StagedNewton::energy(const FreePart& part, const Positions& positions) co
     return sum;
 }
 
-/// Armijo backtracking from the full step; on failure the positions stay.
-StagedNewton::LineSearch StagedNewton::search_line(const FreePart& part, Positions& positions,
-                                                   const Eigen::Matrix3Xd& direction, double slope) const {
+/// Armijo backtracking from the full step. Returns the step; 0 if none is accepted, and then the positions stay.
+double StagedDescent::search_line(const FreePart& part, Positions& positions, const Eigen::Matrix3Xd& direction,
+                                  double slope) const {
     const double before = energy(part, positions);
     const Positions origin = positions;
     double step = 1;
@@ -190,14 +178,14 @@ StagedNewton::LineSearch StagedNewton::search_line(const FreePart& part, Positio
             const int v = part.vertices()[i];
             positions.col(v) = origin.col(v) + step * direction.col(i);
         }
-        if (energy(part, positions) <= before + k_sufficient_decrease * step * slope) return {step, true};
+        if (energy(part, positions) <= before + k_sufficient_decrease * step * slope) return step;
     }
     positions = origin;
-    return {0, false};
+    return 0;
 }
 
 /// Updates what is known of the present positions.
-void StagedNewton::measure(const Positions& positions) {
+void StagedDescent::measure(const Positions& positions) {
     m_ratios = edge_ratios(*m_net, positions);
     m_max_deviation = max_deviation(m_ratios);
     m_total_energy = 0;

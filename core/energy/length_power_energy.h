@@ -1,0 +1,24 @@
+#pragma once
+
+#include "energy/edge_energy.h"
+
+namespace chebnet {
+
+/// D_p, f(r) = |r − 1|^p (Li et al. 2022, eq. 12).
+class LengthPowerEnergy : public EdgeEnergy {
+public:
+    /// p ≥ 2.
+    explicit LengthPowerEnergy(double p) : m_p(p) {}
+
+    double value(double r) const override;
+    double slope(double r) const override;
+    double second_derivative(double r) const override;
+    /// The Hessian of the majorizer h⁺(r(x)) + h⁻(r₀ + ∇r₀·(x − x₀)), where h⁺ and h⁻ are f for r ≥ 1 and for r < 1
+    /// (the split of eq. 13). Since f is convex in r, it is the positive part of the true Hessian.
+    Curvature curvature(double r) const override { return positive_part(hessian(r)); }
+
+private:
+    double m_p;
+};
+
+}  // namespace chebnet

@@ -1,0 +1,53 @@
+#include "solve/initialisation.h"
+
+#include <charconv>
+#include <utility>
+
+#include "net/error.h"
+#include "solve/arap.h"
+#include "solve/local_global.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr int k_most_iterations = 10000;
+
+/// N of a text "N"; 0 if it is none within the limits.
+int parse_iterations(std::string_view text) {
+    int n = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    const bool valid = error == std::errc() && stop == text.data() + text.size() && n <= k_most_iterations;
+    return valid && n > 0 ? n : 0;
+}
+
+}  // namespace
+
+Initialisation::Initialisation(std::string_view text) : m_name(text) {
+    if (text == "naive") return;
+    const std::size_t colon = text.find(':');
+    const std::string_view kind = text.substr(0, colon);
+    if (kind == "arap") m_make_step = make_alternating_step<ArapStep>;
+    if (kind == "local_global") m_make_step = make_alternating_step<LocalGlobalStep>;
+    if (m_make_step != nullptr && colon != std::string_view::npos)
+        m_iterations = parse_iterations(text.substr(colon + 1));
+    if (m_iterations == 0)
+        throw Error(ErrorCode::bad_option, "initialisation must be naive, arap:N or local_global:N with N from 1 to " +
+                                               std::to_string(k_most_iterations) + ", not \"" +
+                                               std::string(text.substr(0, 40)) + "\"");
+}
+
+void Initialisation::prepare(const Net& net, std::span<const int> handle_vertices) {
+    if (m_make_step == nullptr) return;
+    m_part = std::make_unique<LaplacianPart>(net, free_vertices(net.vertex_count(), handle_vertices));
+    m_step = m_make_step(*m_part);
+}
+
+void Initialisation::apply(Positions& positions) {
+    if (m_make_step == nullptr) return;
+    Positions moved = positions;
+    for (int k = 0; k < m_iterations; ++k) m_step->iterate(moved);
+    if (moved.allFinite()) positions = std::move(moved);
+}
+
+}  // namespace chebnet

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "net/net.h"
+#include "solve/alternating_step.h"
+#include "solve/laplacian_part.h"
+
+namespace chebnet {
+
+/// What is done to the positions before a method starts (Li et al. 2022, section 4; the paper does five iterations):
+///
+///   naive           nothing: handles have jumped to their targets, all else stays
+///   arap:N          N iterations of ARAP (ArapStep)
+///   local_global:N  N iterations of local–global (LocalGlobalStep)
+///
+/// The linear system is factored once for a set of handles.
+class Initialisation {
+public:
+    /// From text as above, 1 ≤ N ≤ 10000. Throws Error bad_option.
+    explicit Initialisation(std::string_view text = "naive");
+
+    const std::string& name() const { return m_name; }
+
+    /// Does the symbolic and numeric work for a set of handles. The net must outlive this.
+    void prepare(const Net& net, std::span<const int> handle_vertices);
+    /// Moves free vertices of `positions` (3×V), whose handles stand at their targets. Leaves them if the result would
+    /// not be finite. Only after prepare().
+    void apply(Positions& positions);
+
+private:
+    std::string m_name;
+    MakeAlternatingStep m_make_step = nullptr;  // null: naive
+    int m_iterations = 0;
+    std::unique_ptr<LaplacianPart> m_part;
+    std::unique_ptr<AlternatingStep> m_step;
+};
+
+}  // namespace chebnet

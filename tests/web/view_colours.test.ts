@@ -1,0 +1,72 @@
+import { describe, expect, test } from 'vitest';
+import type { MapColours, Rgb } from '../../web/src/view/colour_map';
+import { cssColour, lookupTable, mix, parseColour, positionOn, scaleOf } from '../../web/src/view/colour_map';
+
+const COLOURS: MapColours = {
+  good: [0, 0, 1],
+  bad: [1, 0, 0],
+  narrow: [0, 1, 1],
+  right: [0.5, 0.5, 0.5],
+  wide: [1, 0.5, 0],
+  dark: false,
+};
+
+const paper = scaleOf('deviation', 'paper', COLOURS);
+const log = scaleOf('deviation', 'log', COLOURS);
+const angle = scaleOf('angle', 'paper', COLOURS);
+const colourOf = (scale: typeof paper, value: number) => scale.colour(positionOn(scale, value));
+
+describe("the paper's map", () => {
+  test.each([0, 1e-20, 1e-7, 1e-6])('%d is blue', (dL) => expect(colourOf(paper, dL)).toEqual(COLOURS.good));
+  test.each([2e-6, 1e-5, 3, Infinity])('%d is red', (dL) => expect(colourOf(paper, dL)).toEqual(COLOURS.bad));
+  test('in between it blends', () => {
+    const [red, green, blue] = colourOf(paper, Math.SQRT2 * 1e-6);
+    expect(red).toBeCloseTo(0.5);
+    expect(green).toBe(0);
+    expect(blue).toBeCloseTo(0.5);
+  });
+});
+
+describe('the logarithmic map', () => {
+  test('goes evenly by decades from 1e-12 to 1e-1', () => {
+    expect([0, 1e-12, 1e-1, 5].map((dL) => positionOn(log, dL))).toEqual([0, 0, 1, 1]);
+    expect(positionOn(log, 10 ** -6.5)).toBeCloseTo(0.5);
+  });
+  test('keeps off the colours of the page, light or dark', () => {
+    const lightness = (dark: boolean) => {
+      const scale = scaleOf('deviation', 'log', { ...COLOURS, dark });
+      return Array.from({ length: 50 }, (_, i) => scale.colour(i / 49)).map(([r, g, b]) => 0.21 * r + 0.72 * g + 0.07 * b);
+    };
+    expect(Math.max(...lightness(false))).toBeLessThan(0.75);
+    expect(Math.min(...lightness(true))).toBeGreaterThan(0.2);
+  });
+});
+
+test('a right angle has the middle colour, others lean to either side', () => {
+  expect(colourOf(angle, 90)).toEqual(COLOURS.right);
+  expect(colourOf(angle, 10)).toEqual(COLOURS.narrow);
+  expect(colourOf(angle, 170)).toEqual(COLOURS.wide);
+});
+
+test('every tick lies on the legend', () => {
+  for (const { ticks, shown } of [paper, log, angle]) {
+    for (const { value } of ticks) {
+      expect(value).toBeGreaterThanOrEqual(shown[0]);
+      expect(value).toBeLessThanOrEqual(shown[1]);
+    }
+  }
+});
+
+test('the table for the graphics card runs from one end to the other', () => {
+  const table = lookupTable(paper, 3);
+  expect([...table]).toEqual([0, 0, 255, 255, 128, 0, 128, 255, 255, 0, 0, 255]);
+});
+
+test('colours are read and written', () => {
+  const blue: Rgb = [36 / 255, 87 / 255, 197 / 255];
+  expect(parseColour(' #2457c5')).toEqual(blue);
+  expect(parseColour('rgb(36, 87, 197)')).toEqual(blue);
+  expect(cssColour(blue)).toBe('rgb(36 87 197)');
+  expect(mix([0, 0, 0], [1, 1, 1], 0.25)).toEqual([0.25, 0.25, 0.25]);
+  expect(() => parseColour('sky')).toThrow(/sky/);
+});

@@ -1,0 +1,127 @@
+import { describe, expect, test } from 'vitest';
+import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
+import { Convergence } from '../../web/src/panels/convergence';
+import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/panels/recipe';
+import { edgeLayers, project } from '../../web/src/panels/thumbnail';
+import { coordinate, milliseconds, small, statusWords, title } from '../../web/src/panels/words';
+
+const parameter = (name: string, value: number, smallest: number, largest: number) => ({
+  name,
+  value,
+  smallest,
+  largest,
+  sentence: '',
+});
+const VERTICES = parameter('vertices', 2000, 100, 100000);
+const RISE = parameter('rise', 0.3, 0.02, 0.6);
+const STEPS = parameter('steps', 4, 2, 10);
+const VAULT: ShapeInfo = { name: 'vault', title: 'Vault', sentence: '', parameters: [VERTICES, RISE, STEPS] };
+
+describe('recipes', () => {
+  test('are read', () => {
+    expect(parseRecipe('dome')).toEqual({ name: 'dome', values: {} });
+    expect(parseRecipe('vault: vertices=4000, rise=0.4')).toEqual({ name: 'vault', values: { vertices: 4000, rise: 0.4 } });
+  });
+  test('are written without defaults', () => {
+    expect(formatRecipe({ name: 'vault', values: { vertices: 2000, rise: 0.4 } }, VAULT)).toBe('vault:rise=0.4');
+    expect(formatRecipe({ name: 'vault', values: {} }, VAULT)).toBe('vault');
+  });
+  test.each([VERTICES, RISE, STEPS])('the slider of $name reaches both ends and stays in range', (each) => {
+    expect(fromSlider(each, 0)).toBe(each.smallest);
+    expect(fromSlider(each, SLIDER_STEPS)).toBe(each.largest);
+    for (let at = 0; at <= SLIDER_STEPS; at++) {
+      const value = fromSlider(each, at);
+      expect(value).toBeGreaterThanOrEqual(each.smallest);
+      expect(value).toBeLessThanOrEqual(each.largest);
+      expect(Math.abs(fromSlider(each, toSlider(each, value)) - value)).toBeLessThan(0.03 * value);
+    }
+  });
+  test('counts stay whole, numbers of vertices round', () => {
+    for (let at = 0; at <= SLIDER_STEPS; at++) {
+      expect(fromSlider(STEPS, at) % 1).toBe(0);
+      expect(Number(fromSlider(VERTICES, at).toPrecision(2))).toBe(fromSlider(VERTICES, at));
+    }
+  });
+});
+
+function rows(...solve: [stage: number, maxDeviation: number][]): TraceRow[] {
+  return solve.map(([stage, maxDeviation], i) => {
+    const zero = { p: 2, energy: 0, gradientNorm: 0, step: 1, freeVertices: 0, assemblyMs: 0, factorisationMs: 0, lineSearchMs: 0 };
+    return { ...zero, iteration: i + 1, stage, maxDeviation, totalMs: 10 * (i + 1) };
+  });
+}
+
+describe('the record of convergence', () => {
+  test('counts iterations and marks where stages begin', () => {
+    const record = new Convergence();
+    record.add(rows([1, 1e-1], [1, 1e-2], [2, 1e-4], [3, 1e-7]));
+    expect(record.curve(false)).toEqual({
+      x: [1, 2, 3, 4],
+      y: [-1, -2, -4, -7],
+      marks: [{ x: 1, stage: 1 }, { x: 3, stage: 2 }, { x: 4, stage: 3 }],
+    });
+    expect(record.curve(true).x).toEqual([10, 20, 30, 40]);
+  });
+  test('puts solves one after another, a gap between', () => {
+    const record = new Convergence();
+    record.add(rows([1, 1e-1], [1, 1e-2]));
+    record.add(rows([1, 1e-3]));
+    expect(record.curve(false)).toMatchObject({ x: [1, 2, 2, 3], y: [-1, -2, null, -3] });
+  });
+  test('goes on with a solve that comes in pieces', () => {
+    const record = new Convergence();
+    const [first, second] = rows([1, 1e-1], [2, 1e-2]);
+    record.add([first!]);
+    record.rest();
+    record.add([second!]);
+    expect(record.curve(false).y).toEqual([-1, -2]);
+  });
+  test('at rest keeps the last solve, and then begins anew', () => {
+    const record = new Convergence();
+    record.add(rows([1, 1e-1]));
+    record.add(rows([1, 1e-2], [2, 1e-3]));
+    record.rest();
+    expect(record.curve(false).y).toEqual([-2, -3]);
+    record.add(rows([1, 1e-4]));
+    expect(record.curve(false).y).toEqual([-4]);
+  });
+  test('rolls on by whole solves, but never cuts the last one', () => {
+    const record = new Convergence();
+    for (let k = 0; k < 30; k++) record.add(rows([1, 1e-1], [1, 1e-2], [1, 1e-3], [1, 1e-4]));
+    expect(record.curve(false).x.length).toBeLessThan(100);
+    expect(record.curve(false).y[0]).toBe(-1);
+    record.add(rows(...Array.from({ length: 200 }, (): [number, number] => [1, 1e-5])));
+    expect(record.curve(false).y).toHaveLength(200);
+  });
+  test('has no place for what is not finite', () => {
+    const record = new Convergence();
+    record.add(rows([1, Infinity], [1, 0]));
+    expect(record.curve(false).y).toEqual([null, -16]);
+  });
+});
+
+describe('thumbnails', () => {
+  const net = { edges: Int32Array.from([0, 1, 2, 3]), positions: Float32Array.from([0, -9, 0, 1, -9, 0, 0, 9, 0, 1, 9, 4]) };
+  test('fit their box', () => {
+    const flat = project(net, 100, 60);
+    for (let i = 0; i < flat.length; i += 2) {
+      expect(flat[i]).toBeGreaterThanOrEqual(0);
+      expect(flat[i]).toBeLessThanOrEqual(100);
+      expect(flat[i + 1]).toBeGreaterThanOrEqual(0);
+      expect(flat[i + 1]).toBeLessThanOrEqual(60);
+    }
+  });
+  test('draw what is far first', () => {
+    expect([...edgeLayers(net)]).toEqual([2, 0]);
+  });
+});
+
+test('numbers and states are put in words', () => {
+  expect([0, 1e-30, 4.23e-7, 0.68, 12, Infinity].map(small)).toEqual(['0', '< 1e-16', '4.2e-7', '0.68', '12', '∞']);
+  expect([0.04, 9.96, 152.4].map(milliseconds)).toEqual(['0.0', '10.0', '152']);
+  expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual(['1.23457', '-1234.568', '2']);
+  expect(title('switch_deviation')).toBe('Switch deviation');
+  expect(title('p_end')).toBe('p end');
+  expect(statusWords('running', true)).toMatch(/solving/i);
+  expect(statusWords('running', false)).toMatch(/stopped/i);
+});

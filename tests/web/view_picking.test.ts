@@ -1,0 +1,133 @@
+import { PerspectiveCamera } from 'three';
+import { describe, expect, test } from 'vitest';
+import { fitCamera } from '../../web/src/view/camera_fit';
+import { fanTriangles } from '../../web/src/view/net_faces';
+import { nearestMark, nearestVertex, project } from '../../web/src/view/picking';
+import { Space } from '../../web/src/view/space';
+import { random } from './random';
+
+/** Four numbers a vertex, as the view keeps them. */
+function pack(...points: [number, number, number][]): Float32Array {
+  return Float32Array.from(points.flatMap((point) => [...point, 0]));
+}
+
+/** On the x axis at −10, looking along it, z up. */
+function lookAlongX(): PerspectiveCamera {
+  const camera = new PerspectiveCamera(40, 2, 0.1, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(-10, 0, 0);
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+function projectionOf(camera: PerspectiveCamera) {
+  const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
+  return { matrix, width: 800, height: 400 };
+}
+
+const projection = projectionOf(lookAlongX());
+
+describe('from the scene to the canvas', () => {
+  test('what is looked at is in the middle', () => {
+    const { x, y, depth } = project(projection, 0, 0, 0);
+    expect(x).toBeCloseTo(400);
+    expect(y).toBeCloseTo(200);
+    expect(depth).toBeCloseTo(10);
+  });
+  test('up is up, left is left', () => {
+    expect(project(projection, 0, 0, 1).y).toBeLessThan(200);
+    expect(project(projection, 0, 1, 0).x).toBeLessThan(400);
+  });
+});
+
+describe('the vertex under the pointer', () => {
+  const pick = (points: Float32Array, x = 400, y = 200) =>
+    nearestVertex(points, points.length / 4, projection, x, y, 12, 0.5);
+
+  test('is the nearest of the front layer', () => {
+    const points = pack([0, 0.1, 0], [0.2, 0.02, 0], [5, 0, 0]);
+    expect(pick(points)).toBe(1);
+  });
+  test('is not one behind, even if that is nearer on the screen', () => {
+    expect(pick(pack([5, 0, 0], [0, 0.2, 0]))).toBe(1);
+  });
+  test('is none beyond the radius', () => {
+    expect(pick(pack([0, 1, 0], [0, 0, 1]))).toBeNull();
+    expect(pick(pack())).toBeNull();
+  });
+  test('is none behind the camera', () => {
+    expect(pick(pack([-20, 0, 0]))).toBeNull();
+  });
+  test('is the one that a plain search finds', () => {
+    const next = random(7);
+    const points = pack(...Array.from({ length: 2000 }, (): [number, number, number] => [0, 8 * next() - 4, 4 * next() - 2]));
+    for (let k = 0; k < 50; k++) {
+      const [x, y] = [800 * next(), 400 * next()];
+      const distances = Array.from({ length: 2000 }, (_, i) => {
+        const p = project(projection, points[4 * i]!, points[4 * i + 1]!, points[4 * i + 2]!);
+        return Math.hypot(p.x - x, p.y - y);
+      });
+      const best = distances.indexOf(Math.min(...distances));
+      expect(pick(points, x, y)).toBe(distances[best]! <= 12 ? best : null);
+    }
+  });
+});
+
+test('of two handles under the pointer the one in front is meant', () => {
+  const mark = (x: number, depth: number) => ({ x, y: 0, depth, radius: 8 });
+  expect(nearestMark([mark(0, 5), mark(3, 4), mark(100, 1)], 0, 0, 4)).toBe(1);
+  expect(nearestMark([mark(20, 5)], 0, 0, 4)).toBeNull();
+  expect(nearestMark([mark(0, -1)], 0, 0, 4)).toBeNull();
+});
+
+describe('the whole net in sight', () => {
+  const next = random(3);
+  const cloud = pack(...Array.from({ length: 400 }, (): [number, number, number] => [next(), 3 * next(), 0.5 * next()]));
+
+  test.each([
+    [2, { top: 0.1, right: 0.05, bottom: 0.2, left: 0.1 }],
+    [0.5, { top: 0.2, right: 0.1, bottom: 0.1, left: 0 }],
+  ])('aspect %d: every vertex is within the margins, and two sides are touched', (aspect, margins) => {
+    const camera = new PerspectiveCamera(32, aspect, 0.01, 100);
+    camera.up.set(0, 0, 1);
+    const { position, target } = fitCamera(cloud, 400, camera, margins);
+    camera.position.copy(position);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+    const flat = { ...projectionOf(camera), width: 1, height: 1 };
+    const seen = Array.from({ length: 400 }, (_, i) => project(flat, cloud[4 * i]!, cloud[4 * i + 1]!, cloud[4 * i + 2]!));
+    const gaps = {
+      left: Math.min(...seen.map(({ x }) => x)) - margins.left,
+      right: 1 - Math.max(...seen.map(({ x }) => x)) - margins.right,
+      top: Math.min(...seen.map(({ y }) => y)) - margins.top,
+      bottom: 1 - Math.max(...seen.map(({ y }) => y)) - margins.bottom,
+    };
+    for (const gap of Object.values(gaps)) expect(gap).toBeGreaterThan(-1e-6);
+    expect(Math.min(gaps.left + gaps.right, gaps.top + gaps.bottom)).toBeLessThan(1e-5);
+  });
+});
+
+test('the scene is centred and of one size, wherever the net is', () => {
+  const space = Space.of(Float64Array.from([1000, 2000, 3000, 1006, 2008, 3000]));
+  const point = { x: 0, y: 0, z: 0 };
+  space.toScene(point, [1006, 2008, 3000]);
+  expect(Math.hypot(point.x, point.y, point.z)).toBeCloseTo(1);
+  expect(space.toNet(point)).toEqual([1006, 2008, 3000]);
+  expect(space.floor).toBeCloseTo(0);
+  expect(Space.of(Float64Array.from([1, 1, 1])).scale).toBe(1);
+});
+
+test('a net whose y is up stands upright in the scene, right-handed as before', () => {
+  const space = Space.of(Float64Array.from([-3, -2, -6, 3, 2, 6]), 'y');
+  const point = { x: 0, y: 0, z: 0 };
+  space.toScene(point, [3, 2, 6]);
+  expect([point.x, point.y, point.z].map((x) => 7 * x)).toEqual([3, -6, 2].map((x) => expect.closeTo(x)));
+  expect(space.toNet(point)).toEqual([3, 2, 6].map((x) => expect.closeTo(x)));
+  expect(7 * space.floor).toBeCloseTo(-2);
+});
+
+test('faces of any arity become fans', () => {
+  const triangles = fanTriangles(Int32Array.from([0, 3, 7, 12]), Int32Array.from([0, 1, 2, 2, 3, 4, 5, 5, 6, 7, 8, 9]));
+  expect([...triangles]).toEqual([0, 1, 2, 2, 3, 4, 2, 4, 5, 5, 6, 7, 5, 7, 8, 5, 8, 9]);
+});
