@@ -41,14 +41,12 @@ bool GraphSystem<size>::factorize() {
 }
 
 template <int size>
-Eigen::Matrix3Xd GraphSystem<size>::solve(const Eigen::Matrix3Xd& rhs) {
+void GraphSystem<size>::solve_in_place(Eigen::Matrix3Xd& x) {
     const std::vector<int>& place = elimination_rank();
-    for (int i = 0; i < node_count(); ++i) m_permuted.col(place[i]) = rhs.col(i);
+    for (int i = 0; i < node_count(); ++i) m_permuted.col(place[i]) = x.col(i);
     // Three rows of one system, or one row of three systems: three numbers a node either way.
     m_factor.template solve<3 / size>(m_permuted.data());
-    Eigen::Matrix3Xd x(3, node_count());
     for (int i = 0; i < node_count(); ++i) x.col(i) = m_permuted.col(place[i]);
-    return x;
 }
 
 template class GraphSystem<1>;

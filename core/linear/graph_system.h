@@ -36,9 +36,14 @@ public:
 
     /// Numeric factorisation of the present matrix. False if it is not positive definite or not finite.
     bool factorize();
-    /// The solution of matrix · x = rhs, both 3×node_count (for size 1, three systems at once). Only after factorize()
-    /// returned true.
-    Eigen::Matrix3Xd solve(const Eigen::Matrix3Xd& rhs);
+    /// Replaces the right-hand side by the solution, 3×node_count (for size 1, three systems at once), without
+    /// allocation. Only after factorize() returned true.
+    void solve_in_place(Eigen::Matrix3Xd& x);
+    /// The same, out of place.
+    Eigen::Matrix3Xd solve(Eigen::Matrix3Xd rhs) {
+        solve_in_place(rhs);
+        return rhs;
+    }
 
     /// Entries kept for the triangular factor.
     long factor_entries() const { return m_factor.entries(); }

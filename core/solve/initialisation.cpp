@@ -13,6 +13,17 @@ namespace {
 
 constexpr int k_most_iterations = 10000;
 
+constexpr InitialisationInfo k_initialisations[] = {
+    {"naive", false, "Nothing: handles jump to their targets, all else stays.",
+     "Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), "
+     "2022, section 4"},
+    {"arap", true, "A few iterations of ARAP first: the net follows its handles as rigidly as it can.",
+     "Sorkine, Alexa: As-Rigid-As-Possible Surface Modeling. Symposium on Geometry Processing 2007"},
+    {"local_global", true, "A few iterations of local-global first: edges are pulled towards their lengths.",
+     "Bouaziz, Deuss, Schwartzburg, Weise, Pauly: Shape-Up: Shaping Discrete Geometry with Projections. Computer "
+     "Graphics Forum 31(5), 2012"},
+};
+
 /// N of a text "N"; 0 if it is none within the limits.
 int parse_iterations(std::string_view text) {
     int n = 0;
@@ -22,6 +33,8 @@ int parse_iterations(std::string_view text) {
 }
 
 }  // namespace
+
+std::span<const InitialisationInfo> initialisation_table() { return k_initialisations; }
 
 Initialisation::Initialisation(std::string_view text) : m_name(text) {
     if (text == "naive") return;

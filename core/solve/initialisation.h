@@ -11,6 +11,15 @@
 
 namespace chebnet {
 
+/// One line of the table of initialisations.
+struct InitialisationInfo {
+    const char* name;  ///< if it is counted, the text is name:N
+    bool counted;
+    const char* sentence;
+    const char* citation;
+};
+std::span<const InitialisationInfo> initialisation_table();
+
 /// What is done to the positions before a method starts (Li et al. 2022, section 4; the paper does five iterations):
 ///
 ///   naive           nothing: handles have jumped to their targets, all else stays

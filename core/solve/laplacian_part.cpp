@@ -25,9 +25,10 @@ double LaplacianPart::fit(const Eigen::Matrix3Xd& vectors, Positions& positions)
         if (edge.node_a >= 0) m_residual.col(edge.node_a) += missing;
         if (edge.node_b >= 0) m_residual.col(edge.node_b) -= missing;
     }
-    const Eigen::Matrix3Xd moves = m_system.solve(m_residual);
-    for (int i = 0; i < m_part.size(); ++i) positions.col(m_part.vertices()[i]) += moves.col(i);
-    return 2 * m_residual.norm();
+    const double gradient_norm = 2 * m_residual.norm();
+    m_system.solve_in_place(m_residual);
+    for (int i = 0; i < m_part.size(); ++i) positions.col(m_part.vertices()[i]) += m_residual.col(i);
+    return gradient_norm;
 }
 
 }  // namespace chebnet

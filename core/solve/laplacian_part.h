@@ -24,11 +24,14 @@ public:
     /// vertex where it is. Returns ‖∇F‖ over the free vertices before the move.
     double fit(const Eigen::Matrix3Xd& vectors, Positions& positions);
 
+    /// Replaces a right-hand side, 3×nodes, by the solution of the Laplacian's system, without allocation.
+    void solve_in_place(Eigen::Matrix3Xd& x) { m_system.solve_in_place(x); }
+
 private:
     const Net& m_net;
     FreePart m_part;
     LaplacianSystem m_system;
-    Eigen::Matrix3Xd m_residual;  // 3×nodes, −∇F / 2
+    Eigen::Matrix3Xd m_residual;  // 3×nodes, −∇F / 2, then the moves
 };
 
 }  // namespace chebnet

@@ -11,6 +11,7 @@
 #include "solve/li2022.h"
 #include "solve/local_global.h"
 #include "solve/projected_newton.h"
+#include "solve/projection.h"
 
 namespace chebnet {
 
@@ -22,6 +23,11 @@ constexpr const char* k_li2022 =
 constexpr MethodInfo k_methods[] = {
     {"li2022", "The paper's: the energy r^p + r^-p, Newton steps on its convex majorizer, in three stages.", k_li2022,
      make_li2022},
+    {"projection",
+     "A rigid start, springs, then projection onto the exact lengths: our own way to go fast and bend little.",
+     "Sorkine, Alexa 2007; Liu, Bouaziz, Kavan 2017; Goldenthal, Harmon, Fattal, Bercovier, Grinspun: Efficient "
+     "Simulation of Inextensible Cloth. ACM Transactions on Graphics 26(3), 2007",
+     make_projection},
     {"composite_majorization", "The paper's energy and stages; compressed edges get no tangential stiffness.",
      "Shtengel, Poranne, Sorkine-Hornung, Kovalsky, Lipman: Geometric Optimization via Composite Majorization. ACM "
      "Transactions on Graphics 36(4), 2017",

@@ -1,0 +1,122 @@
+#include "solve/length_projection.h"
+
+#include "linear/ordering.h"
+#include "solve/stopwatch.h"
+
+namespace chebnet {
+
+namespace {
+
+// A projection is worth no more precision than what it leaves of the error: it is a Newton step.
+constexpr double k_tolerance = 1e-2;
+// More iterations than this cost more than a new factor.
+constexpr int k_most_iterations = 8;
+// Keeps the system definite where constraints depend on each other, e.g. beside handles that are close together.
+constexpr double k_shift = 1e-9;
+
+}  // namespace
+
+LengthProjection::LengthProjection(const Net& net, const Topology& topology) : m_net(net) {
+    for (int v = 0; v < net.vertex_count(); ++v) {
+        const std::span<const int> edges = topology.incident_edges(v);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (std::size_t j = i + 1; j < edges.size(); ++j) {
+                const bool same_side = (net.edges()(0, edges[i]) == v) == (net.edges()(0, edges[j]) == v);
+                m_couplings.push_back({edges[i], edges[j], v, same_side ? 1.0 : -1.0});
+            }
+    }
+    Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_couplings.size()));
+    for (std::size_t k = 0; k < m_couplings.size(); ++k)
+        links.col(static_cast<Eigen::Index>(k)) << m_couplings[k].edge_a, m_couplings[k].edge_b;
+    const int n = net.edge_count();
+    m_factor.analyze(n, links, fill_reducing_order(n, links));
+    m_diagonal.resize(static_cast<std::size_t>(n));
+    m_off_diagonal.resize(m_couplings.size());
+    m_jacobian.resize(3, n);
+    for (Eigen::VectorXd* vector :
+         {&m_rhs, &m_multipliers, &m_residual, &m_preconditioned, &m_search, &m_image, &m_permuted})
+        vector->setZero(n);
+}
+
+void LengthProjection::set_free(const std::vector<bool>& is_free) {
+    m_weight.resize(is_free.size());
+    for (std::size_t v = 0; v < is_free.size(); ++v) m_weight[v] = is_free[v] ? 1 : 0;
+}
+
+bool LengthProjection::project(Positions& positions) {
+    assemble(positions);
+    m_factorisation_ms = 0;
+    if (!solve()) return false;
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        const int a = m_net.edges()(0, e), b = m_net.edges()(1, e);
+        const Eigen::Vector3d move = m_multipliers[e] * m_jacobian.col(e);
+        positions.col(a) -= m_weight[a] * move;
+        positions.col(b) += m_weight[b] * move;
+    }
+    return true;
+}
+
+void LengthProjection::assemble(const Positions& positions) {
+    for (int e = 0; e < m_net.edge_count(); ++e) {
+        const int a = m_net.edges()(0, e), b = m_net.edges()(1, e);
+        const Eigen::Vector3d d = positions.col(a) - positions.col(b);
+        const double length = d.norm(), L = m_net.rest_lengths()[e], weight = m_weight[a] + m_weight[b];
+        m_jacobian.col(e) = d / (length * L);
+        // An edge between two handles cannot change: a row of its own, with nothing to ask for.
+        m_diagonal[e][0] = weight > 0 ? (1 + k_shift) * weight / (L * L) : 1;
+        m_rhs[e] = weight > 0 ? length / L - 1 : 0;
+    }
+    for (std::size_t k = 0; k < m_couplings.size(); ++k) {
+        const auto& [a, b, vertex, sign] = m_couplings[k];
+        m_off_diagonal[k][0] = m_weight[vertex] * sign * m_jacobian.col(a).dot(m_jacobian.col(b));
+    }
+}
+
+bool LengthProjection::solve() {
+    if (m_has_factor && solve_by_conjugate_gradients()) return true;
+    Stopwatch watch;
+    m_has_factor = m_factor.factorize(m_diagonal, m_off_diagonal);
+    m_factorisation_ms = watch.milliseconds();
+    if (!m_has_factor) return false;
+    precondition(m_rhs, m_multipliers);
+    return m_multipliers.allFinite();
+}
+
+bool LengthProjection::solve_by_conjugate_gradients() {
+    m_multipliers.setZero();
+    m_residual = m_rhs;
+    precondition(m_residual, m_preconditioned);
+    m_search = m_preconditioned;
+    double product = m_residual.dot(m_preconditioned);
+    const double enough = k_tolerance * k_tolerance * m_rhs.squaredNorm();
+    for (int k = 0; k < k_most_iterations; ++k) {
+        multiply(m_search, m_image);
+        const double step = product / m_search.dot(m_image);
+        m_multipliers += step * m_search;
+        m_residual -= step * m_image;
+        if (m_residual.squaredNorm() <= enough) return m_multipliers.allFinite();
+        precondition(m_residual, m_preconditioned);
+        const double previous = product;
+        product = m_residual.dot(m_preconditioned);
+        m_search = m_preconditioned + product / previous * m_search;
+    }
+    return false;
+}
+
+void LengthProjection::precondition(const Eigen::VectorXd& from, Eigen::VectorXd& to) {
+    const std::vector<int>& place = m_factor.rank();
+    for (Eigen::Index e = 0; e < from.size(); ++e) m_permuted[place[e]] = from[e];
+    m_factor.solve<1>(m_permuted.data());
+    for (Eigen::Index e = 0; e < from.size(); ++e) to[e] = m_permuted[place[e]];
+}
+
+void LengthProjection::multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
+    for (Eigen::Index e = 0; e < from.size(); ++e) to[e] = m_diagonal[e][0] * from[e];
+    for (std::size_t k = 0; k < m_couplings.size(); ++k) {
+        const auto& [a, b, vertex, sign] = m_couplings[k];
+        to[a] += m_off_diagonal[k][0] * from[b];
+        to[b] += m_off_diagonal[k][0] * from[a];
+    }
+}
+
+}  // namespace chebnet

@@ -1,0 +1,217 @@
+#include "solve/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "net/measures.h"
+#include "solve/arap.h"
+#include "solve/degenerate_edges.h"
+#include "solve/laplacian_part.h"
+#include "solve/length_projection.h"
+#include "solve/li2022.h"
+#include "solve/spring_descent.h"
+#include "solve/stopping.h"
+#include "solve/stopwatch.h"
+
+namespace chebnet {
+
+namespace {
+
+// Stage 1: at least as many iterations as keep up with a slow drag, at most as many as a cold start can use; one more
+// for each edge length that a handle has jumped.
+constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
+// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there.
+constexpr double k_projection_deviation = 1e-4;
+constexpr int k_most_spring_iterations = 40;
+// Stage 3: this many projections must halve the smallest max dL so far. A second round starts from more of stage 2.
+constexpr int k_patience = 4;
+constexpr int k_most_rounds = 2;
+
+class Projection : public Method {
+public:
+    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    Status start(Positions& positions, const Options& options, bool reachable) override;
+    Status iterate(Positions& positions, TraceRow& row) override;
+
+private:
+    enum Stage { rigid = 1, springs = 2, exact = 3, paper = 4 };
+
+    int rigid_iterations(const Positions& positions) const;
+    void take_over_shape(const Positions& positions);
+    void enter(Stage stage, Positions& positions);
+    Status move_rigidly(Positions& positions, TraceRow& row);
+    Status relax_springs(Positions& positions, TraceRow& row);
+    Status project(Positions& positions, TraceRow& row);
+    void give_up_projecting(Positions& positions);
+
+    const Net* m_net = nullptr;
+    const Topology* m_topology = nullptr;
+    std::vector<int> m_handles;
+    std::vector<bool> m_is_free;
+    std::unique_ptr<LaplacianPart> m_part;
+    std::unique_ptr<ArapStep> m_arap;
+    std::unique_ptr<SpringDescent> m_springs;
+    std::unique_ptr<LengthProjection> m_lengths;  // for the net, whatever the handles
+    std::unique_ptr<Method> m_paper;
+    bool m_paper_prepared = false;
+
+    Options m_options;
+    bool m_reachable = true;
+    Stage m_stage = rigid;
+    int m_left = 0;     // iterations of the stage at most
+    int m_round = 0;    // of stages 2 and 3
+    double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
+    Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
+    Positions m_shape_before;
+    Positions m_result;  // where the last iteration left the net
+    Positions m_smooth;  // the end of stage 2
+};
+
+void Projection::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
+    if (m_net != &net) m_lengths.reset();
+    m_net = &net;
+    m_topology = &topology;
+    m_handles.assign(handle_vertices.begin(), handle_vertices.end());
+    m_is_free = free_vertices(net.vertex_count(), handle_vertices);
+    m_part = std::make_unique<LaplacianPart>(net, m_is_free);
+    m_arap = std::make_unique<ArapStep>(*m_part);
+    m_springs = std::make_unique<SpringDescent>(*m_part);
+    if (m_lengths) m_lengths->set_free(m_is_free);
+    m_paper = make_li2022();
+    m_paper_prepared = false;
+    m_shape.resize(3, 0);
+}
+
+Status Projection::start(Positions& positions, const Options& options, bool reachable) {
+    m_options = options;
+    m_reachable = reachable;
+    open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
+    const double deviation = max_deviation(*m_net, positions);
+    take_over_shape(positions);
+    if (deviation < options.threshold) return Status::converged;
+    if (!std::isfinite(deviation)) return Status::non_finite;
+    if (m_part->part().size() == 0) return ended(reachable);
+    m_round = 0;
+    enter(rigid, positions);
+    return Status::running;
+}
+
+/// The copy goes on from where it was, unless somebody else has moved the net meanwhile.
+void Projection::take_over_shape(const Positions& positions) {
+    bool moved = m_shape.cols() == 0;
+    for (int v = 0; v < m_net->vertex_count() && !moved; ++v)
+        moved = m_is_free[v] && positions.col(v) != m_result.col(v);
+    if (moved) {
+        m_shape = positions;
+        m_shape_before = m_net->rest_positions();
+    } else {
+        m_shape_before = m_shape;
+    }
+    for (int v : m_handles) m_shape.col(v) = positions.col(v);
+}
+
+int Projection::rigid_iterations(const Positions& positions) const {
+    double jump = 0;
+    for (int v : m_handles) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
+    const double iterations = k_least_rigid_iterations + std::floor(jump / m_net->mean_length());
+    return static_cast<int>(std::min<double>(iterations, k_most_rigid_iterations));
+}
+
+void Projection::enter(Stage stage, Positions& positions) {
+    m_stage = stage;
+    switch (stage) {
+        case rigid:
+            m_left = rigid_iterations(positions);
+            break;
+        case springs:
+            m_left = k_most_spring_iterations;
+            m_springs->start(positions);
+            break;
+        case exact:
+            m_left = k_patience;
+            m_smooth = positions;
+            m_best = max_deviation(*m_net, positions);
+            if (!m_lengths) {
+                m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
+                m_lengths->set_free(m_is_free);
+            }
+            break;
+        case paper:
+            if (!m_paper_prepared) m_paper->prepare(*m_net, *m_topology, m_handles);
+            m_paper_prepared = true;
+            m_paper->start(positions, m_options, m_reachable);
+            break;
+    }
+}
+
+Status Projection::iterate(Positions& positions, TraceRow& row) {
+    Status status = Status::running;
+    const Stage stage = m_stage;
+    if (stage == paper) {
+        status = m_paper->iterate(positions, row);
+    } else {
+        Stopwatch watch;
+        row.free_vertices = m_part->part().size();
+        if (stage == rigid) status = move_rigidly(positions, row);
+        if (stage == springs) status = relax_springs(positions, row);
+        if (stage == exact) status = project(positions, row);
+        row.max_deviation = max_deviation(*m_net, positions);
+        if (row.max_deviation < m_options.threshold) status = Status::converged;
+        row.assembly_ms = watch.milliseconds() - row.factorisation_ms;
+    }
+    row.stage = stage;
+    m_result = positions;
+    return status;
+}
+
+Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
+    m_shape_before = m_shape;
+    m_arap->iterate(m_shape);
+    row.energy = m_arap->energy(m_shape);
+    row.step = 1;
+    for (int v : m_part->part().vertices()) positions.col(v) += m_shape.col(v) - m_shape_before.col(v);
+    if (--m_left == 0) enter(springs, positions);
+    return Status::running;
+}
+
+Status Projection::relax_springs(Positions& positions, TraceRow& row) {
+    const double unit = m_net->mean_length();
+    const double energy_before = m_springs->energy() / (unit * unit);
+    row.gradient_norm = m_springs->gradient_norm() / unit;
+    const bool moved = m_springs->iterate(positions);
+    row.energy = m_springs->energy() / (unit * unit);
+    row.step = m_springs->step();
+    const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
+    if (!m_reachable) return settled ? Status::unreachable : Status::running;
+    if (--m_left == 0 || settled || max_deviation(*m_net, positions) < k_projection_deviation) enter(exact, positions);
+    return Status::running;
+}
+
+Status Projection::project(Positions& positions, TraceRow& row) {
+    const bool solved = m_lengths->project(positions);
+    row.energy = m_lengths->squared_error();
+    row.factorisation_ms = m_lengths->factorisation_ms();
+    row.step = solved ? 1 : 0;
+    const double deviation = max_deviation(*m_net, positions);
+    if (deviation < m_best / 2) {
+        m_best = deviation;
+        m_left = k_patience;
+    } else {
+        --m_left;
+    }
+    if (!solved || !std::isfinite(deviation) || (m_left == 0 && deviation >= m_options.threshold))
+        give_up_projecting(positions);
+    return Status::running;
+}
+
+void Projection::give_up_projecting(Positions& positions) {
+    positions = m_smooth;
+    enter(++m_round < k_most_rounds ? springs : paper, positions);
+}
+
+}  // namespace
+
+std::unique_ptr<Method> make_projection() { return std::make_unique<Projection>(); }
+
+}  // namespace chebnet

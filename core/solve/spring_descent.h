@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "net/net.h"
+#include "solve/laplacian_part.h"
+#include "solve/lbfgs_history.h"
+
+namespace chebnet {
+
+/// Quasi-Newton descent on the energy of springs E = Σ_e (ℓ_e − L_e)² with the uniform Laplacian as the first guess of
+/// its Hessian (Liu, Bouaziz, Kavan 2017): the local–global iteration is its first step, and what the steps teach about
+/// the curvature makes the following ones many times longer. Steps are as smooth as the Laplacian's. Nothing is
+/// allocated once the history is full. Keeps a reference to the part.
+class SpringDescent {
+public:
+    explicit SpringDescent(LaplacianPart& part);
+
+    /// Begins at `positions` (3×V).
+    void start(const Positions& positions);
+    /// One iteration with Armijo backtracking. False if no step lowers the energy; then the positions stay.
+    bool iterate(Positions& positions);
+
+    double energy() const { return m_energy; }  ///< at the present positions, in the net's own unit squared
+    double gradient_norm() const { return m_gradient.norm(); }
+    double step() const { return m_step; }  ///< of the last iteration
+
+private:
+    /// E and, 3×nodes, ∇E at some positions.
+    double evaluate(const Positions& positions, Eigen::Matrix3Xd& gradient) const;
+
+    LaplacianPart& m_part;
+    LbfgsHistory m_history{8};
+    double m_energy = 0, m_step = 0;
+    Eigen::Matrix3Xd m_gradient, m_next_gradient, m_direction;
+    Positions m_origin;
+};
+
+}  // namespace chebnet

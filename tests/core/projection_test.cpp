@@ -1,0 +1,159 @@
+#include "solve/projection.h"
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "solve/length_projection.h"
+#include "solve/local_global.h"
+#include "solve/spring_descent.h"
+
+using namespace chebnet;
+
+namespace {
+
+/// Constraints c_e = ℓ_e / L_e − 1 and their Jacobian with respect to the free vertices, dense.
+struct DenseConstraints {
+    DenseConstraints(const Net& net, const Positions& x, const std::vector<bool>& is_free)
+        : c(edge_ratios(net, x).array() - 1), J(Eigen::MatrixXd::Zero(net.edge_count(), x.size())) {
+        for (int e = 0; e < net.edge_count(); ++e) {
+            const int a = net.edges()(0, e), b = net.edges()(1, e);
+            const Eigen::RowVector3d u = (x.col(a) - x.col(b)).normalized() / net.rest_lengths()[e];
+            if (is_free[a]) J.block<1, 3>(e, 3 * a) = u;
+            if (is_free[b]) J.block<1, 3>(e, 3 * b) = -u;
+        }
+    }
+    Eigen::VectorXd c;
+    Eigen::MatrixXd J;
+};
+
+Editor dragged_patch(const char* method) {
+    Editor editor(samples::patch(15, 12));
+    editor.set_method(method);
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 14, 165, 179}));
+    return editor;
+}
+
+const Eigen::Vector3d k_pull(-1.5, -1.0, 2.0);
+
+}  // namespace
+
+TEST_CASE("A projection is the move of least norm that meets the linearised lengths") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = GENERATE(0, 1) == 0 ? samples::patch(6, 5) : samples::mixed_mesh();
+    const Topology topology(net);
+    const std::vector<bool> is_free = free_vertices(net.vertex_count(), std::vector<int>{0, 4});
+    const Positions before = samples::shaken(net.rest_positions(), 0.02, random);
+    const DenseConstraints dense(net, before, is_free);
+    const Eigen::VectorXd least = -dense.J.completeOrthogonalDecomposition().solve(dense.c);
+
+    LengthProjection lengths(net, topology);
+    lengths.set_free(is_free);
+    Positions x = before;
+    REQUIRE(lengths.project(x));
+    CHECK(((x - before).reshaped() - least).norm() < 1e-6 * least.norm());
+}
+
+TEST_CASE("Projections converge quadratically and never move a held vertex") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = samples::patch(12, 12);
+    const Topology topology(net);
+    const std::vector<bool> is_free = free_vertices(net.vertex_count(), std::vector<int>{0, 143});
+    Positions x = samples::shaken(net.rest_positions(), 0.01, random);
+    const Positions before = x;
+    LengthProjection lengths(net, topology);
+    lengths.set_free(is_free);
+    // dL is the square of the error, and the inexact later systems leave a hundredth of it.
+    double deviation = max_deviation(net, x);
+    for (int k = 0; k < 5 && deviation > 1e-20; ++k) {
+        REQUIRE(lengths.project(x));
+        const double next = max_deviation(net, x);
+        CHECK(next < std::max(1e-20, 1e-2 * deviation));
+        deviation = next;
+    }
+    CHECK(deviation < 1e-15);
+    CHECK(x.col(0) == before.col(0));
+    CHECK(x.col(143) == before.col(143));
+}
+
+TEST_CASE("The first step of the spring descent is a local-global iteration, and its energy never rises") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = samples::patch(8, 7);
+    LaplacianPart part(net, free_vertices(net.vertex_count(), std::vector<int>{0, 7, 55}));
+    Positions x = samples::shaken(net.rest_positions(), 0.2, random), y = x;
+    SpringDescent springs(part);
+    springs.start(x);
+    LocalGlobalStep local_global(part);
+    const double start = springs.energy();
+    REQUIRE(springs.iterate(x));
+    local_global.iterate(y);
+    CHECK((x - y).norm() < 1e-10);
+
+    double energy = springs.energy();
+    CHECK(energy < start);
+    for (int k = 0; k < 30; ++k) {
+        springs.iterate(x);
+        local_global.iterate(y);
+        CHECK(springs.energy() <= energy);
+        energy = springs.energy();
+    }
+    // What it learns is worth having: the plain iteration is far behind by now.
+    local_global.project(y);
+    CHECK(energy < 0.1 * local_global.energy(y));
+}
+
+TEST_CASE("The projection method converges with handles exact, and bends the net no more than the paper's") {
+    Editor ours = dragged_patch("projection"), paper = dragged_patch("li2022");
+    for (Editor* editor : {&ours, &paper}) {
+        editor->move_handle(179, editor->net().rest_positions().col(179) + k_pull);
+        REQUIRE(editor->solve().status == Status::converged);
+        CHECK(editor->handle_error() == 0);
+    }
+    CHECK(bend(ours.net(), ours.topology(), ours.positions()) <=
+          bend(paper.net(), paper.topology(), paper.positions()));
+}
+
+TEST_CASE("A drag in small steps ends about as fair as one large step, every frame exact") {
+    Editor slow = dragged_patch("projection"), fast = dragged_patch("projection");
+    const Eigen::Vector3d rest = slow.net().rest_positions().col(179);
+    for (int frame = 1; frame <= 40; ++frame) {
+        slow.move_handle(179, rest + frame / 40.0 * k_pull);
+        REQUIRE(slow.solve().status == Status::converged);
+    }
+    fast.move_handle(179, rest + k_pull);
+    REQUIRE(fast.solve().status == Status::converged);
+    const double slow_bend = bend(slow.net(), slow.topology(), slow.positions());
+    const double fast_bend = bend(fast.net(), fast.topology(), fast.positions());
+    CHECK(slow_bend < 1.5 * fast_bend);
+}
+
+TEST_CASE("Somebody else moving the net does not make the projection method jump back") {
+    Editor editor = dragged_patch("projection");
+    editor.move_handle(179, editor.net().rest_positions().col(179) + k_pull);
+    editor.solve();
+    const Positions shaped = editor.positions();
+    // Undo far away and back again: the copy that remembers the drag must not be trusted any more.
+    editor.set_positions(editor.net().rest_positions());
+    editor.solve();
+    editor.set_positions(shaped);
+    CHECK(editor.solve().iterations == 0);
+    CHECK(editor.positions() == shaped);
+}
+
+TEST_CASE("Out of reach, the projection method says so and stays finite") {
+    Editor editor = dragged_patch("projection");
+    editor.move_handle(179, {100, 0, 0});
+    CHECK(editor.solve().status == Status::unreachable);
+    CHECK(editor.positions().allFinite());
+    CHECK(editor.handle_error() == 0);
+    editor.move_handle(179, editor.net().rest_positions().col(179));
+    CHECK(editor.solve().status == Status::converged);
+}
