@@ -14,6 +14,7 @@
 #include "net/error.h"
 #include "net/measures.h"
 #include "shapes/shapes.h"
+#include "solve/initialisation.h"
 #include "solve/method.h"
 #include "solve/options.h"
 
@@ -106,6 +107,19 @@ val methods() {
     return table;
 }
 
+val initialisations() {
+    val table = val::array();
+    for (const InitialisationInfo& initialisation : initialisation_table()) {
+        val row = val::object();
+        row.set("name", std::string(initialisation.name));
+        row.set("counted", initialisation.counted);
+        row.set("sentence", std::string(initialisation.sentence));
+        row.set("citation", std::string(initialisation.citation));
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
 val option_rows(const Options& values) {
     val table = val::array();
     for (const OptionInfo& option : option_table()) {
@@ -174,6 +188,8 @@ val suggested_handles(const Session& session) { return copy_out(session.suggeste
 
 std::string method(const Session& session) { return session.editor.method(); }
 void set_method(Session& session, std::string name) { session.editor.set_method(name); }
+std::string initialisation(const Session& session) { return session.editor.initialisation(); }
+void set_initialisation(Session& session, std::string text) { session.editor.set_initialisation(text); }
 val options(const Session& session) { return option_rows(session.editor.options()); }
 void set_option(Session& session, std::string name, std::string value) { session.editor.set_option(name, value); }
 
@@ -260,6 +276,12 @@ double bend_of(const Session& session) {
     return bend(session.editor.net(), session.editor.topology(), session.editor.positions());
 }
 
+double smallest_angle(const Session& session) {
+    return corner_angle_range(session.editor.net(), session.editor.positions()).smallest;
+}
+
+double handle_error(const Session& session) { return session.editor.handle_error(); }
+
 val unreachable_pairs(const Session& session) {
     val pairs = val::array();
     for (const UnreachablePair& pair : session.editor.unreachable_pairs()) {
@@ -280,6 +302,7 @@ std::string to_obj(const Session& session, int digits) {
 EMSCRIPTEN_BINDINGS(chebnet) {
     emscripten::function("shapes", guarded<&shapes>);
     emscripten::function("methods", guarded<&methods>);
+    emscripten::function("initialisations", guarded<&initialisations>);
     emscripten::function("defaultOptions", guarded<&default_options>);
     emscripten::function("openRecipe", guarded<&open_recipe>, emscripten::allow_raw_pointers());
     emscripten::function("openObj", guarded<&open_obj>, emscripten::allow_raw_pointers());
@@ -292,6 +315,8 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("suggestedHandles", guarded<&suggested_handles>)
         .function("method", guarded<&method>)
         .function("setMethod", guarded<&set_method>)
+        .function("initialisation", guarded<&initialisation>)
+        .function("setInitialisation", guarded<&set_initialisation>)
         .function("options", guarded<&options>)
         .function("setOption", guarded<&set_option>)
         .function("handleVertices", guarded<&handle_vertices>)
@@ -305,6 +330,8 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("deviations", guarded<&deviations>)
         .function("cornerAngles", guarded<&corner_angles>)
         .function("bend", guarded<&bend_of>)
+        .function("smallestAngle", guarded<&smallest_angle>)
+        .function("handleError", guarded<&handle_error>)
         .function("unreachablePairs", guarded<&unreachable_pairs>)
         .function("toObj", guarded<&to_obj>);
 }

@@ -35,6 +35,14 @@ export interface MethodInfo {
   citation: string;
 }
 
+export interface InitialisationInfo {
+  name: string;
+  /** It wants a number of iterations: `name:N`. */
+  counted: boolean;
+  sentence: string;
+  citation: string;
+}
+
 export interface OptionInfo {
   name: string;
   kind: 'number' | 'integer' | 'flag';
@@ -116,6 +124,9 @@ export interface Editor {
 
   readonly method: string;
   setMethod(name: string): void;
+  /** What is done to the positions at the beginning of each solve: `naive`, `arap:N` or `local_global:N`. */
+  readonly initialisation: string;
+  setInitialisation(text: string): void;
   options(): Record<string, number | boolean>;
   setOption(name: string, value: number | boolean): void;
 
@@ -136,6 +147,10 @@ export interface Editor {
   cornerAngles(): Float32Array;
   /** Root mean square change of the bend of net lines from rest (core/net/measures.h). */
   bend(): number;
+  /** The smallest angle at a face corner, in radians. */
+  smallestAngle(): number;
+  /** Largest distance of a handle from its target: 0 by construction. */
+  handleError(): number;
   /** Pairs of handles that no net can hold, worst first. */
   unreachablePairs(): UnreachablePair[];
 
@@ -148,6 +163,7 @@ export interface Editor {
 export interface Chebnet {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
+  initialisations(): InitialisationInfo[];
   options(): OptionInfo[];
   openRecipe(recipe: string): Editor;
   /** `name` is what messages call the text. */

@@ -115,6 +115,15 @@ class WasmEditor {
     this.#open.setMethod(text(name, 'the name of a method', 'bad_option'));
   }
 
+  get initialisation() {
+    return this.#open.initialisation();
+  }
+
+  /** @param {string} initialisation */
+  setInitialisation(initialisation) {
+    this.#open.setInitialisation(text(initialisation, 'an initialisation', 'bad_option'));
+  }
+
   options() {
     const rows = this.#open.options();
     return Object.fromEntries(rows.map(({ name, kind, value }) => [name, kind === 'flag' ? value !== 0 : value]));
@@ -187,6 +196,14 @@ class WasmEditor {
     return this.#open.bend();
   }
 
+  smallestAngle() {
+    return this.#open.smallestAngle();
+  }
+
+  handleError() {
+    return this.#open.handleError();
+  }
+
   unreachablePairs() {
     return this.#open.unreachablePairs();
   }
@@ -206,6 +223,7 @@ function facade(core) {
   return {
     shapes: () => core.shapes(),
     methods: () => core.methods(),
+    initialisations: () => core.initialisations(),
     options: () => core.defaultOptions(),
     openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
     openObj: (obj, name = 'OBJ') =>

@@ -1,5 +1,5 @@
 /** What wasm/bindings.cpp gives to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
-import type { MethodInfo, NetInfo, OptionInfo, ShapeInfo, Status, UnreachablePair } from '../../wasm/chebnet';
+import type { InitialisationInfo, MethodInfo, NetInfo, OptionInfo, ShapeInfo, Status, UnreachablePair } from '../../wasm/chebnet';
 
 export interface CoreReport {
   status: Status;
@@ -20,6 +20,8 @@ export interface Session {
   suggestedHandles(): Int32Array;
   method(): string;
   setMethod(name: string): void;
+  initialisation(): string;
+  setInitialisation(text: string): void;
   options(): OptionInfo[];
   setOption(name: string, value: string): void;
   handleVertices(): Int32Array;
@@ -33,6 +35,8 @@ export interface Session {
   deviations(): Float32Array;
   cornerAngles(): Float32Array;
   bend(): number;
+  smallestAngle(): number;
+  handleError(): number;
   unreachablePairs(): UnreachablePair[];
   toObj(digits: number): string;
   delete(): void;
@@ -41,6 +45,7 @@ export interface Session {
 export interface Core {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
+  initialisations(): InitialisationInfo[];
   defaultOptions(): OptionInfo[];
   openRecipe(recipe: string): Session;
   openObj(text: string, name: string): Session;

@@ -40,6 +40,17 @@ describe('tables', () => {
     expect(chebnet.methods().map(({ name }) => name)).toContain(editor.method);
   });
 
+  test('name the initialisations', () => {
+    expect(chebnet.initialisations().map(({ name }) => name)).toContain(editor.initialisation);
+    for (const { name, counted, sentence, citation } of chebnet.initialisations()) {
+      expect(sentence).not.toBe('');
+      expect(citation).not.toBe('');
+      const initialisation = counted ? `${name}:3` : name;
+      editor.setInitialisation(initialisation);
+      expect(editor.initialisation).toBe(initialisation);
+    }
+  });
+
   test('name the options, with the values a new editor has', () => {
     for (const { name, kind, value } of chebnet.options()) {
       expect(editor.options()[name]).toBe(kind === 'flag' ? value === 1 : value);
@@ -119,6 +130,29 @@ describe('an editor', () => {
     expect(editor.options()).toMatchObject({ threshold: 1e-5, adaptive_p: false, max_iterations: 7 });
   });
 
+  test('initialises each solve', () => {
+    const afterFirstIteration = (initialisation: string) => {
+      editor.reset();
+      editor.setInitialisation(initialisation);
+      editor.setHandles(firstEdit(editor));
+      editor.solve({ iterations: 1 });
+      return editor.positions();
+    };
+    const naive = afterFirstIteration('naive');
+    expect(afterFirstIteration('arap:5')).not.toEqual(naive);
+    expect(afterFirstIteration('naive')).toEqual(naive);
+  });
+
+  test('measures the result', () => {
+    const square = chebnet.openObj(SQUARE);
+    expect(square.smallestAngle()).toBeCloseTo(Math.PI / 2, 12);
+    square.dispose();
+    editor.setHandles(firstEdit(editor));
+    editor.solve();
+    expect(editor.handleError()).toBe(0);
+    expect(editor.smallestAngle()).toBeLessThanOrEqual(Math.min(...editor.cornerAngles()) + 1e-6);
+  });
+
   test('takes positions and goes back to rest', () => {
     const moved = editor.restPositions.map((coordinate) => 1.5 * coordinate);
     editor.setPositions(moved);
@@ -180,6 +214,8 @@ describe('errors', () => {
     ['handles that are none', 'bad_option', /array/, () => editor.setHandles('all' as never)],
     ['moving what is no handle', 'index_out_of_range', /5/, () => editor.moveHandle(5, [0, 0, 0])],
     ['an unknown method', 'bad_option', /li2022/, () => editor.setMethod('magic')],
+    ['an unknown initialisation', 'bad_option', /local_global:N/, () => editor.setInitialisation('arap')],
+    ['an initialisation that is none', 'bad_option', /initialisation/, () => editor.setInitialisation(5 as never)],
     ['an unknown option', 'bad_option', /threshold/, () => editor.setOption('treshold', 1)],
     ['an option that is NaN', 'bad_option', /threshold/, () => editor.setOption('threshold', NaN)],
     ['an option that is text', 'bad_option', /threshold/, () => editor.setOption('threshold', 'low' as never)],

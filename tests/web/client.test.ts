@@ -200,7 +200,7 @@ describe('a worker that is lost', () => {
   };
 
   test.each(['error', 'trap', 'silence'])('by %s is replaced, and the net comes back as it last stood', async (how) => {
-    void client.setOptions('other', { p_end: 30 });
+    void client.setOptions({ method: 'other', initialisation: 'arap:5', options: { p_end: 30 } });
     const { id } = await worker().do();
     worker().say({ id, type: 'frame', frame: frame(5) });
     const solving = client.solve();
@@ -211,7 +211,7 @@ describe('a worker that is lost', () => {
     const request = await worker().open(5);
     expect(request).toMatchObject({
       type: 'open',
-      scene: { net: scene.net, method: 'other', options: { p_end: 30 }, settled: true, handles: [{ vertex: 0, target: [5, 5, 5] }] },
+      scene: { net: scene.net, method: 'other', initialisation: 'arap:5', options: { p_end: 30 }, settled: true, handles: [{ vertex: 0, target: [5, 5, 5] }] },
     });
     expect(request).toHaveProperty('scene.positions', Float64Array.of(5, 5, 5));
     expect(restarts).toEqual([[expect.any(String), 5]]);

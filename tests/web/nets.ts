@@ -39,6 +39,7 @@ export function documentAt(positions: Float64Array | null): ChebnetDocument {
     net: { recipe: 'vault:vertices=1000' },
     handles: [],
     method: 'li2022',
+    initialisation: 'naive',
     options: {},
     view: DEFAULT_VIEW,
     positions,

@@ -2,7 +2,7 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Chebnet, Editor } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
-import type { Scene } from '../../web/src/document/document';
+import type { Scene, SolverOptions } from '../../web/src/document/document';
 import { packPositions } from '../../web/src/document/packing';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
@@ -51,6 +51,10 @@ function ask(body: Body): number {
   return lastId;
 }
 
+function setOptions(options: SolverOptions): number {
+  return ask({ type: 'options', settings: { method: 'li2022', initialisation: 'naive', options } });
+}
+
 function open(change: Partial<Scene> = {}): number {
   return ask({ type: 'open', scene: { ...freshScene({ recipe }), ...change } });
 }
@@ -74,7 +78,15 @@ function settled(): { id: number; frame: FrameData } {
 
 test('says hello with the tables, to a page of the same version', () => {
   ask({ type: 'hello', version: PROTOCOL_VERSION });
-  expect(said).toMatchObject([{ type: 'ready', shapes: core.shapes(), methods: core.methods(), options: core.options() }]);
+  expect(said).toMatchObject([
+    {
+      type: 'ready',
+      shapes: core.shapes(),
+      methods: core.methods(),
+      initialisations: core.initialisations(),
+      options: core.options(),
+    },
+  ]);
   ask({ type: 'hello', version: PROTOCOL_VERSION + 1 });
   expect(said.at(-1)).toMatchObject({ type: 'error', code: 'version' });
 });
@@ -114,6 +126,7 @@ describe('a scene', () => {
   test.each<[string, Partial<Scene>]>([
     ['bad_option', { net: { recipe: 'cathedral' } }],
     ['bad_option', { method: 'magic' }],
+    ['bad_option', { initialisation: 'magic' }],
     ['bad_option', { options: { magic: 1 } }],
     ['bad_option', { options: { threshold: -1 } }],
     ['index_out_of_range', { handles: [{ vertex: 9999, target: null, anchor: false }] }],
@@ -230,10 +243,10 @@ describe('by hand', () => {
   });
 
   test('options are all or none', () => {
-    ask({ type: 'options', method: 'li2022', options: { p_end: 30 } });
-    ask({ type: 'options', method: 'li2022', options: { p_start: 3, threshold: NaN } });
+    setOptions({ p_end: 30 });
+    setOptions({ p_start: 3, threshold: NaN });
     expect(said.at(-1)).toMatchObject({ type: 'error', code: expect.stringMatching(/bad_option|non_finite/) });
-    ask({ type: 'options', method: 'li2022', options: { threshold: 1e-30 } });
+    setOptions({ threshold: 1e-30 });
     expect(settled().frame.status).not.toBe('stalled');
   });
 

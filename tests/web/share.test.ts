@@ -23,6 +23,7 @@ describe('a scene comes back', () => {
     field: 'angle',
     colourMap: 'log',
     showFaces: false,
+    upAxis: 'y',
   };
   const full: ChebnetDocument = {
     ...documentAt(moved),
@@ -31,13 +32,15 @@ describe('a scene comes back', () => {
       { vertex: 37, target: [0.1 + 0.2, -1e-17, 123456.789012345], anchor: false },
     ],
     method: 'another',
+    initialisation: 'arap:5',
     options: { threshold: 1e-8, adaptive_p: false },
     view,
   };
 
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
-    expect(rest).toEqual({ net: full.net, method: 'another', options: full.options, view, settled: true });
+    const { net: source, method, initialisation, options } = full;
+    expect(rest).toEqual({ net: source, method, initialisation, options, view, settled: true });
     expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1]]);
     expect(positions).toHaveProperty('packed');
     if (positions && 'packed' in positions) {
@@ -124,8 +127,10 @@ describe('hostile links are refused', () => {
 
   const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
-  test('not this one', () => {
-    expect(decodeScene(hashOfJson(JSON.stringify(valid)))).toMatchObject({ net: { recipe: 'vault' } });
+  test('not this one, made before links had an initialisation and an up axis', () => {
+    const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
+    expect(scene).toMatchObject({ net: { recipe: 'vault' }, initialisation: 'naive' });
+    expect(scene.view).not.toHaveProperty('upAxis');
   });
 
   test.each(['#', '#nonsense', '#%E0%A4%A', '#v2=AAAA', '#v01=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
@@ -188,6 +193,8 @@ describe('hostile links are refused', () => {
     ['"camera":null', '"camera":[1,2,3,1,2,3]'],
     ['"deviation"', '"__proto__"'],
     ['"paper"', '"rainbow"'],
+    ['"showFaces":true', '"showFaces":true,"upAxis":"x"'],
+    ['"options":{}', '"options":{},"initialisation":5'],
     ['"settled":true', '"settled":1'],
   ])('%s as %s', (part, instead) => {
     expect(json).toContain(part);

@@ -1,9 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
+import { longestMove } from '../../web/src/document/longest_move';
 import { Convergence } from '../../web/src/panels/convergence';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/panels/recipe';
 import { edgeLayers, project } from '../../web/src/panels/thumbnail';
-import { coordinate, milliseconds, small, statusWords, title } from '../../web/src/panels/words';
+import { coordinate, milliseconds, small, stageWords, statusWords, title } from '../../web/src/panels/words';
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,
@@ -122,6 +123,17 @@ test('numbers and states are put in words', () => {
   expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual(['1.23457', '-1234.568', '2']);
   expect(title('switch_deviation')).toBe('Switch deviation');
   expect(title('p_end')).toBe('p end');
-  expect(statusWords('running', true)).toMatch(/solving/i);
-  expect(statusWords('running', false)).toMatch(/stopped/i);
+  expect(statusWords('running', true, 1)).toMatch(/solving/i);
+  expect(statusWords('running', false, 1)).toMatch(/stopped/i);
+  expect(statusWords('running', false, 0)).toMatch(/not solved/i);
+});
+
+test('a stage says its exponent, if it has one, and how many vertices move', () => {
+  const [row] = rows([3, 1e-5]);
+  expect(stageWords({ ...row!, p: 50, freeVertices: 1234 })).toBe('Stage 3, exponent p = 50, 1,234 vertices move');
+  expect(stageWords({ ...row!, p: 0, freeVertices: 12 })).toBe('Stage 3, 12 vertices move');
+});
+
+test('the longest move is that of the vertex that went farthest', () => {
+  expect(longestMove(Float64Array.of(0, 0, 0, 1, 1, 1), Float64Array.of(0, 0, 1, 4, 5, 1))).toBe(5);
 });

@@ -1,8 +1,11 @@
 /** The controller: owns the document, its history and the worker's client, and keeps view and panels in step with them.
  *  Everything a user or a script can do to the net is a method here. */
 import type { OptionInfo } from '../../wasm/chebnet';
+import { Beside } from './compare/beside';
+import { Comparer } from './compare/comparer';
+import type { ComparisonWish, Run } from './compare/run';
 import { freshScene } from './document/defaults';
-import type { ChebnetDocument, HandleData, NetSource, Scene, SolverOptions, Vec3, ViewState } from './document/document';
+import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, Vec3, ViewState } from './document/document';
 import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
@@ -16,6 +19,8 @@ import type { FrameData, OpenedNet } from './worker/protocol';
 /** What an app is made from. */
 export interface AppParts {
   createView(events: ViewEvents): View;
+  /** Another view, to the right of it. */
+  createBeside(events: ViewEvents): View;
   createPanels(events: PanelEvents): Panels;
   spawnWorker(): WorkerLike;
 }
@@ -43,18 +48,29 @@ export class App {
   readonly #client: Client;
   readonly #tables: ReturnType<Client['hello']>;
   readonly #history = new UndoHistory();
+  readonly #comparer: Comparer;
+  readonly #beside: Beside;
   readonly #listeners: Record<AppEvent, Set<Listener>> = { frame: new Set(), settled: new Set(), error: new Set() };
   #optionTable: OptionInfo[] = [];
   #opening: Opening | null = null;
   #reopening = false;
   #selected: number | null = null;
+  /** The run whose net the view shows in place of the user's. */
+  #shownRun: Run | null = null;
+  /** The run whose net stands beside it. */
+  #runBeside: Run | null = null;
   #dragMoved = false;
   #saidUnreachable = false;
 
-  constructor({ createView, createPanels, spawnWorker }: AppParts, services: AppServices) {
+  constructor({ createView, createBeside, createPanels, spawnWorker }: AppParts, services: AppServices) {
     this.#client = new Client(spawnWorker, {
       frame: (frame, settled) => this.#showFrame(frame, settled),
       restarted: (reason, opened) => this.#restarted(reason, opened),
+    });
+    this.#comparer = new Comparer(spawnWorker, (comparison) => this.#panels.showComparison(comparison));
+    this.#beside = new Beside(createBeside, (camera) => {
+      this.#view.setCamera(camera);
+      this.#changeView({ camera });
     });
     // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
     this.#tables = this.#client.hello();
@@ -77,9 +93,9 @@ export class App {
 
   /** Waits for the solver and fills the tables of the panels. */
   async start(): Promise<void> {
-    const { shapes, methods, options } = await this.#tables;
-    this.#optionTable = options;
-    this.#panels.showTables(shapes, methods, options, (recipe) => this.#client.thumbnail(recipe));
+    const tables = await this.#tables;
+    this.#optionTable = tables.options;
+    this.#panels.showTables(tables, (recipe) => this.#client.thumbnail(recipe));
   }
 
   /** Calls `listener` on every event of that kind; returns what ends this. */
@@ -121,8 +137,8 @@ export class App {
   openNet(net: NetSource): Promise<void> {
     const fresh = freshScene(net);
     if (this.#opening === null) return this.openScene(fresh);
-    const { method, options, view } = this.#opening.document;
-    return this.openScene({ ...fresh, method, options, view: { ...view, camera: null } });
+    const { method, initialisation, options, view } = this.#opening.document;
+    return this.openScene({ ...fresh, method, initialisation, options, view: { ...view, camera: null } });
   }
 
   /** The present scene as the hash of a link. */
@@ -130,8 +146,7 @@ export class App {
     if (this.#opening === null) return { hash: null };
     const { net } = this.#opening;
     const document = { ...this.#opening.document, settled: this.#isSettled() };
-    const usual = this.#optionTable.find(({ name }) => name === 'threshold')?.value;
-    return encodeScene(document, net, Number(document.options.threshold ?? usual));
+    return encodeScene(document, net, this.#threshold());
   }
 
   /** The present net as OBJ text, every coordinate exact. */
@@ -192,11 +207,11 @@ export class App {
 
   // ----------------------------------------------------------------------------------------------------------- solving
 
-  async setOptions(method: string, options: SolverOptions): Promise<void> {
-    await this.#client.setOptions(method, options);
+  async setOptions(settings: SolverSettings): Promise<void> {
+    await this.#client.setOptions(settings);
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
-    const unusual = Object.entries(options).filter(([name, value]) => Number(value) !== usual.get(name));
-    this.#change({ method, options: Object.fromEntries(unusual) });
+    const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
+    this.#change({ ...settings, options: Object.fromEntries(unusual) });
     this.#showDocument();
   }
 
@@ -213,6 +228,41 @@ export class App {
     this.#change({ handles: before.handles.map(atRest) });
     this.#showDocument();
     await this.#client.reset();
+  }
+
+  // --------------------------------------------------------------------------------------------------------- comparing
+
+  /** Runs methods on the present edit, in a worker of their own. */
+  compare({ methods, start }: ComparisonWish): void {
+    if (this.#opening === null) return;
+    this.#showOwnNet();
+    const { document } = this.#opening;
+    const scene = { ...document, positions: start === 'rest' ? null : document.positions };
+    void this.#comparer.start(scene, this.#threshold(), methods);
+  }
+
+  /** Puts the net of a run in the place of the user's, which comes back with null or whenever it changes. */
+  showRun(run: Run | null): void {
+    if (run === this.#shownRun || this.#opening === null) return;
+    this.#shownRun = run;
+    this.#view.showFrame(run?.frame ?? this.#opening.frame);
+    this.#panels.showRuns(run, this.#runBeside);
+    this.#showDocument();
+  }
+
+  /** Shows the net of a run beside the other, seen from the same place; null: no longer. */
+  showBeside(run: Run | null): void {
+    if (run === this.#runBeside || this.#opening === null) return;
+    this.#runBeside = run;
+    const { net, document } = this.#opening;
+    if (run?.frame) this.#beside.show(net, run.frame, { ...document.view, camera: this.#view.camera() });
+    else this.#beside.hide();
+    this.#panels.showRuns(this.#shownRun, run);
+  }
+
+  #showOwnNet(): void {
+    this.showRun(null);
+    this.showBeside(null);
   }
 
   // -------------------------------------------------------------------------------------------------------------- undo
@@ -241,8 +291,10 @@ export class App {
     this.#try(this.#client.restore(positions, targetsOf(handles), settled));
   }
 
-  #reopen({ method, options, view }: ChebnetDocument, { net, handles, positions, settled }: Snapshot): void {
-    const scene: Scene = { net, handles: [...handles], positions, settled, method, options, view: { ...view, camera: null } };
+  #reopen(document: ChebnetDocument, { net, handles, positions, settled }: Snapshot): void {
+    const { method, initialisation, options } = document;
+    const view = { ...document.view, camera: null };
+    const scene: Scene = { net, handles: [...handles], positions, settled, method, initialisation, options, view };
     this.#reopening = true;
     const opened = this.#client.open(scene).then((result) => this.#showOpened(scene, result));
     this.#try(opened.finally(() => (this.#reopening = false)));
@@ -265,10 +317,14 @@ export class App {
     return {
       addHandle: (vertex) => this.#try(this.addHandle(vertex)),
       selectHandle: (vertex) => this.select(vertex),
-      dragStart: () => this.#beginDrag(),
+      dragStart: () => {
+        this.showRun(null);
+        this.#beginDrag();
+      },
       dragMove: (vertex, target) => this.#drag(vertex, target),
       dragEnd: (_vertex, cancelled) => this.#endDrag(cancelled),
       cameraChanged: (camera) => this.#changeView({ camera }),
+      cameraMoved: (camera) => this.#beside.setCamera(camera),
     };
   }
 
@@ -283,12 +339,17 @@ export class App {
       deleteHandle: (vertex) => this.#try(this.deleteHandle(vertex)),
       setHandleTarget: (vertex, target) => this.#try(this.moveHandle(vertex, target)),
       setAnchor: (vertex, anchor) => this.#setAnchor(vertex, anchor),
-      setOptions: (method, options) => this.#try(this.setOptions(method, options)),
+      setOptions: (settings) => this.#try(this.setOptions(settings)),
       setView: (change) => this.#changeView(change),
       solve: () => this.#try(this.#client.solve()),
       step: () => this.#try(this.#client.step()),
+      setStepArrows: (shown) => this.#view.setStepArrows(shown),
       cancel: () => this.#try(this.#client.cancel()),
       reset: () => this.#try(this.reset()),
+      compare: (wish) => this.compare(wish),
+      cancelComparison: () => this.#comparer.cancel(),
+      showRun: (run) => this.showRun(run),
+      showBeside: (run) => this.showBeside(run),
       undoDrag: () => this.undo(),
       frameAll: () => this.#view.frameAll(),
     };
@@ -330,10 +391,16 @@ export class App {
     this.#change({ view });
     if (change.camera !== undefined) return;
     this.#view.setAppearance(view);
+    this.#beside.setAppearance(view);
     this.#showDocument();
   }
 
   // ---------------------------------------------------------------------------------------------------------- the state
+
+  #threshold(): number {
+    const usual = this.#optionTable.find(({ name }) => name === 'threshold')?.value;
+    return Number(this.#opening?.document.options.threshold ?? usual);
+  }
 
   #handles(): HandleData[] {
     return this.#opening?.document.handles ?? [];
@@ -355,7 +422,8 @@ export class App {
   // ------------------------------------------------------------------------------------------------------------ showing
 
   #showOpened(scene: Scene, { net, frame }: Opened): void {
-    const { method, options, view, settled } = scene;
+    this.#showOwnNet();
+    const { method, initialisation, options, view, settled, experiment, compare } = scene;
     const last = frame.handles.length - 1;
     // Of the handles that come with a recipe the last is the one to drag.
     const isAnchor = (i: number): boolean => (scene.handles === 'suggested' ? i < last : (scene.handles[i]?.anchor ?? false));
@@ -363,9 +431,22 @@ export class App {
     this.#opening = {
       net,
       frame,
-      document: { net: scene.net, handles, method, options, view, positions: frame.positions, settled },
+      document: {
+        net: scene.net,
+        handles,
+        method,
+        initialisation,
+        options,
+        view,
+        positions: frame.positions,
+        settled,
+        experiment,
+        compare,
+      },
     };
     this.#selected = null;
+    // First, for the view leaves room for what the panels say.
+    this.#panels.showDocument(this.#opening.document, null, this.#history.canUndo);
     this.#view.setAppearance(view);
     this.#view.showNet(net, frame, view.camera);
     this.#panels.showNet(net);
@@ -375,6 +456,7 @@ export class App {
 
   #showFrame(frame: FrameData, settled: boolean): void {
     if (this.#opening === null) return;
+    this.showRun(null);
     this.#opening = { ...this.#opening, frame };
     this.#change({ positions: frame.positions, settled });
     this.#view.showFrame(frame);
@@ -401,8 +483,15 @@ export class App {
     if (this.#opening === null) return;
     const { document } = this.#opening;
     if (!document.handles.some(({ vertex }) => vertex === this.#selected)) this.#selected = null;
-    this.#view.showHandles(document.handles, this.#selected);
+    this.#view.showHandles(this.#shownHandles(document), this.#selected);
     this.#panels.showDocument(document, this.#selected, this.#history.canUndo);
+  }
+
+  /** Those of the run whose net is shown stand where they stood when it began. */
+  #shownHandles({ handles }: ChebnetDocument): HandleData[] {
+    const anchors = new Set(handles.filter(({ anchor }) => anchor).map(({ vertex }) => vertex));
+    const shown = this.#shownRun?.frame?.handles.map((handle) => ({ ...handle, anchor: anchors.has(handle.vertex) }));
+    return shown ?? handles;
   }
 
   #showLive(): void {

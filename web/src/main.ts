@@ -1,7 +1,9 @@
 /** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app';
 import { defaultScene } from './document/defaults';
+import type { Scene } from './document/document';
 import { decodeScene, linkAdvice } from './document/share';
+import { experimentScene, isExperimentLink } from './experiments/experiment';
 import { download } from './files/download';
 import { pickFile, readNetFile } from './files/import';
 import { createPanels } from './panels/sidebar';
@@ -11,6 +13,7 @@ import { createView } from './view/scene';
 const app = new App(
   {
     createView: (events) => createView(element('view'), events),
+    createBeside: (events) => createView(element('beside'), events),
     createPanels: (events) => createPanels(element('panels'), events),
     spawnWorker: () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' }),
   },
@@ -45,7 +48,7 @@ function attempt(doing: () => Promise<void>): void {
 async function start(): Promise<void> {
   try {
     await app.start();
-    if (location.hash.length > 1) await app.openScene(decodeScene(location.hash));
+    if (location.hash.length > 1) await app.openScene(sceneOf(location.hash));
   } catch (error) {
     app.report(error);
   }
@@ -55,8 +58,12 @@ async function start(): Promise<void> {
 async function followLink(): Promise<void> {
   if (location.hash.length <= 1) return;
   await ready;
-  await app.openScene(decodeScene(location.hash));
+  await app.openScene(sceneOf(location.hash));
   app.say('The link is open. Undo brings back what was here before.');
+}
+
+function sceneOf(hash: string): Scene {
+  return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
 }
 
 async function copyLink(): Promise<void> {

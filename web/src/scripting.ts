@@ -55,8 +55,8 @@ export interface Scripting {
   edges(): Int32Array;
   handles(): HandleData[];
   stats(): Stats;
-  /** Chooses the method and sets the solver's options by the names in core/solve/options.h; others stay as they are. */
-  setOptions(options: { method?: string } & Record<string, number | boolean | string | undefined>): Promise<void>;
+  /** Chooses method and initialisation (`naive`, `arap:N`, `local_global:N`) and sets the solver's options by the names in core/solve/options.h; others stay as they are. */
+  setOptions(options: { method?: string; initialisation?: string } & Record<string, number | boolean | string | undefined>): Promise<void>;
   /** `listener` is called for each new frame, whenever the net has settled, or with each error shown to the user.
    *  Returns what ends this. */
   on(event: 'frame' | 'settled', listener: () => void): () => void;
@@ -125,14 +125,15 @@ function readHandle(app: App, { vertex, target, anchor }: ScriptHandle): HandleD
   return { vertex, target: target ?? app.positionOf(vertex), anchor: anchor ?? target === undefined };
 }
 
-async function setOptions(app: App, { method, ...options }: Parameters<Scripting['setOptions']>[0]): Promise<void> {
+async function setOptions(app: App, wished: Parameters<Scripting['setOptions']>[0]): Promise<void> {
   const present = app.opening?.document;
   if (present === undefined) throw failure('no_net', 'No net is open.');
+  const { method = present.method, initialisation = present.initialisation, ...options } = wished;
   const given = Object.entries(options).map(([name, value]): [string, number | boolean] => {
     if (typeof value === 'number' || typeof value === 'boolean') return [name, value];
     throw failure('bad_option', `option ${name} must be a number or true or false`);
   });
-  await app.setOptions(method ?? present.method, { ...present.options, ...Object.fromEntries(given) });
+  await app.setOptions({ method, initialisation, options: { ...present.options, ...Object.fromEntries(given) } });
 }
 
 function stats(app: App): Stats {

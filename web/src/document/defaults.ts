@@ -4,6 +4,7 @@ import type { NetSource, Scene, ViewState } from './document';
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
 const DEFAULT_METHOD = 'li2022';
+export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
 
@@ -13,6 +14,7 @@ export function freshScene(net: NetSource): Scene {
     net,
     handles: 'recipe' in net ? 'suggested' : [],
     method: DEFAULT_METHOD,
+    initialisation: DEFAULT_INITIALISATION,
     options: {},
     view: DEFAULT_VIEW,
     positions: null,

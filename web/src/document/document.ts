@@ -26,6 +26,14 @@ export interface PackedPositions {
 /** Options of core/solve/options.h that differ from their defaults. */
 export type SolverOptions = Record<string, number | boolean>;
 
+/** How a net is solved. */
+export interface SolverSettings {
+  method: string;
+  /** What each solve begins with: `naive`, `arap:N` or `local_global:N`. */
+  initialisation: string;
+  options: SolverOptions;
+}
+
 export type Field = 'deviation' | 'angle';
 export type ColourMap = 'paper' | 'log';
 export type UpAxis = 'y' | 'z';
@@ -39,11 +47,17 @@ export interface ViewState {
   upAxis?: UpAxis;
 }
 
-export interface ChebnetDocument {
+/** What a document says that was opened as an experiment. */
+export interface ExperimentPart {
+  /** Its name; see experiments/list.ts. */
+  experiment?: string | undefined;
+  /** Methods worth comparing on it. */
+  compare?: string[] | undefined;
+}
+
+export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   net: NetSource;
   handles: HandleData[];
-  method: string;
-  options: SolverOptions;
   view: ViewState;
   /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
   positions: Float64Array | null;
@@ -52,12 +66,10 @@ export interface ChebnetDocument {
 }
 
 /** What can be opened: a document whose handles and positions may still be where the net has them. */
-export interface Scene {
+export interface Scene extends SolverSettings, ExperimentPart {
   net: NetSource;
   /** `suggested`: those that come with the recipe. */
   handles: HandleSeed[] | 'suggested';
-  method: string;
-  options: SolverOptions;
   view: ViewState;
   /** null: the rest positions. */
   positions: Float64Array | PackedPositions | null;

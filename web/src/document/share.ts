@@ -6,7 +6,8 @@
  * core when the scene is opened.
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
-import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Vec3, ViewState } from './document';
+import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, UpAxis, Vec3, ViewState } from './document';
+import { DEFAULT_INITIALISATION } from './defaults';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
 
@@ -74,11 +75,11 @@ export function linkAdvice(shared: Shared): string | null {
 // ------------------------------------------------------------------------------------------------------------- writing
 
 function header(document: ChebnetDocument, net: PackingNet, settled: boolean): object {
-  const { method, options, view } = document;
+  const { method, initialisation, options, view } = document;
   const source = 'recipe' in document.net ? { recipe: document.net.recipe } : document.net;
   const camera = view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7)));
   const handles = document.handles.map((handle) => writeHandle(handle, net));
-  return { net: source, handles, method, options, view: { ...view, camera }, settled };
+  return { net: source, handles, method, initialisation, options, view: { ...view, camera }, settled };
 }
 
 /** `[vertex, anchor]`, and the target unless the handle is at rest. */
@@ -153,6 +154,8 @@ function readScene(head: Record<string, unknown>, packed: Uint8Array | null): Sc
     net: readNet(record(head.net)),
     handles: list(head.handles).map(readHandle),
     method: text(head.method),
+    // Links made before there was a choice have none.
+    initialisation: head.initialisation === undefined ? DEFAULT_INITIALISATION : text(head.initialisation),
     options: readOptions(record(head.options)),
     view: readView(record(head.view)),
     positions: packed && { packed },
@@ -183,6 +186,7 @@ function readView(view: Record<string, unknown>): ViewState {
     field: oneOf(view.field, ['deviation', 'angle']),
     colourMap: oneOf(view.colourMap, ['paper', 'log']),
     showFaces: flag(view.showFaces),
+    ...(view.upAxis === undefined ? {} : { upAxis: oneOf<UpAxis>(view.upAxis, ['y', 'z']) }),
   };
 }
 

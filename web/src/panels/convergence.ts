@@ -7,6 +7,11 @@ const LONGEST = 72;
 /** Below this, dL is rounding. */
 const SMALLEST = 1e-16;
 
+/** log₁₀ of a dL; null if it has none to show. */
+export function decade(deviation: number): number | null {
+  return Number.isFinite(deviation) ? Math.log10(Math.max(deviation, SMALLEST)) : null;
+}
+
 interface Solve {
   /** Since the solve began. */
   milliseconds: number[];
@@ -57,7 +62,7 @@ export class Convergence {
       maxDeviations.forEach((deviation, i) => {
         const x = start + (byTime ? milliseconds[i]! : i + 1);
         if (stages[i] !== stages[i - 1]) curve.marks.push({ x, stage: stages[i]! });
-        push(curve, x, Number.isFinite(deviation) ? Math.log10(Math.max(deviation, SMALLEST)) : null);
+        push(curve, x, decade(deviation));
       });
       start = curve.x.at(-1) ?? 0;
     }

@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import type { TraceRow } from '../../../wasm/chebnet';
 import { Convergence, type Curve } from './convergence';
 import { make, makeSelect } from './dom';
+import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange, strokeLine } from './plot_parts';
 
 const HEIGHT = 168;
 /** Labels of stages closer than this, in pixels, would run into each other. */
@@ -78,9 +79,7 @@ export class ConvergencePlot {
   }
 
   private options(width: number): uPlot.Options {
-    const muted = () => this.colour('--muted');
-    const line = { stroke: () => this.colour('--line'), width: 1 };
-    const font = `11px ${getComputedStyle(this.element).fontFamily}`;
+    const colour = () => plotColour(this.element, '--link');
     return {
       width,
       height: HEIGHT,
@@ -89,33 +88,15 @@ export class ConvergencePlot {
       cursor: { show: false },
       scales: {
         x: { time: false, range: (_, low, high) => roomyRange(low, high) },
-        y: { range: (_, low, high) => this.decades(low, high) },
+        y: { range: (_, low, high) => decadeRange(low, high, this.threshold) },
       },
       series: [
         {},
-        { stroke: () => this.colour('--link'), width: 1.5, points: { show: true, size: 4, fill: () => this.colour('--link') } },
+        { stroke: colour, width: 1.5, points: { show: true, size: 4, fill: colour } },
       ],
-      axes: [
-        { stroke: muted, font, grid: { show: false }, ticks: { show: false }, size: 24, gap: 4, space: 48 },
-        {
-          stroke: muted,
-          font,
-          grid: line,
-          ticks: { show: false },
-          size: 44,
-          gap: 6,
-          splits: (_plot, _axis, low, high) => evenDecades(low, high),
-          values: (_plot, splits) => splits.map((decade) => `1e${decade}`),
-        },
-      ],
+      axes: plotAxes(this.element),
       hooks: { drawClear: [(plot) => this.drawMarks(plot)] },
     };
-  }
-
-  /** Always shows the threshold; empty, the decades a solve usually goes through. */
-  private decades(low: number | null, high: number | null): [number, number] {
-    const goal = Math.log10(this.threshold);
-    return [Math.floor(Math.min(low ?? goal, goal) - 1), Math.ceil(Math.max(high ?? -1, goal + 2))];
   }
 
   private drawMarks(plot: uPlot): void {
@@ -125,52 +106,21 @@ export class ConvergencePlot {
     ctx.lineWidth = ratio;
     ctx.font = `${11 * ratio}px ${getComputedStyle(this.element).fontFamily}`;
     ctx.textAlign = 'left';
-    this.drawThreshold(plot, ratio);
+    drawThreshold(plot, this.threshold, this.element);
     let free = -Infinity;
     for (const mark of this.curve.marks) {
       const x = plot.valToPos(mark.x, 'x', true);
       if (x < bbox.left || x > bbox.left + bbox.width) continue;
       // Many of them, in the course of a drag, must not drown the curve.
-      ctx.strokeStyle = this.colour(this.curve.marks.length < 8 ? '--line-strong' : '--line');
+      ctx.strokeStyle = plotColour(this.element, this.curve.marks.length < 8 ? '--line-strong' : '--line');
       ctx.setLineDash([]);
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
       if (x < free) continue;
-      ctx.fillStyle = this.colour('--muted');
+      ctx.fillStyle = plotColour(this.element, '--muted');
       const label = free < 0 ? `Stage ${mark.stage}` : String(mark.stage);
       ctx.fillText(label, x, bbox.top - 7 * ratio);
       free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
     }
     ctx.restore();
   }
-
-  private drawThreshold({ ctx, bbox, valToPos }: uPlot, ratio: number): void {
-    const y = valToPos(Math.log10(this.threshold), 'y', true);
-    ctx.strokeStyle = this.colour('--accent');
-    ctx.setLineDash([4 * ratio, 3 * ratio]);
-    strokeLine(ctx, bbox.left, y, bbox.left + bbox.width, y);
-  }
-
-  private colour(name: string): string {
-    return getComputedStyle(this.element).getPropertyValue(name);
-  }
-}
-
-function strokeLine(ctx: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
-  ctx.beginPath();
-  ctx.moveTo(x0, y0);
-  ctx.lineTo(x1, y1);
-  ctx.stroke();
-}
-
-/** A few iterations do not stretch over the whole width. */
-function roomyRange(low: number | null, high: number | null): [number, number] {
-  const from = low ?? 0;
-  return [from, Math.max(high ?? 0, from + 10)];
-}
-
-function evenDecades(low: number, high: number): number[] {
-  const step = high - low > 5 ? 2 : 1;
-  const decades: number[] = [];
-  for (let decade = Math.ceil(low / step) * step; decade <= high; decade += step) decades.push(decade);
-  return decades;
 }

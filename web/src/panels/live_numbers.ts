@@ -1,9 +1,7 @@
 /** The numbers of the moment. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from './dom';
-import { count, milliseconds, small } from './words';
-
-const NOTHING = '–';
+import { count, milliseconds, NOTHING, small } from './words';
 
 const LABELS = {
   vertices: 'Vertices',

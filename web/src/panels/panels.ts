@@ -1,8 +1,8 @@
 /** The contract between the page and its controls; built from native HTML elements. Panels show state and report
  *  intentions; they never change the document themselves. */
-import type { MethodInfo, OptionInfo, ShapeInfo } from '../../../wasm/chebnet';
-import type { ChebnetDocument, HandleData, SolverOptions, Vec3, ViewState } from '../document/document';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import type { Comparison, ComparisonWish, Run } from '../compare/run';
+import type { ChebnetDocument, HandleData, SolverSettings, Vec3, ViewState } from '../document/document';
+import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
@@ -14,13 +14,21 @@ export interface PanelEvents {
   deleteHandle(vertex: number): void;
   setHandleTarget(vertex: number, target: Vec3): void;
   setAnchor(vertex: number, anchor: boolean): void;
-  setOptions(method: string, options: SolverOptions): void;
+  setOptions(settings: SolverSettings): void;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
   solve(): void;
   step(): void;
+  setStepArrows(shown: boolean): void;
   cancel(): void;
   reset(): void;
   undoDrag(): void;
+  /** Run these methods side by side on the present edit. */
+  compare(wish: ComparisonWish): void;
+  cancelComparison(): void;
+  /** Show the net of a run in place of one's own; null: one's own again. */
+  showRun(run: Run | null): void;
+  /** Show the net of a run beside the other; null: no longer. */
+  showBeside(run: Run | null): void;
   copyLink(): void;
   exportObj(): void;
   frameAll(): void;
@@ -29,9 +37,7 @@ export interface PanelEvents {
 export interface Panels {
   /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
   showTables(
-    shapes: ShapeInfo[],
-    methods: MethodInfo[],
-    options: OptionInfo[],
+    tables: Tables,
     thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
   ): void;
   /** After anything in the document changed. */
@@ -40,6 +46,10 @@ export interface Panels {
   /** Live numbers and the plot. `solving`: the worker is busy. */
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
   showHandles(handles: readonly HandleData[], selected: number | null): void;
+  /** Whenever there is news of it. */
+  showComparison(comparison: Comparison): void;
+  /** The run whose net is in the view (null: one's own is), and the one beside it, if any. */
+  showRuns(run: Run | null, beside: Run | null): void;
   /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error'): void;
 }

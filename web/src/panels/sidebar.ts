@@ -1,11 +1,15 @@
 /** Puts the panels together. Over the picture: title, tools, legend and messages; beside it, on a phone below it, the rest in
  *  sections that fold. */
-import type { MethodInfo, OptionInfo, ShapeInfo } from '../../../wasm/chebnet';
+import type { ShapeInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, HandleData } from '../document/document';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
+import type { Comparison, Run } from '../compare/run';
 import { Appearance } from './appearance';
+import { ComparisonForm } from './comparison_form';
+import { ComparisonResults } from './comparison_results';
 import { ConvergencePlot } from './convergence_plot';
 import { make, makeButton, makeSection, setSummary, setText } from './dom';
+import { ExperimentsPanel } from './experiments_panel';
 import { Gallery } from './gallery';
 import { handleCount, HandleList } from './handle_list';
 import { Idle } from './idle';
@@ -13,8 +17,10 @@ import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
 import type { PanelEvents, Panels } from './panels';
+import { RunNotice } from './run_notice';
 import { ShapeParameters } from './shape_parameters';
 import { SolverPanel } from './solver_panel';
+import { StepPanel } from './step_panel';
 import type { Wireframe } from './thumbnail';
 import { Toolbar } from './toolbar';
 import { statusWords } from './words';
@@ -35,6 +41,11 @@ class Sidebar implements Panels {
   private readonly plot = new ConvergencePlot();
   private readonly appearance: Appearance;
   private readonly solver: SolverPanel;
+  private readonly step: StepPanel;
+  private readonly experiments: ExperimentsPanel;
+  private readonly comparison: ComparisonForm;
+  private readonly results: ComparisonResults;
+  private readonly runNotice: RunNotice;
   private readonly toolbar: Toolbar;
   private readonly legend = new Legend();
   private readonly messages = new Messages();
@@ -45,6 +56,7 @@ class Sidebar implements Panels {
   private readonly toClick = make('p', { hidden: true }, 'Click a vertex to take hold of it. Every edge keeps its length.');
   private readonly handleSection: HTMLDetailsElement;
   private readonly sections: HTMLElement;
+  private readonly fold = makeButton('Controls', () => this.unfold(!this.sections.classList.contains('open')));
   private shapes: ShapeInfo[] = [];
   private usualThreshold = 1e-6;
   private pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
@@ -60,6 +72,17 @@ class Sidebar implements Panels {
     this.handles = new HandleList(events);
     this.appearance = new Appearance(events);
     this.solver = new SolverPanel(events);
+    this.step = new StepPanel(events);
+    this.experiments = new ExperimentsPanel(events);
+    this.comparison = new ComparisonForm((wish) => {
+      this.unfold(false); // a phone has no room for the results beside it
+      events.compare(wish);
+    });
+    this.results = new ComparisonResults(events);
+    this.runNotice = new RunNotice(() => {
+      events.showRun(null);
+      events.showBeside(null);
+    });
     this.toolbar = new Toolbar(events);
     this.handleSection = makeSection(handleCount([]), false, ...this.handles.content);
     this.sections = make(
@@ -67,9 +90,12 @@ class Sidebar implements Panels {
       { class: 'sections', id: 'sections' },
       makeSection('Shape', true, this.gallery.element, this.fileName, this.parameters.element),
       makeSection('Convergence', true, this.numbers.element, this.plot.element),
+      makeSection('Step', false, ...this.step.content),
       this.handleSection,
       makeSection('Appearance', false, ...this.appearance.content),
       makeSection('Solver', false, ...this.solver.content),
+      makeSection('Experiments', false, ...this.experiments.content),
+      makeSection('Compare methods', false, ...this.comparison.content),
     );
     root.append(
       make(
@@ -81,26 +107,27 @@ class Sidebar implements Panels {
           make('h1', {}, 'chebnet'),
           this.toDrag,
           this.toClick,
+          this.experiments.note,
         ),
         this.toolbar.element,
         this.legend.element,
         this.messages.element,
+        this.runNotice.element,
       ),
+      this.results.element,
       make('aside', { class: 'sidebar', 'aria-label': 'Controls' }, this.statusRow(), this.sections),
     );
   }
 
-  showTables(
-    shapes: ShapeInfo[],
-    methods: MethodInfo[],
-    options: OptionInfo[],
-    thumbnail: (recipe: string) => Promise<Wireframe>,
-  ): void {
+  showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+    const { shapes, options } = tables;
     this.shapes = shapes;
     this.usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.usualThreshold;
     this.idle.touch();
     this.gallery.showShapes(shapes, thumbnail);
-    this.solver.showTables(methods, options);
+    this.solver.showTables(tables);
+    this.comparison.showTable(tables.methods);
+    this.results.showTable(tables.methods);
   }
 
   showDocument(document: ChebnetDocument, selected: number | null, canUndo: boolean): void {
@@ -110,6 +137,8 @@ class Sidebar implements Panels {
     this.parameters.show(recipe, this.shapes);
     this.fileName.hidden = recipe !== null;
     setText(this.fileName, 'name' in net ? net.name : '');
+    this.experiments.show(document.experiment);
+    this.comparison.propose(document.compare);
     this.appearance.show(view);
     this.legend.show(view);
     this.solver.showDocument(document, canUndo);
@@ -120,6 +149,8 @@ class Sidebar implements Panels {
 
   showNet(net: OpenedNet): void {
     this.numbers.showNet(net);
+    this.results.netChanged();
+    this.step.showNet(net);
     this.handles.showNet(net.info.vertices, net.info.meanLength);
     this.plot.clear();
   }
@@ -127,6 +158,8 @@ class Sidebar implements Panels {
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
     this.idle.touch();
     this.plot.add(frame.trace);
+    const stage = this.step.take(frame);
+    if (stage !== null) this.say(stage, 'info');
     this.pending = { frame, framesPerSecond, solving };
     if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), REFRESH_MS);
   }
@@ -140,6 +173,17 @@ class Sidebar implements Panels {
     this.handles.show(handles, selected);
   }
 
+  showComparison(comparison: Comparison): void {
+    this.results.show(comparison);
+  }
+
+  showRuns(run: Run | null, beside: Run | null): void {
+    const frame = run?.frame ?? this.pending?.frame;
+    if (frame) this.legend.showFrame(frame);
+    this.results.showCurrent(run, beside);
+    this.runNotice.show(run, beside);
+  }
+
   say(message: string, kind: 'info' | 'error'): void {
     this.messages.say(message, kind);
   }
@@ -149,21 +193,23 @@ class Sidebar implements Panels {
     const { frame, framesPerSecond, solving } = this.pending!;
     this.numbers.showFrame(frame, framesPerSecond);
     this.plot.refresh();
+    this.step.refresh();
     this.legend.showFrame(frame);
     this.solver.showSolving(solving);
     this.light.dataset.status = frame.status === 'running' && !solving ? 'stalled' : frame.status;
-    setText(this.status, statusWords(frame.status, solving));
+    setText(this.status, statusWords(frame.status, solving, frame.iterations));
   }
 
   /** On a phone the row is all that is left of the sidebar until its button unfolds it. */
   private statusRow(): HTMLElement {
-    const fold = makeButton('Controls', () => {
-      const open = this.sections.classList.toggle('open');
-      fold.setAttribute('aria-expanded', String(open));
-    });
-    fold.classList.add('fold');
-    fold.setAttribute('aria-expanded', 'false');
-    fold.setAttribute('aria-controls', this.sections.id);
-    return make('div', { class: 'status' }, this.light, this.status, fold);
+    this.fold.classList.add('fold');
+    this.fold.setAttribute('aria-controls', this.sections.id);
+    this.unfold(false);
+    return make('div', { class: 'status' }, this.light, this.status, this.fold);
+  }
+
+  private unfold(open: boolean): void {
+    this.sections.classList.toggle('open', open);
+    this.fold.setAttribute('aria-expanded', String(open));
   }
 }

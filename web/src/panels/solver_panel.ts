@@ -1,7 +1,9 @@
 /** The method and its settings, and the buttons that set it going. */
-import type { MethodInfo, OptionInfo } from '../../../wasm/chebnet';
+import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
-import { make, makeButton, makeSwitch, setText, setValue } from './dom';
+import type { Tables } from '../worker/protocol';
+import { make, makeButton, makeSwitch, setValue } from './dom';
+import { InitialisationChoice, MethodChoice } from './method_choice';
 import type { PanelEvents } from './panels';
 import { title } from './words';
 
@@ -16,13 +18,12 @@ interface Setting {
 
 export class SolverPanel {
   readonly content: HTMLElement[];
-  private readonly method = make('select', { 'aria-label': 'Method' });
-  private readonly citation = make('p', { class: 'quiet' });
+  private readonly method = new MethodChoice(() => this.set(this.options));
+  private readonly initialisation = new InitialisationChoice(() => this.set(this.options));
   private readonly usual = make('div');
   private readonly seldom = make('div');
   private readonly defaults: HTMLButtonElement;
   private readonly buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
-  private methods: MethodInfo[] = [];
   private settings: Setting[] = [];
   private options: SolverOptions = {};
 
@@ -32,41 +33,36 @@ export class SolverPanel {
       undo: makeButton('Undo last drag', () => events.undoDrag(), { disabled: true }),
     };
     this.defaults = makeButton('Back to defaults', () => this.set({}), { class: 'plain link' });
-    this.method.addEventListener('change', () => this.set(this.options));
     this.content = [
       make(
         'div',
         { class: 'buttons' },
         makeButton('Solve', () => events.solve(), { title: 'Iterate until the solve ends' }),
-        makeButton('One step', () => events.step(), { title: 'One iteration, then stop' }),
         this.buttons.cancel,
         makeButton('Reset to rest', () => events.reset()),
         this.buttons.undo,
       ),
-      make('label', { class: 'row' }, make('span', {}, 'Method'), this.method),
-      this.citation,
+      ...this.method.content,
+      ...this.initialisation.content,
       this.usual,
       make('details', { class: 'more' }, make('summary', {}, 'More settings'), this.seldom),
       this.defaults,
     ];
   }
 
-  showTables(methods: MethodInfo[], options: OptionInfo[]): void {
-    this.methods = methods;
-    this.method.replaceChildren(
-      ...methods.map(({ name, sentence }) => make('option', { value: name, title: sentence }, name)),
-    );
+  showTables({ methods, initialisations, options }: Tables): void {
+    this.method.showTable(methods);
+    this.initialisation.showTable(initialisations);
     this.settings = options.map((option) => this.makeSetting(option));
     const isUsual = ({ option }: Setting) => USUAL.includes(option.name);
     this.usual.replaceChildren(...this.settings.filter(isUsual).map(({ row }) => row));
     this.seldom.replaceChildren(...this.settings.filter((each) => !isUsual(each)).map(({ row }) => row));
   }
 
-  showDocument({ method, options }: ChebnetDocument, canUndo: boolean): void {
+  showDocument({ method, initialisation, options }: ChebnetDocument, canUndo: boolean): void {
     this.options = options;
-    setValue(this.method, method);
-    const info = this.methods.find(({ name }) => name === method);
-    setText(this.citation, info ? `${info.sentence} ${info.citation}` : '');
+    this.method.show(method);
+    this.initialisation.show(initialisation);
     for (const { option, input } of this.settings) this.showSetting(option, input, options[option.name] ?? option.value);
     this.defaults.hidden = Object.keys(options).length === 0;
     this.buttons.undo.disabled = !canUndo;
@@ -104,7 +100,8 @@ export class SolverPanel {
   private set(options: SolverOptions): void {
     // Sent whole: what is left out goes back to its default.
     const all = Object.fromEntries(this.settings.map(({ option }) => [option.name, usualValue(option)]));
-    this.events.setOptions(this.method.value, { ...all, ...options });
+    const [method, initialisation] = [this.method.value, this.initialisation.value];
+    this.events.setOptions({ method, initialisation, options: { ...all, ...options } });
   }
 }
 

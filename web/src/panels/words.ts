@@ -1,5 +1,6 @@
 /** Numbers and states as people read them. */
-import type { Status } from '../../../wasm/chebnet';
+import type { Status, TraceRow } from '../../../wasm/chebnet';
+import type { Run } from '../compare/run';
 
 const STATUS: Record<Status, string> = {
   running: 'Solving',
@@ -10,8 +11,30 @@ const STATUS: Record<Status, string> = {
   non_finite: 'Numbers overflowed: undo or reset',
 };
 
-export function statusWords(status: Status, solving: boolean): string {
-  return status === 'running' && !solving ? 'Stopped before the end' : STATUS[status];
+export function statusWords(status: Status, solving: boolean, iterations: number): string {
+  if (status !== 'running' || solving) return STATUS[status];
+  return iterations > 0 ? 'Stopped before the end' : 'Not solved yet';
+}
+
+/** Which stage an iteration belongs to and what is done there. */
+export function stageWords({ stage, p, freeVertices }: TraceRow): string {
+  const exponent = p > 0 ? `, exponent p = ${p}` : '';
+  return `Stage ${stage}${exponent}, ${count(freeVertices)} vertices move`;
+}
+
+const RUN_STATUS: Record<Status, string> = {
+  running: 'Stopped',
+  converged: 'Converged',
+  stalled: 'Stalled',
+  max_iterations: 'Iteration limit',
+  unreachable: 'Out of reach',
+  non_finite: 'Overflow',
+};
+
+/** How a run of a comparison stands, short enough for a table. */
+export function runWords({ state, frame, fault }: Run): string {
+  if (state === 'ended' && frame) return RUN_STATUS[frame.status];
+  return fault ?? { waiting: 'Waiting', running: 'Running…', ended: '', failed: 'Failed', cancelled: 'Cancelled' }[state];
 }
 
 /** Below this a deviation is the rounding of the computer, not of the net. */
@@ -24,6 +47,9 @@ export function small(value: number): string {
   if (!Number.isFinite(value)) return '∞';
   return value >= 0.01 && value < 1000 ? String(Number(value.toPrecision(2))) : value.toExponential(1);
 }
+
+/** Stands for a number that there is not. */
+export const NOTHING = '–';
 
 export function count(value: number): string {
   return value.toLocaleString('en-US');
@@ -45,4 +71,20 @@ export function title(name: string): string {
   const words = name.replaceAll('_', ' ');
   if (words.charAt(1) === ' ') return words;
   return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** Names of the core that are more than their words. */
+const METHODS: Record<string, string> = {
+  li2022: 'Li et al. 2022',
+  projected_newton: 'Projected Newton',
+  dp4: 'D^p, p = 4',
+  dp8: 'D^p, p = 8',
+  arap: 'ARAP',
+  local_global: 'Local–global',
+  lbfgs: 'L-BFGS',
+};
+
+/** A method or an initialisation as people call it. */
+export function methodTitle(name: string): string {
+  return METHODS[name] ?? title(name);
 }

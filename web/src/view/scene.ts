@@ -18,6 +18,7 @@ import { createBlankView, createNotice, probeGraphics } from './notice';
 import { Overlay, type Place, type Strain } from './overlay';
 import type { Projection } from './picking';
 import { Space } from './space';
+import { StepArrows } from './step_arrows';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { View, ViewEvents } from './view';
 
@@ -50,6 +51,7 @@ class SceneView implements View {
   private readonly arrows: AxisArrows;
   private readonly marks = new HandleMarks();
   private readonly ground = new Ground();
+  private readonly stepArrows = new StepArrows();
   private readonly colours = new ColourTexture();
   private readonly overlay = new Overlay();
   private readonly report: DragReport;
@@ -70,6 +72,8 @@ class SceneView implements View {
   private firstVisit = isFirstVisit();
   private frame = 0;
   private netMoved = false;
+  /** The camera is being put where that of another view is. */
+  private following = false;
   private drawTimes: number[] = [];
 
   constructor(
@@ -89,7 +93,7 @@ class SceneView implements View {
     this.notice = createNotice(container);
     this.report = new DragReport(this.noteFirstDrag(events));
     this.rig = new CameraRig(canvas, {
-      moved: () => this.requestDraw(),
+      moved: () => this.cameraMoved(),
       rested: () => events.cameraChanged(this.camera()),
     });
     this.arrows = new AxisArrows(this.rig.camera, canvas, {
@@ -98,7 +102,7 @@ class SceneView implements View {
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
     });
-    this.scene.add(this.ground.object, this.marks.object, ...this.arrows.objects, this.rig.camera);
+    this.scene.add(this.ground.object, this.marks.object, this.stepArrows.object, ...this.arrows.objects, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
     this.theme = readTheme(container);
@@ -130,6 +134,7 @@ class SceneView implements View {
     if (!this.shown) return;
     this.latest = frame;
     this.shown.data.show(frame);
+    this.stepArrows.show(frame, this.shown.data.space, this.shown.data.edgeLength);
     this.netMoved = true;
     this.requestDraw();
   }
@@ -156,6 +161,11 @@ class SceneView implements View {
     this.requestDraw();
   }
 
+  setStepArrows(shown: boolean): void {
+    this.stepArrows.object.visible = shown;
+    this.requestDraw();
+  }
+
   frameAll(): void {
     if (!this.shown) return;
     this.rig.framed = true;
@@ -166,6 +176,14 @@ class SceneView implements View {
     if (!this.shown) return { position: [0, 0, 0], target: [0, 0, 0] };
     const { space } = this.shown.data;
     return { position: space.toNet(this.rig.camera.position), target: space.toNet(this.rig.orbit.target) };
+  }
+
+  setCamera(camera: CameraPlace): void {
+    if (!this.shown) return;
+    this.rig.framed = false;
+    this.following = true;
+    this.rig.standAt(this.toStand(camera));
+    this.following = false;
   }
 
   framesPerSecond(): number {
@@ -185,7 +203,7 @@ class SceneView implements View {
     this.stopThemes();
     this.gestures.dispose();
     this.removeNet();
-    for (const thing of [this.arrows, this.rig, this.marks, this.ground, this.colours, this.renderer]) thing.dispose();
+    for (const thing of [this.arrows, this.stepArrows, this.rig, this.marks, this.ground, this.colours, this.renderer]) thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
@@ -264,7 +282,7 @@ class SceneView implements View {
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground]) part.setTheme(this.theme);
+    for (const part of [this.marks, this.ground, this.stepArrows]) part.setTheme(this.theme);
     this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.shown?.lines.setTheme(this.theme);
     this.shown?.faces.setTheme(this.theme);
@@ -289,6 +307,11 @@ class SceneView implements View {
     this.draw();
   }
 
+  private cameraMoved(): void {
+    if (this.shown && !this.following) this.events.cameraMoved(this.camera());
+    this.requestDraw();
+  }
+
   private requestDraw(): void {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
   }
@@ -310,6 +333,7 @@ class SceneView implements View {
   private prepare({ data, lines }: Shown): void {
     const { camera, distance } = this.rig;
     lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
+    this.stepArrows.beforeDraw(this.size, this.renderer.getPixelRatio());
     this.marks.beforeDraw(camera, this.size.y, data.edgeLength, distance);
     this.arrows.show(this.selected === null ? null : (this.marks.point(this.selected) ?? null));
     // From below, the floor would hide the net.

@@ -16,6 +16,8 @@ export interface ViewEvents {
   dragEnd(vertex: number, cancelled: boolean): void;
   /** The camera came to rest after orbit, pan or zoom. */
   cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
+  /** While it moves, but not by setCamera(). */
+  cameraMoved(camera: { position: Vec3; target: Vec3 }): void;
 }
 
 export interface View {
@@ -25,9 +27,13 @@ export interface View {
   showFrame(frame: FrameData): void;
   showHandles(handles: readonly HandleData[], selected: number | null): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
+  /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
+  setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
   frameAll(): void;
   camera(): { position: Vec3; target: Vec3 };
+  /** Looks from there at once, as another view does. */
+  setCamera(camera: { position: Vec3; target: Vec3 }): void;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
   /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */

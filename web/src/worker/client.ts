@@ -1,7 +1,7 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
  *  old one is lost. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { Scene, SolverOptions, Vec3 } from '../document/document';
+import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
 import type { FrameData, OpenedNet, Request, Response } from './protocol';
 
@@ -129,9 +129,9 @@ export class Client {
     return pending.promise;
   }
 
-  async setOptions(method: string, options: SolverOptions): Promise<void> {
-    await this.#tell({ type: 'options', method, options });
-    if (this.#scene) this.#scene = { ...this.#scene, method, options };
+  async setOptions(settings: SolverSettings): Promise<void> {
+    await this.#tell({ type: 'options', settings });
+    if (this.#scene) this.#scene = { ...this.#scene, ...settings };
   }
 
   async restore(positions: Float64Array, handles: Handle[], settled: boolean): Promise<void> {

@@ -1,5 +1,6 @@
 import type {
   Handle,
+  InitialisationInfo,
   MethodInfo,
   NetInfo,
   OptionInfo,
@@ -8,10 +9,10 @@ import type {
   TraceRow,
   UnreachablePair,
 } from '../../../wasm/chebnet';
-import type { Scene, SolverOptions } from '../document/document';
+import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 1;
+export const PROTOCOL_VERSION = 2;
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
@@ -23,7 +24,7 @@ export type Request = { id: number } & (
    *  target before has had its share of time. */
   | { type: 'drag'; vertex: number; target: [number, number, number] }
   /** Begins no solve; one under way goes on with them. */
-  | { type: 'options'; method: string; options: SolverOptions }
+  | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */
   | { type: 'solve' }
   /** One iteration, then stop. */
@@ -37,9 +38,26 @@ export type Request = { id: number } & (
   /** The page has taken the last frame; until it says so, no other is sent. Has no answer. */
   | { type: 'seen' }
   | { type: 'export'; format: 'obj'; digits: number }
+  /** What is too dear to come with every frame. */
+  | { type: 'measure' }
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
 );
+
+/** What the core can do. */
+export interface Tables {
+  shapes: ShapeInfo[];
+  methods: MethodInfo[];
+  initialisations: InitialisationInfo[];
+  options: OptionInfo[];
+}
+
+export interface Measures {
+  /** At a face corner, radians. */
+  smallestAngle: number;
+  /** Largest distance of a handle from its target. */
+  handleError: number;
+}
 
 export interface OpenedNet {
   info: NetInfo;
@@ -68,6 +86,8 @@ export interface FrameData {
   method: string;
   /** Rows since the frame before; `iteration` 1 begins a new solve. */
   trace: TraceRow[];
+  /** Where the net stood before the single step that led here; null if anything else did. */
+  stepFrom: Float64Array | null;
   unreachable: UnreachablePair[];
 }
 
@@ -77,11 +97,12 @@ export interface FrameData {
  * nothing is left to solve; requests that follow fast share one.
  */
 export type Response = { id: number } & (
-  | { type: 'ready'; version: number; shapes: ShapeInfo[]; methods: MethodInfo[]; options: OptionInfo[] }
+  | ({ type: 'ready'; version: number } & Tables)
   | { type: 'opened'; net: OpenedNet; frame: FrameData }
   | { type: 'frame'; frame: FrameData }
   | { type: 'settled'; frame: FrameData }
   | { type: 'exported'; text: string }
+  | { type: 'measured'; measures: Measures }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }

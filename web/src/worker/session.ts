@@ -1,7 +1,7 @@
 /** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
 import type { Chebnet, Editor, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { unpackPositions } from '../document/packing';
-import type { SolverOptions } from '../document/document';
+import type { SolverOptions, SolverSettings } from '../document/document';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
 import type { FrameData, OpenedNet, Request, Response } from './protocol';
 
@@ -45,6 +45,7 @@ export class Session {
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
   #unsentRows: TraceRow[] = [];
+  #stepFrom: Float64Array | null = null;
   #frameSeen = true;
 
   constructor(core: Chebnet, host: SessionHost) {
@@ -71,13 +72,13 @@ export class Session {
         else this.#drag(request);
         return;
       case 'options':
-        applyOptions(this.#core, this.#net(), request.method, request.options);
+        applySettings(this.#core, this.#net(), request.settings);
         if (!this.#solving) this.#judge();
         return this.#accept(request, this.#solving);
       case 'solve':
         return this.#accept(request, true);
       case 'step':
-        this.#note(this.#net().solve({ iterations: 1 }));
+        this.#step();
         return this.#accept(request, false);
       case 'cancel':
         return this.#accept(request, false);
@@ -93,6 +94,8 @@ export class Session {
         return;
       case 'export':
         return this.#reply(request, { type: 'exported', text: this.#net().toObj(request.digits) });
+      case 'measure':
+        return this.#reply(request, this.#measured());
       case 'thumbnail':
         return this.#reply(request, this.#thumbnail(request.recipe));
     }
@@ -104,8 +107,9 @@ export class Session {
     if (version !== PROTOCOL_VERSION) {
       throw failure('version', 'Page and solver are of different versions; load the page again.');
     }
-    const { shapes, methods, options } = this.#core;
-    return { type: 'ready', version, shapes: shapes(), methods: methods(), options: options() };
+    const { shapes, methods, initialisations, options } = this.#core;
+    const tables = { shapes: shapes(), methods: methods(), initialisations: initialisations(), options: options() };
+    return { type: 'ready', version, ...tables };
   }
 
   #open(id: number, scene: OpenScene): void {
@@ -137,10 +141,22 @@ export class Session {
     if (drag) this.#attempt(drag.id, () => this.#drag(drag));
   }
 
+  #step(): void {
+    const from = this.#net().positions();
+    const report = this.#net().solve({ iterations: 1 });
+    this.#note(report);
+    this.#stepFrom = report.trace.length > 0 ? from : null;
+  }
+
   #restore({ positions, handles }: Extract<Request, { type: 'restore' }>): void {
     this.#net().setHandles(handles);
     this.#net().setPositions(positions);
     this.#judge();
+  }
+
+  #measured(): Answer {
+    const editor = this.#net();
+    return { type: 'measured', measures: { smallestAngle: editor.smallestAngle(), handleError: editor.handleError() } };
   }
 
   #thumbnail(recipe: string): Answer {
@@ -234,8 +250,9 @@ export class Session {
   #frame(): FrameData {
     const editor = this.#net();
     const deviations = editor.deviations();
-    const trace = this.#unsentRows;
+    const [trace, stepFrom] = [this.#unsentRows, this.#stepFrom];
     this.#unsentRows = [];
+    this.#stepFrom = null;
     return {
       positions: editor.positions(),
       deviations,
@@ -249,6 +266,7 @@ export class Session {
       bend: editor.bend(),
       method: editor.method,
       trace,
+      stepFrom,
       unreachable: editor.unreachablePairs(),
     };
   }
@@ -290,7 +308,7 @@ function openNet(core: Chebnet, net: OpenScene['net']): Editor {
 }
 
 function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
-  applyOptions(core, editor, scene.method, scene.options);
+  applySettings(core, editor, scene);
   const rest = editor.restPositions;
   const seeds =
     scene.handles === 'suggested' ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null })) : scene.handles;
@@ -302,11 +320,12 @@ function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
 }
 
 /** Sets the options named and puts the others back to their defaults; if one is refused, changes nothing. */
-function applyOptions(core: Chebnet, editor: Editor, method: string, options: SolverOptions): void {
-  const before = { method: editor.method, options: editor.options() };
-  const set = (name: string, values: SolverOptions): void => {
+function applySettings(core: Chebnet, editor: Editor, { method, initialisation, options }: SolverSettings): void {
+  const before = { method: editor.method, initialisation: editor.initialisation, options: editor.options() };
+  const set = (name: string, start: string, values: SolverOptions): void => {
     // What stays the same is not set again: a new method would do its symbolic work again.
     if (name !== editor.method) editor.setMethod(name);
+    if (start !== editor.initialisation) editor.setInitialisation(start);
     const present = editor.options();
     for (const [key, value] of Object.entries(values)) {
       if (Number(value) !== Number(present[key])) editor.setOption(key, value);
@@ -314,9 +333,9 @@ function applyOptions(core: Chebnet, editor: Editor, method: string, options: So
   };
   const defaults = Object.fromEntries(core.options().map(({ name, value }) => [name, value]));
   try {
-    set(method, { ...defaults, ...options });
+    set(method, initialisation, { ...defaults, ...options });
   } catch (error) {
-    set(before.method, before.options);
+    set(before.method, before.initialisation, before.options);
     throw error;
   }
 }
@@ -326,8 +345,8 @@ function describe(editor: Editor): OpenedNet {
   return { info, edges, faceStart, faceVertices, restPositions, suggestedHandles, handles: editor.handles() };
 }
 
-function buffersOf({ positions, deviations, cornerAngles }: FrameData): Transferable[] {
-  return [positions.buffer, deviations.buffer, cornerAngles.buffer];
+function buffersOf({ positions, deviations, cornerAngles, stepFrom }: FrameData): Transferable[] {
+  return [positions, deviations, cornerAngles, ...(stepFrom ? [stepFrom] : [])].map(({ buffer }) => buffer);
 }
 
 function largest(values: Float32Array): number {

@@ -1,0 +1,202 @@
+/** Comparing methods on the present edit: by real clicks, with the curves, the table, the files and Cancel. */
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import type { Browser, Download } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { dragBy, largestError } from './geometry';
+import { OUTPUT, Script, launch, newPage, serve } from './page';
+
+const SHAPE = 'vault:vertices=1000';
+const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
+
+const chebnet = await load();
+const reference = chebnet.openRecipe(SHAPE);
+const dragged = reference.suggestedHandles.at(-1)!;
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serve>>;
+let visit: Awaited<ReturnType<typeof newPage>>;
+let script: Script;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launch(), serve()]);
+});
+afterAll(async () => {
+  await browser.close();
+  site.close();
+});
+
+beforeEach(async () => {
+  visit = await newPage(browser);
+  script = new Script(visit.page);
+  await visit.page.goto(site.address);
+  await script.waitForNet();
+});
+afterEach(async () => {
+  const { complaints } = visit;
+  await visit.close();
+  expect(complaints).toEqual([]);
+});
+
+test('four methods run on the same edit, with curves, a table and files', async () => {
+  await edit(SHAPE);
+  const own = await script.positions();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+
+  const rows = await table();
+  expect(rows).toHaveLength(4);
+  for (const { iterations, milliseconds, angle, handleError } of rows) {
+    expect(Number(iterations)).toBeGreaterThan(0);
+    expect(Number(milliseconds)).toBeGreaterThan(0);
+    expect(angle).toMatch(/^\d+\.\d°$/);
+    expect(handleError).toBe('0');
+  }
+  expect(rows.slice(0, 3).map(({ status }) => status)).toEqual(Array(3).fill('Converged'));
+  expect(await drawnCurves()).toEqual([4, 4]);
+  await visit.page.screenshot({ path: join(OUTPUT, 'compare-desktop.png') });
+
+  const lines = (await saved('Table CSV')).trim().split('\n');
+  expect(lines.map((line) => line.split(',')[0])).toEqual(['method', ...METHODS]);
+  const traces = (await saved('Traces CSV')).trim().split('\n').map((line) => line.split(','));
+  expect(traces[0]?.slice(0, 4)).toEqual(['method', 'iteration', 'milliseconds', 'max_deviation']);
+  const starts = traces.filter(([, iteration]) => iteration === '0');
+  expect(starts.map(([method]) => method)).toEqual(METHODS);
+  expect(new Set(starts.map(([, , , deviation]) => deviation)).size).toBe(1);
+  expect(traces.filter(([method]) => method === 'li2022')).toHaveLength(1 + Number(rows[0]?.iterations));
+  expect((await saved('Plots PNG')).slice(1, 4)).toBe('PNG');
+
+  expect(largestError(await script.positions(), own)).toBe(0);
+});
+
+test('a row shows its net until the user goes back or goes on', async () => {
+  await edit(SHAPE);
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  const notice = visit.page.getByText('Showing the result of Local–global');
+  const row = visit.page.getByRole('button', { name: 'Local–global', exact: true });
+
+  await row.click();
+  await notice.waitFor();
+  expect(await row.getAttribute('aria-pressed')).toBe('true');
+  await visit.page.screenshot({ path: join(OUTPUT, 'compare-result.png') });
+  await visit.page.getByRole('button', { name: 'Back to your net' }).click();
+  await notice.waitFor({ state: 'detached' });
+
+  await row.press('Enter');
+  await notice.waitFor();
+  await dragBy(script, dragged, [20, 10]);
+  await notice.waitFor({ state: 'detached' });
+  expect(await row.getAttribute('aria-pressed')).toBe('false');
+});
+
+test('two nets stand side by side, seen from the same place', async () => {
+  await edit(SHAPE);
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  const { page } = visit;
+  await page.getByRole('button', { name: 'Local–global beside the other net' }).click();
+  await page.getByText('Left: your net. Right: Local–global').waitFor();
+  await page.waitForTimeout(300);
+  await page.screenshot({ path: join(OUTPUT, 'compare-beside.png') });
+
+  const before = await script.screenPosition(dragged);
+  const box = (await page.locator('#beside canvas').boundingBox())!;
+  await page.mouse.move(box.x + 30, box.y + box.height - 30);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 130, box.y + box.height - 50, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForTimeout(300);
+  const after = await script.screenPosition(dragged);
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+
+  await page.getByRole('button', { name: 'Back to your net' }).click();
+  expect(await page.locator('#beside canvas').count()).toBe(0);
+});
+
+test('editing goes on meanwhile, and Cancel works at once', async () => {
+  await edit('vault:vertices=8000');
+  await compare('Gradient descent');
+  await expect.poll(async () => (await table()).map(({ status }) => status), { timeout: 20_000 }).toContain('Running…');
+
+  const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0], target[1], target[2] + 0.1]);
+  await script.settled();
+  expect((await script.stats()).status).toBe('converged');
+
+  const began = Date.now();
+  await visit.page.getByRole('button', { name: 'Cancel', exact: true }).last().click();
+  await expect.poll(said, { interval: 20 }).toMatch(/Cancelled/);
+  const waited = Date.now() - began;
+  console.log(`cancelled after ${waited} ms`);
+  expect(waited).toBeLessThan(2000);
+  const after = await table();
+  expect(after.at(-1)?.status).toBe('Cancelled');
+  await visit.page.waitForTimeout(500);
+  expect(await table()).toEqual(after);
+});
+
+test('a phone has room for it', async () => {
+  await visit.page.setViewportSize({ width: 390, height: 844 });
+  await edit(SHAPE);
+  await visit.page.getByRole('button', { name: 'Controls' }).click();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+  await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
+});
+
+/** Opens a shape and pulls its last handle. */
+async function edit(recipe: string) {
+  await script.open({ recipe });
+  const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0] - 1, target[1] + 0.5, target[2] - 0.5]);
+  await script.settled();
+}
+
+/** With the usual methods and others. */
+async function compare(...more: string[]) {
+  const { page } = visit;
+  await page.locator('summary', { hasText: 'Compare methods' }).click();
+  for (const name of more) await page.getByRole('checkbox', { name, exact: true }).check();
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+}
+
+function said(): Promise<string> {
+  return visit.page.locator('.comparison [role=status]').innerText();
+}
+
+function table() {
+  return visit.page.locator('.comparison tbody tr').evaluateAll((rows) =>
+    rows.map(({ children }) => {
+      const [, iterations, milliseconds, , , angle, handleError, status] = [...children].map(({ textContent }) => textContent);
+      return { iterations, milliseconds, angle, handleError, status };
+    }),
+  );
+}
+
+/** How many of the methods' colours are found in each plot. */
+function drawnCurves(): Promise<number[]> {
+  return visit.page.locator('.comparison').evaluate((element) => {
+    const wanted = [...element.querySelectorAll('.swatch')].map((swatch) => getComputedStyle(swatch).color.match(/\d+/g)!.map(Number));
+    return [...element.querySelectorAll('canvas')].map((canvas) => {
+      const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+      const isDrawn = (colour: number[]) => {
+        for (let i = 0; i < data.length; i += 4) {
+          if (data[i + 3] === 255 && colour.every((value, k) => Math.abs(value - data[i + k]!) < 8)) return true;
+        }
+        return false;
+      };
+      return wanted.filter(isDrawn).length;
+    });
+  });
+}
+
+/** The file behind a button, as text. */
+async function saved(button: string): Promise<string> {
+  const download: Promise<Download> = visit.page.waitForEvent('download');
+  await visit.page.getByRole('button', { name: button }).click();
+  return readFile(await (await download).path(), 'latin1');
+}

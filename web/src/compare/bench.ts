@@ -1,0 +1,68 @@
+/** A worker of its own for comparing: it solves one scene after another while the user's worker is free for their hands. */
+import type { Scene } from '../document/document';
+import { SolverError } from '../worker/client';
+import type { WorkerLike } from '../worker/client';
+import type { FrameData, Measures, Request, Response } from '../worker/protocol';
+
+export type BenchScene = Omit<Scene, 'view'>;
+
+type Body = Request extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
+
+export class Bench {
+  readonly #worker: WorkerLike;
+  #lastId = 0;
+  #take: (response: Response) => void = () => {};
+  #reject: (error: SolverError) => void = () => {};
+
+  constructor(spawn: () => WorkerLike) {
+    this.#worker = spawn();
+    this.#worker.onmessage = ({ data }) => this.#receive(data);
+    this.#worker.onerror = ({ message }) => this.#reject(new SolverError('worker_lost', message || 'The solver could not be started.'));
+    this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', 'A message of the solver could not be read.'));
+  }
+
+  /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. */
+  solve(scene: BenchScene, news: (frame: FrameData) => void, milliseconds?: number): Promise<void> {
+    const id = this.#post({ type: 'open', scene });
+    const stop = () => this.#post({ type: 'cancel' });
+    const timer = milliseconds === undefined ? undefined : setTimeout(stop, milliseconds);
+    const solved = new Promise<void>((resolve, reject) => {
+      this.#reject = reject;
+      this.#take = (response) => {
+        if (response.id < id) return; // of the scene before
+        if ('frame' in response) news(response.frame);
+        if (response.type === 'settled') resolve();
+      };
+    });
+    return solved.finally(() => clearTimeout(timer));
+  }
+
+  /** Of the net as it stands. */
+  measure(): Promise<Measures> {
+    this.#post({ type: 'measure' });
+    return new Promise((resolve, reject) => {
+      this.#reject = reject;
+      this.#take = (response) => {
+        if (response.type === 'measured') resolve(response.measures);
+      };
+    });
+  }
+
+  /** At once, in the middle of whatever it does; what is waited for fails. Of no use afterwards. */
+  dispose(): void {
+    this.#worker.terminate();
+    this.#reject(new SolverError('cancelled', 'The comparison was cancelled.'));
+  }
+
+  #receive(response: Response): void {
+    if (response.type === 'error') return this.#reject(new SolverError(response.code, response.message));
+    if (response.type === 'frame' || response.type === 'settled') this.#post({ type: 'seen' });
+    this.#take(response);
+  }
+
+  #post(body: Body): number {
+    const id = ++this.#lastId;
+    this.#worker.postMessage({ id, ...body } as Request);
+    return id;
+  }
+}

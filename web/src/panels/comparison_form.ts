@@ -1,0 +1,67 @@
+/** Chooses what to compare and sets it going. */
+import type { MethodInfo } from '../../../wasm/chebnet';
+import type { ComparisonWish, StartingPoint } from '../compare/run';
+import { make, makeButton, makeSelect } from './dom';
+import { methodTitle } from './words';
+
+/** Ticked at first: the paper's method, our own, and one of each other kind. */
+const USUAL = ['li2022', 'projection', 'composite_majorization', 'local_global'];
+
+const STARTS: { value: StartingPoint; text: string }[] = [
+  { value: 'rest', text: 'The rest shape' },
+  { value: 'present', text: 'The net as it stands' },
+];
+
+export class ComparisonForm {
+  readonly content: HTMLElement[];
+  private readonly methods = make('fieldset', { class: 'methods' });
+  private readonly start: HTMLSelectElement;
+  private readonly run: HTMLButtonElement;
+  private proposed: readonly string[] | undefined;
+
+  constructor(private readonly compare: (wish: ComparisonWish) => void) {
+    this.run = makeButton('Compare', () => this.submit());
+    const start = makeSelect('Start from', STARTS, () => {});
+    this.start = start.select;
+    this.methods.addEventListener('change', () => this.showReady());
+    this.content = [
+      make('p', { class: 'quiet' }, 'Each method solves the present edit from the same start, with the initialisation and settings of the section Solver.'),
+      this.methods,
+      start.row,
+      make('div', { class: 'buttons' }, this.run),
+    ];
+  }
+
+  showTable(table: MethodInfo[]): void {
+    const choice = ({ name, sentence }: MethodInfo) =>
+      make(
+        'label',
+        { title: sentence },
+        make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
+        methodTitle(name),
+      );
+    this.methods.replaceChildren(make('legend', {}, 'Methods'), ...table.map(choice));
+    this.showReady();
+  }
+
+  /** Ticks the methods that a document proposes, once: what the user ticks after that stays. */
+  propose(methods: readonly string[] | undefined): void {
+    if (methods === this.proposed) return;
+    this.proposed = methods;
+    if (methods === undefined || methods.length === 0) return;
+    for (const box of this.methods.querySelectorAll('input')) box.checked = methods.includes(box.value);
+    this.showReady();
+  }
+
+  private submit(): void {
+    this.compare({ methods: this.chosen(), start: this.start.value as StartingPoint });
+  }
+
+  private chosen(): string[] {
+    return [...this.methods.querySelectorAll('input')].filter(({ checked }) => checked).map(({ value }) => value);
+  }
+
+  private showReady(): void {
+    this.run.disabled = this.chosen().length === 0;
+  }
+}

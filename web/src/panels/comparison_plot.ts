@@ -1,0 +1,94 @@
+/** Curves of several methods in one picture: log₁₀ max dL against iterations or milliseconds. */
+import uPlot from 'uplot';
+import type { Comparison, Run } from '../compare/run';
+import { decade } from './convergence';
+import { make } from './dom';
+import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange } from './plot_parts';
+
+const HEIGHT = 172;
+
+/** How the curve of a method looks. Dashes help where colours are hard to tell apart. */
+export interface CurveStyle {
+  /** Name of the colour in the style sheet. */
+  colour: string;
+  dashed: boolean;
+}
+
+export class ComparisonPlot {
+  readonly element = make('figure', { class: 'curves' });
+  private readonly host = make('div', { role: 'img' });
+  private plot: uPlot | null = null;
+  private comparison: Comparison | null = null;
+
+  constructor(
+    private readonly axis: 'iterations' | 'milliseconds',
+    private readonly styleOf: (method: string) => CurveStyle,
+  ) {
+    const caption = `Max dL against ${axis}`;
+    this.host.setAttribute('aria-label', `${caption}, a curve for each method; the numbers are in the table`);
+    this.element.append(make('figcaption', {}, caption), this.host);
+    new ResizeObserver(() => this.fit()).observe(this.host);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plot?.redraw());
+  }
+
+  /** What has been drawn; null as long as there is nothing. */
+  get canvas(): HTMLCanvasElement | null {
+    return this.plot?.ctx.canvas ?? null;
+  }
+
+  show(comparison: Comparison): void {
+    const isOther = this.comparison?.runs !== comparison.runs;
+    this.comparison = comparison;
+    if (isOther) this.remake();
+    else this.plot?.setData(this.data(comparison));
+  }
+
+  private remake(): void {
+    this.plot?.destroy();
+    this.plot = null;
+    this.fit();
+  }
+
+  private fit(): void {
+    const width = this.host.clientWidth;
+    if (width === 0 || this.comparison === null) return;
+    if (this.plot) this.plot.setSize({ width, height: HEIGHT });
+    else this.plot = new uPlot(this.options(this.comparison, width), this.data(this.comparison), this.host);
+  }
+
+  private data({ runs }: Comparison): uPlot.AlignedData {
+    return uPlot.join(runs.map((run) => this.curve(run)));
+  }
+
+  private curve({ startDeviation, trace }: Run): uPlot.AlignedData {
+    if (startDeviation === null) return [[], []];
+    const x = trace.map(({ iteration, totalMs }) => (this.axis === 'iterations' ? iteration : totalMs));
+    return [
+      [0, ...x],
+      [decade(startDeviation), ...trace.map(({ maxDeviation }) => decade(maxDeviation))],
+    ];
+  }
+
+  private options({ runs, threshold }: Comparison, width: number): uPlot.Options {
+    return {
+      width,
+      height: HEIGHT,
+      padding: [8, 16, 0, 0],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: {
+        x: { time: false, range: (_, low, high) => roomyRange(low, high) },
+        y: { range: (_, low, high) => decadeRange(low, high, threshold) },
+      },
+      series: [{}, ...runs.map((run) => this.series(run))],
+      axes: plotAxes(this.element),
+      hooks: { drawClear: [(plot) => drawThreshold(plot, threshold, this.element)] },
+    };
+  }
+
+  private series({ method }: Run): uPlot.Series {
+    const { colour, dashed } = this.styleOf(method);
+    const stroke = () => plotColour(this.element, colour);
+    return { stroke, width: 1.75, points: { show: false }, ...(dashed ? { dash: [6, 3] } : {}) };
+  }
+}

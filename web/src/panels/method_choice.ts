@@ -1,0 +1,94 @@
+/** Method and initialisation, each chosen from the core's table, with what it does and where it comes from. */
+import type { InitialisationInfo, MethodInfo } from '../../../wasm/chebnet';
+import { make, makeSelect, setValue } from './dom';
+import { methodTitle } from './words';
+
+/** The paper does so many iterations of an initialisation. */
+const USUAL_COUNT = 5;
+
+/** A list of names, and below it the sentence and the citation of the one chosen. */
+class Choice<Info extends { name: string; sentence: string; citation: string }> {
+  readonly row: HTMLElement;
+  readonly about = make('p', { class: 'quiet' });
+  private readonly select: HTMLSelectElement;
+  private table: Info[] = [];
+
+  constructor(label: string, changed: () => void) {
+    const { row, select } = makeSelect(label, [], changed);
+    [this.row, this.select] = [row, select];
+  }
+
+  get chosen(): Info | undefined {
+    return this.table.find(({ name }) => name === this.select.value);
+  }
+
+  showTable(table: Info[]): void {
+    this.table = table;
+    this.select.replaceChildren(
+      ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, methodTitle(name))),
+    );
+  }
+
+  show(name: string): void {
+    setValue(this.select, name);
+    const info = this.table.find((each) => each.name === name);
+    if (info && this.about.dataset.name !== name) this.describe(info);
+  }
+
+  private describe({ name, sentence, citation }: Info): void {
+    this.about.dataset.name = name;
+    this.about.replaceChildren(sentence, ' ', make('cite', {}, `${citation}.`));
+  }
+}
+
+export class MethodChoice {
+  readonly content: HTMLElement[];
+  private readonly choice: Choice<MethodInfo>;
+
+  constructor(changed: () => void) {
+    this.choice = new Choice('Method', changed);
+    this.content = [this.choice.row, this.choice.about];
+  }
+
+  get value(): string {
+    return this.choice.chosen?.name ?? '';
+  }
+
+  showTable(table: MethodInfo[]): void {
+    this.choice.showTable(table);
+  }
+
+  show(method: string): void {
+    this.choice.show(method);
+  }
+}
+
+/** Its value is text as the core reads it, e.g. `arap:5`. */
+export class InitialisationChoice {
+  readonly content: HTMLElement[];
+  private readonly choice: Choice<InitialisationInfo>;
+  private readonly count = make('input', { type: 'number', step: 1, min: 1, max: 10000, value: USUAL_COUNT, required: true });
+  private readonly countRow = make('label', { class: 'row' }, make('span', {}, 'Its iterations'), this.count);
+
+  constructor(changed: () => void) {
+    this.choice = new Choice('Initialisation', changed);
+    this.count.addEventListener('change', () => this.count.reportValidity() && changed());
+    this.content = [this.choice.row, this.countRow, this.choice.about];
+  }
+
+  get value(): string {
+    const { name = '', counted = false } = this.choice.chosen ?? {};
+    return counted ? `${name}:${this.count.validity.valid ? this.count.value : USUAL_COUNT}` : name;
+  }
+
+  showTable(table: InitialisationInfo[]): void {
+    this.choice.showTable(table);
+  }
+
+  show(initialisation: string): void {
+    const [name = '', count] = initialisation.split(':');
+    this.choice.show(name);
+    this.countRow.hidden = count === undefined;
+    if (count !== undefined) setValue(this.count, count);
+  }
+}
