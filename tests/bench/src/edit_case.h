@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "edit/editor.h"
+
+namespace chebnet::bench {
+
+/// What is done to the faces of a net before it is edited.
+enum class Cut {
+    none,
+    some,  ///< a diagonal in every second quad: a mixed mesh
+    all,   ///< a diagonal in every quad: a triangle mesh
+};
+
+/// How a variant departs from the edit as it stands.
+struct Change {
+    int vertices = 0;  ///< another size of a recipe's net; 0: as it is
+    Cut cut = Cut::none;
+    int handles = 0;      ///< so many handles, well spread, at their places in a solution of the edit; 0: as they are
+    double amount = 1.0;  ///< part of the edit's motion
+};
+
+/// An edit by name: a recipe or an OBJ file, and a kind of motion or an edit file.
+struct EditCase {
+    std::string net;
+    std::string kind;  ///< "pull", "bend", "spread", "twist", or what the edit file is called
+    std::string edit_file;
+
+    bool is_recipe() const { return !net.ends_with(".obj"); }
+    /// Such as "vault_2000.pull".
+    std::string name() const;
+};
+
+struct Problem {
+    Net net;
+    std::vector<Handle> handles;
+};
+
+/// The kinds of motion of generated edits.
+const std::vector<std::string>& edit_kinds();
+
+/// Makes net and handles. Always the same for the same input. Throws Error.
+Problem make_problem(const EditCase& edit, const Change& change);
+
+/// Every OBJ file of a folder, with its edits: NAME.KIND.json in `edits_folder` if that is not empty, else one of each
+/// kind. Throws Error.
+std::vector<EditCase> cases_of_folder(const std::string& nets_folder, const std::string& edits_folder);
+
+}  // namespace chebnet::bench
