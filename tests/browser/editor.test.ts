@@ -183,6 +183,7 @@ describe('on a vault', () => {
     expect(text).toMatch(new RegExp(`\\b${dragged}\\b`));
     expect(text).toMatch(pair);
     expect(text).toMatch(/reach/i);
+    await visit.page.getByText('Out of reach: holding the best shape').waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
 
     await script.move(dragged, home);

@@ -218,7 +218,7 @@ std::vector<Experiment> make_experiments() {
          8,
          "Composite majorization prefers long edges",
          {{"Under composite majorization more edges are longer than L on the way.",
-           "Share of edges with length > L, mean over the iterations: larger than under li2022.", "",
+           "Share of edges with length > L, mean over the iterations: no smaller than under li2022.", "",
            [](const Group& g) { return no_more_than(g, longer, "li2022", {"composite_majorization"}); }}},
          k_usual,
          {li2022, {.label = "composite_majorization", .method = "composite_majorization"}},
