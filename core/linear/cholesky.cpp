@@ -4,31 +4,31 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
-
-#include "linear/dense_kernels.h"
+#include <utility>
 
 namespace chebnet {
 
-template <int size>
-int Cholesky<size>::update_size(int s) const {
-    return dense::round_up(size * m_supernodes.rows_below(s), dense::k_block_rows);
+template <int size, typename Scalar>
+int Cholesky<size, Scalar>::update_size(int s) const {
+    return dense::round_up(size * m_supernodes.rows_below(s), dense::k_row_multiple);
 }
 
-template <int size>
-int Cholesky<size>::panel_rows(int s) const {
+template <int size, typename Scalar>
+int Cholesky<size, Scalar>::panel_rows(int s) const {
     return size * m_supernodes.columns(s) + update_size(s);
 }
 
-template <int size>
-void Cholesky<size>::analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank) {
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank) {
     m_supernodes = find_supernodes(node_count, links, rank, size);
     place_panels();
-    place_blocks(node_count, links);
-    place_updates();
+    list_children();
+    place_entries(node_count, links);
+    size_stack();
 }
 
-template <int size>
-void Cholesky<size>::place_panels() {
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::place_panels() {
     m_panel_start.assign(1, 0);
     int longest = 0;
     for (int s = 0; s < m_supernodes.count(); ++s) {
@@ -37,51 +37,11 @@ void Cholesky<size>::place_panels() {
         longest = std::max(longest, panel_rows(s));
     }
     m_panels.resize(static_cast<std::size_t>(m_panel_start.back()));
-    m_gathered.resize(3 * static_cast<std::size_t>(longest));
+    m_below.resize(static_cast<std::size_t>(longest));
 }
 
-/// Where the row at `place` stands in the panel of supernode s, counted in nodes.
-static int local_row(const Supernodes& supernodes, int s, int place) {
-    if (place < supernodes.column_start[s + 1]) return place - supernodes.column_start[s];
-    const int* rows = supernodes.rows.data() + supernodes.row_start[s];
-    const int below = static_cast<int>(std::lower_bound(rows, rows + supernodes.rows_below(s), place) - rows);
-    return supernodes.columns(s) + below;
-}
-
-template <int size>
-void Cholesky<size>::place_blocks(int node_count, const Eigen::Matrix2Xi& links) {
-    std::vector<int> supernode_of(static_cast<std::size_t>(node_count));
-    for (int s = 0; s < m_supernodes.count(); ++s)
-        std::fill(supernode_of.begin() + m_supernodes.column_start[s],
-                  supernode_of.begin() + m_supernodes.column_start[s + 1], s);
-
-    struct Entry {
-        int supernode;
-        Scatter scatter;
-    };
-    std::vector<Entry> entries;
-    entries.reserve(static_cast<std::size_t>(node_count + links.cols()));
-    const auto place = [&](int source, int low, int high) {
-        const int s = supernode_of[low];
-        const int column = low - m_supernodes.column_start[s];
-        entries.push_back({s, {source, size * column * panel_rows(s) + size * local_row(m_supernodes, s, high)}});
-    };
-    for (int node = 0; node < node_count; ++node) place(node, rank()[node], rank()[node]);
-    for (int k = 0; k < links.cols(); ++k) {
-        const auto [low, high] = std::minmax(rank()[links(0, k)], rank()[links(1, k)]);
-        place(node_count + k, low, high);
-    }
-
-    m_scatter_start.assign(static_cast<std::size_t>(m_supernodes.count()) + 1, 0);
-    for (const Entry& entry : entries) ++m_scatter_start[entry.supernode + 1];
-    std::partial_sum(m_scatter_start.begin(), m_scatter_start.end(), m_scatter_start.begin());
-    std::vector<int> next(m_scatter_start.begin(), m_scatter_start.end() - 1);
-    m_scatter.resize(entries.size());
-    for (const Entry& entry : entries) m_scatter[next[entry.supernode]++] = entry.scatter;
-}
-
-template <int size>
-void Cholesky<size>::place_updates() {
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::list_children() {
     const int count = m_supernodes.count();
     m_child_start.assign(static_cast<std::size_t>(count) + 1, 0);
     for (int s = 0; s < count; ++s)
@@ -89,24 +49,74 @@ void Cholesky<size>::place_updates() {
     std::partial_sum(m_child_start.begin(), m_child_start.end(), m_child_start.begin());
     m_children.resize(static_cast<std::size_t>(m_child_start.back()));
     std::vector<int> next(m_child_start.begin(), m_child_start.end() - 1);
+    for (int s = 0; s < count; ++s)
+        if (m_supernodes.parent[s] >= 0) m_children[next[m_supernodes.parent[s]]++] = s;
+}
+
+/// Sorts the blocks of the matrix by the supernodes they go to, with the places of their rows in lieu of offsets.
+/// Returns the places of their columns.
+template <int size, typename Scalar>
+std::vector<int> Cholesky<size, Scalar>::sort_blocks(int node_count, const Eigen::Matrix2Xi& links) {
+    std::vector<int> supernode_of(static_cast<std::size_t>(node_count));
+    for (int s = 0; s < m_supernodes.count(); ++s)
+        std::fill(supernode_of.begin() + m_supernodes.column_start[s],
+                  supernode_of.begin() + m_supernodes.column_start[s + 1], s);
+    const auto ends = [&](int source) {
+        if (source < node_count) return std::pair(rank()[source], rank()[source]);
+        const int a = rank()[links(0, source - node_count)], b = rank()[links(1, source - node_count)];
+        return std::pair(std::min(a, b), std::max(a, b));
+    };
+    const int blocks = node_count + static_cast<int>(links.cols());
+    m_scatter_start.assign(static_cast<std::size_t>(m_supernodes.count()) + 1, 0);
+    for (int source = 0; source < blocks; ++source) ++m_scatter_start[supernode_of[ends(source).first] + 1];
+    std::partial_sum(m_scatter_start.begin(), m_scatter_start.end(), m_scatter_start.begin());
+    std::vector<int> next(m_scatter_start.begin(), m_scatter_start.end() - 1);
+    m_scatter.resize(static_cast<std::size_t>(blocks));
+    std::vector<int> columns(m_scatter.size());
+    for (int source = 0; source < blocks; ++source) {
+        const auto [low, high] = ends(source);
+        const int i = next[supernode_of[low]]++;
+        m_scatter[i] = {source, high};
+        columns[i] = low;
+    }
+    return columns;
+}
+
+/// Finds, panel by panel, where the blocks of the matrix go and where the updates of the children are added.
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::place_entries(int node_count, const Eigen::Matrix2Xi& links) {
+    const std::vector<int> block_columns = sort_blocks(node_count, links);
     m_local_row.resize(m_supernodes.rows.size());
     m_run_end.resize(m_supernodes.rows.size());
-    for (int s = 0; s < count; ++s) {
-        const int parent = m_supernodes.parent[s];
-        if (parent < 0) continue;
-        m_children[next[parent]++] = s;
-        const int first = m_supernodes.row_start[s], last = m_supernodes.row_start[s + 1];
-        for (int i = last - 1; i >= first; --i) {
-            m_local_row[i] = local_row(m_supernodes, parent, m_supernodes.rows[i]);
-            const bool runs_on = i + 1 < last && m_local_row[i + 1] == m_local_row[i] + 1;
-            m_run_end[i] = runs_on ? m_run_end[i + 1] : i + 1;
+    std::vector<int> local_row(static_cast<std::size_t>(node_count));  // of the places that the present panel has
+    for (int s = 0; s < m_supernodes.count(); ++s) {
+        const int first_column = m_supernodes.column_start[s], columns = m_supernodes.columns(s);
+        const int* rows_below = m_supernodes.rows.data() + m_supernodes.row_start[s];
+        for (int j = 0; j < columns; ++j) local_row[first_column + j] = j;
+        for (int i = 0; i < m_supernodes.rows_below(s); ++i) local_row[rows_below[i]] = columns + i;
+
+        const int column_length = size * panel_rows(s);
+        for (int i = m_scatter_start[s]; i < m_scatter_start[s + 1]; ++i) {
+            int& offset = m_scatter[i].offset;
+            offset = column_length * (block_columns[i] - first_column) + size * local_row[offset];
+        }
+        for (int c = m_child_start[s]; c < m_child_start[s + 1]; ++c) {
+            const int first = m_supernodes.row_start[m_children[c]], last = m_supernodes.row_start[m_children[c] + 1];
+            for (int i = last - 1; i >= first; --i) {
+                m_local_row[i] = local_row[m_supernodes.rows[i]];
+                const bool runs_on = i + 1 < last && m_local_row[i + 1] == m_local_row[i] + 1;
+                m_run_end[i] = runs_on ? m_run_end[i + 1] : i + 1;
+            }
         }
     }
+}
 
-    // The deepest the stack of updates gets, a parent's update standing on its children's for a moment.
+/// Makes room for the deepest the stack of updates gets, a parent's update standing on its children's for a moment.
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::size_stack() {
     std::size_t depth = 0, deepest = 0;
     const auto area = [&](int s) { return static_cast<std::size_t>(update_size(s)) * update_size(s); };
-    for (int s = 0; s < count; ++s) {
+    for (int s = 0; s < m_supernodes.count(); ++s) {
         deepest = std::max(deepest, depth + area(s));
         for (int c = m_child_start[s]; c < m_child_start[s + 1]; ++c) depth -= area(m_children[c]);
         depth += area(s);
@@ -114,25 +124,25 @@ void Cholesky<size>::place_updates() {
     m_stack.resize(deepest);
 }
 
-template <int size>
-bool Cholesky<size>::factorize(const std::vector<Block>& node_blocks, const std::vector<Block>& link_blocks) {
-    double* stack = m_stack.data();  // the end of the updates waiting
+template <int size, typename Scalar>
+bool Cholesky<size, Scalar>::factorize(const std::vector<Block>& node_blocks, const std::vector<Block>& link_blocks) {
+    Scalar* stack = m_stack.data();  // the end of the updates waiting
     for (int s = 0; s < m_supernodes.count(); ++s) {
-        double* panel = m_panels.data() + m_panel_start[s];
+        Scalar* panel = m_panels.data() + m_panel_start[s];
         const int columns = size * m_supernodes.columns(s), rows = panel_rows(s), below = rows - columns;
-        std::fill(panel, m_panels.data() + m_panel_start[s + 1], 0.0);
+        std::fill(panel, m_panels.data() + m_panel_start[s + 1], Scalar(0));
         for (int i = m_scatter_start[s]; i < m_scatter_start[s + 1]; ++i) {
             const auto [source, offset] = m_scatter[i];
             const int nodes = static_cast<int>(node_blocks.size());
             const Block& block = source < nodes ? node_blocks[source] : link_blocks[source - nodes];
             for (int c = 0; c < size; ++c)
-                for (int r = 0; r < size; ++r) panel[offset + c * rows + r] = block(r, c);
+                for (int r = 0; r < size; ++r) panel[offset + c * rows + r] = static_cast<Scalar>(block(r, c));
         }
 
-        double* update = stack;
+        Scalar* update = stack;
         const std::size_t area = static_cast<std::size_t>(below) * below;
-        std::fill(update, update + area, 0.0);
-        double* taken = stack;  // where the children's updates begin
+        std::fill(update, update + area, Scalar(0));
+        Scalar* taken = stack;  // where the children's updates begin
         for (int c = m_child_start[s + 1] - 1; c >= m_child_start[s]; --c) {
             const int child = m_children[c];
             taken -= static_cast<std::size_t>(update_size(child)) * update_size(child);
@@ -148,99 +158,77 @@ bool Cholesky<size>::factorize(const std::vector<Block>& node_blocks, const std:
 
 /// Adds the update of a child to the panel and the update of its parent: its lower triangle, column by column, in runs
 /// of rows that stand together in the parent too.
-template <int size>
-void Cholesky<size>::add_update(int child, const double* from, double* panel, int panel_rows, double* update,
-                                int update_rows, int own_columns) {
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::add_update(int child, const Scalar* from, Scalar* panel, int panel_rows, Scalar* update,
+                                        int update_rows, int own_columns) {
     const int first = m_supernodes.row_start[child], last = m_supernodes.row_start[child + 1];
     const int ld = update_size(child);
     for (int j = first; j < last; ++j)
         for (int c = 0; c < size; ++c) {
             const int column = size * m_local_row[j] + c;
             // So that rows of the parent's front count from here, whether the column is its own or of its update.
-            double* to = column < own_columns
+            Scalar* to = column < own_columns
                              ? panel + static_cast<long>(column) * panel_rows
                              : update + static_cast<long>(column - own_columns) * update_rows - own_columns;
-            const double* source = from + static_cast<long>(size * (j - first) + c) * ld;
+            const Scalar* source = from + static_cast<long>(size * (j - first) + c) * ld;
             for (int i = j; i < last; i = m_run_end[i]) {
-                double* target = to + size * m_local_row[i];
-                const double* part = source + size * (i - first);
+                Scalar* target = to + size * m_local_row[i];
+                const Scalar* part = source + size * (i - first);
                 const int length = size * (m_run_end[i] - i);
                 for (int k = 0; k < length; ++k) target[k] += part[k];
             }
         }
 }
 
-template <int size>
-template <int right_hand_sides>
-void Cholesky<size>::solve(double* x) {
-    constexpr int R = right_hand_sides;
-    // Forward: L y = x. Each panel's rows are gathered, one right-hand side after the other.
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::solve(Scalar* x) {
+    // Forward: L y = x.
     for (int s = 0; s < m_supernodes.count(); ++s) {
-        const double* L = m_panels.data() + m_panel_start[s];
-        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s);
-        double* own = x + static_cast<long>(size) * R * m_supernodes.column_start[s];
-        for (int r = 0; r < R; ++r) {
-            double* y = m_gathered.data() + r * rows;
-            for (int j = 0; j < columns; ++j) y[j] = own[j * R + r];
-            std::fill(y + columns, y + rows, 0.0);
-            for (int j = 0; j < columns; ++j) {
-                const double* column = L + static_cast<long>(j) * rows;
-                const double value = y[j] /= column[j];
-                for (int i = j + 1; i < rows; ++i) y[i] -= column[i] * value;
-            }
-            for (int j = 0; j < columns; ++j) own[j * R + r] = y[j];
-        }
-        scatter_add<R>(s, x);
+        const Scalar* L = m_panels.data() + m_panel_start[s];
+        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s), below = rows - columns;
+        const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
+        Scalar* own = x + static_cast<long>(size) * m_supernodes.column_start[s];
+        dense::solve_triangle(L, rows, columns, own);
+        std::fill_n(m_below.data(), below, Scalar(0));
+        dense::subtract_product(m_below.data(), L + columns, rows, below, columns, own);
+        for (int i = 0; i < m_supernodes.rows_below(s); ++i)
+            for (int k = 0; k < size; ++k) x[static_cast<long>(size) * places[i] + k] += m_below[size * i + k];
     }
     // Backward: Lᵀ x = y.
     for (int s = m_supernodes.count() - 1; s >= 0; --s) {
-        const double* L = m_panels.data() + m_panel_start[s];
-        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s);
-        double* own = x + static_cast<long>(size) * R * m_supernodes.column_start[s];
-        gather<R>(s, x);
-        for (int r = 0; r < R; ++r) {
-            double* y = m_gathered.data() + r * rows;
-            for (int j = 0; j < columns; ++j) y[j] = own[j * R + r];
-            for (int j = columns - 1; j >= 0; --j) {
-                const double* column = L + static_cast<long>(j) * rows;
-                y[j] = (y[j] - dense::dot(column + j + 1, y + j + 1, rows - j - 1)) / column[j];
-            }
-            for (int j = 0; j < columns; ++j) own[j * R + r] = y[j];
-        }
+        const Scalar* L = m_panels.data() + m_panel_start[s];
+        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s), below = rows - columns;
+        const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
+        Scalar* own = x + static_cast<long>(size) * m_supernodes.column_start[s];
+        for (int i = 0; i < m_supernodes.rows_below(s); ++i)
+            for (int k = 0; k < size; ++k) m_below[size * i + k] = x[static_cast<long>(size) * places[i] + k];
+        std::fill(m_below.data() + size * m_supernodes.rows_below(s), m_below.data() + below, Scalar(0));
+        dense::subtract_transposed_product(own, L + columns, rows, below, columns, m_below.data());
+        dense::solve_transposed_triangle(L, rows, columns, own);
     }
 }
 
-/// Adds the gathered rows below panel s to the right-hand sides.
-template <int size>
-template <int R>
-void Cholesky<size>::scatter_add(int s, double* x) const {
-    const int columns = size * m_supernodes.columns(s), rows = panel_rows(s);
-    const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-    for (int i = 0; i < m_supernodes.rows_below(s); ++i)
-        for (int k = 0; k < size; ++k)
-            for (int r = 0; r < R; ++r)
-                x[(static_cast<long>(size) * places[i] + k) * R + r] += m_gathered[r * rows + columns + size * i + k];
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::solve(dense::Four* x) const requires(std::is_same_v<Scalar, float>&& size == 1) {
+    for (int s = 0; s < m_supernodes.count(); ++s) {
+        const float* L = m_panels.data() + m_panel_start[s];
+        const int columns = m_supernodes.columns(s), rows = panel_rows(s);
+        const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
+        dense::Four* own = x + m_supernodes.column_start[s];
+        dense::solve_triangle(L, rows, columns, own);
+        dense::subtract_product_at(x, places, L + columns, rows, m_supernodes.rows_below(s), columns, own);
+    }
+    for (int s = m_supernodes.count() - 1; s >= 0; --s) {
+        const float* L = m_panels.data() + m_panel_start[s];
+        const int columns = m_supernodes.columns(s), rows = panel_rows(s);
+        const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
+        dense::Four* own = x + m_supernodes.column_start[s];
+        dense::subtract_transposed_product_at(own, L + columns, rows, m_supernodes.rows_below(s), columns, x, places);
+        dense::solve_transposed_triangle(L, rows, columns, own);
+    }
 }
 
-/// Gathers the rows below panel s, padding included.
-template <int size>
-template <int R>
-void Cholesky<size>::gather(int s, const double* x) {
-    const int columns = size * m_supernodes.columns(s), rows = panel_rows(s);
-    const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-    const int below = size * m_supernodes.rows_below(s);
-    for (int r = 0; r < R; ++r)
-        std::fill_n(m_gathered.data() + r * rows + columns + below, rows - columns - below, 0.0);
-    for (int i = 0; i < m_supernodes.rows_below(s); ++i)
-        for (int k = 0; k < size; ++k)
-            for (int r = 0; r < R; ++r)
-                m_gathered[r * rows + columns + size * i + k] = x[(static_cast<long>(size) * places[i] + k) * R + r];
-}
-
-template class Cholesky<1>;
-template class Cholesky<3>;
-template void Cholesky<1>::solve<3>(double*);
-template void Cholesky<3>::solve<1>(double*);
-template void Cholesky<1>::solve<1>(double*);
+template class Cholesky<1, float>;
+template class Cholesky<3, double>;
 
 }  // namespace chebnet

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 #include <vector>
 
+#include "linear/dense_kernels.h"
 #include "linear/supernodes.h"
 
 namespace chebnet {
 
 /// Multifrontal supernodal Cholesky factorisation L Lᵀ of a symmetric positive definite matrix of size×size blocks on a
 /// graph (Duff & Reid 1983; Liu 1992). analyze() once; factorize() as often as values change, without allocation.
-template <int size>
+/// `Scalar` is what the factor is computed and kept in: double, or float for half the time where the caller corrects
+/// the solution by the residual.
+template <int size, typename Scalar>
 class Cholesky {
 public:
     using Block = Eigen::Matrix<double, size, size>;
@@ -21,10 +25,10 @@ public:
     /// False if the matrix is not positive definite or not finite.
     bool factorize(const std::vector<Block>& node_blocks, const std::vector<Block>& link_blocks);
 
-    /// Solves in place. `x`: (size·node_count) × right_hand_sides, rows in the order of elimination, row-major if there
-    /// are several right-hand sides. Only after factorize() returned true.
-    template <int right_hand_sides>
-    void solve(double* x);
+    /// Solves in place. `x`: size·node_count, in the order of elimination. Only after factorize() returned true.
+    void solve(Scalar* x);
+    /// The same for four right-hand sides, whose entries in one row stand together.
+    void solve(dense::Four* x) const requires(std::is_same_v<Scalar, float>&& size == 1);
 
     /// node → place in the order of elimination.
     const std::vector<int>& rank() const { return m_supernodes.rank; }
@@ -39,30 +43,28 @@ private:
     };
 
     void place_panels();
-    void place_blocks(int node_count, const Eigen::Matrix2Xi& links);
-    void place_updates();
+    void list_children();
+    std::vector<int> sort_blocks(int node_count, const Eigen::Matrix2Xi& links);
+    void place_entries(int node_count, const Eigen::Matrix2Xi& links);
+    void size_stack();
     int panel_rows(int s) const;   // own columns and rows below, in rows of the matrix, padded
     int update_size(int s) const;  // rows below, likewise
-    void add_update(int child, const double* from, double* panel, int panel_rows, double* update, int update_rows,
+    void add_update(int child, const Scalar* from, Scalar* panel, int panel_rows, Scalar* update, int update_rows,
                     int own_columns);
-    template <int right_hand_sides>
-    void scatter_add(int s, double* x) const;
-    template <int right_hand_sides>
-    void gather(int s, const double* x);
 
     Supernodes m_supernodes;
     std::vector<long> m_panel_start;   // S + 1, into m_panels
-    std::vector<double> m_panels;      // column-major, panel_rows(s) × size·columns(s)
+    std::vector<Scalar> m_panels;      // column-major, panel_rows(s) × size·columns(s)
     std::vector<int> m_scatter_start;  // S + 1, into m_scatter
     std::vector<Scatter> m_scatter;
     std::vector<int> m_local_row;  // as Supernodes::rows: the row's place in the parent's front, in nodes
     std::vector<int> m_run_end;    // likewise: the end of the run of rows that stand together there
     std::vector<int> m_child_start, m_children;
-    std::vector<double> m_stack;     // updates waiting for their parents
-    std::vector<double> m_gathered;  // rows of right-hand sides of one panel
+    std::vector<Scalar> m_stack;  // updates waiting for their parents
+    std::vector<Scalar> m_below;  // the rows of a right-hand side below one panel
 };
 
-extern template class Cholesky<1>;
-extern template class Cholesky<3>;
+extern template class Cholesky<1, float>;
+extern template class Cholesky<3, double>;
 
 }  // namespace chebnet

@@ -5,67 +5,87 @@
 
 namespace chebnet::dense {
 
-/// The dense inner loops of the sparse factorisation, on column-major matrices. Everything runs in one kernel that
-/// holds a block of k_block_rows × width entries in vector registers; the compilers' portable vector types make it
-/// SSE2 natively and SIMD128 in WebAssembly, with the same arithmetic in the same order on both.
+/// The dense inner loops of the sparse factorisation, on column-major matrices of double or float. The arithmetic runs
+/// in kernels that hold a block of entries in vector registers; the compilers' portable vector types make them SSE2
+/// natively and SIMD128 in WebAssembly, with the same arithmetic in the same order on both.
 
-typedef double Vector __attribute__((vector_size(16)));
-inline constexpr int k_lanes = 2;
+template <typename Scalar, int count>
+struct VectorOf {
+    typedef Scalar type __attribute__((vector_size(count * sizeof(Scalar))));
+};
+template <typename Scalar>
+inline constexpr int k_lanes = 16 / static_cast<int>(sizeof(Scalar));
+/// One register.
+template <typename Scalar>
+using Vector = typename VectorOf<Scalar, k_lanes<Scalar>>::type;
+/// The entries of four right-hand sides in one row: one register of floats.
+using Four = VectorOf<float, 4>::type;
 
-inline Vector load(const double* from) {
-    Vector v;
+template <typename Loaded, typename Scalar>
+Loaded load(const Scalar* from) {
+    Loaded v;
     std::memcpy(&v, from, sizeof v);
     return v;
 }
-inline void store(double* to, Vector v) { std::memcpy(to, &v, sizeof v); }
+template <typename Scalar, typename Stored>
+void store(Scalar* to, const Stored& v) {
+    std::memcpy(to, &v, sizeof v);
+}
 
-/// Rows of one block: two vectors, so that loads are shared between enough products to keep the units busy.
-inline constexpr int k_block_rows = 2 * k_lanes;
+/// Rows are padded to a multiple of this, which no kernel's block is smaller than.
+inline constexpr int k_row_multiple = 4;
 
 inline int round_up(int n, int multiple) { return (n + multiple - 1) / multiple * multiple; }
 
-/// C −= A Bᵀ for one block: C has k_block_rows rows and `width` columns, A the same rows, B `width` rows, both `depth`
-/// columns. With a lower triangular `diagonal` (width × width, leading dimension width) also solves X diagonalᵀ = C.
-template <int width>
-void block_kernel(double* C, int ldc, const double* A, int lda, const double* B, int ldb, int depth,
-                  const double* diagonal = nullptr) {
-    Vector c0[width], c1[width];
-    for (int j = 0; j < width; ++j) {
-        c0[j] = load(C + j * ldc);
-        c1[j] = load(C + j * ldc + k_lanes);
-    }
+/// C −= A Bᵀ for one block: C has `vectors` registers of rows and `width` columns, A the same rows, B `width` rows,
+/// both `depth` columns. With a lower triangular `diagonal` (width × width, leading dimension width) also solves X
+/// diagonalᵀ = C.
+template <int width, int vectors, typename Scalar>
+void block_kernel(Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B, int ldb, int depth,
+                  const Scalar* diagonal = nullptr) {
+    using V = Vector<Scalar>;
+    constexpr int lanes = k_lanes<Scalar>;
+    V c[vectors][width];
+    for (int j = 0; j < width; ++j)
+        for (int v = 0; v < vectors; ++v) c[v][j] = load<V>(C + j * ldc + v * lanes);
     for (int k = 0; k < depth; ++k) {
-        const auto a0 = load(A), a1 = load(A + k_lanes);
-        for (int j = 0; j < width; ++j) {
-            c0[j] -= a0 * B[j];
-            c1[j] -= a1 * B[j];
-        }
+        V a[vectors];
+        for (int v = 0; v < vectors; ++v) a[v] = load<V>(A + v * lanes);
+        for (int j = 0; j < width; ++j)
+            for (int v = 0; v < vectors; ++v) c[v][j] -= a[v] * B[j];
         A += lda;
         B += ldb;
     }
     if (diagonal != nullptr)
-        for (int j = 0; j < width; ++j) {
-            for (int k = 0; k < j; ++k) {
-                c0[j] -= c0[k] * diagonal[k * width + j];
-                c1[j] -= c1[k] * diagonal[k * width + j];
+        for (int j = 0; j < width; ++j)
+            for (int v = 0; v < vectors; ++v) {
+                for (int k = 0; k < j; ++k) c[v][j] -= c[v][k] * diagonal[k * width + j];
+                c[v][j] /= diagonal[j * width + j];
             }
-            c0[j] /= diagonal[j * width + j];
-            c1[j] /= diagonal[j * width + j];
-        }
-    for (int j = 0; j < width; ++j) {
-        store(C + j * ldc, c0[j]);
-        store(C + j * ldc + k_lanes, c1[j]);
-    }
+    for (int j = 0; j < width; ++j)
+        for (int v = 0; v < vectors; ++v) store(C + j * ldc + v * lanes, c[v][j]);
+}
+
+/// Runs the kernel over `rows` rows, a multiple of k_row_multiple: two registers at a time, so that loads are shared
+/// between enough products to keep the units busy.
+template <int width, typename Scalar>
+void block_column(int rows, Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B, int ldb, int depth,
+                  const Scalar* diagonal = nullptr) {
+    constexpr int block = 2 * k_lanes<Scalar>;
+    int i = 0;
+    for (; i + block <= rows; i += block) block_kernel<width, 2>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
+    if constexpr (block > k_row_multiple)
+        if (i < rows) block_kernel<width, 1>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
 }
 
 /// One strip of `width` columns of factor_panel, from column j on.
-template <int width>
-bool factor_strip(double* panel, int ld, int rows, int j) {
+template <int width, typename Scalar>
+bool factor_strip(Scalar* panel, int ld, int rows, int j) {
     // The diagonal block, out of place: blocks of rows below may overlap it.
-    double diagonal[width * width];
+    Scalar diagonal[width * width];
     for (int c = 0; c < width; ++c)
         for (int r = c; r < width; ++r) {
-            double sum = panel[(j + c) * ld + j + r];
+            Scalar sum = panel[(j + c) * ld + j + r];
             for (int k = 0; k < j; ++k) sum -= panel[k * ld + j + r] * panel[k * ld + j + c];
             for (int k = 0; k < c; ++k) sum -= diagonal[k * width + r] * diagonal[k * width + c];
             if (r == c && !(sum > 0)) return false;
@@ -73,18 +93,18 @@ bool factor_strip(double* panel, int ld, int rows, int j) {
         }
     // Whole blocks only: the first may begin a little too high, in rows whose entries in these columns are above the
     // diagonal, and not used, or in the diagonal block, which is written last.
-    const int below = rows - j - width;
-    for (int row = rows - round_up(below, k_block_rows); row < rows; row += k_block_rows)
-        block_kernel<width>(panel + j * ld + row, ld, panel + row, ld, panel + j, ld, j, diagonal);
+    const int below = round_up(rows - j - width, k_row_multiple), first = rows - below;
+    block_column<width>(below, panel + j * ld + first, ld, panel + first, ld, panel + j, ld, j, diagonal);
     for (int c = 0; c < width; ++c)
         for (int r = c; r < width; ++r) panel[(j + c) * ld + j + r] = diagonal[c * width + r];
     return true;
 }
 
 /// Cholesky factorisation of the leading `columns` columns of a panel with `rows` ≥ columns rows (leading dimension
-/// ld), in place: L L^T in the triangle, the rest of L below. rows − columns must be a multiple of k_block_rows.
+/// ld), in place: L Lᵀ in the triangle, the rest of L below. rows − columns must be a multiple of k_row_multiple.
 /// Entries above the diagonal are overwritten. False if the triangle is not positive definite.
-inline bool factor_panel(double* panel, int ld, int rows, int columns) {
+template <typename Scalar>
+bool factor_panel(Scalar* panel, int ld, int rows, int columns) {
     int j = 0;
     for (; j + 4 <= columns; j += 4)
         if (!factor_strip<4>(panel, ld, rows, j)) return false;
@@ -100,28 +120,130 @@ inline bool factor_panel(double* panel, int ld, int rows, int columns) {
     }
 }
 
-/// Lower triangle of C −= A Aᵀ with C n×n and A n×depth; n a multiple of k_block_rows. Some entries above the diagonal
-/// are overwritten.
-inline void subtract_outer_product(double* C, int ldc, const double* A, int lda, int n, int depth) {
-    constexpr int width = 4;
-    for (int j = 0; j < n; j += width)
-        for (int i = j / k_block_rows * k_block_rows; i < n; i += k_block_rows)
-            block_kernel<width>(C + j * ldc + i, ldc, A + i, lda, A + j, lda, depth);
+/// Lower triangle of C −= A Aᵀ with C n×n and A n×depth; n a multiple of k_row_multiple. Some entries above the
+/// diagonal are overwritten.
+template <typename Scalar>
+void subtract_outer_product(Scalar* C, int ldc, const Scalar* A, int lda, int n, int depth) {
+    constexpr int width = k_row_multiple;
+    for (int j = 0; j < n; j += width) block_column<width>(n - j, C + j * ldc + j, ldc, A + j, lda, A + j, lda, depth);
 }
 
-/// Σ a_i b_i in the lanes of two vectors, so that the sum's order does not depend on the compiler.
-inline double dot(const double* a, const double* b, int n) {
-    Vector s0{}, s1{};
-    int i = 0;
-    for (; i + 2 * k_lanes <= n; i += 2 * k_lanes) {
-        s0 += load(a + i) * load(b + i);
-        s1 += load(a + i + k_lanes) * load(b + i + k_lanes);
-    }
-    s0 += s1;
-    double sum = 0;
-    for (int lane = 0; lane < k_lanes; ++lane) sum += s0[lane];
-    for (; i < n; ++i) sum += a[i] * b[i];
+/// y −= A x, A rows×columns with leading dimension lda; rows a multiple of k_row_multiple.
+template <typename Scalar>
+void subtract_product(Scalar* y, const Scalar* A, int lda, int rows, int columns, const Scalar* x) {
+    using V = Vector<Scalar>;
+    constexpr int lanes = k_lanes<Scalar>;
+    int j = 0;
+    for (; j + 4 <= columns; j += 4, A += 4 * lda)
+        for (int i = 0; i < rows; i += lanes) {
+            V sum = load<V>(y + i);
+            for (int k = 0; k < 4; ++k) sum -= load<V>(A + k * lda + i) * x[j + k];
+            store(y + i, sum);
+        }
+    for (; j < columns; ++j, A += lda)
+        for (int i = 0; i < rows; i += lanes) store(y + i, load<V>(y + i) - load<V>(A + i) * x[j]);
+}
+
+/// Σ of the lanes, from the first on, so that the sum's order does not depend on the compiler.
+template <typename Scalar>
+Scalar sum_of_lanes(const Vector<Scalar>& v) {
+    Scalar sum = v[0];
+    for (int lane = 1; lane < k_lanes<Scalar>; ++lane) sum += v[lane];
     return sum;
+}
+
+/// Σ a_i b_i.
+template <typename Scalar>
+Scalar dot(const Scalar* a, const Scalar* b, int n) {
+    using V = Vector<Scalar>;
+    constexpr int lanes = k_lanes<Scalar>;
+    V sum[4] = {};
+    int i = 0;
+    for (; i + 4 * lanes <= n; i += 4 * lanes)
+        for (int k = 0; k < 4; ++k) sum[k] += load<V>(a + i + k * lanes) * load<V>(b + i + k * lanes);
+    Scalar rest = 0;
+    for (; i < n; ++i) rest += a[i] * b[i];
+    return sum_of_lanes<Scalar>((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest;
+}
+
+/// x −= Aᵀ y, sizes as above.
+template <typename Scalar>
+void subtract_transposed_product(Scalar* x, const Scalar* A, int lda, int rows, int columns, const Scalar* y) {
+    using V = Vector<Scalar>;
+    constexpr int lanes = k_lanes<Scalar>;
+    int j = 0;
+    for (; j + 4 <= columns; j += 4, A += 4 * lda) {
+        V sum[4] = {};
+        for (int i = 0; i < rows; i += lanes) {
+            const V part = load<V>(y + i);
+            for (int k = 0; k < 4; ++k) sum[k] += load<V>(A + k * lda + i) * part;
+        }
+        for (int k = 0; k < 4; ++k) x[j + k] -= sum_of_lanes<Scalar>(sum[k]);
+    }
+    for (; j < columns; ++j, A += lda) {
+        V sum{};
+        for (int i = 0; i < rows; i += lanes) sum += load<V>(A + i) * load<V>(y + i);
+        x[j] -= sum_of_lanes<Scalar>(sum);
+    }
+}
+
+/// Solves L X = X in place for the leading `n`×n triangle of a panel; X has n rows of type Row, a number or a register
+/// with an entry for each right-hand side.
+template <typename Scalar, typename Row>
+void solve_triangle(const Scalar* L, int ld, int n, Row* x) {
+    for (int j = 0; j < n; ++j, L += ld) {
+        const Row value = x[j] /= L[j];
+        for (int i = j + 1; i < n; ++i) x[i] -= L[i] * value;
+    }
+}
+
+/// The same for Lᵀ.
+template <typename Scalar, typename Row>
+void solve_transposed_triangle(const Scalar* L, int ld, int n, Row* x) {
+    for (int j = n - 1; j >= 0; --j) {
+        const Scalar* column = L + j * ld;
+        Row sum = x[j];
+        for (int i = j + 1; i < n; ++i) sum -= column[i] * x[i];
+        x[j] = sum / column[j];
+    }
+}
+
+/// Rows `places` of Y −= A X, A count×columns with leading dimension lda, four right-hand sides.
+inline void subtract_product_at(Four* Y, const int* places, const float* A, int lda, int count, int columns,
+                                const Four* X) {
+    int j = 0;
+    for (; j + 4 <= columns; j += 4, A += 4 * lda) {
+        const Four x0 = X[j], x1 = X[j + 1], x2 = X[j + 2], x3 = X[j + 3];
+        for (int i = 0; i < count; ++i) {
+            const float* a = A + i;
+            Y[places[i]] -= (a[0] * x0 + a[lda] * x1) + (a[2 * lda] * x2 + a[3 * lda] * x3);
+        }
+    }
+    for (; j < columns; ++j, A += lda)
+        for (int i = 0; i < count; ++i) Y[places[i]] -= A[i] * X[j];
+}
+
+/// X −= Aᵀ times rows `places` of Y, sizes as above.
+inline void subtract_transposed_product_at(Four* X, const float* A, int lda, int count, int columns, const Four* Y,
+                                           const int* places) {
+    int j = 0;
+    for (; j + 4 <= columns; j += 4, A += 4 * lda) {
+        Four sum0{}, sum1{}, sum2{}, sum3{};
+        for (int i = 0; i < count; ++i) {
+            const float* a = A + i;
+            const Four y = Y[places[i]];
+            sum0 += a[0] * y;
+            sum1 += a[lda] * y;
+            sum2 += a[2 * lda] * y;
+            sum3 += a[3 * lda] * y;
+        }
+        X[j] -= sum0;
+        X[j + 1] -= sum1;
+        X[j + 2] -= sum2;
+        X[j + 3] -= sum3;
+    }
+    for (; j < columns; ++j, A += lda)
+        for (int i = 0; i < count; ++i) X[j] -= A[i] * Y[places[i]];
 }
 
 }  // namespace chebnet::dense

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
 #include <vector>
 
 #include "linear/cholesky.h"
@@ -13,6 +14,9 @@ namespace chebnet {
 ///
 /// Construction orders the nodes and does the symbolic factorisation; after that, set_zero / add_* / factorize / solve
 /// repeat at numeric cost only. The order is found on the graph of nodes and keeps the rows of a node together.
+///
+/// With three rows a node the factor has double precision. A Laplacian's has single precision, which halves the time
+/// of its solutions: they serve as steps, and what they leave of the residual is the next step's to correct.
 template <int size>
 class GraphSystem {
 public:
@@ -39,6 +43,8 @@ public:
     /// Replaces the right-hand side by the solution, 3×node_count (for size 1, three systems at once), without
     /// allocation. Only after factorize() returned true.
     void solve_in_place(Eigen::Matrix3Xd& x);
+    /// The same for a Laplacian in the precision of its factor; the fourth row is another right-hand side.
+    void solve_in_place(Eigen::Matrix4Xf& x) requires(size == 1);
     /// The same, out of place.
     Eigen::Matrix3Xd solve(Eigen::Matrix3Xd rhs) {
         solve_in_place(rhs);
@@ -51,8 +57,10 @@ public:
 private:
     std::vector<Block> m_node_blocks, m_link_blocks;
     Eigen::Matrix2Xi m_links;
-    Cholesky<size> m_factor;
-    Eigen::Matrix3Xd m_permuted;  // a right-hand side in the order of elimination
+    Cholesky<size, std::conditional_t<size == 1, float, double>> m_factor;
+    /// A row of the system at one node, in all right-hand sides.
+    using Row = std::conditional_t<size == 1, dense::Four, Eigen::Vector3d>;
+    std::vector<Row> m_permuted;  // a right-hand side in the order of elimination
 };
 
 /// For positions: three coupled unknowns a node.

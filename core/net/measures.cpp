@@ -63,7 +63,23 @@ double max_deviation(const Eigen::VectorXd& ratios) {
     return largest;
 }
 
-double max_deviation(const Net& net, const Positions& positions) { return max_deviation(edge_ratios(net, positions)); }
+double max_deviation(const Net& net, const Positions& positions) {
+    // dL grows with the distance of r from 1 on either side: one of the two extreme ratios has the largest.
+    const auto vector = [&](int e) -> Eigen::Vector3d {
+        return positions.col(net.edges()(0, e)) - positions.col(net.edges()(1, e));
+    };
+    double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
+    int shortest = 0, longest = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double squared_ratio = vector(e).squaredNorm() / (net.rest_lengths()[e] * net.rest_lengths()[e]);
+        sum += squared_ratio;
+        if (squared_ratio < least) least = squared_ratio, shortest = e;
+        if (squared_ratio > most) most = squared_ratio, longest = e;
+    }
+    if (!std::isfinite(sum) || !(least > 0)) return std::numeric_limits<double>::infinity();
+    const auto deviation_of = [&](int e) { return deviation(vector(e).norm() / net.rest_lengths()[e]); };
+    return std::max(deviation_of(shortest), deviation_of(longest));
+}
 
 AngleRange corner_angle_range(const Net& net, const Positions& positions) {
     AngleRange range{std::numbers::pi, 0};

@@ -101,6 +101,29 @@ std::map<int, int> Topology::singular_vertices() const {
 }
 
 std::vector<double> Topology::distances_from(int source) const {
+    const bool equal_lengths = m_net.rest_lengths().minCoeff() == m_net.rest_lengths().maxCoeff();
+    return equal_lengths ? distances_by_steps(source) : distances_by_length(source);
+}
+
+/// Breadth first.
+std::vector<double> Topology::distances_by_steps(int source) const {
+    const double L = m_net.rest_lengths()[0];
+    std::vector<double> distance(static_cast<std::size_t>(m_net.vertex_count()),
+                                 std::numeric_limits<double>::infinity());
+    std::vector<int> reached{source};
+    reached.reserve(distance.size());
+    distance[source] = 0;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        for (int n : neighbours(reached[i])) {
+            if (distance[n] < std::numeric_limits<double>::infinity()) continue;
+            distance[n] = distance[reached[i]] + L;
+            reached.push_back(n);
+        }
+    return distance;
+}
+
+/// Dijkstra 1959.
+std::vector<double> Topology::distances_by_length(int source) const {
     std::vector<double> distance(static_cast<std::size_t>(m_net.vertex_count()),
                                  std::numeric_limits<double>::infinity());
     using Entry = std::pair<double, int>;

@@ -29,11 +29,14 @@ public:
     /// Inner vertices of a valence other than 4 (Li et al. 2022, section 2): valence → how many.
     std::map<int, int> singular_vertices() const;
 
-    /// V, length of the shortest path along edges from `source`, by rest lengths (Dijkstra); infinity where there is
-    /// none. No net can hold two vertices farther apart than this.
+    /// V, length of the shortest path along edges from `source`, by rest lengths; infinity where there is none. No net
+    /// can hold two vertices farther apart than this.
     std::vector<double> distances_from(int source) const;
 
 private:
+    std::vector<double> distances_by_steps(int source) const;
+    std::vector<double> distances_by_length(int source) const;
+
     const Net& m_net;
     std::vector<int> m_start;  // V + 1
     std::vector<int> m_neighbours, m_incident_edges;

@@ -30,6 +30,7 @@ private:
     std::vector<Eigen::Quaterniond> m_quaternions;  // V
     std::vector<Eigen::Matrix3d> m_rotations;       // V, the same as matrices
     std::vector<Eigen::Matrix3d> m_covariances;     // V
+    Eigen::Matrix3Xd m_rest;                        // 3×E, p_e
 };
 
 /// ARAP as a method: it keeps shapes rather than lengths, and as a rule ends `stalled` at its minimum.

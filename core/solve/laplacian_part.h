@@ -24,8 +24,8 @@ public:
     /// vertex where it is. Returns ‖∇F‖ over the free vertices before the move.
     double fit(const Eigen::Matrix3Xd& vectors, Positions& positions);
 
-    /// Replaces a right-hand side, 3×nodes, by the solution of the Laplacian's system, without allocation.
-    void solve_in_place(Eigen::Matrix3Xd& x) { m_system.solve_in_place(x); }
+    /// Replaces a right-hand side, 4×nodes, by the solution of the Laplacian's system, without allocation.
+    void solve_in_place(Eigen::Matrix4Xf& x) { m_system.solve_in_place(x); }
 
 private:
     const Net& m_net;

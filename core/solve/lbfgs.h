@@ -15,7 +15,7 @@ public:
     void accepted(double step) override;
 
 private:
-    LbfgsHistory m_history{10};
+    LbfgsHistory<Eigen::Matrix3Xd> m_history{10};
     Eigen::Matrix3Xd m_gradient;  // where the last direction began
     Eigen::Matrix3Xd m_move;      // the last direction; once accepted, the part that was gone
 };

@@ -14,8 +14,8 @@ namespace chebnet {
 /// handles. The system has a row for each edge and couples edges that share a free vertex. Converges quadratically from
 /// close by; from afar it crumples the net.
 ///
-/// The system is solved by conjugate gradients preconditioned with an older factor of it, which is renewed when it no
-/// longer pays. Nothing is allocated after construction. Keeps a reference to the net.
+/// The system is solved by conjugate gradients preconditioned with a factor of it in single precision, which is renewed
+/// when it has become too old to pay. Nothing is allocated after construction. Keeps a reference to the net.
 class LengthProjection {
 public:
     /// Orders and analyses the system, whatever the handles will be.
@@ -34,6 +34,7 @@ public:
 private:
     void assemble(const Positions& positions);
     bool solve();
+    bool factorize();
     bool solve_by_conjugate_gradients();
     void precondition(const Eigen::VectorXd& from, Eigen::VectorXd& to);
     void multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
@@ -51,10 +52,11 @@ private:
     std::vector<Entry> m_diagonal, m_off_diagonal;  // of J W Jᵀ, by edges and by couplings
     Eigen::Matrix3Xd m_jacobian;                    // column e: the gradient of c_e at its first vertex
     Eigen::VectorXd m_rhs, m_multipliers;
-    Cholesky<1> m_factor;
+    Cholesky<1, float> m_factor;
     bool m_has_factor = false;
     double m_factorisation_ms = 0;
-    Eigen::VectorXd m_residual, m_preconditioned, m_search, m_image, m_permuted;
+    Eigen::VectorXd m_residual, m_preconditioned, m_search, m_image;
+    Eigen::VectorXf m_permuted;
 };
 
 }  // namespace chebnet

@@ -21,12 +21,14 @@ namespace {
 // Stage 1: at least as many iterations as keep up with a slow drag, at most as many as a cold start can use; one more
 // for each edge length that a handle has jumped.
 constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
-// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there.
+// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. If it then
+// fails, springs go on for another round, to a part of this max dL.
 constexpr double k_projection_deviation = 1e-4;
+constexpr double k_round_part = 0.1;
 constexpr int k_most_spring_iterations = 40;
-// Stage 3: this many projections must halve the smallest max dL so far. A second round starts from more of stage 2.
-constexpr int k_patience = 4;
-constexpr int k_most_rounds = 2;
+constexpr int k_most_rounds = 4;
+// Stage 3: this many projections must halve the smallest max dL so far.
+constexpr int k_patience = 2;
 
 class Projection : public Method {
 public:
@@ -43,6 +45,7 @@ private:
     Status move_rigidly(Positions& positions, TraceRow& row);
     Status relax_springs(Positions& positions, TraceRow& row);
     Status project(Positions& positions, TraceRow& row);
+    bool measure(const Positions& positions);
     void give_up_projecting(Positions& positions);
 
     const Net* m_net = nullptr;
@@ -59,13 +62,15 @@ private:
     Options m_options;
     bool m_reachable = true;
     Stage m_stage = rigid;
-    int m_left = 0;     // iterations of the stage at most
+    int m_left = 0;  // iterations of the stage at most
+    double m_max_deviation = 0;
     int m_round = 0;    // of stages 2 and 3
     double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
     Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
     Positions m_result;  // where the last iteration left the net
     Positions m_smooth;  // the end of stage 2
+    double m_smooth_deviation = 0;
 };
 
 void Projection::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
@@ -87,10 +92,10 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     m_options = options;
     m_reachable = reachable;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
-    const double deviation = max_deviation(*m_net, positions);
+    m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
-    if (deviation < options.threshold) return Status::converged;
-    if (!std::isfinite(deviation)) return Status::non_finite;
+    if (m_max_deviation < options.threshold) return Status::converged;
+    if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
     m_round = 0;
     enter(rigid, positions);
@@ -131,7 +136,7 @@ void Projection::enter(Stage stage, Positions& positions) {
         case exact:
             m_left = k_patience;
             m_smooth = positions;
-            m_best = max_deviation(*m_net, positions);
+            m_best = m_smooth_deviation = m_max_deviation;
             if (!m_lengths) {
                 m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
                 m_lengths->set_free(m_is_free);
@@ -156,8 +161,7 @@ Status Projection::iterate(Positions& positions, TraceRow& row) {
         if (stage == rigid) status = move_rigidly(positions, row);
         if (stage == springs) status = relax_springs(positions, row);
         if (stage == exact) status = project(positions, row);
-        row.max_deviation = max_deviation(*m_net, positions);
-        if (row.max_deviation < m_options.threshold) status = Status::converged;
+        row.max_deviation = m_max_deviation;
         row.assembly_ms = watch.milliseconds() - row.factorisation_ms;
     }
     row.stage = stage;
@@ -171,6 +175,7 @@ Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
     row.energy = m_arap->energy(m_shape);
     row.step = 1;
     for (int v : m_part->part().vertices()) positions.col(v) += m_shape.col(v) - m_shape_before.col(v);
+    if (measure(positions)) return Status::converged;
     if (--m_left == 0) enter(springs, positions);
     return Status::running;
 }
@@ -182,9 +187,11 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
     const bool moved = m_springs->iterate(positions);
     row.energy = m_springs->energy() / (unit * unit);
     row.step = m_springs->step();
+    if (measure(positions)) return Status::converged;
     const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
     if (!m_reachable) return settled ? Status::unreachable : Status::running;
-    if (--m_left == 0 || settled || max_deviation(*m_net, positions) < k_projection_deviation) enter(exact, positions);
+    const double near = k_projection_deviation * std::pow(k_round_part, m_round);
+    if (--m_left == 0 || settled || m_max_deviation < near) enter(exact, positions);
     return Status::running;
 }
 
@@ -193,20 +200,26 @@ Status Projection::project(Positions& positions, TraceRow& row) {
     row.energy = m_lengths->squared_error();
     row.factorisation_ms = m_lengths->factorisation_ms();
     row.step = solved ? 1 : 0;
-    const double deviation = max_deviation(*m_net, positions);
-    if (deviation < m_best / 2) {
-        m_best = deviation;
+    if (measure(positions)) return Status::converged;
+    if (m_max_deviation < m_best / 2) {
+        m_best = m_max_deviation;
         m_left = k_patience;
     } else {
         --m_left;
     }
-    if (!solved || !std::isfinite(deviation) || (m_left == 0 && deviation >= m_options.threshold))
-        give_up_projecting(positions);
+    if (!solved || !std::isfinite(m_max_deviation) || m_left == 0) give_up_projecting(positions);
     return Status::running;
+}
+
+/// Whether the net is good enough.
+bool Projection::measure(const Positions& positions) {
+    m_max_deviation = max_deviation(*m_net, positions);
+    return m_max_deviation < m_options.threshold;
 }
 
 void Projection::give_up_projecting(Positions& positions) {
     positions = m_smooth;
+    m_max_deviation = m_smooth_deviation;
     enter(++m_round < k_most_rounds ? springs : paper, positions);
 }
 

@@ -26,13 +26,15 @@ public:
     double step() const { return m_step; }  ///< of the last iteration
 
 private:
-    /// E and, 3×nodes, ∇E at some positions.
-    double evaluate(const Positions& positions, Eigen::Matrix3Xd& gradient) const;
+    /// E and, 4×nodes, ∇E at some positions.
+    double evaluate(const Positions& positions, Eigen::Matrix4Xd& gradient) const;
 
     LaplacianPart& m_part;
-    LbfgsHistory m_history{8};
+    LbfgsHistory<Eigen::Matrix4Xf> m_history{6};
     double m_energy = 0, m_step = 0;
-    Eigen::Matrix3Xd m_gradient, m_next_gradient, m_direction;
+    Eigen::Matrix4Xd m_gradient, m_next_gradient;  // the fourth row is zero
+    // Single precision is enough to learn from and to go along: minus the gradient, the move, the change of gradient.
+    Eigen::Matrix4Xf m_descent, m_direction, m_gradient_change;
     Positions m_origin;
 };
 

