@@ -17,6 +17,7 @@ struct Command {
 
 Command add_info(CLI::App& program);
 Command add_make(CLI::App& program);
+Command add_convert(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_drag(CLI::App& program);
 

@@ -83,7 +83,7 @@ Json frame_list(const std::vector<SolveReport>& frames) {
 
 Json drag_report(const DragArguments& arguments, const Editor& editor, const std::vector<SolveReport>& frames) {
     const auto times = sorted_milliseconds(frames);
-    Json report{{"net", arguments.solver.net},
+    Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
                 {"status", to_string(frames.back().status)},
                 {"median_milliseconds", quantile(times, 0.5)},

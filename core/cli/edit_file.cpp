@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
-#include "io/obj.h"
+#include "io/file.h"
 #include "net/error.h"
 
 namespace chebnet {

@@ -21,10 +21,10 @@ Json singular_report(const Topology& topology) {
     return counts;
 }
 
-int run_info(const std::string& name) {
-    const Net net = load_net(name);
+int run_info(const NetArgument& argument) {
+    const Net net = load_net(argument);
     const Topology topology(net);
-    print({{"net", name},
+    print({{"net", argument.name},
            {"vertices", net.vertex_count()},
            {"edges", net.edge_count()},
            {"faces", net.face_count()},
@@ -41,9 +41,9 @@ int run_info(const std::string& name) {
 
 Command add_info(CLI::App& program) {
     CLI::App& command = *program.add_subcommand("info", "Describe a net, as JSON");
-    const auto name = std::make_shared<std::string>();
-    add_net_argument(command, *name);
-    return {&command, [name] { return run_info(*name); }};
+    const auto argument = std::make_shared<NetArgument>();
+    add_net_argument(command, *argument);
+    return {&command, [argument] { return run_info(*argument); }};
 }
 
 }  // namespace chebnet

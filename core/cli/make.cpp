@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "command.h"
-#include "io/obj.h"
+#include "net_output.h"
 #include "shapes/shapes.h"
 #include "text_table.h"
 
@@ -11,7 +11,8 @@ namespace chebnet {
 namespace {
 
 struct MakeArguments {
-    std::string recipe, output;
+    std::string recipe;
+    NetOutput output;
     bool list = false;
 };
 
@@ -29,16 +30,16 @@ void list_shapes() {
         std::cout << '\n' << shape.name << " - " << shape.sentence << '\n' << parameter_table(shape.parameters);
 }
 
-void make(const std::string& recipe, const std::string& output) {
+void make(const std::string& recipe, const NetOutput& output) {
     const Net net = make_shape(recipe).net;
-    write_file(output, write_obj(net.rest_positions(), net.faces()));
+    write_net(output, net.rest_positions(), net.faces());
 }
 
 int run_make(const MakeArguments& arguments) {
     if (arguments.list)
         list_shapes();
-    else if (arguments.recipe.empty() || arguments.output.empty())
-        throw CLI::RequiredError("make: a RECIPE and -o OUT.obj, or --list,");
+    else if (arguments.recipe.empty() || arguments.output.path.empty())
+        throw CLI::RequiredError("make: a RECIPE and -o OUT, or --list,");
     else
         make(arguments.recipe, arguments.output);
     return k_success;
@@ -50,7 +51,7 @@ Command add_make(CLI::App& program) {
     CLI::App& command = *program.add_subcommand("make", "Make a net from a recipe");
     const auto arguments = std::make_shared<MakeArguments>();
     command.add_option("RECIPE", arguments->recipe, "Shape and parameters, such as vault:vertices=4000")->type_name("");
-    command.add_option("-o,--output", arguments->output, "File to write, as OBJ")->type_name("OUT.obj");
+    add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
     command.add_flag("--list", arguments->list, "List the shapes and their parameters");
     return {&command, [arguments] { return run_make(*arguments); }};
 }

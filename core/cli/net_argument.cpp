@@ -1,10 +1,13 @@
 #include "net_argument.h"
 
 #include <filesystem>
+#include <iostream>
 #include <utility>
 
-#include "io/obj.h"
+#include "io/file.h"
+#include "io/mesh_file.h"
 #include "net/error.h"
+#include "net/repair.h"
 #include "shapes/shapes.h"
 
 namespace chebnet {
@@ -14,15 +17,35 @@ bool is_file_name(const std::string& name) {
     std::error_code none;
     const auto status = std::filesystem::status(name, none);
     // A folder that happens to be called like a shape does not hide the shape.
-    return name.ends_with(".obj") || (std::filesystem::exists(status) && !std::filesystem::is_directory(status));
+    return has_mesh_extension(name) || (std::filesystem::exists(status) && !std::filesystem::is_directory(status));
 }
 
-Net net_of_file(const std::string& path) {
-    Mesh mesh = read_obj(read_file(path), path);
+[[noreturn]] void fail(const std::string& path, const Error& error, const std::string& hint = "") {
+    throw Error(error.code(), path + ": " + error.what() + hint);
+}
+
+Mesh repaired(Mesh mesh, const std::string& path) {
+    try {
+        RepairedMesh result = repair(std::move(mesh), k_all_defects);
+        for (const Finding& finding : result.findings)
+            std::cerr << "chebnet: " << path << ": " << to_sentence(finding) << '\n';
+        return std::move(result.mesh);
+    } catch (const Error& error) {
+        fail(path, error);
+    }
+}
+
+bool is_repairable(ErrorCode code) {
+    return code == ErrorCode::repeated_vertex || code == ErrorCode::zero_length_edge ||
+           code == ErrorCode::non_manifold_edge || code == ErrorCode::unused_vertex;
+}
+
+Net net_of_file(const std::string& path, bool repair) {
+    Mesh mesh = load_mesh(path, repair);
     try {
         return Net(std::move(mesh.positions), std::move(mesh.faces));
     } catch (const Error& error) {
-        throw Error(error.code(), path + ": " + error.what());
+        fail(path, error, !repair && is_repairable(error.code()) ? " (--repair may mend this)" : "");
     }
 }
 
@@ -36,10 +59,25 @@ Net net_of_recipe(const std::string& recipe) {
 
 }  // namespace
 
-void add_net_argument(CLI::App& command, std::string& name) {
-    command.add_option("NET", name, "OBJ file or recipe of the net")->required()->type_name("");
+void add_net_argument(CLI::App& command, NetArgument& argument) {
+    command.add_option("NET", argument.name, "File (OBJ, PLY, OFF) or recipe of the net")->required()->type_name("");
+    add_repair_argument(command, argument.repair);
 }
 
-Net load_net(const std::string& name) { return is_file_name(name) ? net_of_file(name) : net_of_recipe(name); }
+void add_repair_argument(CLI::App& command, bool& repair) {
+    command.add_flag(
+        "--repair", repair,
+        "Merge coinciding vertices, remove faces that are degenerate, double or third at an edge, wind all "
+        "one way, drop unused vertices; vertices then count anew");
+}
+
+Net load_net(const NetArgument& argument) {
+    return is_file_name(argument.name) ? net_of_file(argument.name, argument.repair) : net_of_recipe(argument.name);
+}
+
+Mesh load_mesh(const std::string& path, bool repair) {
+    Mesh mesh = read_mesh(read_file(path), path);
+    return repair ? repaired(std::move(mesh), path) : mesh;
+}
 
 }  // namespace chebnet

@@ -3,15 +3,28 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "net/net.h"
+#include "net/mesh.h"
 
 namespace chebnet {
 
-/// Declares the positional argument NET.
-void add_net_argument(CLI::App& command, std::string& name);
+/// Which net, and whether what is wrong with its file is to be repaired.
+struct NetArgument {
+    std::string name;
+    bool repair = false;
+};
 
-/// The net that NET names: a file if one of that name exists or it ends in .obj, a recipe otherwise. Throws Error; the
-/// message begins with the name.
-Net load_net(const std::string& name);
+/// Declares the positional argument NET and --repair.
+void add_net_argument(CLI::App& command, NetArgument& argument);
+
+/// Declares --repair: every defect that net/repair.h knows.
+void add_repair_argument(CLI::App& command, bool& repair);
+
+/// The net that NET names: a file if one of that name exists or it ends like one (.obj, .ply, .off, .stl), a recipe
+/// otherwise. Repairs are told on standard error. Throws Error; the message begins with the name.
+Net load_net(const NetArgument& argument);
+
+/// The mesh in a file, sound or not, repaired if asked for; repairs are told on standard error. Throws Error; the
+/// message begins with the path.
+Mesh load_mesh(const std::string& path, bool repair);
 
 }  // namespace chebnet

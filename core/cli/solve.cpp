@@ -18,7 +18,7 @@ Json iterations_by_stage(const Trace& trace) {
 }
 
 Json solve_report(const SolverArguments& arguments, const Editor& editor, const SolveReport& solved) {
-    Json report{{"net", arguments.net},
+    Json report{{"net", arguments.net.name},
                 {"method", editor.method()},
                 {"status", to_string(solved.status)},
                 {"iterations", solved.iterations},

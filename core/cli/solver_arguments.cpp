@@ -1,7 +1,6 @@
 #include "solver_arguments.h"
 
-#include "io/obj.h"
-#include "net_argument.h"
+#include "io/file.h"
 #include "text_table.h"
 
 namespace chebnet {
@@ -61,7 +60,7 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     command.add_option("--set", arguments.settings, "Options of the solver, see below")
         ->check(setting_fault)
         ->type_name("KEY=VALUE");
-    command.add_option("-o,--output", arguments.output, "Write the edited net, as OBJ")->type_name("OUT.obj");
+    add_net_output(command, "-o,--output", arguments.output)->type_name("OUT");
     command.add_option("--trace", arguments.trace, "Write one line for each iteration, as CSV")->type_name("TRACE.csv");
     command.footer([] { return method_list() + '\n' + option_list(); });
 }
@@ -77,7 +76,7 @@ Editor open_editor(const SolverArguments& arguments) {
 }
 
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {
-    if (!arguments.output.empty()) write_file(arguments.output, write_obj(editor.positions(), editor.net().faces()));
+    write_net(arguments.output, editor.positions(), editor.net().faces());
     if (!arguments.trace.empty()) write_file(arguments.trace, trace_csv);
 }
 

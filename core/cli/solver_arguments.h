@@ -6,17 +6,21 @@
 #include <vector>
 
 #include "edit/editor.h"
+#include "net_argument.h"
+#include "net_output.h"
 
 namespace chebnet {
 
 /// What `solve` and `drag` have in common. Options stay text here: the core reads and checks them.
 struct SolverArguments {
-    std::string net, edit;
+    NetArgument net;
+    std::string edit;
     std::string method{k_default_method};
     std::string initialisation{"naive"};
     std::string threshold, max_iterations;  ///< empty: the default
     std::vector<std::string> settings;      ///< each "key=value"
-    std::string output, trace;              ///< files to write; empty: none
+    NetOutput output;
+    std::string trace;  ///< file to write; empty: none
 };
 
 /// Declares the arguments and lists methods and options in the command's help.
@@ -25,7 +29,7 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments);
 /// The net with method and options as asked for, at rest, without handles. Throws Error.
 Editor open_editor(const SolverArguments& arguments);
 
-/// Writes the files that were asked for. Throws Error file_access.
+/// Writes the files that were asked for. Throws Error file_access, too_large.
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);
 
 }  // namespace chebnet

@@ -1,36 +1,16 @@
 #include "io/obj.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <cstring>
-#include <fstream>
-#include <locale>
-#include <sstream>
 #include <vector>
 
+#include "io/file.h"
 #include "io/text.h"
 #include "net/error.h"
 
 namespace chebnet {
 
 namespace {
-
-/// Two million vertices and faces fit even at 17 digits with textures and normals.
-constexpr std::size_t k_max_file_bytes = std::size_t{1} << 30;
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-/// Takes the next word off the front of `line`; an empty one at its end.
-std::string_view take_word(std::string_view& line) {
-    const auto begin = std::find_if_not(line.begin(), line.end(), is_blank);
-    const auto end = std::find_if(begin, line.end(), is_blank);
-    const std::string_view word = line.substr(begin - line.begin(), end - begin);
-    line.remove_prefix(end - line.begin());
-    return word;
-}
 
 /// Takes what stands before the next slash off the front of `word`, and the slash.
 std::string_view take_part(std::string_view& word) {
@@ -42,16 +22,13 @@ std::string_view take_part(std::string_view& word) {
 /// The statements of an OBJ text: comments taken off, lines that a backslash continues joined.
 class Statements {
 public:
-    explicit Statements(std::string_view text) : m_rest(text) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text.substr(0, byte_order_mark.size()) == byte_order_mark) m_rest.remove_prefix(byte_order_mark.size());
-    }
+    explicit Statements(std::string_view text) : m_lines(text) {}
 
     /// Goes to the next statement; false at the end of the text.
     bool next() {
-        if (m_rest.empty()) return false;
-        m_line = m_lines_taken + 1;
+        if (m_lines.at_end()) return false;
         m_statement = take_line();
+        m_line = m_lines.number();
         if (drop_backslash(m_statement)) join_continued_lines();
         return true;
     }
@@ -60,15 +37,8 @@ public:
     int line() const { return m_line; }
 
 private:
-    std::string_view take_line() {
-        const auto end = std::find_if(m_rest.begin(), m_rest.end(), is_line_end);
-        const std::string_view line = m_rest.substr(0, end - m_rest.begin());
-        m_rest.remove_prefix(line.size());
-        m_rest.remove_prefix(m_rest.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, m_rest.size()));
-        ++m_lines_taken;
-        // Before anything looks for a backslash: a comment may well end in one ("# C:\nets\").
-        return line.substr(0, line.find('#'));
-    }
+    // Comments go before anything looks for a backslash: they may well end in one ("# C:\nets\").
+    std::string_view take_line() { return without_comment(m_lines.take()); }
 
     static bool drop_backslash(std::string_view& line) {
         std::string_view trimmed = line;
@@ -81,7 +51,7 @@ private:
 
     void join_continued_lines() {
         m_joined = m_statement;
-        for (bool continued = true; continued && !m_rest.empty();) {
+        for (bool continued = true; continued && !m_lines.at_end();) {
             std::string_view line = take_line();
             continued = drop_backslash(line);
             m_joined.append(" ").append(line);
@@ -89,9 +59,10 @@ private:
         m_statement = m_joined;
     }
 
-    std::string_view m_rest, m_statement;
+    Lines m_lines;
+    std::string_view m_statement;
     std::string m_joined;
-    int m_lines_taken = 0, m_line = 0;
+    int m_line = 0;
 };
 
 class ObjReader {
@@ -116,16 +87,8 @@ private:
             const std::string_view word = take_word(words);
             if (word.empty())
                 fail(ErrorCode::bad_syntax, "a vertex needs three coordinates, this one has " + std::to_string(axis));
-            m_coordinates.push_back(read_coordinate(word));
+            m_coordinates.push_back(read_coordinate(word, m_name, m_statements.line()));
         }
-    }
-
-    double read_coordinate(std::string_view word) const {
-        const std::optional<double> coordinate = parse_number(word);
-        if (!coordinate) fail(ErrorCode::bad_syntax, quoted(word) + " is not a number");
-        if (!std::isfinite(*coordinate))
-            fail(ErrorCode::non_finite, "the coordinate " + quoted(word) + " is not finite");
-        return *coordinate;
     }
 
     void read_face(std::string_view words) {
@@ -185,7 +148,7 @@ private:
     }
     [[noreturn]] void fail(ErrorCode code, const std::string& what) const { fail(code, m_statements.line(), what); }
     [[noreturn]] void fail(ErrorCode code, int line, const std::string& what) const {
-        throw Error(code, std::string(m_name) + ":" + std::to_string(line) + ": " + what);
+        fail_at_line(code, m_name, line, what);
     }
 
     Statements m_statements;
@@ -195,10 +158,6 @@ private:
     std::vector<int> m_face;
     std::vector<int> m_face_lines;
 };
-
-[[noreturn]] void fail_file(const std::string& path, const std::string& what) {
-    throw Error(ErrorCode::file_access, path + ": " + what + ": " + std::strerror(errno));
-}
 
 }  // namespace
 
@@ -211,9 +170,7 @@ Mesh read_obj(std::string_view text, std::string_view name) {
 std::string write_obj(const Positions& positions, const Faces& faces, int digits) {
     if (digits < 1 || digits > 17)
         throw Error(ErrorCode::bad_option, "OBJ is written with 1 to 17 digits, not " + std::to_string(digits));
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(digits);
+    std::ostringstream out = number_stream(digits);
     for (const auto& p : positions.colwise()) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     for (int f = 0; f < faces.size(); ++f) {
         out << 'f';
@@ -221,28 +178,6 @@ std::string write_obj(const Positions& positions, const Faces& faces, int digits
         out << '\n';
     }
     return out.str();
-}
-
-std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) fail_file(path, "cannot be opened");
-    // By chunks rather than by asking for the size: pipes have none.
-    std::string text;
-    std::vector<char> chunk(std::size_t{1} << 20);
-    while (file.read(chunk.data(), std::ssize(chunk)) || file.gcount() > 0) {
-        text.append(chunk.data(), file.gcount());
-        if (text.size() > k_max_file_bytes) throw Error(ErrorCode::too_large, path + ": larger than 1 GiB");
-    }
-    if (file.bad()) fail_file(path, "cannot be read");
-    return text;
-}
-
-void write_file(const std::string& path, std::string_view text) {
-    std::ofstream file(path, std::ios::binary);
-    if (!file) fail_file(path, "cannot be opened for writing");
-    file.write(text.data(), std::ssize(text));
-    file.close();
-    if (!file) fail_file(path, "cannot be written");
 }
 
 }  // namespace chebnet

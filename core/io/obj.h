@@ -3,18 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include "net/net.h"
+#include "io/file.h"
+#include "net/mesh.h"
 
 namespace chebnet {
-
-/// Positions and faces as a file gives them, before a Net has checked them.
-struct Mesh {
-    Positions positions;
-    Faces faces;
-};
-
-/// Largest number of vertices or faces a file may have.
-inline constexpr int k_max_file_elements = 2'000'000;
 
 /// Reads Wavefront OBJ text. Faces keep their arity and order, vertices their order. Understands `v x y z [w …]`,
 /// `f v`, `f v/vt`, `f v//vn`, `f v/vt/vn`, negative (relative) indices, comments, line continuation by a backslash, LF
@@ -26,10 +18,5 @@ Mesh read_obj(std::string_view text, std::string_view name);
 /// Writes OBJ text, one `v` line a vertex and one `f` line a face, in order. `digits` significant digits, 1 … 17;
 /// 17 returns every coordinate exactly. Throws Error bad_option for another number of digits.
 std::string write_obj(const Positions& positions, const Faces& faces, int digits = 17);
-
-/// The whole of a file as text. Throws Error file_access, too_large.
-std::string read_file(const std::string& path);
-/// Throws Error file_access.
-void write_file(const std::string& path, std::string_view text);
 
 }  // namespace chebnet

@@ -21,6 +21,9 @@ namespace {
 // Stage 1: at least as many iterations as keep up with a slow drag, at most as many as a cold start can use; one more
 // for each edge length that a handle has jumped.
 constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
+// Part of its way to the rigid shape that the net goes in each of them. Without it, the shear and the small folds that
+// a drag has left on its way would stay for ever.
+constexpr double k_forgetting = 0.05;
 // Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. If it then
 // fails, springs go on for another round, to a part of this max dL.
 constexpr double k_projection_deviation = 1e-4;
@@ -68,7 +71,7 @@ private:
     double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
     Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
-    Positions m_result;  // where the last iteration left the net
+    Positions m_result;  // where the method last left the net
     Positions m_smooth;  // the end of stage 2
     double m_smooth_deviation = 0;
 };
@@ -94,6 +97,7 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
+    m_result = positions;
     if (m_max_deviation < options.threshold) return Status::converged;
     if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
@@ -174,7 +178,10 @@ Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
     m_arap->iterate(m_shape);
     row.energy = m_arap->energy(m_shape);
     row.step = 1;
-    for (int v : m_part->part().vertices()) positions.col(v) += m_shape.col(v) - m_shape_before.col(v);
+    for (int v : m_part->part().vertices()) {
+        const Eigen::Vector3d moved = positions.col(v) + m_shape.col(v) - m_shape_before.col(v);
+        positions.col(v) = moved + k_forgetting * (m_shape.col(v) - moved);
+    }
     if (measure(positions)) return Status::converged;
     if (--m_left == 0) enter(springs, positions);
     return Status::running;

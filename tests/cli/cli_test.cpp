@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "io/mesh_file.h"
 #include "io/obj.h"
 #include "net/measures.h"
 #include "program.h"
@@ -77,7 +78,8 @@ void check_refused(const Run& run, const std::string& what) {
 
 TEST_CASE("help and version answer on standard output") {
     const Sandbox box;
-    for (const char* arguments : {"--help", "info --help", "make --help", "solve --help", "drag --help", "--version"}) {
+    for (const char* arguments :
+         {"--help", "info --help", "make --help", "convert --help", "solve --help", "drag --help", "--version"}) {
         const Run run = box.run(arguments);
         INFO(arguments);
         CHECK(run.exit_code == 0);
@@ -251,6 +253,60 @@ TEST_CASE("a drag with a frame that does not converge ends with 1") {
     CHECK(run.json().at("frames").size() == 2);
 }
 
+TEST_CASE("nets are read and written in every format, by extension") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    CHECK(box.run("make " + k_recipe + " -o net.obj").exit_code == 0);
+    const std::string solve = " --edit pull.json --max-iterations 3 -o ";
+    box.run("solve net.obj" + solve + "solved.obj");
+    for (const std::string name : {"net.ply", "net.OFF"}) {
+        INFO(name);
+        CHECK(box.run("make " + k_recipe + " -o " + name).exit_code == 0);
+        CHECK(box.run("convert " + name + " back.obj").exit_code == 0);
+        CHECK(box.read("back.obj") == box.read("net.obj"));
+        CHECK(box.run("info " + name).json().at("chebyshev") == true);
+        box.run("solve " + name + solve + "solved_" + name);
+        CHECK(box.run("convert solved_" + name + " back.obj").exit_code == 0);
+        CHECK(box.read("back.obj") == box.read("solved.obj"));
+    }
+    CHECK(box.run("drag net.ply --frames 1" + solve + "dragged.stl").exit_code <= 1);
+    CHECK(box.read("dragged.stl").size() > 84);
+}
+
+TEST_CASE("PLY is written as text if asked for") {
+    const Sandbox box;
+    CHECK(box.run("make dome -o binary.ply").exit_code == 0);
+    CHECK(box.run("convert binary.ply text.ply --text").exit_code == 0);
+    CHECK_THAT(box.read("binary.ply"), Contains("format binary_little_endian"));
+    CHECK_THAT(box.read("text.ply"), Contains("format ascii"));
+    CHECK(box.run("convert text.ply again.ply").exit_code == 0);
+    CHECK(box.read("again.ply") == box.read("binary.ply"));
+}
+
+TEST_CASE("a file is repaired only if asked to, and every repair is told") {
+    const Sandbox box;
+    box.write("loose.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 9 9 9\n"
+              "f 1 2 3 4\nf 5 6 7 8\n");
+    check_refused(box.run("info loose.obj"), "loose.obj: vertex 8 belongs to no face (--repair may mend this)");
+    const Run run = box.run("info loose.obj --repair");
+    CHECK(run.exit_code == 0);
+    CHECK(run.err ==
+          "chebnet: loose.obj: 2 vertices at the place of an earlier one, merged: 4, 7\n"
+          "chebnet: loose.obj: 1 vertex of no face, dropped: 8\n");
+    CHECK(run.json().at("vertices") == 6);
+    CHECK(run.json().at("edges") == 7);
+
+    CHECK(box.run("convert loose.obj as_it_is.off").err.empty());
+    CHECK(read_mesh(box.read("as_it_is.off"), "").positions.cols() == 9);
+    CHECK(line_count(box.run("convert --repair loose.obj mended.off").err) == 2);
+    CHECK(box.run("info mended.off --repair").err.empty());
+    CHECK(box.run("info dome --repair").err.empty());
+
+    box.write("far.obj", "v 1e300 0 0\nv 0 1e300 0\nv 0 0 0\nf 1 2 3\n");
+    check_refused(box.run("info far.obj --repair"), "far.obj: the edges are too long");
+}
+
 TEST_CASE("bad usage is refused with one line") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
@@ -263,6 +319,10 @@ TEST_CASE("bad usage is refused with one line") {
     check_refused(box.run("make"), "RECIPE");
     check_refused(box.run("make dome"), "-o");
     check_refused(box.run("solve " + k_recipe), "--edit");
+    check_refused(box.run("convert dome.obj"), "OUT");
+    check_refused(box.run("make dome -o net.3dm"), "net.3dm");
+    check_refused(box.run("make dome -o net.stl --text"), "--text");
+    check_refused(box.run(solve + "-o net.3dm"), "net.3dm");
     check_refused(box.run(solve + "--colour red"), "--colour");
     check_refused(box.run(solve + "--method guess"), "guess");
     check_refused(box.run(solve + "--init guess"), "guess");
@@ -283,7 +343,16 @@ TEST_CASE("a net that cannot be had is refused with one line") {
     box.write("cloud.obj", "v 0 0 0\n");
     check_refused(box.run("info missing.obj"), "missing.obj");
     check_refused(box.run("info missing.ply"), "missing.ply");
+    box.write("three.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n");
+    box.write("three.ply", "ply\nformat ascii 1.0\nend_header\n");
+    box.write("picture", "GIF89a");
+    box.write("net.stl", "solid\n");
     check_refused(box.run("info three.obj"), "three.obj:4");
+    check_refused(box.run("info three.off"), "three.off:5");
+    check_refused(box.run("info three.ply"), "three.ply:3");
+    check_refused(box.run("info picture"), "picture: not a mesh");
+    check_refused(box.run("info net.stl"), "net.stl: STL");
+    check_refused(box.run("convert missing.off net.obj"), "missing.off: cannot be opened");
     check_refused(box.run("info cloud.obj"), "cloud.obj");
     check_refused(box.run("info vault:colour=3"), "colour");
     check_refused(box.run("info 'two\nlines'"), "two lines");

@@ -1,28 +1,20 @@
 #include "io/obj.h"
 
-#include <bit>
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "net/error.h"
+#include "io/file.h"
+#include "mesh_files.h"
 
 using namespace chebnet;
+using samples::faces_of;
 
 namespace {
 
 using Face = std::vector<int>;
-
-std::vector<Face> faces_of(const Mesh& mesh) {
-    std::vector<Face> faces;
-    for (int f = 0; f < mesh.faces.size(); ++f) faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
-    return faces;
-}
 
 Mesh read_data(const std::string& name) {
     const std::string path = CHEBNET_TEST_DATA "/obj/" + name;
@@ -34,17 +26,9 @@ const std::string k_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 std::vector<Face> faces_on_square(const std::string& text) { return faces_of(read_obj(k_square + text, "square.obj")); }
 
-/// "code name:line: what" of the error that a text is refused with.
 std::string refusal(const std::string& text) {
-    try {
-        read_obj(text, "a.obj");
-    } catch (const Error& error) {
-        return std::string(to_string(error.code())) + " " + error.what();
-    }
-    return "none";
+    return samples::refusal_of([&] { read_obj(text, "a.obj"); });
 }
-
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 }  // namespace
 
@@ -165,22 +149,8 @@ TEST_CASE("Seventeen digits return every coordinate bit for bit") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937_64 random(seed);
-    Positions positions(3, 1000);
-    for (double& x : positions.reshaped()) {
-        x = std::bit_cast<double>(random());
-        if (!std::isfinite(x)) x = 0;
-    }
-    positions.col(0) << -0.0, std::numeric_limits<double>::denorm_min(), -std::numeric_limits<double>::max();
-    Faces faces;
-    faces.add({0, 1, 2});
-    faces.add({999, 0, 500, 3, 7});
-
-    const Mesh mesh = read_obj(write_obj(positions, faces), "written.obj");
-    REQUIRE(mesh.positions.cols() == positions.cols());
-    for (Eigen::Index k = 0; k < positions.size(); ++k)
-        REQUIRE(same_bits(mesh.positions.reshaped()[k], positions.reshaped()[k]));
-    CHECK(mesh.faces.start == faces.start);
-    CHECK(mesh.faces.vertices == faces.vertices);
+    const Mesh mesh = samples::wild_mesh(random);
+    CHECK(samples::same_bits(read_obj(write_obj(mesh.positions, mesh.faces), "written.obj"), mesh));
 }
 
 TEST_CASE("An OBJ is written with the digits asked for") {

@@ -1,0 +1,143 @@
+#include "plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "../edit_case.h"
+#include "net/error.h"
+#include "shapes/shapes.h"
+
+namespace chebnet::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Wish {
+    std::string section;
+    EditCase edit;
+    std::string series = "";
+
+    std::string name() const { return section + ' ' + edit.name(); }
+};
+
+std::string recipe(const std::string& shape, int vertices) { return shape + ":vertices=" + std::to_string(vertices); }
+
+std::vector<Wish> growth_wishes(bool quick) {
+    const std::vector<int> sizes = quick ? std::vector{300, 1000, 3000} : std::vector{1000, 3000, 10000, 30000, 100000};
+    std::vector<Wish> wishes;
+    for (const auto& [shape, kind] : {std::pair{"elephant", "bend"}, {"vault", "pull"}})
+        for (const int size : sizes)
+            wishes.push_back({"growth", {recipe(shape, size), kind, ""}, std::string(shape) + '.' + kind});
+    return wishes;
+}
+
+std::vector<Wish> kernel_wishes(bool quick) {
+    const std::vector<int> sizes = quick ? std::vector{1000} : std::vector{2000, 8000, 20000};
+    std::vector<Wish> wishes;
+    for (const char* shape : {"elephant", "vault", "torus"})
+        for (const int size : sizes) wishes.push_back({"kernels", {recipe(shape, size), "pull", ""}});
+    return wishes;
+}
+
+std::vector<EditCase> own_cases(bool quick) {
+    std::vector<EditCase> cases;
+    for (const ShapeInfo& shape : shape_table())
+        for (const std::string& kind : edit_kinds())
+            cases.push_back({recipe(shape.name, quick ? 500 : 4000), kind, ""});
+    return cases;
+}
+
+std::vector<Wish> all_wishes(const PlanArguments& arguments) {
+    const bool own = arguments.nets.empty();
+    const std::vector<EditCase> cases =
+        own ? own_cases(arguments.quick) : cases_of_folder(arguments.nets, arguments.edits);
+    // Growth comes first: what the program holds from other measurements would count as memory of the smallest sizes.
+    std::vector<Wish> wishes = growth_wishes(arguments.quick);
+    for (const Wish& wish : kernel_wishes(arguments.quick)) wishes.push_back(wish);
+    std::set<std::string> nets;
+    for (const EditCase& edit : cases)
+        if (!own && nets.insert(edit.net).second) wishes.push_back({"kernels", edit});
+    for (const char* section : {"edits", "drags"})
+        for (const EditCase& edit : cases) wishes.push_back({section, edit});
+    return wishes;
+}
+
+std::vector<Wish> chosen_wishes(const PlanArguments& arguments) {
+    std::vector<Wish> wishes = all_wishes(arguments);
+    std::erase_if(wishes, [&](const Wish& wish) {
+        return !arguments.only.empty() && std::ranges::none_of(arguments.only, [&](const std::string& text) {
+            return wish.name().find(text) != std::string::npos;
+        });
+    });
+    if (wishes.empty()) throw Error(ErrorCode::bad_option, "there is nothing of that name to measure; see --list");
+    return wishes;
+}
+
+Json handles_json(const std::vector<Handle>& handles) {
+    Json list = Json::array();
+    for (const auto& [vertex, target] : handles)
+        list.push_back({{"vertex", vertex}, {"target", {target[0], target[1], target[2]}}});
+    return list;
+}
+
+std::vector<Handle> handles_from_json(const Json& list) {
+    std::vector<Handle> handles;
+    for (const Json& item : list) {
+        const Json& target = item.at("target");
+        handles.push_back({item.at("vertex").get<int>(),
+                           {target.at(0).get<double>(), target.at(1).get<double>(), target.at(2).get<double>()}});
+    }
+    return handles;
+}
+
+}  // namespace
+
+std::vector<std::string> task_names(const PlanArguments& arguments) {
+    std::vector<std::string> names;
+    for (const Wish& wish : chosen_wishes(arguments)) names.push_back(wish.name());
+    return names;
+}
+
+Plan make_plan(const PlanArguments& arguments) {
+    for (const std::string& method : arguments.methods) make_method(method);
+    const std::vector<Wish> wishes = chosen_wishes(arguments);
+    Plan plan{arguments.methods, arguments.quick ? 3 : 5, 60, {}};
+    std::map<std::string, Problem> made;  // several sections measure the same edit
+    for (const auto& [section, edit, series] : wishes) {
+        auto known = made.find(edit.name());
+        if (known == made.end()) known = made.emplace(edit.name(), make_problem(edit, {})).first;
+        const Problem& problem = known->second;
+        plan.tasks.push_back({section, edit.name(), series, edit.net, problem.net.vertex_count(), problem.handles});
+    }
+    return plan;
+}
+
+std::vector<int> handle_vertices(const Task& task) {
+    std::vector<int> vertices;
+    for (const Handle& handle : task.handles) vertices.push_back(handle.vertex);
+    return vertices;
+}
+
+Json to_json(const Plan& plan) {
+    Json tasks = Json::array();
+    for (const Task& task : plan.tasks)
+        tasks.push_back({{"section", task.section},
+                         {"edit", task.edit},
+                         {"series", task.series},
+                         {"net", task.net},
+                         {"vertices", task.vertices},
+                         {"handles", handles_json(task.handles)}});
+    return {{"methods", plan.methods}, {"repeats", plan.repeats}, {"frames", plan.frames}, {"tasks", tasks}};
+}
+
+Plan plan_from_json(const Json& json) {
+    Plan plan{json.at("methods"), json.at("repeats"), json.at("frames"), {}};
+    for (const Json& task : json.at("tasks"))
+        plan.tasks.push_back({task.at("section"), task.at("edit"), task.at("series"), task.at("net"),
+                              task.at("vertices"), handles_from_json(task.at("handles"))});
+    return plan;
+}
+
+}  // namespace chebnet::bench

@@ -1,0 +1,118 @@
+#include "io/mesh_file.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "io/bytes.h"
+#include "io/file.h"
+#include "mesh_files.h"
+#include "shapes/shapes.h"
+
+using namespace chebnet;
+
+namespace {
+
+std::string refusal(const std::string& bytes, const std::string& name) {
+    return samples::refusal_of([&] { read_mesh(bytes, name); });
+}
+
+const std::string k_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string k_off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+using StlTriangle = std::array<Eigen::Vector3d, 4>;
+
+/// Normal and corners of each triangle of a binary STL.
+std::vector<StlTriangle> stl_triangles(const std::string& bytes) {
+    const auto count = number_at<std::uint32_t>(bytes.data() + 80, std::endian::little);
+    REQUIRE(bytes.size() == 84 + 50 * std::size_t{count});
+    std::vector<StlTriangle> triangles(count);
+    for (std::size_t t = 0; t < count; ++t)
+        for (std::size_t k = 0; k < 12; ++k)
+            triangles[t][k / 3][k % 3] = number_at<float>(bytes.data() + 84 + 50 * t + 4 * k, std::endian::little);
+    return triangles;
+}
+
+std::vector<StlTriangle> stl_of(const std::vector<Eigen::Vector3d>& corners) {
+    Mesh mesh{Positions(3, corners.size()), {}};
+    std::vector<int> face;
+    for (const Eigen::Vector3d& corner : corners) {
+        mesh.positions.col(face.size()) = corner;
+        face.push_back(static_cast<int>(face.size()));
+    }
+    mesh.faces.add(face);
+    return stl_triangles(write_mesh(mesh.positions, mesh.faces, FileFormat::stl));
+}
+
+/// True if a triangle has both points as corners.
+bool joins(const StlTriangle& t, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::find(t.begin() + 1, t.end(), a) != t.end() && std::find(t.begin() + 1, t.end(), b) != t.end();
+}
+
+}  // namespace
+
+TEST_CASE("Every format but STL keeps quads, order and every bit of a net") {
+    const Net net = make_shape("dome:vertices=500").net;
+    const Mesh mesh{net.rest_positions(), net.faces()};
+    for (const FileFormat format : {FileFormat::obj, FileFormat::ply, FileFormat::ply_text, FileFormat::off})
+        CHECK(samples::same_bits(read_mesh(write_mesh(mesh.positions, mesh.faces, format), "net"), mesh));
+}
+
+TEST_CASE("The content of a file says its format, then its extension") {
+    const Mesh mesh = read_mesh(k_obj, "net.obj");
+    const std::string ply = write_mesh(mesh.positions, mesh.faces, FileFormat::ply);
+    for (const char* name : {"net", "net.obj", "net.OBJ", "net.txt", "a.b/net"})
+        for (const std::string& bytes : {k_obj, k_off, ply}) CHECK(samples::same_bits(read_mesh(bytes, name), mesh));
+    CHECK(samples::same_bits(read_mesh(k_off.substr(4), "net.off"), mesh));
+    CHECK(samples::same_bits(read_mesh(ply, "net.off"), mesh));
+    CHECK(read_mesh("", "net.obj").positions.cols() == 0);
+
+    CHECK(refusal("x", "net.Ply") == "bad_syntax net.Ply:1: a PLY file begins with a line \"ply\"");
+    CHECK(refusal("x", "net.off") == "bad_syntax net.off:1: \"x\" is not a number of vertices");
+    CHECK(refusal("x", "net.STL") == "bad_syntax net.STL: STL holds loose triangles, no net; it is only written");
+    const std::string unknown = ": not a mesh of a format that is read, which are OBJ, PLY and OFF";
+    for (const std::string name : {"net", "net.3dm", ".obj", "net.obj/file"})
+        CHECK(refusal("x", name) == "bad_syntax " + name + unknown);
+}
+
+TEST_CASE("The name of a file says how it is written") {
+    CHECK(format_of_name("net.obj") == FileFormat::obj);
+    CHECK(format_of_name("a/net.PLY") == FileFormat::ply);
+    CHECK(format_of_name("net.v2.off") == FileFormat::off);
+    CHECK(format_of_name("net.Stl") == FileFormat::stl);
+    CHECK(format_of_name("/dev/stdout") == FileFormat::obj);
+    CHECK(samples::refusal_of([] { format_of_name("net.3dm"); }) ==
+          "bad_option net.3dm: nets are written as .obj, .ply, .off or .stl, not as \".3dm\"");
+    CHECK(has_mesh_extension("no/such.OFF"));
+    CHECK_FALSE(has_mesh_extension("dome"));
+    CHECK_FALSE(has_mesh_extension("net.json"));
+}
+
+TEST_CASE("STL holds the triangles of the faces, wound and facing as they are") {
+    const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0), e(-1, 0.5, 0);
+    CHECK(stl_of({a, b, c}) == std::vector<StlTriangle>{{Eigen::Vector3d(0, 0, 1), a, b, c}});
+    CHECK(stl_of({c, b, a})[0][0] == Eigen::Vector3d(0, 0, -1));
+    CHECK(stl_of({a, b, c, d, e}).size() == 3);
+
+    const Net net = make_shape("dome:vertices=500").net;
+    CHECK(stl_triangles(write_mesh(net.rest_positions(), net.faces(), FileFormat::stl)).size() ==
+          2 * static_cast<std::size_t>(net.face_count()));
+}
+
+TEST_CASE("STL cuts a quad along its shorter diagonal") {
+    const Eigen::Vector3d left(-2, 0, 0), low(0, -1, 0), right(2, 0, 0), high(0, 1, 0);
+    for (const auto& rhombus : {std::vector{left, low, right, high}, std::vector{low, right, high, left}})
+        for (const StlTriangle& triangle : stl_of(rhombus)) CHECK(joins(triangle, low, high));
+}
+
+TEST_CASE("STL cuts a quad with a corner that points inwards through that corner") {
+    const Eigen::Vector3d tip(0, 5, 0), left(-1, 0, 0), notch(0, 1, 0), right(1, 0, 0);
+    for (const auto& dart : {std::vector{tip, left, notch, right}, std::vector{left, notch, right, tip}})
+        for (const StlTriangle& triangle : stl_of(dart)) CHECK(joins(triangle, tip, notch));
+}
+
+TEST_CASE("What does not fit the floats of STL is refused") {
+    CHECK(samples::refusal_of([] {
+              stl_of({{0, 0, 0}, {1e39, 0, 0}, {0, 1, 0}});
+          }) == "too_large vertex 1 has a coordinate that is too large for STL");
+}
