@@ -209,20 +209,22 @@ void Cholesky<size, Scalar>::solve(Scalar* x) {
 }
 
 template <int size, typename Scalar>
-void Cholesky<size, Scalar>::solve(dense::Four* x) const requires(std::is_same_v<Scalar, float>&& size == 1) {
+template <typename Row>
+void Cholesky<size, Scalar>::solve_together(Row* x) const {
+    static_assert(size == 1);
     for (int s = 0; s < m_supernodes.count(); ++s) {
-        const float* L = m_panels.data() + m_panel_start[s];
+        const Scalar* L = m_panels.data() + m_panel_start[s];
         const int columns = m_supernodes.columns(s), rows = panel_rows(s);
         const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-        dense::Four* own = x + m_supernodes.column_start[s];
+        Row* own = x + m_supernodes.column_start[s];
         dense::solve_triangle(L, rows, columns, own);
         dense::subtract_product_at(x, places, L + columns, rows, m_supernodes.rows_below(s), columns, own);
     }
     for (int s = m_supernodes.count() - 1; s >= 0; --s) {
-        const float* L = m_panels.data() + m_panel_start[s];
+        const Scalar* L = m_panels.data() + m_panel_start[s];
         const int columns = m_supernodes.columns(s), rows = panel_rows(s);
         const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-        dense::Four* own = x + m_supernodes.column_start[s];
+        Row* own = x + m_supernodes.column_start[s];
         dense::subtract_transposed_product_at(own, L + columns, rows, m_supernodes.rows_below(s), columns, x, places);
         dense::solve_transposed_triangle(L, rows, columns, own);
     }
@@ -230,5 +232,6 @@ void Cholesky<size, Scalar>::solve(dense::Four* x) const requires(std::is_same_v
 
 template class Cholesky<1, float>;
 template class Cholesky<3, double>;
+template void Cholesky<1, float>::solve_together(dense::Four*) const;
 
 }  // namespace chebnet

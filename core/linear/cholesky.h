@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <type_traits>
 #include <vector>
 
 #include "linear/dense_kernels.h"
@@ -27,8 +26,9 @@ public:
 
     /// Solves in place. `x`: size·node_count, in the order of elimination. Only after factorize() returned true.
     void solve(Scalar* x);
-    /// The same for four right-hand sides, whose entries in one row stand together.
-    void solve(dense::Four* x) const requires(std::is_same_v<Scalar, float>&& size == 1);
+    /// The same for several right-hand sides at once. `Row`: a register that holds their entries in one row.
+    template <typename Row>
+    void solve_together(Row* x) const;
 
     /// node → place in the order of elimination.
     const std::vector<int>& rank() const { return m_supernodes.rank; }

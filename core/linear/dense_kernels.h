@@ -208,14 +208,14 @@ void solve_transposed_triangle(const Scalar* L, int ld, int n, Row* x) {
     }
 }
 
-/// Rows `places` of Y −= A X, A count×columns with leading dimension lda, four right-hand sides.
-inline void subtract_product_at(Four* Y, const int* places, const float* A, int lda, int count, int columns,
-                                const Four* X) {
+/// Rows `places` of Y −= A X, A count×columns with leading dimension lda, several right-hand sides.
+template <typename Scalar, typename Row>
+void subtract_product_at(Row* Y, const int* places, const Scalar* A, int lda, int count, int columns, const Row* X) {
     int j = 0;
     for (; j + 4 <= columns; j += 4, A += 4 * lda) {
-        const Four x0 = X[j], x1 = X[j + 1], x2 = X[j + 2], x3 = X[j + 3];
+        const Row x0 = X[j], x1 = X[j + 1], x2 = X[j + 2], x3 = X[j + 3];
         for (int i = 0; i < count; ++i) {
-            const float* a = A + i;
+            const Scalar* a = A + i;
             Y[places[i]] -= (a[0] * x0 + a[lda] * x1) + (a[2 * lda] * x2 + a[3 * lda] * x3);
         }
     }
@@ -224,14 +224,15 @@ inline void subtract_product_at(Four* Y, const int* places, const float* A, int 
 }
 
 /// X −= Aᵀ times rows `places` of Y, sizes as above.
-inline void subtract_transposed_product_at(Four* X, const float* A, int lda, int count, int columns, const Four* Y,
-                                           const int* places) {
+template <typename Scalar, typename Row>
+void subtract_transposed_product_at(Row* X, const Scalar* A, int lda, int count, int columns, const Row* Y,
+                                    const int* places) {
     int j = 0;
     for (; j + 4 <= columns; j += 4, A += 4 * lda) {
-        Four sum0{}, sum1{}, sum2{}, sum3{};
+        Row sum0{}, sum1{}, sum2{}, sum3{};
         for (int i = 0; i < count; ++i) {
-            const float* a = A + i;
-            const Four y = Y[places[i]];
+            const Scalar* a = A + i;
+            const Row y = Y[places[i]];
             sum0 += a[0] * y;
             sum1 += a[lda] * y;
             sum2 += a[2 * lda] * y;

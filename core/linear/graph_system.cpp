@@ -8,15 +8,18 @@ namespace chebnet {
 
 namespace {
 
-void pack(const Eigen::Vector3d& numbers, Eigen::Vector3d& row) { row = numbers; }
-void pack(const Eigen::Vector3d& numbers, dense::Four& row) {
-    const Eigen::Vector3f single = numbers.cast<float>();
+using Column = Eigen::Ref<Eigen::Vector3d>;
+using SingleColumn = Eigen::Ref<Eigen::Vector4f>;
+
+void pack(const Column& column, Eigen::Vector3d& row) { row = column; }
+void pack(const Column& column, dense::Four& row) {
+    const Eigen::Vector3f single = column.cast<float>();
     row = dense::Four{single[0], single[1], single[2], 0};
 }
-const Eigen::Vector3d& unpacked(const Eigen::Vector3d& row) { return row; }
-Eigen::Vector3d unpacked(const dense::Four& row) { return {row[0], row[1], row[2]}; }
-double* numbers(std::vector<Eigen::Vector3d>& rows) { return rows.data()->data(); }
-dense::Four* numbers(std::vector<dense::Four>& rows) { return rows.data(); }
+void pack(const SingleColumn& column, dense::Four& row) { row = dense::load<dense::Four>(column.data()); }
+void unpack(const Eigen::Vector3d& row, Column column) { column = row; }
+void unpack(const dense::Four& row, Column column) { column << row[0], row[1], row[2]; }
+void unpack(const dense::Four& row, SingleColumn column) { dense::store(column.data(), row); }
 
 }  // namespace
 
@@ -55,22 +58,21 @@ bool GraphSystem<size>::factorize() {
 }
 
 template <int size>
-void GraphSystem<size>::solve_in_place(Eigen::Matrix3Xd& x) {
+template <typename Vectors>
+void GraphSystem<size>::solve_in_place(Vectors& x) {
     const std::vector<int>& place = elimination_rank();
     for (int i = 0; i < node_count(); ++i) pack(x.col(i), m_permuted[place[i]]);
-    m_factor.solve(numbers(m_permuted));
-    for (int i = 0; i < node_count(); ++i) x.col(i) = unpacked(m_permuted[place[i]]);
-}
-
-template <int size>
-void GraphSystem<size>::solve_in_place(Eigen::Matrix4Xf& x) requires(size == 1) {
-    const std::vector<int>& place = elimination_rank();
-    for (int i = 0; i < node_count(); ++i) m_permuted[place[i]] = dense::load<dense::Four>(x.col(i).data());
-    m_factor.solve(m_permuted.data());
-    for (int i = 0; i < node_count(); ++i) dense::store(x.col(i).data(), m_permuted[place[i]]);
+    if constexpr (size == 1)
+        m_factor.solve_together(m_permuted.data());
+    else
+        m_factor.solve(m_permuted.data()->data());
+    for (int i = 0; i < node_count(); ++i) unpack(m_permuted[place[i]], x.col(i));
 }
 
 template class GraphSystem<1>;
 template class GraphSystem<3>;
+template void GraphSystem<1>::solve_in_place(Eigen::Matrix3Xd&);
+template void GraphSystem<1>::solve_in_place(Eigen::Matrix4Xf&);
+template void GraphSystem<3>::solve_in_place(Eigen::Matrix3Xd&);
 
 }  // namespace chebnet

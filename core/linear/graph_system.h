@@ -40,11 +40,11 @@ public:
 
     /// Numeric factorisation of the present matrix. False if it is not positive definite or not finite.
     bool factorize();
-    /// Replaces the right-hand side by the solution, 3×node_count (for size 1, three systems at once), without
-    /// allocation. Only after factorize() returned true.
-    void solve_in_place(Eigen::Matrix3Xd& x);
-    /// The same for a Laplacian in the precision of its factor; the fourth row is another right-hand side.
-    void solve_in_place(Eigen::Matrix4Xf& x) requires(size == 1);
+    /// Replaces the right-hand side by the solution, without allocation. `Vectors`: Eigen::Matrix3Xd, a column for each
+    /// node (for size 1, three systems at once); or Eigen::Matrix4Xf for a Laplacian, four systems in the precision of
+    /// its factor. Only after factorize() returned true.
+    template <typename Vectors>
+    void solve_in_place(Vectors& x);
     /// The same, out of place.
     Eigen::Matrix3Xd solve(Eigen::Matrix3Xd rhs) {
         solve_in_place(rhs);

@@ -40,7 +40,7 @@ struct MethodInfo {
 };
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.
-inline constexpr std::string_view k_default_method = "li2022";
+inline constexpr std::string_view k_default_method = "projection";
 /// Throws Error bad_option, naming the known methods.
 std::unique_ptr<Method> make_method(std::string_view name);
 

@@ -28,7 +28,7 @@ constexpr double k_forgetting = 0.05;
 // fails, springs go on for another round, to a part of this max dL.
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.1;
-constexpr int k_most_spring_iterations = 40;
+constexpr int k_most_spring_iterations = 60;
 constexpr int k_most_rounds = 4;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;

@@ -65,7 +65,7 @@ TEST_CASE("Handles are refused by name and then nothing changes") {
     CHECK(code_of([&] { editor.set_option("magic", "1"); }) == ErrorCode::bad_option);
     CHECK(code_of([&] { editor.set_positions(Positions::Zero(3, 5)); }) == ErrorCode::index_out_of_range);
     CHECK(editor.handles().size() == 4);
-    CHECK(editor.method() == "li2022");
+    CHECK(editor.method() == k_default_method);
     CHECK(editor.solve().status == Status::converged);
 }
 

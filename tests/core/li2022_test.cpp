@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
+#include <utility>
 
 #include "energy/power_energy.h"
 #include "net/measures.h"
@@ -45,8 +46,14 @@ struct WholeNet {
 };
 
 /// A patch pulled at one corner while three vertices are held.
+Editor li2022_editor(Net net) {
+    Editor editor(std::move(net));
+    editor.set_method("li2022");
+    return editor;
+}
+
 Editor pulled_patch(double distance = 1.5) {
-    Editor editor(samples::patch(9, 8));
+    Editor editor = li2022_editor(samples::patch(9, 8));
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 8, 63, 71});
     handles.back().target += Eigen::Vector3d(-0.5, -0.3, 1).normalized() * distance;
     editor.set_handles(handles);
@@ -163,7 +170,7 @@ TEST_CASE("Each strategy can be switched off") {
 }
 
 TEST_CASE("Reduced iterations move only vertices within two rings of an edge with dL > ε4") {
-    Editor editor(samples::patch(30, 30));
+    Editor editor = li2022_editor(samples::patch(30, 30));
     // A net that is exact but for one spot: only that spot may move.
     Positions x = editor.net().rest_positions();
     const int spot = 15 * 30 + 15;
@@ -212,7 +219,7 @@ TEST_CASE("The result turns, moves and scales with the net") {
     const auto carry = [&](const Positions& x) -> Positions { return (scale * turn * x).colwise() + shift; };
 
     Editor plain = pulled_patch();
-    Editor carried(Net(carry(plain.net().rest_positions()), plain.net().faces()));
+    Editor carried = li2022_editor(Net(carry(plain.net().rest_positions()), plain.net().faces()));
     std::vector<Handle> handles = plain.handles();
     for (Handle& handle : handles) handle.target = carry(handle.target);
     carried.set_handles(handles);
@@ -223,7 +230,7 @@ TEST_CASE("The result turns, moves and scales with the net") {
 }
 
 TEST_CASE("A general mesh keeps each edge's own length") {
-    Editor editor(samples::mixed_mesh());
+    Editor editor = li2022_editor(samples::mixed_mesh());
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 4});
     handles[1].target += Eigen::Vector3d(-0.4, 0.2, 0.3);
     editor.set_handles(handles);
@@ -232,7 +239,7 @@ TEST_CASE("A general mesh keeps each edge's own length") {
 }
 
 TEST_CASE("A handle that jumps onto its neighbour does not break the solve") {
-    Editor editor(samples::patch(8, 8));
+    Editor editor = li2022_editor(samples::patch(8, 8));
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 27});
     handles[1].target = editor.net().rest_positions().col(28);
     editor.set_handles(handles);
@@ -242,7 +249,7 @@ TEST_CASE("A handle that jumps onto its neighbour does not break the solve") {
 }
 
 TEST_CASE("A net whose every vertex is a handle, and one without handles, end at once") {
-    Editor all(samples::cube());
+    Editor all = li2022_editor(samples::cube());
     all.set_handles(samples::handles_at_rest(all.net(), {0, 1, 2, 3, 4, 5, 6, 7}));
     CHECK(all.solve().status == Status::converged);
     std::vector<Handle> handles = all.handles();
@@ -251,7 +258,7 @@ TEST_CASE("A net whose every vertex is a handle, and one without handles, end at
     all.set_handles(handles);
     CHECK(all.solve().status == Status::unreachable);
 
-    Editor none(samples::cube());
+    Editor none = li2022_editor(samples::cube());
     const SolveReport report = none.solve();
     CHECK(report.status == Status::converged);
     CHECK(report.iterations == 0);
