@@ -10,9 +10,9 @@ namespace chebnet {
 namespace {
 
 // Near the solution the error is cubed by each step, so that these are plenty, and after a step below the tolerance
-// (radians) only rounding is left.
+// (radians) hardly more than rounding is left.
 constexpr int k_max_steps = 8;
-constexpr double k_last_step = 1e-5;
+constexpr double k_last_step = 1e-3;
 
 /// Two cells side by side: whatever follows is done for both at once.
 using Pair = dense::Vector<double>;

@@ -1,0 +1,101 @@
+/// The frame loop of a drag allocates nothing. A program of its own, because it counts every allocation there is by
+/// standing in for the C library's malloc, which sanitizers do too.
+
+#include <dlfcn.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "net/measures.h"
+#include "shapes/shapes.h"
+#include "solve/method.h"
+
+namespace {
+
+std::atomic<long> g_allocations = 0;
+
+template <typename Function>
+Function next_in_line(const char* name) {
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" void* malloc(std::size_t size) {
+    static const auto real = next_in_line<void* (*)(std::size_t)>("malloc");
+    ++g_allocations;
+    return real(size);
+}
+
+extern "C" void* realloc(void* block, std::size_t size) {
+    static const auto real = next_in_line<void* (*)(void*, std::size_t)>("realloc");
+    ++g_allocations;
+    return real(block, size);
+}
+
+extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    static const auto real = next_in_line<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
+    ++g_allocations;
+    return real(alignment, size);
+}
+
+using namespace chebnet;
+
+namespace {
+
+struct Frames {
+    long allocations = 0;
+    int iterations = 0, stages_seen = 0;
+    bool converged = true;
+};
+
+/// Drags the last of a shape's handles to and fro on a circle that ends where it began.
+Frames drag(Method& method, const Shape& shape, Positions& positions, int count) {
+    Frames frames;
+    const int dragged = shape.suggested_handles.back();
+    const Eigen::Vector3d rest = shape.net.rest_positions().col(dragged);
+    const double radius = 3 * shape.net.mean_length();
+    const long before = g_allocations;
+    for (int frame = 1; frame <= count; ++frame) {
+        const double angle = 6.283185307179586 * frame / count;
+        positions.col(dragged) = rest + radius * Eigen::Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
+        Status status = method.start(positions, Options{}, true);
+        for (int k = 0; k < 200 && status == Status::running; ++k) {
+            TraceRow row;
+            status = method.iterate(positions, row);
+            ++frames.iterations;
+            frames.stages_seen |= 1 << row.stage;
+        }
+        frames.converged = frames.converged && status == Status::converged;
+    }
+    frames.allocations = g_allocations - before;
+    return frames;
+}
+
+int failures = 0;
+void check(bool holds, const std::string& what) {
+    std::cout << (holds ? "ok    " : "FAILED  ") << what << "\n";
+    failures += holds ? 0 : 1;
+}
+
+}  // namespace
+
+int main() {
+    const Shape shape = make_shape("elephant:vertices=2000");
+    const Topology topology(shape.net);
+    const std::unique_ptr<Method> method = make_method("projection");
+    method->prepare(shape.net, topology, shape.suggested_handles);
+    Positions positions = shape.net.rest_positions();
+
+    const Frames first = drag(*method, shape, positions, 20);
+    check(first.allocations > 0, "the count sees that the first drag makes room for itself");
+    const Frames again = drag(*method, shape, positions, 40);
+    check(again.converged, "every frame of the second drag converges");
+    check(again.stages_seen == 0b1110, "it goes through stages 1, 2 and 3");
+    check(again.allocations == 0, "its " + std::to_string(again.iterations) + " iterations allocate nothing (counted " +
+                                      std::to_string(again.allocations) + ")");
+    return failures == 0 ? 0 : 1;
+}
