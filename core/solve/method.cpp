@@ -6,6 +6,7 @@
 #include "solve/arap.h"
 #include "solve/composite_majorization.h"
 #include "solve/dp.h"
+#include "solve/gauss_newton.h"
 #include "solve/gradient_descent.h"
 #include "solve/lbfgs.h"
 #include "solve/li2022.h"
@@ -36,6 +37,8 @@ constexpr MethodInfo k_methods[] = {
      "Teran, Sifakis, Irving, Fedkiw: Robust Quasistatic Finite Elements and Flesh Simulation. Symposium on Computer "
      "Animation 2005",
      make_projected_newton},
+    {"gauss_newton", "Edges as springs, with steps of Gauss and Newton in a slightly smooth metric: few and costly.",
+     "Nocedal, Wright: Numerical Optimization, second edition. Springer 2006, section 10.3", make_gauss_newton},
     {"dp4", "The energy |r - 1|^p with the paper's stages and p = 4 at the end.", k_li2022, make_dp4},
     {"dp8", "The energy |r - 1|^p with the paper's stages and p = 8 at the end.", k_li2022, make_dp8},
     {"arap", "As rigid as possible: the edges at each vertex turn together from rest; keeps shapes, not lengths.",

@@ -7,9 +7,9 @@
 #include "net/measures.h"
 #include "solve/arap.h"
 #include "solve/degenerate_edges.h"
+#include "solve/gauss_newton.h"
 #include "solve/laplacian_part.h"
 #include "solve/length_projection.h"
-#include "solve/li2022.h"
 #include "solve/spring_descent.h"
 #include "solve/stopping.h"
 #include "solve/stopwatch.h"
@@ -24,12 +24,12 @@ constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
 // Part of its way to the rigid shape that the net goes in each of them. Without it, the shear and the small folds that
 // a drag has left on its way would stay for ever.
 constexpr double k_forgetting = 0.05;
-// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. If it then
-// fails, springs go on for another round, to a part of this max dL.
+// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. Each time
+// that it fails, the next round makes the net smooth to a part of this max dL; first by springs, then by stage 4.
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.1;
 constexpr int k_most_spring_iterations = 60;
-constexpr int k_most_rounds = 4;
+constexpr int k_spring_rounds = 2;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;
 
@@ -40,13 +40,15 @@ public:
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:
-    enum Stage { rigid = 1, springs = 2, exact = 3, paper = 4 };
+    enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
     int rigid_iterations(const Positions& positions) const;
     void take_over_shape(const Positions& positions);
     void enter(Stage stage, Positions& positions);
     Status move_rigidly(Positions& positions, TraceRow& row);
     Status relax_springs(Positions& positions, TraceRow& row);
+    Status relax_by_newton(Positions& positions, TraceRow& row);
+    bool is_near() const;
     Status project(Positions& positions, TraceRow& row);
     bool measure(const Positions& positions);
     void give_up_projecting(Positions& positions);
@@ -59,20 +61,20 @@ private:
     std::unique_ptr<ArapStep> m_arap;
     std::unique_ptr<SpringDescent> m_springs;
     std::unique_ptr<LengthProjection> m_lengths;  // for the net, whatever the handles
-    std::unique_ptr<Method> m_paper;
-    bool m_paper_prepared = false;
+    std::unique_ptr<Method> m_newton;
+    bool m_newton_prepared = false;
 
     Options m_options;
     bool m_reachable = true;
     Stage m_stage = rigid;
     int m_left = 0;  // iterations of the stage at most
     double m_max_deviation = 0;
-    int m_round = 0;    // of stages 2 and 3
+    int m_round = 0;    // of making the net smooth and projecting it
     double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
     Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
     Positions m_result;  // where the method last left the net
-    Positions m_smooth;  // the end of stage 2
+    Positions m_smooth;  // where stage 3 began
     double m_smooth_deviation = 0;
 };
 
@@ -86,8 +88,8 @@ void Projection::prepare(const Net& net, const Topology& topology, std::span<con
     m_arap = std::make_unique<ArapStep>(*m_part);
     m_springs = std::make_unique<SpringDescent>(*m_part);
     if (m_lengths) m_lengths->set_free(m_is_free);
-    m_paper = make_li2022();
-    m_paper_prepared = false;
+    m_newton = make_gauss_newton();
+    m_newton_prepared = false;
     m_shape.resize(3, 0);
 }
 
@@ -146,10 +148,10 @@ void Projection::enter(Stage stage, Positions& positions) {
                 m_lengths->set_free(m_is_free);
             }
             break;
-        case paper:
-            if (!m_paper_prepared) m_paper->prepare(*m_net, *m_topology, m_handles);
-            m_paper_prepared = true;
-            m_paper->start(positions, m_options, m_reachable);
+        case newton:
+            if (!m_newton_prepared) m_newton->prepare(*m_net, *m_topology, m_handles);
+            m_newton_prepared = true;
+            m_newton->start(positions, m_options, m_reachable);
             break;
     }
 }
@@ -157,8 +159,8 @@ void Projection::enter(Stage stage, Positions& positions) {
 Status Projection::iterate(Positions& positions, TraceRow& row) {
     Status status = Status::running;
     const Stage stage = m_stage;
-    if (stage == paper) {
-        status = m_paper->iterate(positions, row);
+    if (stage == newton) {
+        status = relax_by_newton(positions, row);
     } else {
         Stopwatch watch;
         row.free_vertices = m_part->part().size();
@@ -197,10 +199,19 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
     if (measure(positions)) return Status::converged;
     const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
     if (!m_reachable) return settled ? Status::unreachable : Status::running;
-    const double near = k_projection_deviation * std::pow(k_round_part, m_round);
-    if (--m_left == 0 || settled || m_max_deviation < near) enter(exact, positions);
+    if (--m_left == 0 || settled || is_near()) enter(exact, positions);
     return Status::running;
 }
+
+Status Projection::relax_by_newton(Positions& positions, TraceRow& row) {
+    const Status status = m_newton->iterate(positions, row);
+    m_max_deviation = row.max_deviation;
+    if (status == Status::running && is_near()) enter(exact, positions);
+    return status;
+}
+
+/// Whether projection may take over.
+bool Projection::is_near() const { return m_max_deviation < k_projection_deviation * std::pow(k_round_part, m_round); }
 
 Status Projection::project(Positions& positions, TraceRow& row) {
     const bool solved = m_lengths->project(positions);
@@ -227,7 +238,7 @@ bool Projection::measure(const Positions& positions) {
 void Projection::give_up_projecting(Positions& positions) {
     positions = m_smooth;
     m_max_deviation = m_smooth_deviation;
-    enter(++m_round < k_most_rounds ? springs : paper, positions);
+    enter(++m_round < k_spring_rounds ? springs : newton, positions);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ std::unique_ptr<EdgeEnergy> make_energy(double p, const Options&) {
 }
 
 /// For StagedDescent: no third stage. Where an iteration costs O(E) in any case, fewer variables gain nothing, and a
-/// history of other variables is lost.
+/// history of other variables is lost; where few iterations are needed, another factorisation's symbolic work is.
 inline void keep_all_vertices(Options& options) { options.adaptive_reduction = false; }
 
 }  // namespace chebnet

@@ -176,3 +176,17 @@ TEST_CASE("A net without handles finds its lengths") {
     CHECK(editor.solve().status == Status::converged);
     CHECK(editor.positions().cwiseAbs().maxCoeff() < 20);
 }
+
+TEST_CASE("Gauss-Newton needs a small part of the paper's iterations") {
+    const auto iterations = [](std::string_view method) {
+        Editor editor(samples::patch(20, 18));
+        std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 19, 340, 359});
+        handles.back().target += Eigen::Vector3d(-1.5, -1.0, 3);
+        editor.set_handles(handles);
+        editor.set_method(method);
+        const SolveReport report = editor.solve();
+        REQUIRE(report.status == Status::converged);
+        return report.iterations;
+    };
+    CHECK(2 * iterations("gauss_newton") < iterations("li2022"));
+}

@@ -3,9 +3,11 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
 
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "shapes/shapes.h"
 #include "solve/length_projection.h"
 #include "solve/local_global.h"
 #include "solve/spring_descent.h"
@@ -156,6 +158,21 @@ TEST_CASE("Somebody else moving the net does not make the projection method jump
     editor.set_positions(shaped);
     CHECK(editor.solve().iterations == 0);
     CHECK(editor.positions() == shaped);
+}
+
+TEST_CASE("Where projecting fails, the method becomes smoother first and ends with Gauss-Newton") {
+    // A staircase pulled up: flat parts between folds, whose lengths hardly any small move can change.
+    Shape shape = make_shape("steps:vertices=300");
+    Editor editor(std::move(shape.net));
+    editor.set_method("projection");
+    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), shape.suggested_handles);
+    handles.back().target += Eigen::Vector3d(0, 0, 2.5 * editor.net().mean_length());
+    editor.set_handles(handles);
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    std::set<int> stages;
+    for (const TraceRow& row : report.trace) stages.insert(row.stage);
+    CHECK(stages == std::set{1, 2, 3, 4});
 }
 
 TEST_CASE("Out of reach, the projection method says so and stays finite") {

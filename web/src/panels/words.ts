@@ -77,6 +77,7 @@ export function title(name: string): string {
 const METHODS: Record<string, string> = {
   li2022: 'Li et al. 2022',
   projected_newton: 'Projected Newton',
+  gauss_newton: 'Gauss–Newton',
   dp4: 'D^p, p = 4',
   dp8: 'D^p, p = 8',
   arap: 'ARAP',
