@@ -1,24 +1,20 @@
-// The core, seen from JavaScript. Everything here only translates: numbers, text and flat arrays cross by copy, an
-// exception becomes a JavaScript Error with a `code`. wasm/chebnet.js gives it the shape of wasm/chebnet.d.ts.
-
-#include <emscripten/bind.h>
-#include <emscripten/val.h>
+// The editor and its tables, seen from JavaScript. wasm/chebnet.js gives them the shape of wasm/chebnet.d.ts.
 
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "border.h"
 #include "edit/editor.h"
+#include "io/mesh_file.h"
 #include "io/obj.h"
-#include "net/error.h"
+#include "mesh_border.h"
 #include "net/measures.h"
 #include "shapes/shapes.h"
 #include "solve/initialisation.h"
 #include "solve/method.h"
 #include "solve/options.h"
-
-using emscripten::val;
 
 namespace chebnet {
 namespace {
@@ -28,47 +24,6 @@ struct Session {
     Editor editor;
     std::vector<int> suggested_handles;
 };
-
-// ---------------------------------------------------------------------------------------------- crossing the border
-
-/// A copy on the JavaScript side: a view would be cut off when the memory grows.
-template <typename T>
-val copy_out(const T* data, std::size_t size) {
-    return val(emscripten::typed_memory_view(size, data)).template call<val>("slice");
-}
-
-template <typename Container>
-val copy_out(const Container& container) {
-    return copy_out(container.data(), static_cast<std::size_t>(container.size()));
-}
-
-[[noreturn]] void throw_to_javascript(const char* code, const char* message) {
-    val error = val::global("Error").new_(std::string(message));
-    error.set("code", std::string(code));
-    error.throw_();
-}
-
-/// `guarded<&f>` is f with its C++ exceptions turned into JavaScript ones.
-template <auto function>
-struct Guard;
-
-template <typename Result, typename... Arguments, Result (*function)(Arguments...)>
-struct Guard<function> {
-    static Result call(Arguments... arguments) {
-        try {
-            return function(std::forward<Arguments>(arguments)...);
-        } catch (const Error& error) {
-            throw_to_javascript(to_string(error.code()), error.what());
-        } catch (const std::bad_alloc&) {
-            throw_to_javascript("internal", "there is not enough memory for this");
-        } catch (const std::exception& error) {
-            throw_to_javascript("internal", error.what());
-        }
-    }
-};
-
-template <auto function>
-constexpr auto guarded = &Guard<function>::call;
 
 // ------------------------------------------------------------------------------------------------------------ tables
 
@@ -144,10 +99,16 @@ Session* open_recipe(std::string recipe) {
     return new Session{Editor(std::move(shape.net)), std::move(shape.suggested_handles)};
 }
 
-Session* open_obj(std::string text, std::string name) {
-    Mesh mesh = read_obj(text, name);
-    return new Session{Editor(Net(std::move(mesh.positions), std::move(mesh.faces))), {}};
+Session* open(Mesh mesh, const std::string& rest_lengths) {
+    Net net(std::move(mesh.positions), std::move(mesh.faces), rest_lengths_named(rest_lengths));
+    return new Session{Editor(std::move(net)), {}};
 }
+
+Session* open_obj(std::string text, std::string name, std::string rest_lengths) {
+    return open(read_obj(text, name), rest_lengths);
+}
+
+Session* open_mesh(val mesh, std::string rest_lengths) { return open(mesh_in(mesh), rest_lengths); }
 
 // ----------------------------------------------------------------------------------------------------------- the net
 
@@ -182,6 +143,7 @@ val edges(const Session& session) { return copy_out(session.editor.net().edges()
 val face_start(const Session& session) { return copy_out(session.editor.net().faces().start); }
 val face_vertices(const Session& session) { return copy_out(session.editor.net().faces().vertices); }
 val rest_positions(const Session& session) { return copy_out(session.editor.net().rest_positions()); }
+val rest_lengths(const Session& session) { return copy_out(session.editor.net().rest_lengths()); }
 val suggested_handles(const Session& session) { return copy_out(session.suggested_handles); }
 
 // --------------------------------------------------------------------------------------------------- what is asked for
@@ -299,6 +261,11 @@ std::string to_obj(const Session& session, int digits) {
     return write_obj(session.editor.positions(), session.editor.net().faces(), digits);
 }
 
+val to_file(const Session& session, std::string format) {
+    const Editor& editor = session.editor;
+    return bytes_out(write_mesh(editor.positions(), editor.net().faces(), file_format_named(format)));
+}
+
 EMSCRIPTEN_BINDINGS(chebnet) {
     emscripten::function("shapes", guarded<&shapes>);
     emscripten::function("methods", guarded<&methods>);
@@ -306,12 +273,14 @@ EMSCRIPTEN_BINDINGS(chebnet) {
     emscripten::function("defaultOptions", guarded<&default_options>);
     emscripten::function("openRecipe", guarded<&open_recipe>, emscripten::allow_raw_pointers());
     emscripten::function("openObj", guarded<&open_obj>, emscripten::allow_raw_pointers());
+    emscripten::function("openMesh", guarded<&open_mesh>, emscripten::allow_raw_pointers());
     emscripten::class_<Session>("Session")
         .function("info", guarded<&info>)
         .function("edges", guarded<&edges>)
         .function("faceStart", guarded<&face_start>)
         .function("faceVertices", guarded<&face_vertices>)
         .function("restPositions", guarded<&rest_positions>)
+        .function("restLengths", guarded<&rest_lengths>)
         .function("suggestedHandles", guarded<&suggested_handles>)
         .function("method", guarded<&method>)
         .function("setMethod", guarded<&set_method>)
@@ -333,7 +302,8 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("smallestAngle", guarded<&smallest_angle>)
         .function("handleError", guarded<&handle_error>)
         .function("unreachablePairs", guarded<&unreachable_pairs>)
-        .function("toObj", guarded<&to_obj>);
+        .function("toObj", guarded<&to_obj>)
+        .function("toFile", guarded<&to_file>);
 }
 
 }  // namespace

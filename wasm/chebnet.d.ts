@@ -104,6 +104,51 @@ export interface SolveReport {
   trace: TraceRow[];
 }
 
+/** How a net is written; `ply` is binary, `stl` has triangles without shared vertices and floats. All others keep faces,
+ *  order and every bit of a coordinate. */
+export type FileFormat = 'obj' | 'ply' | 'ply_text' | 'off' | 'stl';
+
+/** Which length each edge is to keep: its own, the mean of all, or, `automatic`, the mean if all are as good as equal. */
+export type RestLengths = 'automatic' | 'equal' | 'own';
+
+/** Vertices and faces as a file gives them, sound or not. */
+export interface Mesh {
+  /** 3 numbers a vertex. */
+  positions: Float64Array;
+  /** Face f is `faceVertices[faceStart[f]] … faceVertices[faceStart[f + 1] - 1]`. */
+  faceStart: Int32Array;
+  faceVertices: Int32Array;
+}
+
+/** What can be wrong with a mesh; see core/net/repair.h. */
+export type Defect =
+  | 'duplicate_vertices'
+  | 'degenerate_faces'
+  | 'duplicate_faces'
+  | 'non_manifold_edges'
+  | 'inconsistent_winding'
+  | 'unused_vertices';
+
+/** One kind of defect that was found. */
+export interface Finding {
+  defect: Defect;
+  repaired: boolean;
+  /** How many vertices or faces, at least 1. */
+  count: number;
+  /** The first few of them, as the mesh that was given numbers them, from 0. */
+  examples: number[];
+  /** The same for a person, e.g. "2 vertices at the place of an earlier one, merged: 4, 7". */
+  sentence: string;
+}
+
+export interface RepairedMesh {
+  mesh: Mesh;
+  /** For each vertex that was given where it is now, -1 if it was dropped. */
+  newVertex: Int32Array;
+  /** Empty if nothing was found. */
+  findings: Finding[];
+}
+
 /** How much one call of `solve` may do; without a field, no limit. */
 export interface Budget {
   iterations?: number;
@@ -119,6 +164,8 @@ export interface Editor {
   readonly faceStart: Int32Array;
   readonly faceVertices: Int32Array;
   readonly restPositions: Float64Array;
+  /** The length each edge is to keep. */
+  readonly restLengths: Float64Array;
   /** For a net made from a recipe: vertices that make a good first edit, the last the one to drag. Empty otherwise. */
   readonly suggestedHandles: Int32Array;
 
@@ -156,6 +203,8 @@ export interface Editor {
 
   /** The present positions as OBJ text; 17 digits return every coordinate exactly. */
   toObj(digits?: number): string;
+  /** The present positions as the bytes of a file. */
+  toFile(format: FileFormat): Uint8Array<ArrayBuffer>;
   /** Frees the memory on the other side; the editor must not be used again. */
   dispose(): void;
 }
@@ -166,8 +215,18 @@ export interface Chebnet {
   initialisations(): InitialisationInfo[];
   options(): OptionInfo[];
   openRecipe(recipe: string): Editor;
-  /** `name` is what messages call the text. */
-  openObj(text: string, name?: string): Editor;
+  /** `name` is what messages call the text; `restLengths` are `automatic` unless said otherwise. */
+  openObj(text: string, name?: string, restLengths?: RestLengths): Editor;
+  openMesh(mesh: Mesh, restLengths?: RestLengths): Editor;
+
+  /** Reads the bytes of an OBJ, PLY (text, or binary in either byte order) or OFF file. What they begin with decides
+   *  between these before the extension of `name` does, by which messages call the file. */
+  readMesh(bytes: Uint8Array, name: string): Mesh;
+  /** Everything that `repairMesh` looks for, in this order. */
+  defects(): Defect[];
+  /** Looks for every defect and repairs those `chosen`, all unless said otherwise. Vertices closer than `mergeTolerance`
+   *  times the mean edge length count as duplicates. What is given stays as it is. */
+  repairMesh(mesh: Mesh, chosen?: readonly Defect[], mergeTolerance?: number): RepairedMesh;
 }
 
 /** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */

@@ -1,9 +1,9 @@
-// Gives the module built from wasm/bindings.cpp the shape of chebnet.d.ts, and refuses what C++ would misread: there,
+// Gives the module built from wasm/*.cpp the shape of chebnet.d.ts, and refuses what C++ would misread: there,
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 import createCore from '../build/wasm/chebnet_core.js';
 
 /**
- * @import { Budget, Chebnet, Editor, Handle, SolveReport, TraceRow } from './chebnet'
+ * @import { Budget, Chebnet, Defect, Editor, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
  * @import { Core, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -85,6 +85,39 @@ function traceRows(flat) {
   return rows;
 }
 
+/** @param {unknown} value @returns {Uint8Array} */
+function bytes(value) {
+  if (!(value instanceof Uint8Array)) throw failure('bad_syntax', `the bytes of a file must be a Uint8Array, not ${shown(value)}`);
+  return value;
+}
+
+/** Refuses what C++ could not walk through; which vertices a face names is for the core to judge. @param {Mesh} value */
+function mesh(value) {
+  const { positions, faceStart, faceVertices } = value ?? {};
+  if (!(positions instanceof Float64Array) || positions.length % 3 !== 0) {
+    throw failure('bad_syntax', 'the positions of a mesh must be a Float64Array of 3 numbers a vertex');
+  }
+  if (!(faceStart instanceof Int32Array) || !(faceVertices instanceof Int32Array)) {
+    throw failure('bad_syntax', 'the faces of a mesh must be two Int32Arrays, faceStart and faceVertices');
+  }
+  const ascends = faceStart.every((start, f) => start >= (faceStart[f - 1] ?? 0));
+  if (faceStart[0] !== 0 || !ascends || faceStart.at(-1) !== faceVertices.length) {
+    throw failure('bad_syntax', 'faceStart of a mesh must ascend from 0 to the length of faceVertices');
+  }
+  return value;
+}
+
+/** @param {RestLengths} value */
+function restLengths(value) {
+  return text(value, 'the choice of rest lengths', 'bad_option');
+}
+
+/** @param {readonly Defect[]} value */
+function defects(value) {
+  if (!Array.isArray(value)) throw failure('bad_option', `the defects to repair must be an array, not ${shown(value)}`);
+  return value.map((defect) => text(defect, 'a defect', 'bad_option'));
+}
+
 /** @implements {Editor} */
 class WasmEditor {
   /** @type {Session | null} */
@@ -98,6 +131,7 @@ class WasmEditor {
     this.faceStart = session.faceStart();
     this.faceVertices = session.faceVertices();
     this.restPositions = session.restPositions();
+    this.restLengths = session.restLengths();
     this.suggestedHandles = session.suggestedHandles();
   }
 
@@ -212,6 +246,11 @@ class WasmEditor {
     return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
   }
 
+  /** @param {FileFormat} format */
+  toFile(format) {
+    return this.#open.toFile(text(format, 'a format', 'bad_option'));
+  }
+
   dispose() {
     this.#session?.delete();
     this.#session = null;
@@ -226,8 +265,19 @@ function facade(core) {
     initialisations: () => core.initialisations(),
     options: () => core.defaultOptions(),
     openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
-    openObj: (obj, name = 'OBJ') =>
-      new WasmEditor(core.openObj(text(obj, 'an OBJ', 'bad_syntax'), text(name, 'the name of an OBJ', 'bad_syntax'))),
+    openObj: (obj, name = 'OBJ', lengths = 'automatic') =>
+      new WasmEditor(
+        core.openObj(text(obj, 'an OBJ', 'bad_syntax'), text(name, 'the name of an OBJ', 'bad_syntax'), restLengths(lengths)),
+      ),
+    openMesh: (given, lengths = 'automatic') => new WasmEditor(core.openMesh(mesh(given), restLengths(lengths))),
+    readMesh: (file, name) => core.readMesh(bytes(file), text(name, 'the name of a file', 'bad_syntax')),
+    defects: () => core.defects(),
+    repairMesh: (given, chosen = core.defects(), mergeTolerance = core.mergeTolerance) => {
+      if (typeof mergeTolerance !== 'number') {
+        throw failure('bad_option', `the tolerance for merging vertices must be a number, not ${shown(mergeTolerance)}`);
+      }
+      return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
+    },
   };
 }
 

@@ -1,5 +1,16 @@
-/** What wasm/bindings.cpp gives to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
-import type { InitialisationInfo, MethodInfo, NetInfo, OptionInfo, ShapeInfo, Status, UnreachablePair } from '../../wasm/chebnet';
+/** What wasm/bindings.cpp and wasm/mesh_border.cpp give to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
+import type {
+  Defect,
+  InitialisationInfo,
+  Mesh,
+  MethodInfo,
+  NetInfo,
+  OptionInfo,
+  RepairedMesh,
+  ShapeInfo,
+  Status,
+  UnreachablePair,
+} from '../../wasm/chebnet';
 
 export interface CoreReport {
   status: Status;
@@ -17,6 +28,7 @@ export interface Session {
   faceStart(): Int32Array;
   faceVertices(): Int32Array;
   restPositions(): Float64Array;
+  restLengths(): Float64Array;
   suggestedHandles(): Int32Array;
   method(): string;
   setMethod(name: string): void;
@@ -39,6 +51,7 @@ export interface Session {
   handleError(): number;
   unreachablePairs(): UnreachablePair[];
   toObj(digits: number): string;
+  toFile(format: string): Uint8Array<ArrayBuffer>;
   delete(): void;
 }
 
@@ -48,7 +61,12 @@ export interface Core {
   initialisations(): InitialisationInfo[];
   defaultOptions(): OptionInfo[];
   openRecipe(recipe: string): Session;
-  openObj(text: string, name: string): Session;
+  openObj(text: string, name: string, restLengths: string): Session;
+  openMesh(mesh: Mesh, restLengths: string): Session;
+  readMesh(bytes: Uint8Array, name: string): Mesh;
+  repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
+  defects(): Defect[];
+  readonly mergeTolerance: number;
 }
 
 export default function createCore(settings: {

@@ -20,5 +20,6 @@ Command add_make(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_drag(CLI::App& program);
+Command add_equalize(CLI::App& program);
 
 }  // namespace chebnet

@@ -11,14 +11,6 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-Json unreachable_report(const std::vector<UnreachablePair>& pairs) {
-    Json list = Json::array();
-    for (const UnreachablePair& pair : pairs)
-        list.push_back(
-            {{"vertices", {pair.vertex_a, pair.vertex_b}}, {"distance", pair.distance}, {"reach", pair.reach}});
-    return list;
-}
-
 }  // namespace
 
 Json shape_report(const Editor& editor) {
@@ -29,6 +21,14 @@ Json shape_report(const Editor& editor) {
             {"smallest_corner_angle_degrees", degrees(angles.smallest)},
             {"largest_corner_angle_degrees", degrees(angles.largest)},
             {"unreachable_pairs", unreachable_report(editor.unreachable_pairs())}};
+}
+
+Json unreachable_report(const std::vector<UnreachablePair>& pairs) {
+    Json list = Json::array();
+    for (const UnreachablePair& pair : pairs)
+        list.push_back(
+            {{"vertices", {pair.vertex_a, pair.vertex_b}}, {"distance", pair.distance}, {"reach", pair.reach}});
+    return list;
 }
 
 void print(const Json& report) {

@@ -12,6 +12,9 @@ using Json = nlohmann::ordered_json;
 /// How the net stands now: max dL, handle error, bend, corner angles, and handle pairs that are out of reach.
 Json shape_report(const Editor& editor);
 
+/// Handle pairs that are out of reach, as a list.
+Json unreachable_report(const std::vector<UnreachablePair>& pairs);
+
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
 void print(const Json& report);
 

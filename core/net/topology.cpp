@@ -71,24 +71,19 @@ std::vector<std::vector<int>> Topology::boundary_loops() const {
     return loops;
 }
 
-int Topology::component_count() const {
+std::vector<std::vector<int>> Topology::components() const {
     std::vector<bool> seen(static_cast<std::size_t>(m_net.vertex_count()), false);
-    int components = 0;
-    std::vector<int> stack;
+    std::vector<std::vector<int>> components;
     for (int root = 0; root < m_net.vertex_count(); ++root) {
         if (seen[root]) continue;
-        ++components;
         seen[root] = true;
-        stack.push_back(root);
-        while (!stack.empty()) {
-            const int v = stack.back();
-            stack.pop_back();
-            for (int n : neighbours(v))
+        std::vector<int>& reached = components.emplace_back(1, root);
+        for (std::size_t i = 0; i < reached.size(); ++i)
+            for (int n : neighbours(reached[i]))
                 if (!seen[n]) {
                     seen[n] = true;
-                    stack.push_back(n);
+                    reached.push_back(n);
                 }
-        }
     }
     return components;
 }

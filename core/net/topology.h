@@ -24,8 +24,9 @@ public:
     /// Closed walks along the boundary edges, each a list of vertices without repetition of the first. A vertex where
     /// several boundary loops touch appears in each of them.
     std::vector<std::vector<int>> boundary_loops() const;
-    /// Number of pieces that no edge joins.
-    int component_count() const;
+    /// The pieces that no edge joins, each a list of its vertices.
+    std::vector<std::vector<int>> components() const;
+    int component_count() const { return static_cast<int>(components().size()); }
     /// Inner vertices of a valence other than 4 (Li et al. 2022, section 2): valence → how many.
     std::map<int, int> singular_vertices() const;
 

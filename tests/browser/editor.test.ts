@@ -204,6 +204,7 @@ describe('on a vault', () => {
     const chooser = visit.page.waitForEvent('filechooser');
     await visit.page.getByRole('button', { name: /open/i }).first().click();
     await (await chooser).setFiles(file);
+    await visit.page.getByRole('button', { name: 'Open', exact: true }).click();
     await visit.page.waitForFunction(
       (count) => window.chebnet.stats().vertices === count,
       reference.info.vertices,

@@ -6,6 +6,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy } from './geometry';
 import { OUTPUT, Script, launch, newPage, serve } from './page';
+import { mainThreadTasks } from './tasks';
 
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serve>>;
@@ -17,34 +18,6 @@ afterAll(async () => {
   await browser.close();
   site.close();
 });
-
-/** As Chromium traces them: `dur` counts µs by the clock, `tdur` µs of processor time. */
-interface TraceEvent {
-  name: string;
-  pid: number;
-  tid: number;
-  dur?: number;
-  tdur?: number;
-  args?: { name?: string };
-}
-
-/** The tasks of the page's main thread while `doing` goes on, ms. Here the software renderer draws on the processor that
- *  the page runs on, and others may use it too: by the clock a task waits for them, so its own time counts. */
-async function mainThreadTasks(doing: () => Promise<void>): Promise<{ own: number[]; clock: number[]; unmeasured: number }> {
-  await browser.startTracing(undefined, { categories: ['__metadata', 'disabled-by-default-devtools.timeline'] });
-  await doing();
-  const { traceEvents } = JSON.parse(String(await browser.stopTracing())) as { traceEvents: TraceEvent[] };
-  const isMain = ({ name, args }: TraceEvent) => name === 'thread_name' && args?.name === 'CrRendererMain';
-  const mainThreads = new Set(traceEvents.filter(isMain).map(({ pid, tid }) => `${pid} ${tid}`));
-  const tasks = traceEvents.filter(({ name, pid, tid }) => name === 'RunTask' && mainThreads.has(`${pid} ${tid}`));
-  // A task under way when tracing begins or ends lacks one time or both.
-  const whole = tasks.flatMap(({ dur, tdur }) => (dur === undefined || tdur === undefined ? [] : [{ dur, tdur }]));
-  return {
-    own: whole.map(({ tdur }) => tdur / 1000),
-    clock: whole.map(({ dur }) => dur / 1000),
-    unmeasured: tasks.length - whole.length,
-  };
-}
 
 function median(values: number[]): number {
   return values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? NaN;
@@ -68,7 +41,7 @@ test.each(['vault:vertices=4000', 'vault:vertices=15000'])('%s', async (recipe) 
     framesPerSecond.push(stats.framesPerSecond);
     solverMs.push(stats.milliseconds);
   };
-  const { own, clock, unmeasured } = await mainThreadTasks(async () => {
+  const { own, clock, unmeasured } = await mainThreadTasks(browser, async () => {
     for (const [dx, dy] of [[-40, -30], [40, 30], [-30, 20], [30, -20]] as const) {
       await dragBy(script, dragged, [dx, dy], { during });
     }

@@ -59,6 +59,12 @@ double max_deviation_of_file(const Sandbox& box, const std::string& name) {
     return max_deviation(make_shape(k_recipe).net, read_obj(box.read(name), name).positions);
 }
 
+/// A quad mesh whose edges differ in length.
+void write_stretched_vault(const Sandbox& box, const std::string& name) {
+    const Net net = make_shape(k_recipe).net;
+    box.write(name, write_obj(Eigen::Vector3d(1, 2, 3).asDiagonal() * net.rest_positions(), net.faces()));
+}
+
 void check_shape_report(const json& report) {
     for (const char* key : {"max_dL", "max_handle_error", "bend"}) CHECK(report.at(key).is_number());
     CHECK(report.at("unreachable_pairs").is_array());
@@ -78,8 +84,8 @@ void check_refused(const Run& run, const std::string& what) {
 
 TEST_CASE("help and version answer on standard output") {
     const Sandbox box;
-    for (const char* arguments :
-         {"--help", "info --help", "make --help", "convert --help", "solve --help", "drag --help", "--version"}) {
+    for (const char* arguments : {"--help", "info --help", "make --help", "convert --help", "solve --help",
+                                  "drag --help", "equalize --help", "--version"}) {
         const Run run = box.run(arguments);
         INFO(arguments);
         CHECK(run.exit_code == 0);
@@ -251,6 +257,78 @@ TEST_CASE("a drag with a frame that does not converge ends with 1") {
     const Run run = box.run("drag " + k_recipe + " --edit pull.json --frames 2 --max-iterations 1");
     CHECK(run.exit_code == 1);
     CHECK(run.json().at("frames").size() == 2);
+}
+
+TEST_CASE("equalize gives all edges one length, reports and writes") {
+    const Sandbox box;
+    write_stretched_vault(box, "raw.obj");
+    const Run run = box.run("equalize raw.obj -o net.ply");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    const json report = run.json();
+    CHECK(report.at("net") == "raw.obj");
+    CHECK(report.at("status") == "converged");
+    CHECK(report.at("max_dL") < 1e-9);
+    CHECK(report.at("iterations") > 0);
+    CHECK(report.at("milliseconds") > 0);
+    CHECK(report.at("mean_move_in_lengths") < report.at("max_move_in_lengths"));
+    CHECK(report.at("lengths_before").at("longest") > 1.3);
+    CHECK(report.at("lengths_after").at("longest") < 1.0001);
+    CHECK(report.at("lengths_after").at("shortest") > 0.9999);
+    CHECK(report.at("lengths_after").at("standard_deviation") < 1e-4);
+    CHECK(report.at("worst_edges").empty());
+    CHECK(report.at("unreachable_pairs").empty());
+
+    const json info = box.run("info net.ply").json();
+    CHECK(info.at("chebyshev") == true);
+    CHECK(info.at("max_dL") < 2e-9);
+    CHECK(info.at("mean_length").get<double>() == Approx(report.at("length").get<double>()));
+    CHECK(box.run("equalize net.ply -o again.ply").json().at("iterations") == 0);
+    CHECK(box.read("again.ply") == box.read("net.ply"));
+}
+
+TEST_CASE("equalize takes a length, and vertices to hold") {
+    const Sandbox box;
+    write_stretched_vault(box, "raw.obj");
+    const json mean = box.run("equalize raw.obj").json();
+    const json fit = box.run("equalize raw.obj --length fit").json();
+    CHECK(fit.at("length") == mean.at("fitting_length"));
+    CHECK(box.run("equalize raw.obj --length 0.5").json().at("length") == 0.5);
+
+    const Run held = box.run("equalize raw.obj --hold 0 200 -o held.obj");
+    CHECK(held.exit_code == 0);
+    const Positions before = read_obj(box.read("raw.obj"), "").positions;
+    const Positions after = read_obj(box.read("held.obj"), "").positions;
+    for (const int vertex : {0, 200}) CHECK(after.col(vertex) == before.col(vertex));
+}
+
+TEST_CASE("equalize says what stands in the way") {
+    const Sandbox box;
+    // Five vertices, all joined, on a Moebius strip: no five points have one distance from each other.
+    box.write("five.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n");
+    const Run five = box.run("equalize five.obj -o best.obj");
+    CHECK(five.exit_code == 1);
+    CHECK(five.err.empty());
+    CHECK(five.json().at("status") != "converged");
+    CHECK(five.json().at("max_dL") > 1e-3);
+    CHECK(five.json().at("worst_edges")[0].at("vertices").size() == 2);
+    CHECK(five.json().at("worst_edges")[0].at("length") > 0);
+    CHECK(box.has("best.obj"));
+
+    const Run far = box.run("equalize " + k_recipe + " --length 0.01 --hold 0 200");
+    CHECK(far.exit_code == 1);
+    CHECK(far.json().at("status") == "unreachable");
+    CHECK(far.json().at("unreachable_pairs")[0].at("vertices") == json{0, 200});
+
+    write_stretched_vault(box, "raw.obj");
+    check_refused(box.run("equalize raw.obj --length long"), "\"long\"");
+    check_refused(box.run("equalize raw.obj --length 0"), "length");
+    check_refused(box.run("equalize raw.obj --length fit --hold 3"), "handles");
+    check_refused(box.run("equalize raw.obj --hold 4000"), "4000");
+    check_refused(box.run("equalize raw.obj -o net.3dm"), "net.3dm");
+    box.write("loose.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\n");
+    check_refused(box.run("equalize loose.obj"), "--repair");
+    CHECK(box.run("equalize loose.obj --repair").exit_code == 0);
 }
 
 TEST_CASE("nets are read and written in every format, by extension") {

@@ -2,6 +2,7 @@
 import { DEFAULT_VIEW } from '../../web/src/document/defaults';
 import type { ChebnetDocument } from '../../web/src/document/document';
 import type { PackingNet } from '../../web/src/document/packing';
+import { edgeLengths } from '../../web/src/files/edge_lengths';
 
 /** A flat grid of unit squares, some of them cut into triangles. */
 export function grid(columns: number, rows: number, isCut: () => boolean = () => false): PackingNet {
@@ -17,10 +18,11 @@ export function grid(columns: number, rows: number, isCut: () => boolean = () =>
       faces.push(...(isCut() ? [[a, b, c], [a, c, d]] : [[a, b, c, d]]));
     }
   }
-  return { restPositions, ...incidence(faces) };
+  const found = incidence(faces);
+  return { restPositions, restLengths: edgeLengths(restPositions, found.edges), ...found };
 }
 
-function incidence(faces: number[][]): Omit<PackingNet, 'restPositions'> {
+function incidence(faces: number[][]): Omit<PackingNet, 'restPositions' | 'restLengths'> {
   const edges = new Map<string, number[]>();
   for (const face of faces) {
     face.forEach((a, k) => {

@@ -64,6 +64,7 @@ test('several components and vertices in any order', () => {
   const starts = Array.from(right.faceStart.subarray(1), (start) => start + left.faceVertices.length);
   const net: PackingNet = {
     restPositions: Float64Array.from([...left.restPositions, ...right.restPositions]),
+    restLengths: Float64Array.from([...left.restLengths, ...right.restLengths]),
     edges: Int32Array.from([...left.edges, ...right.edges.map((v) => v + shift)]),
     faceStart: Int32Array.from([...left.faceStart, ...starts]),
     faceVertices: Int32Array.from([...left.faceVertices, ...right.faceVertices.map((v) => v + shift)]),
@@ -98,5 +99,5 @@ describe('damage is refused', () => {
 });
 
 function scale(net: PackingNet, factor: number): void {
-  net.restPositions.forEach((x, i) => (net.restPositions[i] = factor * x));
+  for (const numbers of [net.restPositions, net.restLengths]) numbers.forEach((x, i) => (numbers[i] = factor * x));
 }

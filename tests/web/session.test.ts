@@ -4,6 +4,7 @@ import type { Chebnet, Editor } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { Scene, SolverOptions } from '../../web/src/document/document';
 import { packPositions } from '../../web/src/document/packing';
+import { edgeLengths } from '../../web/src/files/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
 import { Session } from '../../web/src/worker/session';
@@ -46,6 +47,12 @@ function at(positions: Float64Array, vertex: number): [number, number, number] {
   return [x, y, z];
 }
 
+/** Of the edges of a face. */
+function lengthsOf(positions: Float64Array, face: number[]): number[] {
+  const edges = face.flatMap((vertex, k) => [vertex, face[(k + 1) % face.length] ?? -1]);
+  return Array.from(edgeLengths(positions, Int32Array.from(edges)));
+}
+
 function ask(body: Body): number {
   session.handle({ id: ++lastId, ...body } as Request);
   return lastId;
@@ -76,6 +83,15 @@ function settled(): { id: number; frame: FrameData } {
   return last ?? expect.fail('not settled');
 }
 
+test('a frame says how far its numbers reach', () => {
+  open({ handles: [{ vertex: 0, target: null, anchor: true }, { vertex: dragged, target: away, anchor: false }] });
+  run();
+  const { deviations, deviationRange, cornerAngles, angleRange, maxDeviation } = settled().frame;
+  expect(deviationRange).toEqual([Math.min(...deviations), Math.max(...deviations)]);
+  expect(angleRange).toEqual([Math.min(...cornerAngles), Math.max(...cornerAngles)]);
+  expect(maxDeviation).toBe(deviationRange[1]);
+});
+
 test('says hello with the tables, to a page of the same version', () => {
   ask({ type: 'hello', version: PROTOCOL_VERSION });
   expect(said).toMatchObject([
@@ -92,11 +108,31 @@ test('says hello with the tables, to a page of the same version', () => {
 });
 
 describe('a scene', () => {
+  test('moves its arrays to the page, and keeps what it needs itself', () => {
+    const moved: Transferable[][] = [];
+    const post = (response: Response, transfer: Transferable[]) => {
+      moved.push(transfer);
+      said.push(structuredClone(response, { transfer }));
+    };
+    session = new Session(patientCore, { post, soon: (task) => tasks.push(task), now: () => time });
+    open();
+    run();
+    const { edges, faceStart, faceVertices, restPositions } = reference;
+    const vertices = restPositions.length / 3;
+    expect(said[0]).toMatchObject({ type: 'opened', net: { edges, faceStart, faceVertices, restPositions } });
+    expect(said[0]).toHaveProperty('net.triangles.length', 3 * (faceVertices.length - 2 * (faceStart.length - 1)));
+    expect(moved[0]).toHaveLength(11);
+    ask({ type: 'drag', vertex: dragged, target: away });
+    run();
+    expect(settled().frame.status).toBe('converged');
+    expect(settled().frame.positions).toHaveLength(3 * vertices);
+  });
+
   test('opens with the handles of its recipe', () => {
     const id = open();
     run();
     expect(said[0]).toMatchObject({ id, type: 'opened', net: { info: reference.info } });
-    expect(settled()).toMatchObject({ id, frame: { status: 'converged', method: 'li2022' } });
+    expect(settled()).toMatchObject({ id, frame: { status: 'converged', method: freshScene({ recipe }).method } });
     expect(settled().frame.handles.map(({ vertex }) => vertex)).toEqual([...reference.suggestedHandles]);
   });
 
@@ -123,8 +159,20 @@ describe('a scene', () => {
     expect(settled().frame.status).toBe('running');
   });
 
+  test('of a file keeps the lengths that are asked for', () => {
+    const obj = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
+    open({ net: { obj, name: 'oblong.obj', restLengths: 'own' }, handles: [] });
+    run();
+    expect(lengthsOf(settled().frame.positions, [0, 1, 2, 3])).toEqual([2, 1, 2, 1]);
+    open({ net: { obj, name: 'oblong.obj', restLengths: 'equal' }, handles: [] });
+    run();
+    expect(settled().frame.status).toBe('converged');
+    for (const length of lengthsOf(settled().frame.positions, [0, 1, 2, 3])) expect(length).toBeCloseTo(1.5, 2);
+  });
+
   test.each<[string, Partial<Scene>]>([
     ['bad_option', { net: { recipe: 'cathedral' } }],
+    ['bad_option', { net: { obj: '', name: 'empty.obj', restLengths: 'none' as never } }],
     ['bad_option', { method: 'magic' }],
     ['bad_option', { initialisation: 'magic' }],
     ['bad_option', { options: { magic: 1 } }],
@@ -272,10 +320,21 @@ describe('by hand', () => {
     expect(settled().frame.status).toBe('unreachable');
   });
 
+  test('each format is exported as the core writes it', () => {
+    for (const format of ['obj', 'ply', 'off', 'stl'] as const) {
+      ask({ type: 'export', format });
+      expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: reference.toFile(format) });
+    }
+    ask({ type: 'export', format: 'csv' });
+    const last = said.at(-1);
+    const lines = new TextDecoder().decode(last?.type === 'exported' ? last.bytes : undefined).split('\n');
+    expect(lines).toHaveLength(reference.info.edges + 2);
+  });
+
   test('export and thumbnail do not touch the net', () => {
     said = [];
-    ask({ type: 'export', format: 'obj', digits: 17 });
+    ask({ type: 'export', format: 'obj' });
     ask({ type: 'thumbnail', recipe: 'dome:vertices=100' });
-    expect(said).toMatchObject([{ type: 'exported', text: reference.toObj(17) }, { type: 'thumbnail' }]);
+    expect(said).toMatchObject([{ type: 'exported', bytes: reference.toFile('obj') }, { type: 'thumbnail' }]);
   });
 });

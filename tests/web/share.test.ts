@@ -59,6 +59,11 @@ describe('a scene comes back', () => {
     expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual(source);
   });
 
+  test('with the lengths that the edges of a file are to keep', () => {
+    const source = { obj: 'v 0 0 0\n', name: 'small.ply', restLengths: 'equal' } as const;
+    expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual(source);
+  });
+
   test('while it is being solved', () => {
     expect(decodeScene(hashOf({ ...documentAt(moved), settled: false })).settled).toBe(false);
   });

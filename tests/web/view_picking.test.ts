@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, test } from 'vitest';
 import { fitCamera } from '../../web/src/view/camera_fit';
-import { fanTriangles } from '../../web/src/view/net_faces';
+import { fanTriangles } from '../../web/src/worker/triangles';
 import { nearestMark, nearestVertex, project } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
 import { random } from './random';

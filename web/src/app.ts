@@ -10,11 +10,12 @@ import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { Snapshot } from './document/undo';
+import type { FileKind } from './files/export';
 import type { PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
 import { Client, SolverError } from './worker/client';
 import type { Opened, WorkerLike } from './worker/client';
-import type { FrameData, OpenedNet } from './worker/protocol';
+import type { ExportFormat, FrameData, OpenedNet } from './worker/protocol';
 
 /** What an app is made from. */
 export interface AppParts {
@@ -29,7 +30,7 @@ export interface AppParts {
 export interface AppServices {
   pickFile(): void;
   copyLink(): void;
-  exportObj(): void;
+  exportFile(kind: FileKind): void;
 }
 
 /** A net that is open, and all that belongs to it. */
@@ -38,6 +39,9 @@ export interface Opening {
   net: OpenedNet;
   frame: FrameData;
 }
+
+/** Whoever waits longer than this wants to be told what for. */
+const LATE_MS = 250;
 
 type Listener = (error?: unknown) => void;
 export type AppEvent = 'frame' | 'settled' | 'error';
@@ -53,7 +57,8 @@ export class App {
   readonly #listeners: Record<AppEvent, Set<Listener>> = { frame: new Set(), settled: new Set(), error: new Set() };
   #optionTable: OptionInfo[] = [];
   #opening: Opening | null = null;
-  #reopening = false;
+  /** Nets on their way. */
+  #awaited = 0;
   #selected: number | null = null;
   /** The run whose net the view shows in place of the user's. */
   #shownRun: Run | null = null;
@@ -125,7 +130,7 @@ export class App {
 
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays. */
   async openScene(scene: Scene): Promise<void> {
-    const opened = await this.#client.open(scene);
+    const opened = await this.#await(this.#client.open(scene));
     this.#history.endGesture(this.#dragMoved);
     const before = this.#snapshot();
     if (before) this.#history.record(before);
@@ -149,9 +154,14 @@ export class App {
     return encodeScene(document, net, this.#threshold());
   }
 
-  /** The present net as OBJ text, every coordinate exact. */
-  obj(): Promise<string> {
-    return this.#client.exportObj(17);
+  /** The present net as the bytes of a file. */
+  exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#client.exportFile(format);
+  }
+
+  /** What the view shows, as PNG without a background. */
+  picture(): Promise<Blob> {
+    return this.#view.picture();
   }
 
   // ----------------------------------------------------------------------------------------------------------- handles
@@ -277,7 +287,7 @@ export class App {
 
   #goTo(choose: (now: Snapshot) => Snapshot | null): void {
     const now = this.#snapshot();
-    const state = now === null || this.#reopening ? null : choose(now);
+    const state = now === null || this.#awaited > 0 ? null : choose(now);
     if (state) this.#restore(state);
   }
 
@@ -295,9 +305,20 @@ export class App {
     const { method, initialisation, options } = document;
     const view = { ...document.view, camera: null };
     const scene: Scene = { net, handles: [...handles], positions, settled, method, initialisation, options, view };
-    this.#reopening = true;
-    const opened = this.#client.open(scene).then((result) => this.#showOpened(scene, result));
-    this.#try(opened.finally(() => (this.#reopening = false)));
+    this.#try(this.#await(this.#client.open(scene)).then((opened) => this.#showOpened(scene, opened)));
+  }
+
+  /** Says so if a net takes long to open. */
+  async #await(opening: Promise<Opened>): Promise<Opened> {
+    this.#awaited += 1;
+    const late = setTimeout(() => this.#view.setWaiting('Opening the net…'), LATE_MS);
+    try {
+      return await opening;
+    } finally {
+      clearTimeout(late);
+      this.#view.setWaiting(null);
+      this.#awaited -= 1;
+    }
   }
 
   #snapshot(): Snapshot | null {
@@ -328,11 +349,11 @@ export class App {
     };
   }
 
-  #panelEvents({ pickFile, copyLink, exportObj }: AppServices): PanelEvents {
+  #panelEvents({ pickFile, copyLink, exportFile }: AppServices): PanelEvents {
     return {
       pickFile,
       copyLink,
-      exportObj,
+      exportFile,
       openRecipe: (recipe) => this.#try(this.openNet({ recipe })),
       selectHandle: (vertex) => this.select(vertex),
       addHandle: (vertex) => this.#try(this.addHandle(vertex)),
@@ -357,7 +378,8 @@ export class App {
 
   #beginDrag(): void {
     const before = this.#snapshot();
-    if (before === null) return;
+    // The net in hand is about to go.
+    if (before === null || this.#awaited > 0) return;
     this.#dragMoved = false;
     this.#history.beginGesture(before);
   }

@@ -5,7 +5,10 @@ import type { Scene } from './document/document';
 import { decodeScene, linkAdvice } from './document/share';
 import { experimentScene, isExperimentLink } from './experiments/experiment';
 import { download } from './files/download';
-import { pickFile, readNetFile } from './files/import';
+import { fileNameOf, typeOf } from './files/export';
+import type { FileKind } from './files/export';
+import { FileOpener, pickFile } from './files/import';
+import { FileDialog } from './panels/file_dialog';
 import { createPanels } from './panels/sidebar';
 import { createScripting } from './scripting';
 import { createView } from './view/scene';
@@ -20,9 +23,14 @@ const app = new App(
   {
     pickFile: () => attempt(async () => openFile(await pickFile())),
     copyLink: () => attempt(copyLink),
-    exportObj: () => attempt(exportObj),
+    exportFile: (kind) => attempt(() => exportFile(kind)),
   },
 );
+const opener = new FileOpener({
+  spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
+  createDialog: (name) => new FileDialog(element('panels'), name),
+  open: (net) => app.openNet(net),
+});
 const ready = start();
 window.chebnet = createScripting(app, ready);
 
@@ -80,15 +88,15 @@ async function copyLink(): Promise<void> {
   }
 }
 
-async function exportObj(): Promise<void> {
+async function exportFile(kind: FileKind): Promise<void> {
   const net = app.opening?.document.net;
   if (net === undefined) return;
-  const name = 'recipe' in net ? (net.recipe.split(':')[0] ?? 'net') : net.name.replace(/\.obj$/i, '');
-  download(`${name}.obj`, await app.obj(), 'model/obj');
+  const content = kind === 'png' ? await app.picture() : await app.exported(kind);
+  download(fileNameOf(net, kind), content, typeOf(kind));
 }
 
 async function openFile(file: File | null): Promise<void> {
-  if (file) await app.openNet(await readNetFile(file));
+  if (file) await opener.open(file);
 }
 
 function pressKey(event: KeyboardEvent): void {

@@ -1,8 +1,10 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
+import type { RestLengths } from '../../../wasm/chebnet';
 
 export type Vec3 = [number, number, number];
 
-export type NetSource = { recipe: string } | { obj: string; name: string };
+/** `restLengths`: which length each edge of a file is to keep, `automatic` unless it is said. */
+export type NetSource = { recipe: string } | { obj: string; name: string; restLengths?: RestLengths };
 
 export interface HandleData {
   vertex: number;

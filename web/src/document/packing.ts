@@ -9,6 +9,8 @@
 /** The part of an opened net that packing looks at; both sides must have the same. */
 export interface PackingNet {
   restPositions: Float64Array;
+  /** The length each edge is to keep. */
+  restLengths: Float64Array;
   edges: Int32Array;
   faceStart: Int32Array;
   faceVertices: Int32Array;
@@ -91,7 +93,7 @@ function shortestEdge(net: PackingNet): number {
 function largestDeviation(positions: Float64Array, net: PackingNet): number {
   let largest = 0;
   for (let e = 0; e < net.edges.length; e += 2) {
-    const r = edgeLength(positions, net, e) / edgeLength(net.restPositions, net, e);
+    const r = edgeLength(positions, net, e) / (net.restLengths[e / 2] ?? NaN);
     largest = Math.max(largest, r + 1 / r - 2);
   }
   return largest;

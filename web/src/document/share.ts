@@ -6,6 +6,7 @@
  * core when the scene is opened.
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
+import type { RestLengths } from '../../../wasm/chebnet';
 import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, UpAxis, Vec3, ViewState } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import { packPositions } from './packing';
@@ -164,7 +165,11 @@ function readScene(head: Record<string, unknown>, packed: Uint8Array | null): Sc
 }
 
 function readNet(net: Record<string, unknown>): NetSource {
-  return 'recipe' in net ? { recipe: text(net.recipe) } : { obj: text(net.obj), name: text(net.name) };
+  if ('recipe' in net) return { recipe: text(net.recipe) };
+  const file = { obj: text(net.obj), name: text(net.name) };
+  // Links made before there was a choice have none.
+  if (net.restLengths === undefined) return file;
+  return { ...file, restLengths: oneOf<RestLengths>(net.restLengths, ['automatic', 'equal', 'own']) };
 }
 
 function readHandle(row: unknown): HandleSeed {

@@ -1,40 +1,81 @@
-/** Nets from files. The core reads them; here only what can be told without reading is refused. */
+/** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
+import type { RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
+import { FileError } from './file_error';
+import type { Stage } from './file_protocol';
+import { FileReading } from './file_reading';
+import type { FileWorkerLike } from './file_reading';
+import type { FileReport } from './file_report';
 
 /** Larger files are not nets one could edit: a net of 100,000 vertices has 10 MB. */
 export const LARGEST_FILE = 100e6;
 
-/** A file that is not even tried. `code` as in core/net/error.h. */
-export class FileError extends Error {
-  constructor(
-    readonly code: 'bad_syntax' | 'too_large' | 'file_access',
-    message: string,
-  ) {
-    super(message);
+/** How a user wants a file to be opened. */
+export interface FileChoice {
+  repaired: boolean;
+  restLengths: RestLengths;
+}
+
+/** Where the user sees what is going on and is asked. */
+export interface FileDialogLike {
+  showStage(stage: Stage): void;
+  /** Resolves when the user has chosen. */
+  ask(report: FileReport): Promise<FileChoice>;
+  /** Resolves as soon as the user wants no more of it, or `close` is called. */
+  readonly closed: Promise<null>;
+  close(): void;
+}
+
+export interface OpenerParts {
+  spawnWorker(): FileWorkerLike;
+  createDialog(name: string): FileDialogLike;
+  open(net: NetSource): Promise<void>;
+}
+
+/** One file at a time: the next one takes the place of one that is still being read or asked about. */
+export class FileOpener {
+  #dialog: FileDialogLike | null = null;
+
+  constructor(private readonly parts: OpenerParts) {}
+
+  /** Resolves when the net is open or the user has given up. Throws FileError. */
+  async open(file: File): Promise<void> {
+    checkSize(file);
+    this.#dialog?.close();
+    const dialog = this.parts.createDialog(file.name);
+    this.#dialog = dialog;
+    const reading = new FileReading(
+      () => this.parts.spawnWorker(),
+      (stage) => dialog.showStage(stage),
+    );
+    try {
+      const net = await Promise.race([readAndAsk(reading, file, dialog), dialog.closed]);
+      if (net === null) return;
+      dialog.showStage('opening');
+      await this.parts.open(net);
+    } finally {
+      reading.close();
+      dialog.close();
+    }
   }
 }
 
-/** The net of an OBJ file, unread. Throws FileError. */
-export async function readNetFile(file: File): Promise<NetSource> {
-  if (!/\.obj$/i.test(file.name)) {
-    throw new FileError('bad_syntax', `${file.name} is not an OBJ file; nets are opened from OBJ files.`);
-  }
-  if (file.size > LARGEST_FILE) {
-    const [size, largest] = [file.size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
-    throw new FileError('too_large', `${file.name} has ${size} MB; nets are opened up to ${largest} MB.`);
-  }
-  try {
-    return { obj: await file.text(), name: file.name };
-  } catch {
-    throw new FileError('file_access', `${file.name} could not be read; perhaps it is a folder.`);
-  }
+async function readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<NetSource> {
+  const { repaired, restLengths } = await dialog.ask(await reading.report(file, file.name));
+  return { obj: await reading.text(repaired), name: file.name, restLengths };
+}
+
+function checkSize({ name, size }: File): void {
+  if (size <= LARGEST_FILE) return;
+  const [megabytes, largest] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
+  throw new FileError('too_large', `${name} has ${megabytes} MB; nets are opened up to ${largest} MB.`);
 }
 
 /** Lets the user choose a file; null if they think better of it. */
 export function pickFile(): Promise<File | null> {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.obj';
+  input.accept = '.obj,.ply,.off';
   return new Promise((resolve) => {
     input.onchange = () => resolve(input.files?.[0] ?? null);
     input.oncancel = () => resolve(null);

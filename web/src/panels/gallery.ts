@@ -61,8 +61,8 @@ export class Gallery {
   }
 
   private makeFileTile(): HTMLButtonElement {
-    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: 'Open an OBJ file, or drop one on the page' });
-    tile.append(make('span', {}, 'Open OBJ'));
+    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: 'Open an OBJ, PLY or OFF file, or drop one on the page' });
+    tile.append(make('span', {}, 'Open file'));
     return tile;
   }
 

@@ -45,9 +45,8 @@ export class Legend {
 
   private drawData(): void {
     if (!this.scale || !this.frame) return;
-    const { deviations, cornerAngles } = this.frame;
     const byAngle = this.view.field === 'angle';
-    const [low, high] = range(byAngle ? cornerAngles : deviations);
+    const [low, high] = byAngle ? this.frame.angleRange : this.frame.deviationRange;
     const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
     const left = legendPosition(this.scale, from);
     const width = Math.max(0.02, legendPosition(this.scale, to) - left);
@@ -85,14 +84,4 @@ function legendPosition(scale: Scale, value: number): number {
 function deviationRange(low: number, high: number): string {
   if (high < ROUNDING) return 'exact';
   return low < ROUNDING ? `up to ${small(high)}` : `${small(low)} to ${small(high)}`;
-}
-
-function range(values: Float32Array): [number, number] {
-  let low = Infinity;
-  let high = -Infinity;
-  for (const value of values) {
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  return [low, high];
 }

@@ -2,6 +2,7 @@
  *  intentions; they never change the document themselves. */
 import type { Comparison, ComparisonWish, Run } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, Vec3, ViewState } from '../document/document';
+import type { FileKind } from '../files/export';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
@@ -30,7 +31,8 @@ export interface PanelEvents {
   /** Show the net of a run beside the other; null: no longer. */
   showBeside(run: Run | null): void;
   copyLink(): void;
-  exportObj(): void;
+  /** Save the net as a file. */
+  exportFile(kind: FileKind): void;
   frameAll(): void;
 }
 

@@ -114,6 +114,7 @@ class Sidebar implements Panels {
         this.messages.element,
         this.runNotice.element,
       ),
+      this.toolbar.menu,
       this.results.element,
       make('aside', { class: 'sidebar', 'aria-label': 'Controls' }, this.statusRow(), this.sections),
     );

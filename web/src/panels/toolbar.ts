@@ -1,5 +1,6 @@
-/** What is wanted often, over the picture: undo, the whole net in sight, the link, the file. */
+/** What is wanted often, over the picture: undo, the whole net in sight, the link, the files. */
 import { make, makeButton, makeIcon } from './dom';
+import { ExportMenu } from './export_menu';
 import type { PanelEvents } from './panels';
 
 const ICONS = {
@@ -7,11 +8,12 @@ const ICONS = {
   reset: 'M3 8a5 5 0 1 0 1.6-3.7M3 2.5v3h3',
   frame: 'M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3',
   link: 'M6.5 9.5l3-3M7.5 5l1.7-1.7a2.5 2.5 0 0 1 3.5 3.5L11 8.5M8.5 11l-1.7 1.7a2.5 2.5 0 0 1-3.5-3.5L5 7.5',
-  save: 'M8 2.5v8M4.8 7.5 8 10.7l3.2-3.2M2.5 13.5h11',
 };
 
 export class Toolbar {
   readonly element: HTMLElement;
+  /** Belongs outside the toolbar. */
+  readonly menu: HTMLElement;
   private readonly undo: HTMLButtonElement;
 
   constructor(events: PanelEvents) {
@@ -20,6 +22,8 @@ export class Toolbar {
       button.append(make('span', {}, label));
       return button;
     };
+    const exports = new ExportMenu((kind) => events.exportFile(kind));
+    this.menu = exports.menu;
     this.undo = tool('undo', 'Undo', 'Undo the last change (Ctrl+Z)', () => events.undoDrag());
     this.element = make(
       'div',
@@ -28,7 +32,7 @@ export class Toolbar {
       tool('reset', 'Reset', 'Back to the rest shape', () => events.reset()),
       tool('frame', 'Show all', 'See the whole net (Home)', () => events.frameAll()),
       tool('link', 'Copy link', 'A link to what you see', () => events.copyLink()),
-      tool('save', 'Save OBJ', 'The net as an OBJ file', () => events.exportObj()),
+      exports.button,
     );
   }
 

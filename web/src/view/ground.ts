@@ -19,7 +19,7 @@ import {
   WebGLRenderTarget,
   DoubleSide,
 } from 'three';
-import { type NetData, READ_NET } from './net_data';
+import { type NetData, type NetUniforms, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 /** Half the side of the floor, in the scene, where the rest net's half diagonal is 1. */
@@ -102,23 +102,7 @@ export class Ground {
   private readonly painter: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly camera = new OrthographicCamera();
   private readonly sheet = new PlaneGeometry(2, 2);
-  private readonly planMaterial = new ShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: PLAN_VERTEX,
-    fragmentShader: PLAN_FRAGMENT,
-    side: DoubleSide,
-    depthTest: false,
-    blending: CustomBlending,
-    blendEquation: MaxEquation,
-    blendSrc: OneFactor,
-    blendDst: OneFactor,
-    uniforms: {
-      vertices: { value: null },
-      deviations: { value: null },
-      reach: { value: REACH },
-      floorHeight: { value: 0 },
-    },
-  });
+  private readonly planMaterial: ShaderMaterial;
   private readonly blurMaterial = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: FULL_VERTEX,
@@ -128,7 +112,19 @@ export class Ground {
   });
   private faces: BufferGeometry | null = null;
 
-  constructor() {
+  constructor(net: NetUniforms) {
+    this.planMaterial = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: PLAN_VERTEX,
+      fragmentShader: PLAN_FRAGMENT,
+      side: DoubleSide,
+      depthTest: false,
+      blending: CustomBlending,
+      blendEquation: MaxEquation,
+      blendSrc: OneFactor,
+      blendDst: OneFactor,
+      uniforms: { ...net, reach: { value: REACH }, floorHeight: { value: 0 } },
+    });
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: FLOOR_VERTEX,
@@ -150,15 +146,12 @@ export class Ground {
     this.stage.add(this.painter);
   }
 
-  /** `faces`: the net's triangles, their vertices read from `data`. */
-  showNet(data: NetData, faces: BufferGeometry): void {
+  /** `faces`: the net's triangles. */
+  showNet({ space }: NetData, faces: BufferGeometry): void {
     this.faces = faces;
-    const { vertices, deviations, floorHeight } = this.planMaterial.uniforms;
-    vertices!.value = data.uniforms.vertices.value;
-    deviations!.value = data.uniforms.deviations.value;
-    floorHeight!.value = data.space.floor;
+    this.planMaterial.uniforms.floorHeight!.value = space.floor;
     // A little below, or a flat net would flicker through it.
-    this.object.position.z = data.space.floor - 0.02;
+    this.object.position.z = space.floor - 0.02;
   }
 
   setTheme(theme: Theme): void {

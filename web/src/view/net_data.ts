@@ -3,11 +3,15 @@
 import {
   DataTexture,
   FloatType,
+  IntType,
   LinearFilter,
   NearestFilter,
+  type PixelFormat,
   RedFormat,
   RGBAFormat,
+  RGIntegerFormat,
   type Texture,
+  type TextureDataType,
 } from 'three';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { lookupTable, type Scale } from './colour_map';
@@ -19,11 +23,26 @@ const DEGREES = 180 / Math.PI;
 export const READ_NET = /* glsl */ `
 uniform highp sampler2D vertices;
 uniform highp sampler2D deviations;
+uniform highp isampler2D ends;
 ivec2 place(int i, int width) { return ivec2(i % width, i / width); }
 /** Scene position, and the corner angle in degrees. */
 vec4 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0); }
+/** Both vertices of an edge. */
+ivec2 readEnds(int e) { return texelFetch(ends, place(e, textureSize(ends, 0).x), 0).rg; }
 float readDeviation(int e) { return texelFetch(deviations, place(e, textureSize(deviations, 0).x), 0).r; }
 `;
+
+/** Where shaders find the net of the moment. All materials of a view share it and outlive the net: to compile them anew for
+ *  each net would hold the page up. */
+export interface NetUniforms {
+  vertices: { value: Texture | null };
+  deviations: { value: Texture | null };
+  ends: { value: Texture | null };
+}
+
+export function netUniforms(): NetUniforms {
+  return { vertices: { value: null }, deviations: { value: null }, ends: { value: null } };
+}
 
 export class NetData {
   /** Scene position and corner angle: 4 numbers a vertex. Picking reads them too. */
@@ -31,10 +50,10 @@ export class NetData {
   readonly vertexCount: number;
   /** Mean length of an edge, in the scene. */
   readonly edgeLength: number;
-  readonly uniforms: { vertices: { value: Texture }; deviations: { value: Texture } };
-  private readonly vertexTexture: DataTexture;
-  private readonly edgeTexture: DataTexture;
-  private readonly deviations: Float32Array<ArrayBuffer>;
+  private readonly vertices: DataTexture;
+  private readonly deviations: DataTexture;
+  private readonly ends: DataTexture;
+  private readonly deviationValues: Float32Array<ArrayBuffer>;
 
   constructor(
     net: OpenedNet,
@@ -42,17 +61,15 @@ export class NetData {
   ) {
     this.vertexCount = net.restPositions.length / 3;
     this.edgeLength = net.info.meanLength * space.scale;
-    const width = side(this.vertexCount);
-    this.points = new Float32Array(4 * width * Math.ceil(this.vertexCount / width));
-    this.vertexTexture = new DataTexture(this.points, width, Math.ceil(this.vertexCount / width), RGBAFormat, FloatType);
     const edges = net.edges.length / 2;
-    const edgeWidth = side(edges);
-    this.deviations = new Float32Array(edgeWidth * Math.ceil(edges / edgeWidth));
-    this.edgeTexture = new DataTexture(this.deviations, edgeWidth, Math.ceil(edges / edgeWidth), RedFormat, FloatType);
-    for (const texture of [this.vertexTexture, this.edgeTexture]) {
-      texture.minFilter = texture.magFilter = NearestFilter;
-    }
-    this.uniforms = { vertices: { value: this.vertexTexture }, deviations: { value: this.edgeTexture } };
+    this.points = new Float32Array(4 * texels(this.vertexCount));
+    this.deviationValues = new Float32Array(texels(edges));
+    const ends = new Int32Array(2 * texels(edges));
+    ends.set(net.edges);
+    this.vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
+    this.deviations = table(this.deviationValues, edges, RedFormat, FloatType);
+    this.ends = table(ends, edges, RGIntegerFormat, IntType);
+    this.ends.needsUpdate = true;
   }
 
   show({ positions, cornerAngles, deviations }: FrameData): void {
@@ -66,14 +83,19 @@ export class NetData {
       points[to + 2] = (positions[from + axisZ]! - cz) * scale;
       points[to + 3] = cornerAngles[i]! * DEGREES;
     }
-    this.deviations.set(deviations);
-    this.vertexTexture.needsUpdate = true;
-    this.edgeTexture.needsUpdate = true;
+    this.deviationValues.set(deviations);
+    this.vertices.needsUpdate = true;
+    this.deviations.needsUpdate = true;
+  }
+
+  putInto(uniforms: NetUniforms): void {
+    uniforms.vertices.value = this.vertices;
+    uniforms.deviations.value = this.deviations;
+    uniforms.ends.value = this.ends;
   }
 
   dispose(): void {
-    this.vertexTexture.dispose();
-    this.edgeTexture.dispose();
+    for (const texture of [this.vertices, this.deviations, this.ends]) texture.dispose();
   }
 }
 
@@ -109,4 +131,21 @@ export class ColourTexture {
 /** Width of a nearly square texture for `count` texels. */
 function side(count: number): number {
   return Math.max(1, Math.ceil(Math.sqrt(count)));
+}
+
+/** So many texels such a texture has. */
+function texels(count: number): number {
+  return side(count) * Math.ceil(count / side(count));
+}
+
+/** A texture that shaders read by number. */
+function table(
+  values: Float32Array<ArrayBuffer> | Int32Array<ArrayBuffer>,
+  count: number,
+  format: PixelFormat,
+  type: TextureDataType,
+): DataTexture {
+  const texture = new DataTexture(values, side(count), Math.ceil(count / side(count)), format, type);
+  texture.minFilter = texture.magFilter = NearestFilter;
+  return texture;
 }

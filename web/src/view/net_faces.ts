@@ -1,6 +1,6 @@
 /** The faces as fans of triangles in a quiet material, pushed back a little so that the lines lie on them. */
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial } from 'three';
-import { type ColourTexture, type NetData, READ_NET } from './net_data';
+import { type ColourTexture, type NetUniforms, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
@@ -32,29 +32,10 @@ void main() {
   colour = vec4(base, 1.0);
 }`;
 
-/** Three vertices a triangle, fans from the first vertex of each face. */
-export function fanTriangles(faceStart: Int32Array, faceVertices: Int32Array): Uint32Array<ArrayBuffer> {
-  const faces = faceStart.length - 1;
-  const triangles = new Uint32Array(3 * (faceVertices.length - 2 * faces));
-  let to = 0;
-  for (let face = 0; face < faces; face++) {
-    const first = faceStart[face]!;
-    for (let corner = first + 1; corner + 1 < faceStart[face + 1]!; corner++) {
-      triangles[to++] = faceVertices[first]!;
-      triangles[to++] = faceVertices[corner]!;
-      triangles[to++] = faceVertices[corner + 1]!;
-    }
-  }
-  return triangles;
-}
-
 export class NetFaces {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
 
-  constructor(data: NetData, colours: ColourTexture, faceStart: Int32Array, faceVertices: Int32Array) {
-    // No attributes: the shader finds each vertex by its number.
-    const geometry = new BufferGeometry();
-    geometry.setIndex(new BufferAttribute(fanTriangles(faceStart, faceVertices), 1));
+  constructor(net: NetUniforms, colours: ColourTexture) {
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -64,15 +45,23 @@ export class NetFaces {
       polygonOffsetFactor: 1.5,
       polygonOffsetUnits: 2,
       uniforms: {
-        ...data.uniforms,
+        ...net,
         ...colours.uniforms,
         front: { value: new Color() },
         back: { value: new Color() },
       },
     });
-    this.object = new Mesh(geometry, material);
+    this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 1;
+  }
+
+  /** @param triangles three vertices each. */
+  showNet(triangles: Uint32Array): void {
+    this.object.geometry.dispose();
+    // No attributes: the shader finds each vertex by its number.
+    this.object.geometry = new BufferGeometry();
+    this.object.geometry.setIndex(new BufferAttribute(triangles, 1));
   }
 
   setTheme(theme: Theme): void {

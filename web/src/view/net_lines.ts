@@ -12,11 +12,10 @@ import {
   ShaderMaterial,
   Vector2,
 } from 'three';
-import { type ColourTexture, type NetData, READ_NET } from './net_data';
+import { type ColourTexture, type NetData, type NetUniforms, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
-in ivec2 ends;
 uniform vec2 viewport;      // device pixels
 uniform float width;        // device pixels
 uniform float near;
@@ -39,7 +38,9 @@ void main() {
   int corner = gl_VertexID & 3;
   bool second = (corner & 1) == 1;
   float side = corner < 2 ? -1.0 : 1.0;
-  vec4 a = readVertex(ends.x), b = readVertex(ends.y);
+  int edge = gl_VertexID >> 2;
+  ivec2 vertex = readEnds(edge);
+  vec4 a = readVertex(vertex.x), b = readVertex(vertex.y);
   vec3 p = (modelViewMatrix * vec4(a.xyz, 1.0)).xyz, q = (modelViewMatrix * vec4(b.xyz, 1.0)).xyz;
   vec4 c = projectionMatrix * vec4(lifted(cut(p, q)), 1.0), d = projectionMatrix * vec4(lifted(cut(q, p)), 1.0);
   vec2 along = (d.xy / d.w - c.xy / c.w) * viewport;
@@ -49,7 +50,7 @@ void main() {
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
   across = side * reach;
-  float dL = readDeviation(gl_VertexID >> 2);
+  float dL = readDeviation(edge);
   value = byAngle ? (second ? b.w : a.w) : log(max(dL, 1e-30)) / log(10.0);
   away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
 }`;
@@ -80,29 +81,11 @@ function lineWidth(edgePixels: number): number {
   return Math.min(1.7, Math.max(0.55, 0.11 * edgePixels + 0.35));
 }
 
-const CORNERS = [0, 1, 2, 2, 1, 3] as const;
-
-/** Both ends of its edge for each of the four vertices, and two triangles among them. */
-function strips(edges: Int32Array): BufferGeometry {
-  const count = edges.length / 2;
-  const ends = new Int32Array(8 * count);
-  const triangles = new Uint32Array(6 * count);
-  for (let i = 0; i < ends.length; i++) ends[i] = edges[2 * (i >> 3) + (i & 1)]!;
-  for (let i = 0; i < triangles.length; i++) triangles[i] = 4 * Math.floor(i / 6) + CORNERS[i % 6]!;
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('ends', new BufferAttribute(ends, 2));
-  geometry.setIndex(new BufferAttribute(triangles, 1));
-  return geometry;
-}
-
 export class NetLines {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
+  private edgeLength = 1;
 
-  constructor(
-    private readonly data: NetData,
-    colours: ColourTexture,
-    edges: Int32Array,
-  ) {
+  constructor(net: NetUniforms, colours: ColourTexture) {
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -111,12 +94,12 @@ export class NetLines {
       // What hides lines are faces and handles. If lines hid lines, their soft rims would cut gaps at every crossing.
       depthWrite: false,
       uniforms: {
-        ...data.uniforms,
+        ...net,
         ...colours.uniforms,
         viewport: { value: new Vector2() },
         width: { value: 1 },
         near: { value: 0.01 },
-        lift: { value: LIFT * data.edgeLength },
+        lift: { value: LIFT },
         fadeRange: { value: new Vector2() },
         fade: { value: 0 },
         fadeColour: { value: new Color() },
@@ -124,9 +107,18 @@ export class NetLines {
         inkShare: { value: 0 },
       },
     });
-    this.object = new Mesh(strips(edges), material);
+    this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 2;
+  }
+
+  /** @param strips two triangles an edge, of its four vertices. */
+  showNet({ edgeLength }: NetData, strips: Uint32Array): void {
+    this.object.geometry.dispose();
+    this.object.geometry = new BufferGeometry();
+    this.object.geometry.setIndex(new BufferAttribute(strips, 1));
+    this.object.material.uniforms.lift!.value = LIFT * edgeLength;
+    this.edgeLength = edgeLength;
   }
 
   setTheme(theme: Theme): void {
@@ -145,7 +137,7 @@ export class NetLines {
     const { viewport, width, near, fadeRange } = this.object.material.uniforms;
     const pixelsPerLength = size.y / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
     viewport!.value.copy(size).multiplyScalar(pixelRatio);
-    width!.value = lineWidth(this.data.edgeLength * pixelsPerLength) * pixelRatio;
+    width!.value = lineWidth(this.edgeLength * pixelsPerLength) * pixelRatio;
     near!.value = camera.near;
     fadeRange!.value.set(distance - 0.7, distance + 1.2);
   }

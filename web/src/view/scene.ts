@@ -11,7 +11,7 @@ import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
 import { Ground } from './ground';
 import { HandleMarks, toScreen } from './handles';
-import { ColourTexture, NetData } from './net_data';
+import { ColourTexture, NetData, netUniforms } from './net_data';
 import { NetFaces } from './net_faces';
 import { NetLines } from './net_lines';
 import { createBlankView, createNotice, probeGraphics } from './notice';
@@ -37,32 +37,30 @@ export function createView(container: HTMLElement, events: ViewEvents): View {
   return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics);
 }
 
-/** What is drawn of one net. */
-interface Shown {
-  data: NetData;
-  lines: NetLines;
-  faces: NetFaces;
-}
-
 class SceneView implements View {
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer;
   private readonly rig: CameraRig;
   private readonly arrows: AxisArrows;
   private readonly marks = new HandleMarks();
-  private readonly ground = new Ground();
+  private readonly uniforms = netUniforms();
+  private readonly ground = new Ground(this.uniforms);
   private readonly stepArrows = new StepArrows();
   private readonly colours = new ColourTexture();
+  private readonly lines = new NetLines(this.uniforms, this.colours);
+  private readonly faces = new NetFaces(this.uniforms, this.colours);
   private readonly overlay = new Overlay();
   private readonly report: DragReport;
   private readonly gestures: Gestures;
   private readonly notice: ReturnType<typeof createNotice>;
+  private readonly waiting: ReturnType<typeof createNotice>;
   private readonly resizing: ResizeObserver;
   private readonly stopThemes: () => void;
   private readonly size = new Vector2(1, 1);
   private readonly viewProjection = new Matrix4();
   private theme: Theme;
-  private shown: Shown | null = null;
+  /** What is drawn of the net. */
+  private shown: NetData | null = null;
   private net: OpenedNet | null = null;
   private latest: FrameData | null = null;
   private handles: readonly HandleData[] = [];
@@ -91,6 +89,7 @@ class SceneView implements View {
     );
     container.append(canvas, this.overlay.element);
     this.notice = createNotice(container);
+    this.waiting = createNotice(container);
     this.report = new DragReport(this.noteFirstDrag(events));
     this.rig = new CameraRig(canvas, {
       moved: () => this.cameraMoved(),
@@ -102,7 +101,8 @@ class SceneView implements View {
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
     });
-    this.scene.add(this.ground.object, this.marks.object, this.stepArrows.object, ...this.arrows.objects, this.rig.camera);
+    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows]) this.scene.add(part.object);
+    this.scene.add(...this.arrows.objects, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
     this.theme = readTheme(container);
@@ -118,13 +118,11 @@ class SceneView implements View {
   showNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
     this.removeNet();
     this.net = net;
-    const data = new NetData(net, Space.of(net.restPositions, this.appearance.upAxis));
-    const lines = new NetLines(data, this.colours, net.edges);
-    const faces = new NetFaces(data, this.colours, net.faceStart, net.faceVertices);
-    this.shown = { data, lines, faces };
-    this.scene.add(lines.object, faces.object);
-    this.ground.showNet(data, faces.object.geometry);
-    this.applyTheme();
+    this.shown = new NetData(net, Space.of(net.restPositions, this.appearance.upAxis));
+    this.shown.putInto(this.uniforms);
+    this.lines.showNet(this.shown, net.strips);
+    this.faces.showNet(net.triangles);
+    this.ground.showNet(this.shown, this.faces.object.geometry);
     this.showFrame(frame);
     this.rig.framed = camera === null;
     this.rig.standAt(camera ? this.toStand(camera) : this.wholeNet());
@@ -133,8 +131,8 @@ class SceneView implements View {
   showFrame(frame: FrameData): void {
     if (!this.shown) return;
     this.latest = frame;
-    this.shown.data.show(frame);
-    this.stepArrows.show(frame, this.shown.data.space, this.shown.data.edgeLength);
+    this.shown.show(frame);
+    this.stepArrows.show(frame, this.shown.space, this.shown.edgeLength);
     this.netMoved = true;
     this.requestDraw();
   }
@@ -142,7 +140,7 @@ class SceneView implements View {
   showHandles(handles: readonly HandleData[], selected: number | null): void {
     if (!this.shown) return;
     this.handles = handles;
-    this.marks.show(handles, this.shown.data.space, this.report.vertex);
+    this.marks.show(handles, this.shown.space, this.report.vertex);
     this.selected = selected;
     if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
     this.requestDraw();
@@ -154,11 +152,14 @@ class SceneView implements View {
     if (turned) this.turn();
     const { field, colourMap, showFaces } = appearance;
     this.colours.show(scaleOf(field, colourMap, this.theme), field === 'angle');
-    if (this.shown) {
-      this.shown.faces.object.visible = showFaces;
-      this.shown.lines.setOverColours(showFaces && field === 'angle');
-    }
+    this.faces.object.visible = showFaces;
+    this.lines.setOverColours(showFaces && field === 'angle');
     this.requestDraw();
+  }
+
+  setWaiting(words: string | null): void {
+    if (words === null) this.waiting.hide();
+    else this.waiting.show(words);
   }
 
   setStepArrows(shown: boolean): void {
@@ -174,8 +175,17 @@ class SceneView implements View {
 
   camera(): CameraPlace {
     if (!this.shown) return { position: [0, 0, 0], target: [0, 0, 0] };
-    const { space } = this.shown.data;
+    const { space } = this.shown;
     return { position: space.toNet(this.rig.camera.position), target: space.toNet(this.rig.orbit.target) };
+  }
+
+  picture(): Promise<Blob> {
+    // The canvas can be read only in the task that has drawn it.
+    this.draw();
+    return new Promise((resolve, reject) => {
+      const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error('The picture could not be made.')));
+      this.renderer.domElement.toBlob(take, 'image/png');
+    });
   }
 
   setCamera(camera: CameraPlace): void {
@@ -203,10 +213,12 @@ class SceneView implements View {
     this.stopThemes();
     this.gestures.dispose();
     this.removeNet();
-    for (const thing of [this.arrows, this.stepArrows, this.rig, this.marks, this.ground, this.colours, this.renderer]) thing.dispose();
+    const { arrows, stepArrows, rig, marks, ground, lines, faces, colours, renderer } = this;
+    for (const thing of [arrows, stepArrows, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
+    this.waiting.remove();
   }
 
   private createGestures(canvas: HTMLCanvasElement): Gestures {
@@ -218,7 +230,7 @@ class SceneView implements View {
       marks: this.marks,
       report: this.report,
       events: this.events,
-      data: () => this.shown?.data ?? null,
+      data: () => this.shown,
       selected: () => this.selected,
       projection: () => this.projection(),
       carry: (point) => this.carry(point),
@@ -251,7 +263,7 @@ class SceneView implements View {
   private carry(point: Vector3): void {
     if (this.report.vertex === null || !this.shown) return;
     this.marks.point(this.report.vertex)?.copy(point);
-    this.report.move(this.shown.data.space.toNet(point));
+    this.report.move(this.shown.space.toNet(point));
     this.requestDraw();
   }
 
@@ -261,16 +273,14 @@ class SceneView implements View {
   }
 
   private removeNet(): void {
-    if (!this.shown) return;
-    const { data, lines, faces } = this.shown;
-    this.scene.remove(lines.object, faces.object);
-    for (const thing of [data, lines, faces]) thing.dispose();
+    this.shown?.dispose();
     this.shown = null;
     this.found = null;
   }
 
   /** Another axis is up: everything stands elsewhere in the scene. */
   private turn(): void {
+    this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     if (!this.net || !this.latest) return;
     this.showNet(this.net, this.latest, null);
     this.showHandles(this.handles, this.selected);
@@ -282,10 +292,8 @@ class SceneView implements View {
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.stepArrows]) part.setTheme(this.theme);
+    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows]) part.setTheme(this.theme);
     this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
-    this.shown?.lines.setTheme(this.theme);
-    this.shown?.faces.setTheme(this.theme);
     this.setAppearance(this.appearance);
   }
 
@@ -330,11 +338,11 @@ class SceneView implements View {
     this.countDraw();
   }
 
-  private prepare({ data, lines }: Shown): void {
+  private prepare({ edgeLength }: NetData): void {
     const { camera, distance } = this.rig;
-    lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
+    this.lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
     this.stepArrows.beforeDraw(this.size, this.renderer.getPixelRatio());
-    this.marks.beforeDraw(camera, this.size.y, data.edgeLength, distance);
+    this.marks.beforeDraw(camera, this.size.y, edgeLength, distance);
     this.arrows.show(this.selected === null ? null : (this.marks.point(this.selected) ?? null));
     // From below, the floor would hide the net.
     this.ground.object.visible = camera.position.z > this.ground.object.position.z;
@@ -342,13 +350,13 @@ class SceneView implements View {
 
   private toStand({ position, target }: CameraPlace): Stand {
     const stand = { position: new Vector3(), target: new Vector3() };
-    this.shown!.data.space.toScene(stand.position, position);
-    this.shown!.data.space.toScene(stand.target, target);
+    this.shown!.space.toScene(stand.position, position);
+    this.shown!.space.toScene(stand.target, target);
     return stand;
   }
 
   private wholeNet(): Stand {
-    const { points, vertexCount } = this.shown!.data;
+    const { points, vertexCount } = this.shown!;
     return fitCamera(points, vertexCount, this.rig.camera, this.margins());
   }
 
@@ -368,7 +376,7 @@ class SceneView implements View {
   }
 
   private vertexPoint(vertex: number): Vector3 {
-    return new Vector3().fromArray(this.shown!.data.points, 4 * vertex);
+    return new Vector3().fromArray(this.shown!.points, 4 * vertex);
   }
 
   private place(point: Vector3): Place {

@@ -27,11 +27,12 @@ export class Space {
   static of(positions: Float64Array, up: UpAxis = 'z'): Space {
     const low: Vec3 = [Infinity, Infinity, Infinity];
     const high: Vec3 = [-Infinity, -Infinity, -Infinity];
-    positions.forEach((x, i) => {
+    for (let i = 0; i < positions.length; i++) {
       const axis = (i % 3) as 0 | 1 | 2;
+      const x = positions[i]!;
       if (x < low[axis]) low[axis] = x;
       if (x > high[axis]) high[axis] = x;
-    });
+    }
     const [width, y, z] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
     const centre: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
     return new Space(up, centre, 1 / (Math.hypot(width, y, z) / 2 || 1), { y, z });

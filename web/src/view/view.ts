@@ -27,6 +27,8 @@ export interface View {
   showFrame(frame: FrameData): void;
   showHandles(handles: readonly HandleData[], selected: number | null): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
+  /** A line over the picture while another net is on its way; null: no longer. */
+  setWaiting(words: string | null): void;
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
@@ -34,6 +36,8 @@ export interface View {
   camera(): { position: Vec3; target: Vec3 };
   /** Looks from there at once, as another view does. */
   setCamera(camera: { position: Vec3; target: Vec3 }): void;
+  /** What is seen, as PNG; where there is nothing it is transparent. */
+  picture(): Promise<Blob>;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
   /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */

@@ -3,7 +3,7 @@
 import type { Handle } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
-import type { FrameData, OpenedNet, Request, Response } from './protocol';
+import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 
 /** The part of a `Worker` that the client uses. */
 export interface WorkerLike {
@@ -155,10 +155,10 @@ export class Client {
     return this.#tell({ type: 'reset' });
   }
 
-  /** 17 digits return every coordinate exactly. */
-  async exportObj(digits: number): Promise<string> {
+  /** The net as the bytes of a file. */
+  async exportFile(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
     this.#sendAllDrags();
-    return (await this.#ask({ type: 'export', format: 'obj', digits }, 'exported')).text;
+    return (await this.#ask({ type: 'export', format }, 'exported')).bytes;
   }
 
   thumbnail(recipe: string): Promise<{ edges: Int32Array; positions: Float32Array }> {

@@ -1,4 +1,5 @@
 import type {
+  FileFormat,
   Handle,
   InitialisationInfo,
   MethodInfo,
@@ -12,7 +13,10 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 2;
+export const PROTOCOL_VERSION = 3;
+
+/** As what the net can be saved; `csv`: its edges with their lengths. */
+export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
@@ -37,7 +41,7 @@ export type Request = { id: number } & (
   | { type: 'restore'; positions: Float64Array; handles: Handle[]; settled: boolean }
   /** The page has taken the last frame; until it says so, no other is sent. Has no answer. */
   | { type: 'seen' }
-  | { type: 'export'; format: 'obj'; digits: number }
+  | { type: 'export'; format: ExportFormat }
   /** What is too dear to come with every frame. */
   | { type: 'measure' }
   /** A small net for the gallery; does not touch the one being edited. */
@@ -65,7 +69,11 @@ export interface OpenedNet {
   faceStart: Int32Array;
   faceVertices: Int32Array;
   restPositions: Float64Array;
+  restLengths: Float64Array;
   suggestedHandles: Int32Array;
+  /** What is drawn of faces and edges, three vertices a triangle; see triangles.ts. */
+  triangles: Uint32Array<ArrayBuffer>;
+  strips: Uint32Array<ArrayBuffer>;
   handles: Handle[];
 }
 
@@ -75,6 +83,9 @@ export interface FrameData {
   deviations: Float32Array;
   /** Per vertex, radians. */
   cornerAngles: Float32Array;
+  /** Smallest and largest of them. */
+  deviationRange: [number, number];
+  angleRange: [number, number];
   handles: Handle[];
   status: Status;
   maxDeviation: number;
@@ -101,7 +112,8 @@ export type Response = { id: number } & (
   | { type: 'opened'; net: OpenedNet; frame: FrameData }
   | { type: 'frame'; frame: FrameData }
   | { type: 'settled'; frame: FrameData }
-  | { type: 'exported'; text: string }
+  /** The bytes of a file. */
+  | { type: 'exported'; bytes: Uint8Array<ArrayBuffer> }
   | { type: 'measured'; measures: Measures }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }

@@ -2,8 +2,10 @@
 import type { Chebnet, Editor, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { unpackPositions } from '../document/packing';
 import type { SolverOptions, SolverSettings } from '../document/document';
+import { edgesCsv } from '../files/edges_csv';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
-import type { FrameData, OpenedNet, Request, Response } from './protocol';
+import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import { fanTriangles, stripTriangles } from './triangles';
 
 /** Milliseconds of solving between two looks at the messages; one iteration is the least. */
 const SLICE = 12;
@@ -93,7 +95,7 @@ export class Session {
         this.#frameSeen = true;
         return;
       case 'export':
-        return this.#reply(request, { type: 'exported', text: this.#net().toObj(request.digits) });
+        return this.#export(request.id, request.format);
       case 'measure':
         return this.#reply(request, this.#measured());
       case 'thumbnail':
@@ -126,7 +128,8 @@ export class Session {
     this.#forgetSolve();
     this.#judge();
     const frame = this.#frame();
-    this.#post({ id, type: 'opened', net: describe(editor), frame }, buffersOf(frame));
+    const net = describe(editor);
+    this.#post({ id, type: 'opened', net, frame }, [...buffersOf(net), ...buffersOf(frame)]);
     this.#go(!scene.settled);
   }
 
@@ -152,6 +155,11 @@ export class Session {
     this.#net().setHandles(handles);
     this.#net().setPositions(positions);
     this.#judge();
+  }
+
+  #export(id: number, format: ExportFormat): void {
+    const bytes = fileOf(this.#net(), format);
+    this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
   }
 
   #measured(): Answer {
@@ -234,7 +242,7 @@ export class Session {
   /** How the net stands when it was put there rather than solved. */
   #judge(): void {
     const editor = this.#net();
-    const converged = largest(editor.deviations()) < Number(editor.options().threshold);
+    const converged = rangeOf(editor.deviations())[1] < Number(editor.options().threshold);
     this.#status = converged ? 'converged' : editor.unreachablePairs().length > 0 ? 'unreachable' : 'running';
   }
 
@@ -250,16 +258,20 @@ export class Session {
   #frame(): FrameData {
     const editor = this.#net();
     const deviations = editor.deviations();
+    const cornerAngles = editor.cornerAngles();
+    const deviationRange = rangeOf(deviations);
     const [trace, stepFrom] = [this.#unsentRows, this.#stepFrom];
     this.#unsentRows = [];
     this.#stepFrom = null;
     return {
       positions: editor.positions(),
       deviations,
-      cornerAngles: editor.cornerAngles(),
+      cornerAngles,
+      deviationRange,
+      angleRange: rangeOf(cornerAngles),
       handles: editor.handles(),
       status: this.#status,
-      maxDeviation: largest(deviations),
+      maxDeviation: deviationRange[1],
       iterations: this.#row?.iteration ?? 0,
       milliseconds: this.#row?.totalMs ?? 0,
       stage: this.#row?.stage ?? 0,
@@ -304,7 +316,11 @@ function failure(code: string, message: string): Error {
 }
 
 function openNet(core: Chebnet, net: OpenScene['net']): Editor {
-  return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name);
+  return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
+}
+
+function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
+  return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
 }
 
 function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
@@ -341,14 +357,34 @@ function applySettings(core: Chebnet, editor: Editor, { method, initialisation, 
 }
 
 function describe(editor: Editor): OpenedNet {
-  const { info, edges, faceStart, faceVertices, restPositions, suggestedHandles } = editor;
-  return { info, edges, faceStart, faceVertices, restPositions, suggestedHandles, handles: editor.handles() };
+  const { info, edges, faceStart, faceVertices, restPositions, restLengths, suggestedHandles } = editor;
+  return {
+    info,
+    // Copies, made here: what the page gets is moved there, for to read it out of the message would hold the page up.
+    edges: edges.slice(),
+    faceStart: faceStart.slice(),
+    faceVertices: faceVertices.slice(),
+    restPositions: restPositions.slice(),
+    restLengths: restLengths.slice(),
+    suggestedHandles: suggestedHandles.slice(),
+    triangles: fanTriangles(faceStart, faceVertices),
+    strips: stripTriangles(edges.length / 2),
+    handles: editor.handles(),
+  };
 }
 
-function buffersOf({ positions, deviations, cornerAngles, stepFrom }: FrameData): Transferable[] {
-  return [positions, deviations, cornerAngles, ...(stepFrom ? [stepFrom] : [])].map(({ buffer }) => buffer);
+/** What of a message is moved to the page rather than copied. */
+function buffersOf(message: OpenedNet | FrameData): Transferable[] {
+  return Object.values(message).flatMap((value: unknown) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }
 
-function largest(values: Float32Array): number {
-  return values.reduce((most, value) => Math.max(most, value), 0);
+function rangeOf(values: Float32Array): [number, number] {
+  let low = Infinity;
+  let high = 0;
+  for (let i = 0; i < values.length; i++) {
+    // Both pass on what is not a number.
+    low = Math.min(low, values[i]!);
+    high = Math.max(high, values[i]!);
+  }
+  return [low, high];
 }

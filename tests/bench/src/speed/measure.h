@@ -17,7 +17,7 @@ std::vector<KernelResult> measure_kernels(const Task& task, const Plan& plan);
 /// leaves out the larger sizes.
 void measure_growth(const Plan& plan, Results& results);
 
-/// Whether projection gave up projecting and ended as li2022.
+/// Whether projecting failed twice, so that projection went on with the costly steps of Gauss and Newton.
 bool fell_back(const SolveReport& report);
 
 Machine this_machine();

@@ -1,0 +1,92 @@
+#include "edit/equalize.h"
+
+#include <memory>
+#include <optional>
+
+#include "command.h"
+#include "io/text.h"
+#include "net/error.h"
+#include "net_argument.h"
+#include "net_output.h"
+#include "report.h"
+
+namespace chebnet {
+namespace {
+
+struct EqualizeArguments {
+    NetArgument net;
+    NetOutput output;
+    std::string length = "mean";
+    std::vector<int> handles;
+};
+
+EqualizeOptions options_of(const EqualizeArguments& arguments) {
+    EqualizeOptions options;
+    options.handles = arguments.handles;
+    if (arguments.length == "mean") return options;
+    options.choice = arguments.length == "fit" ? EqualLength::fitting : EqualLength::given;
+    if (options.choice == EqualLength::fitting) return options;
+    const std::optional<double> number = parse_number(arguments.length);
+    if (!number)
+        throw Error(ErrorCode::bad_option,
+                    "--length wants mean, fit or a number, not " + chebnet::quoted(arguments.length));
+    options.length = *number;
+    return options;
+}
+
+Json spread_report(const LengthSpread& spread) {
+    return {
+        {"shortest", spread.shortest}, {"longest", spread.longest}, {"standard_deviation", spread.standard_deviation}};
+}
+
+Json worst_edges_report(const EqualizeReport& equalized, const Net& net, const Positions& positions) {
+    Json list = Json::array();
+    for (const int e : equalized.worst_edges) {
+        const int a = net.edges()(0, e), b = net.edges()(1, e);
+        list.push_back({{"vertices", {a, b}}, {"length", (positions.col(a) - positions.col(b)).norm()}});
+    }
+    return list;
+}
+
+Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equalizer, const EqualizeReport& equalized) {
+    return {{"net", arguments.net.name},
+            {"status", to_string(equalized.status)},
+            {"length", equalized.length},
+            {"fitting_length", equalized.fitting_length},
+            {"max_dL", equalized.max_deviation},
+            {"iterations", equalized.iterations},
+            {"milliseconds", equalized.milliseconds},
+            {"mean_move_in_lengths", equalized.mean_move},
+            {"max_move_in_lengths", equalized.max_move},
+            {"lengths_before", spread_report(equalized.before)},
+            {"lengths_after", spread_report(equalized.after)},
+            {"worst_edges", worst_edges_report(equalized, equalizer.original(), equalizer.positions())},
+            {"unreachable_pairs", unreachable_report(equalized.unreachable_pairs)}};
+}
+
+int run_equalize(const EqualizeArguments& arguments) {
+    Equalizer equalizer(load_net(arguments.net), options_of(arguments));
+    const EqualizeReport equalized = equalizer.solve();
+    write_net(arguments.output, equalizer.positions(), equalizer.original().faces());
+    print(equalize_report(arguments, equalizer, equalized));
+    return equalized.status == Status::converged ? k_success : k_not_converged;
+}
+
+}  // namespace
+
+Command add_equalize(CLI::App& program) {
+    CLI::App& command =
+        *program.add_subcommand("equalize", "Turn a mesh into a net near it with edges of one length; report, as JSON");
+    const auto arguments = std::make_shared<EqualizeArguments>();
+    add_net_argument(command, arguments->net);
+    command
+        .add_option("--length", arguments->length,
+                    "mean: of the edges; fit: so that the net lies nearest to the mesh; or a number")
+        ->type_name("LENGTH")
+        ->capture_default_str();
+    command.add_option("--hold", arguments->handles, "Vertices that stay where they are, from 0")->type_name("VERTEX");
+    add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
+    return {&command, [arguments] { return run_equalize(*arguments); }};
+}
+
+}  // namespace chebnet

@@ -1,0 +1,241 @@
+#include "edit/equalize.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "net/error.h"
+#include "net/measures.h"
+#include "solve/nearest_rotation.h"
+#include "solve/stopwatch.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr const char* k_threshold = "1e-9";  // k_equal_deviation, as the editor wants to hear it
+// The first attempt may use up all rounds of springs and some steps of the method's last resort, which is slow on large
+// nets; from there, shaking succeeds in a fraction of the time if anything does.
+constexpr const char* k_first_iterations = "150";
+constexpr const char* k_second_iterations = "300";
+// How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
+// rough scan has its vertices off.
+constexpr double k_shake = 0.2;
+constexpr double k_most_growth = 1e6;  // or shrinkage, by a length that is given
+constexpr std::size_t k_most_worst_edges = 8;
+
+double chosen_length(const Net& original, const EqualizeOptions& options) {
+    if (options.choice != EqualLength::given) return original.mean_length();
+    const double factor = options.length / original.mean_length();
+    if (!(factor >= 1 / k_most_growth && factor <= k_most_growth))
+        throw Error(ErrorCode::bad_option, "the length must be a millionth to a million times the mean length");
+    return options.length;
+}
+
+Net with_mean_length_one(const Net& net) {
+    return Net(net.rest_positions() / net.mean_length(), net.faces(), RestLengths::equal);
+}
+
+Eigen::VectorXd edge_lengths(const Net& net, const Positions& positions) {
+    return edge_ratios(net, positions).cwiseProduct(net.rest_lengths());
+}
+
+LengthSpread spread(const Eigen::VectorXd& lengths) {
+    const Eigen::ArrayXd parts = lengths.array() / lengths.mean();
+    return {parts.minCoeff(), parts.maxCoeff(), std::sqrt((parts - 1).square().mean())};
+}
+
+/// 3×V, unit vectors; zero where the faces at a vertex have no area.
+Positions vertex_normals(const Net& net, const Positions& x) {
+    Positions normals = Positions::Zero(3, x.cols());
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        Eigen::Vector3d area = Eigen::Vector3d::Zero();
+        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+            area += (x.col(face[k]) - x.col(face[0])).cross(x.col(face[k + 1]) - x.col(face[0]));
+        for (int v : face) normals.col(v) += area;
+    }
+    for (int v = 0; v < normals.cols(); ++v) normals.col(v).stableNormalize();
+    return normals;
+}
+
+/// The rest positions of a net with edges of mean length 1, each vertex moved along its normal by chance.
+Positions shaken(const Net& net) {
+    std::mt19937 random;  // its numbers, unlike those of distributions, are the same everywhere
+    Positions x = net.rest_positions();
+    const Positions normals = vertex_normals(net, x);
+    for (int v = 0; v < x.cols(); ++v) {
+        const double between_0_and_1 = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+        x.col(v) += k_shake * (2 * between_0_and_1 - 1) * normals.col(v);
+    }
+    return x;
+}
+
+std::vector<int> worst_edges(const Eigen::VectorXd& ratios) {
+    std::vector<int> edges;
+    for (int e = 0; e < ratios.size(); ++e)
+        if (!(deviation(ratios[e]) < k_equal_deviation)) edges.push_back(e);
+    const auto end = edges.begin() + static_cast<std::ptrdiff_t>(std::min(edges.size(), k_most_worst_edges));
+    std::partial_sort(edges.begin(), end, edges.end(),
+                      [&](int a, int b) { return deviation(ratios[a]) > deviation(ratios[b]); });
+    edges.erase(end, edges.end());
+    return edges;
+}
+
+}  // namespace
+
+Equalizer::Equalizer(Net original, EqualizeOptions options)
+    : m_original(std::move(original)),
+      m_options(std::move(options)),
+      m_length(chosen_length(m_original, m_options)),
+      m_fitting_length(m_length),
+      m_editor(with_mean_length_one(m_original)),
+      m_best_deviation(std::numeric_limits<double>::infinity()),
+      m_positions(m_original.rest_positions()) {
+    if (m_options.choice == EqualLength::fitting && !m_options.handles.empty())
+        throw Error(ErrorCode::bad_option, "a net with handles cannot choose its fitting length: they fix its size");
+    m_editor.set_option("threshold", k_threshold);
+    m_editor.set_option("max_iterations", k_first_iterations);
+    hold_handles();
+    if (deviation_from_length() < k_equal_deviation)
+        m_status = Status::converged;
+    else
+        place(m_editor.positions());
+}
+
+void Equalizer::hold_handles() {
+    std::vector<Handle> handles;
+    for (int v : m_options.handles) handles.push_back({v, Eigen::Vector3d::Zero()});
+    m_editor.set_handles(handles);
+    m_editor.reset();
+    handles = m_editor.handles();
+    for (const Handle& handle : handles) m_centre += handle.target / static_cast<double>(handles.size());
+    for (Handle& handle : handles)
+        handle.target = m_centre + m_original.mean_length() / m_length * (handle.target - m_centre);
+    m_editor.set_handles(handles);
+    find_free_pieces();
+}
+
+void Equalizer::find_free_pieces() {
+    std::vector<bool> is_handle(static_cast<std::size_t>(m_original.vertex_count()), false);
+    for (int v : m_options.handles) is_handle[v] = true;
+    for (std::vector<int>& piece : m_editor.topology().components())
+        if (std::none_of(piece.begin(), piece.end(), [&](int v) { return is_handle[v]; }))
+            m_free_pieces.push_back(std::move(piece));
+}
+
+EqualizeReport Equalizer::solve(const Budget& budget) {
+    if (m_status != Status::running) return report();
+    Stopwatch watch;
+    const int iterations_before = m_iterations;
+    do iterate();
+    while (m_status == Status::running && m_iterations - iterations_before < budget.iterations &&
+           watch.milliseconds() < budget.milliseconds);
+    place(m_status == Status::running ? m_editor.positions() : m_best);
+    // What the solver's unit can express, coordinates far from the origin may not.
+    if (m_status == Status::converged && !(deviation_from_length() < k_equal_deviation)) m_status = Status::stalled;
+    m_elapsed_ms += watch.milliseconds();
+    return report();
+}
+
+void Equalizer::iterate() {
+    const SolveReport solved = m_editor.solve({.iterations = 1});
+    m_iterations += solved.iterations;
+    if (m_best.cols() == 0 || solved.max_deviation < m_best_deviation) {
+        m_best = m_editor.positions();
+        m_best_deviation = solved.max_deviation;
+    }
+    if (solved.status == Status::running) return;
+    if (can_try_again(solved.status))
+        try_again();
+    else
+        m_status = solved.status;
+}
+
+bool Equalizer::can_try_again(Status ended) const {
+    return !m_is_second_attempt && ended != Status::converged && ended != Status::unreachable;
+}
+
+void Equalizer::try_again() {
+    m_is_second_attempt = true;
+    m_editor.set_option("max_iterations", k_second_iterations);
+    m_editor.set_positions(shaken(m_editor.net()));
+}
+
+/// From the editor's unit to the original's: free pieces nearest to the original, the others where their handles are.
+void Equalizer::place(const Positions& scaled) {
+    const double unit = m_original.mean_length();
+    std::vector<Placement> placements;
+    for (const std::vector<int>& piece : m_free_pieces)
+        placements.push_back(nearest_placement(piece, scaled, m_editor.net().rest_positions()));
+    choose_length(placements);
+    m_positions = (m_length * (scaled.colwise() - m_centre)).colwise() + unit * m_centre;
+    for (std::size_t k = 0; k < placements.size(); ++k) {
+        const Placement& piece = placements[k];
+        for (int v : m_free_pieces[k])
+            m_positions.col(v) = unit * piece.to + m_length * (piece.rotation * (scaled.col(v) - piece.from));
+    }
+    for (int v : m_options.handles) m_positions.col(v) = m_original.rest_positions().col(v);
+}
+
+void Equalizer::choose_length(const std::vector<Placement>& placements) {
+    if (!m_options.handles.empty()) return;
+    double overlap = 0, extent = 0;
+    for (const Placement& placement : placements) overlap += placement.overlap, extent += placement.extent;
+    // Without overlap every size is as far from the original as any other.
+    m_fitting_length = overlap > 0 ? m_original.mean_length() * overlap / extent : m_length;
+    if (m_options.choice == EqualLength::fitting) m_length = m_fitting_length;
+}
+
+/// By least squares over the piece's vertices.
+Equalizer::Placement Equalizer::nearest_placement(const std::vector<int>& piece, const Positions& x,
+                                                  const Positions& y) {
+    Placement placement;
+    for (int v : piece) placement.from += x.col(v), placement.to += y.col(v);
+    placement.from /= static_cast<double>(piece.size());
+    placement.to /= static_cast<double>(piece.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (int v : piece) {
+        covariance += (y.col(v) - placement.to) * (x.col(v) - placement.from).transpose();
+        placement.extent += (x.col(v) - placement.from).squaredNorm();
+    }
+    placement.rotation = nearest_rotation(covariance, Eigen::Quaterniond::Identity()).toRotationMatrix();
+    placement.overlap = placement.rotation.cwiseProduct(covariance).sum();
+    return placement;
+}
+
+double Equalizer::deviation_from_length() const {
+    return max_deviation(edge_lengths(m_original, m_positions) / m_length);
+}
+
+EqualizeReport Equalizer::report() const {
+    EqualizeReport report;
+    report.status = m_status;
+    report.length = m_length;
+    report.iterations = m_iterations;
+    report.milliseconds = m_elapsed_ms;
+    report.fitting_length = m_fitting_length;
+    report.unreachable_pairs = unreachable_pairs();
+    const Eigen::VectorXd lengths = edge_lengths(m_original, m_positions);
+    report.max_deviation = max_deviation(lengths / m_length);
+    report.before = spread(edge_lengths(m_original, m_original.rest_positions()));
+    report.after = spread(lengths);
+    report.worst_edges = worst_edges(lengths / m_length);
+    const Eigen::VectorXd moves = (m_positions - m_original.rest_positions()).colwise().norm() / m_length;
+    report.mean_move = moves.mean();
+    report.max_move = moves.maxCoeff();
+    return report;
+}
+
+/// The editor's, in the original's unit.
+std::vector<UnreachablePair> Equalizer::unreachable_pairs() const {
+    std::vector<UnreachablePair> pairs = m_editor.unreachable_pairs();
+    for (UnreachablePair& pair : pairs) pair.distance *= m_length, pair.reach *= m_length;
+    return pairs;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "edit/editor.h"
+#include "net/net.h"
+#include "solve/trace.h"
+
+namespace chebnet {
+
+/// Below this max dL all edges have one length: an edge is off by less than 0.0032 % of it.
+inline constexpr double k_equal_deviation = 1e-9;
+
+/// Which length all edges are to have.
+enum class EqualLength {
+    mean,     ///< the mean of the original's edges
+    fitting,  ///< the one with which the result, seen as a shape of any size, lies nearest to the original
+    given,    ///< EqualizeOptions::length
+};
+
+struct EqualizeOptions {
+    EqualLength choice = EqualLength::mean;
+    double length = 0;         ///< with EqualLength::given: L
+    std::vector<int> handles;  ///< vertices that stay exactly where they are; none: the whole net is free
+};
+
+/// How edge lengths differ, as parts of their mean.
+struct LengthSpread {
+    double shortest, longest;
+    double standard_deviation;
+};
+
+struct EqualizeReport {
+    Status status = Status::running;
+    double length = 0;         ///< L
+    double max_deviation = 0;  ///< the largest dL of an edge against L
+    int iterations = 0;        ///< since the beginning
+    double milliseconds = 0;   ///< likewise
+    LengthSpread before, after;
+    double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
+    /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
+    /// others that were too short: the net then had to crumple, which makes it smaller.
+    double fitting_length = 0;
+    std::vector<int> worst_edges;                    ///< a few of those with dL ≥ k_equal_deviation, the worst first
+    std::vector<UnreachablePair> unreachable_pairs;  ///< of handles, see Editor
+};
+
+/// Turns a mesh with unequal edges into a Chebyshev net near it: quad meshes as modellers and remeshers leave them,
+/// open or closed, of any valences.
+///
+/// The original is scaled, so that its mean edge has the length L, about the centre of the handles if there are any;
+/// from there the default method (see solve/projection.h) gives all edges this length. Springs do the most of it, and
+/// their steps are smooth: a net becomes another shape rather than a wrinkled copy of the old. A net, or a part of it,
+/// without handles is then put where it lies nearest to the original, by least squares (Horn 1987).
+///
+/// Where that fails, a second attempt starts from vertices shaken along their normals: forces in a flat mesh keep it
+/// flat, and most flat meshes become equal by leaving the plane only. Shaking by normals, the same for the same mesh,
+/// keeps results repeatable, and the result of a moved mesh is the moved result.
+class Equalizer {
+public:
+    /// Only positions and faces of the original count, not its rest lengths.
+    /// Throws Error bad_option (a given length not within a factor 1e6 of the mean; fitting with handles),
+    /// index_out_of_range and repeated_vertex (handles).
+    explicit Equalizer(Net original, EqualizeOptions options = {});
+
+    const Net& original() const { return m_original; }
+
+    /// Goes on until it ends or the budget runs out (status `running`; call again to go on, or leave it: what is held
+    /// is finite at any time). Never throws over a hard problem. Ends as
+    ///
+    ///   converged                             max dL < k_equal_deviation
+    ///   stalled, max_iterations, non_finite   no such net was found: the best is held
+    ///   unreachable                           no such net exists: handles stand too far apart
+    EqualizeReport solve(const Budget& budget = {});
+
+    /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already.
+    const Positions& positions() const { return m_positions; }
+
+private:
+    /// How a free piece is moved as a whole: `from` goes to `to`, and it turns about that.
+    struct Placement {
+        Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+        double overlap = 0, extent = 0;  // overlap / extent is the scale that would bring it nearest
+    };
+
+    void hold_handles();
+    void find_free_pieces();
+    void iterate();
+    bool can_try_again(Status ended) const;
+    void try_again();
+    void place(const Positions& scaled);
+    void choose_length(const std::vector<Placement>& placements);
+    static Placement nearest_placement(const std::vector<int>& piece, const Positions& x, const Positions& y);
+    double deviation_from_length() const;
+    EqualizeReport report() const;
+    std::vector<UnreachablePair> unreachable_pairs() const;
+
+    Net m_original;
+    EqualizeOptions m_options;
+    double m_length;                                     // L
+    double m_fitting_length;                             // in any case
+    Editor m_editor;                                     // of the original scaled to mean edges of length 1
+    Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();  // of the handles, in the editor's unit
+    std::vector<std::vector<int>> m_free_pieces;         // components without handles
+    Status m_status = Status::running;
+    bool m_is_second_attempt = false;
+    int m_iterations = 0;
+    double m_elapsed_ms = 0;
+    Positions m_best;         // in the editor's unit, of all iterations
+    double m_best_deviation;  // its max dL
+    Positions m_positions;
+};
+
+}  // namespace chebnet

@@ -1,0 +1,183 @@
+// Measures what a net costs the page's main thread while it is opened, dragged and pointed at, and prints JSON. Times are
+// processor time of Chromium's tasks: by the clock a software renderer would count, which shares the processor here.
+// Bytes are what scripts allocate, garbage included.
+//   (cd web && npm run build) && node tests/bench/page.mjs [RECIPE]...
+import { createRequire } from 'node:module';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const RECIPES = ['vault:vertices=16000', 'vault:vertices=100000'];
+const MOVES = 30;
+/** A small picture: a software renderer takes long enough. */
+const viewport = { width: 900, height: 600 };
+/** Collecting garbage, without what of it lies within. */
+const GARBAGE = /^(MinorGC|MajorGC|V8\.GC_MC_INCREMENTAL)$/;
+/** Of these, what takes time is script or collecting its garbage. */
+const SCRIPT = /^(FunctionCall|EvaluateScript|RunMicrotasks|HandlePostMessage|MinorGC|MajorGC|V8\.GC.*|BlinkGC.*)$/;
+
+const WEB = fileURLToPath(new URL('../../web/', import.meta.url));
+const { runnerImport } = await import(pathToFileURL(createRequire(`${WEB}package.json`).resolve('vite')).href);
+const { Script, launch, newPage, serve } = await importTyped('../browser/page.ts');
+
+const [browser, site] = await Promise.all([launch(), serve()]);
+try {
+  const given = process.argv.slice(2);
+  const figures = [];
+  for (const recipe of given.length > 0 ? given : RECIPES) figures.push(await measure(recipe));
+  console.log(JSON.stringify(figures, null, 2));
+} finally {
+  await browser.close();
+  site.close();
+}
+
+async function importTyped(path) {
+  const file = fileURLToPath(new URL(path, import.meta.url));
+  return (await runnerImport(file, { root: WEB, resolve: { dedupe: ['playwright-core'] }, logLevel: 'error' })).module;
+}
+
+async function measure(recipe) {
+  const { page, complaints, close } = await newPage(browser, { viewport });
+  const script = new Script(page);
+  await page.goto(site.address);
+  await script.waitForNet();
+  await script.settled();
+  const opening = await traced(async () => {
+    await script.open({ recipe });
+    await script.settled();
+  });
+  const vertex = await page.evaluate(() => window.chebnet.handles().at(-1).vertex);
+  const drag = await traced(() => dragAround(script, vertex));
+  const allocated = await allocations(page, () => dragAround(script, vertex));
+  const hover = await traced(() => pointAround(page));
+  await close();
+  return { recipe, opening: tasksOf(opening), drag: { ...framesOf(drag), ...allocated }, hover: tasksOf(hover), complaints };
+}
+
+/** A drag in a circle, one move a frame. */
+async function dragAround(script, vertex) {
+  const { mouse } = script.page;
+  const { x, y } = await script.screenPosition(vertex);
+  await mouse.move(x, y);
+  await mouse.down();
+  for (let i = 1; i <= MOVES; i++) {
+    const turn = (2 * Math.PI * i) / MOVES;
+    await mouse.move(x + 30 * Math.sin(turn), y - 30 + 30 * Math.cos(turn));
+    await script.page.waitForTimeout(30);
+  }
+  await mouse.up();
+  await script.settled();
+}
+
+async function pointAround(page) {
+  const { width, height } = viewport;
+  for (let i = 0; i < MOVES; i++) {
+    await page.mouse.move(0.25 * width + (0.3 * width * i) / MOVES, height * (0.4 + 0.2 * Math.sin(i)));
+    await page.waitForTimeout(20);
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------- allocations
+
+async function allocations(page, doing) {
+  const session = await page.context().newCDPSession(page);
+  await page.evaluate(() => {
+    window.frames_counted = 0;
+    window.chebnet.on('frame', () => window.frames_counted++);
+  });
+  const options = { samplingInterval: 256, includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };
+  await session.send('HeapProfiler.startSampling', options);
+  await doing();
+  const { profile } = await session.send('HeapProfiler.stopSampling');
+  const frames = await page.evaluate(() => window.frames_counted);
+  const bytes = new Map();
+  collect(profile.head, bytes);
+  const total = [...bytes.values()].reduce((sum, each) => sum + each, 0);
+  const most = [...bytes].sort((a, b) => b[1] - a[1]).slice(0, 12);
+  return {
+    kilobytesAFrame: round(total / frames / 1000),
+    allocators: Object.fromEntries(most.map(([name, size]) => [name, round(size / frames / 1000)])),
+  };
+}
+
+function collect({ callFrame, selfSize, children }, bytes) {
+  const name = `${callFrame.functionName || '(anonymous)'} ${callFrame.lineNumber}:${callFrame.columnNumber}`;
+  bytes.set(name, (bytes.get(name) ?? 0) + selfSize);
+  for (const child of children) collect(child, bytes);
+}
+
+// --------------------------------------------------------------------------------------------------------------- traces
+
+/** The events of the page's main thread while `doing` goes on, and of the messages to it. */
+async function traced(doing) {
+  const categories = ['__metadata', 'devtools.timeline', 'disabled-by-default-devtools.timeline'];
+  await browser.startTracing(undefined, { categories });
+  await doing();
+  const { traceEvents } = JSON.parse(String(await browser.stopTracing()));
+  const isMain = ({ name, args }) => name === 'thread_name' && args?.name === 'CrRendererMain';
+  const threads = new Set(traceEvents.filter(isMain).map(threadOf));
+  return { main: traceEvents.filter((event) => threads.has(threadOf(event))), all: traceEvents };
+}
+
+function threadOf({ pid, tid }) {
+  return `${pid} ${tid}`;
+}
+
+function tasksOf({ main }) {
+  const own = times(main, /^RunTask$/);
+  const script = times(scriptsOf(main), SCRIPT);
+  return { longestTaskMs: round(Math.max(...own)), longestScriptMs: round(Math.max(...script)), scriptMs: round(sum(script)) };
+}
+
+function framesOf(trace) {
+  const { main, all } = trace;
+  const drawn = main.filter(({ name }) => name === 'FireAnimationFrame').length;
+  return {
+    ...tasksOf(trace),
+    framesDrawn: drawn,
+    garbageMsAFrame: round(sum(times(main, GARBAGE)) / drawn),
+    messageMs: statistics(times(main, /^HandlePostMessage$/)),
+    timerMs: statistics(times(main, /^TimerFire$/)),
+    animationFrameMs: statistics(times(main, /^FireAnimationFrame$/)),
+    latencyMs: statistics(latencies(all, main)),
+  };
+}
+
+/** Processor time of the events of these names, ms. */
+function times(events, names) {
+  return events.filter(({ name, tdur }) => names.test(name) && tdur !== undefined).map(({ tdur }) => tdur / 1000);
+}
+
+/** Outermost events of script. */
+function scriptsOf(main) {
+  const scripts = [];
+  let end = -Infinity;
+  for (const event of main.filter(({ name, tdur }) => SCRIPT.test(name) && tdur !== undefined).sort((a, b) => a.ts - b.ts)) {
+    if (event.ts < end) continue;
+    end = event.ts + event.dur;
+    scripts.push(event);
+  }
+  return scripts;
+}
+
+/** From when a worker posted a message to the page until it was read, ms by the clock. */
+function latencies(all, main) {
+  const threads = new Set(main.map(threadOf));
+  const posts = all.filter((event) => event.name === 'SchedulePostMessage' && event.args.data !== undefined && !threads.has(threadOf(event)));
+  const posted = new Map(posts.map(({ ts, args }) => [args.data.traceId, ts]));
+  return main
+    .filter(({ name, args }) => name === 'HandlePostMessage' && args.data !== undefined && posted.has(args.data.traceId))
+    .map(({ ts, args }) => (ts - posted.get(args.data.traceId)) / 1000);
+}
+
+function statistics(values) {
+  const sorted = values.sort((a, b) => a - b);
+  const at = (share) => round(sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? NaN);
+  return { count: values.length, median: at(0.5), p95: at(0.95), largest: at(1) };
+}
+
+function sum(values) {
+  return values.reduce((total, value) => total + value, 0);
+}
+
+function round(value) {
+  return Number(value.toPrecision(3));
+}

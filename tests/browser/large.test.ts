@@ -1,0 +1,101 @@
+/** A net of 100,000 vertices: slower than others, but the page lives. */
+import type { Browser } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { distance, dragBy } from './geometry';
+import { Script, launch, newPage, serve } from './page';
+import { mainThreadTasks } from './tasks';
+
+const RECIPE = 'vault:vertices=100000';
+/** A small picture: a software renderer takes long enough. */
+const viewport = { width: 900, height: 600 };
+/** Generous: about 20 if the machine has nothing else to do. */
+const LONGEST_TASK_MS = 100;
+
+const editor = (await load()).openRecipe(RECIPE);
+const { vertices, meanLength } = editor.info;
+const dragged = editor.suggestedHandles.at(-1)!;
+editor.dispose();
+
+let browser: Browser;
+let site: Awaited<ReturnType<typeof serve>>;
+let visit: Awaited<ReturnType<typeof newPage>>;
+let script: Script;
+
+beforeAll(async () => {
+  [browser, site] = await Promise.all([launch(), serve()]);
+});
+afterAll(async () => {
+  await browser.close();
+  site.close();
+});
+
+beforeEach(async () => {
+  visit = await newPage(browser, { viewport });
+  script = new Script(visit.page);
+  await visit.page.goto(site.address);
+  await script.waitForNet();
+});
+afterEach(async () => {
+  const { complaints } = visit;
+  await visit.close();
+  expect(complaints).toEqual([]);
+});
+
+test('opens and is drawn, and no task of the page lasts long', async () => {
+  await drawn();
+  const { own } = await mainThreadTasks(browser, async () => {
+    await script.open({ recipe: RECIPE });
+    await drawn();
+    await script.settled();
+  });
+  console.log(`longest task while ${vertices} vertices open: ${Math.max(...own)} ms`);
+  expect(await script.stats()).toMatchObject({ vertices, status: 'converged' });
+  expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
+});
+
+test('a drag moves it, Escape takes that back', async () => {
+  await script.open({ recipe: RECIPE });
+  await script.settled();
+  const before = await placeOf(dragged);
+  await dragBy(script, dragged, [-40, -30]);
+  await expect.poll(async () => distance(await placeOf(dragged), before), { timeout: 30_000 }).toBeGreaterThan(meanLength);
+  // The net may still be on its way there.
+  const moved = await targetOf(dragged);
+  await dragBy(script, dragged, [30, 40], { atEnd: () => visit.page.keyboard.press('Escape') });
+  await script.settled();
+  expect(distance(await placeOf(dragged), moved)).toBeLessThan(1e-9);
+  expect((await script.stats()).status).toBe('converged');
+}, 300_000); // each picture takes a software renderer a second or more
+
+test('a solve that would take minutes shows how it goes and can be cancelled', async () => {
+  const { page } = visit;
+  await script.open({ recipe: RECIPE });
+  await script.settled();
+  await page.evaluate(() => window.chebnet.setOptions({ method: 'gradient_descent' }));
+  const [x, y, z] = await placeOf(dragged);
+  await script.move(dragged, [x, y, z - 20 * meanLength]);
+  await page.getByText('Solver', { exact: true }).click();
+  await expect.poll(async () => (await script.stats()).iterations, { timeout: 30_000 }).toBeGreaterThan(1);
+  await page.getByText('Solving', { exact: true }).waitFor();
+  await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+  await script.settled();
+  expect((await script.stats()).status).toBe('running');
+  await page.getByText('Stopped before the end').waitFor();
+});
+
+/** A picture with the net on it has been drawn. */
+async function drawn() {
+  await visit.page.waitForFunction(() => window.chebnet.stats().framesPerSecond > 0);
+}
+
+async function targetOf(vertex: number) {
+  const handles = await visit.page.evaluate(() => window.chebnet.handles());
+  return handles.find((handle) => handle.vertex === vertex)!.target;
+}
+
+async function placeOf(vertex: number): Promise<[number, number, number]> {
+  const place = (v: number) => Array.from(window.chebnet.positions().subarray(3 * v, 3 * v + 3));
+  const [x = NaN, y = NaN, z = NaN] = await visit.page.evaluate(place, vertex);
+  return [x, y, z];
+}

@@ -1,0 +1,310 @@
+#include "edit/equalize.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "net/error.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "shapes/shapes.h"
+
+using namespace chebnet;
+
+namespace {
+
+/// Stretched and bent, so that lengths differ in the large.
+Positions warped(Positions x) {
+    const Eigen::Vector3d corner = x.rowwise().minCoeff();
+    const double size = (x.rowwise().maxCoeff() - corner).norm();
+    for (auto p : x.colwise()) {
+        const Eigen::Vector3d q = (p - corner) / size;
+        p += size *
+             Eigen::Vector3d(q.x() * q.x() + 0.15 * std::sin(9 * q.y()), q.y() * q.z(), 0.1 * std::sin(7 * q.x()));
+    }
+    return x;
+}
+
+/// A gallery shape, warped and with every coordinate off by up to `noise` edge lengths.
+Net raw_mesh(const std::string& recipe, double noise) {
+    std::mt19937 random(7);
+    const Net net = make_shape(recipe).net;
+    return Net(samples::shaken(warped(net.rest_positions()), noise * net.mean_length(), random), net.faces());
+}
+
+Net noisy_patch() {
+    std::mt19937 random(3);
+    const Net patch = samples::patch(20, 15);
+    return Net(samples::shaken(patch.rest_positions(), 0.2, random), patch.faces());
+}
+
+/// Every quad cut along a diagonal and every triangle into three quads: valences 3, 4 and 6 side by side.
+Net split_triangles(const Net& quads) {
+    Positions x = quads.rest_positions();
+    Faces faces;
+    const auto midpoint = [&](int a, int b) {
+        for (Eigen::Index v = quads.vertex_count(); v < x.cols(); ++v)
+            if ((x.col(v) - (x.col(a) + x.col(b)) / 2).norm() < 1e-9) return static_cast<int>(v);
+        x.conservativeResize(3, x.cols() + 1);
+        x.rightCols(1) = (x.col(a) + x.col(b)) / 2;
+        return static_cast<int>(x.cols()) - 1;
+    };
+    const auto split = [&](int a, int b, int c) {
+        const int ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
+        x.conservativeResize(3, x.cols() + 1);
+        const int centre = static_cast<int>(x.cols()) - 1;
+        x.col(centre) = (x.col(a) + x.col(b) + x.col(c)) / 3;
+        faces.add({a, ab, centre, ca});
+        faces.add({b, bc, centre, ab});
+        faces.add({c, ca, centre, bc});
+    };
+    for (int f = 0; f < quads.face_count(); ++f) {
+        const std::span<const int> q = quads.faces()[f];
+        split(q[0], q[1], q[2]);
+        split(q[0], q[2], q[3]);
+    }
+    return Net(x, faces);
+}
+
+/// All ten pairs of five vertices joined, on a Möbius strip: space has no five points at one distance from each other.
+Net five_neighbours() {
+    Positions x(3, 5);
+    x << 0, 1, 0, 0, 1,  //
+        0, 0, 1, 0, 1,   //
+        0, 0, 0, 1, 1;
+    Faces faces;
+    for (int i = 0; i < 5; ++i) faces.add({i, (i + 1) % 5, (i + 2) % 5});
+    return Net(x, faces);
+}
+
+/// Measured by itself, without anything that the report says.
+double largest_deviation(const Net& mesh, const Positions& x, double length) {
+    double largest = 0;
+    for (const auto edge : mesh.edges().colwise()) {
+        const double ratio = (x.col(edge[0]) - x.col(edge[1])).norm() / length;
+        largest = std::max(largest, ratio + 1 / ratio - 2);
+    }
+    return largest;
+}
+
+double largest_move(const Positions& a, const Positions& b) { return (a - b).colwise().norm().maxCoeff(); }
+
+}  // namespace
+
+TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
+    const auto [name, mesh, farthest] = GENERATE(table<std::string, Net, double>({
+        {"noise", noisy_patch(), 0.3},
+        {"open", raw_mesh("dome:vertices=1500", 0.2), 2},
+        {"boundaries, stretched", raw_mesh("vault:vertices=1500", 0), 2},
+        {"closed, genus 1", raw_mesh("torus:vertices=1500", 0.2), 2.5},
+        {"closed, singular", raw_mesh("jack:vertices=1500", 0.2), 2.5},
+        {"genus 5", raw_mesh("steps:vertices=1500", 0.3), 2},
+        {"flat", Net(Eigen::Vector3d(1, 1, 0).asDiagonal() * noisy_patch().rest_positions(), noisy_patch().faces()), 2},
+        {"valences 3, 4 and 6", split_triangles(noisy_patch()), 2},
+    }));
+    INFO(name);
+    Equalizer equalizer(mesh, {EqualLength::fitting, 0, {}});
+    const EqualizeReport report = equalizer.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.max_deviation < k_equal_deviation);
+    CHECK(largest_deviation(mesh, equalizer.positions(), report.length) < 1.1e-9);
+    CHECK(Net(equalizer.positions(), mesh.faces()).is_chebyshev());
+    CHECK(report.worst_edges.empty());
+    CHECK(report.before.standard_deviation > 0.1);
+    CHECK(report.after.longest - report.after.shortest < 2e-4);
+
+    CHECK(report.max_move * report.length == Approx(largest_move(equalizer.positions(), mesh.rest_positions())));
+    CHECK(report.mean_move < report.max_move);
+    CHECK(report.mean_move < farthest);
+}
+
+TEST_CASE("A flat mesh that cannot become equal in its plane leaves it") {
+    // Six equal triangles fill a full turn about a vertex; with diagonals both ways there are four, seven or eight.
+    const Net patch = noisy_patch();
+    Faces triangles;
+    for (int f = 0; f < patch.face_count(); ++f) {
+        const std::span<const int> q = patch.faces()[f];
+        const int turn = f % 3 == 0 ? 1 : 0;
+        triangles.add({q[turn], q[turn + 1], q[turn + 2]});
+        triangles.add({q[turn], q[turn + 2], q[(turn + 3) % 4]});
+    }
+    const Net flat(Eigen::Vector3d(1, 1, 0).asDiagonal() * patch.rest_positions(), triangles);
+    Equalizer equalizer(flat);
+    CHECK(equalizer.solve().status == Status::converged);
+    CHECK(equalizer.positions().row(2).cwiseAbs().maxCoeff() > 0.01 * flat.mean_length());
+}
+
+TEST_CASE("A net with edges of one length comes back bit for bit") {
+    const Net net = make_shape("elephant:vertices=1000").net;
+    const EqualizeOptions options = GENERATE_COPY(EqualizeOptions{}, EqualizeOptions{EqualLength::fitting, 0, {}},
+                                                  EqualizeOptions{EqualLength::given, net.mean_length(), {3, 100}});
+    Equalizer equalizer(net, options);
+    const EqualizeReport report = equalizer.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.iterations == 0);
+    CHECK(report.max_move == 0);
+    CHECK(equalizer.positions() == net.rest_positions());
+}
+
+TEST_CASE("A length that is given is the length of all edges; without handles only the size depends on it") {
+    const Net mesh = noisy_patch();
+    const double factor = GENERATE(0.01, 0.7, 1.0, 30.0);
+    Equalizer given(mesh, {EqualLength::given, factor * mesh.mean_length(), {}});
+    const EqualizeReport report = given.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.length == factor * mesh.mean_length());
+    CHECK(largest_deviation(mesh, given.positions(), factor * mesh.mean_length()) < 1.1e-9);
+
+    Equalizer mean(mesh);
+    CHECK(mean.solve().fitting_length == Approx(report.fitting_length));
+    const Positions& x = mean.positions();
+    const Eigen::Vector3d centre = x.rowwise().mean();
+    const Positions grown = (factor * (x.colwise() - centre)).colwise() + centre;
+    CHECK(largest_move(grown, given.positions()) < 1e-9 * std::max(1.0, factor));
+}
+
+TEST_CASE("With the fitting length the net lies nearer to the original than with any other") {
+    const Net mesh = split_triangles(noisy_patch());
+    const auto squared_distance = [&](EqualizeOptions options) {
+        Equalizer equalizer(mesh, std::move(options));
+        equalizer.solve();
+        return (equalizer.positions() - mesh.rest_positions()).squaredNorm();
+    };
+    Equalizer fitting(mesh, {EqualLength::fitting, 0, {}});
+    const EqualizeReport report = fitting.solve();
+    CHECK(report.length == report.fitting_length);
+    CHECK(report.length > 1.2 * mesh.mean_length());  // such meshes crumple
+    const double nearest = squared_distance({EqualLength::fitting, 0, {}});
+    for (double factor : {0.9, 0.99, 1.01, 1.1})
+        CHECK(nearest < squared_distance({EqualLength::given, factor * report.length, {}}));
+}
+
+TEST_CASE("A net without handles neither drifts nor turns, and neither do its pieces") {
+    const Net patch = noisy_patch();
+    const int n = patch.vertex_count();
+    Positions x(3, 2 * n);
+    x << patch.rest_positions(), 2 * (patch.rest_positions().colwise() + Eigen::Vector3d(50, 7, 0));
+    Faces faces = patch.faces();
+    for (int f = 0; f < patch.face_count(); ++f) {
+        std::vector<int> face(patch.faces()[f].begin(), patch.faces()[f].end());
+        for (int& v : face) v += n;
+        faces.add(face);
+    }
+    const Net mesh(x, faces);
+    Equalizer equalizer(mesh);
+    CHECK(equalizer.solve().status == Status::converged);
+    for (int first : {0, n}) {
+        const Positions before = x.middleCols(first, n), after = equalizer.positions().middleCols(first, n);
+        CHECK((before.rowwise().mean() - after.rowwise().mean()).norm() < 1e-10);
+        // Least squares is reached where the moves have no moment about the centre.
+        Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+        for (int v = 0; v < n; ++v) moment += (before.col(v) - before.rowwise().mean()).cross(after.col(v));
+        CHECK(moment.norm() < 1e-6 * before.squaredNorm());
+    }
+}
+
+TEST_CASE("The result of a moved mesh is the moved result") {
+    const Net mesh = noisy_patch();
+    const Eigen::Isometry3d motion =
+        Eigen::Translation3d(3, -20, 8) * Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized());
+    Equalizer here(mesh), there(Net(motion * mesh.rest_positions(), mesh.faces()));
+    CHECK(here.solve().status == there.solve().status);
+    CHECK(largest_move(motion * here.positions(), there.positions()) < 1e-6);
+}
+
+TEST_CASE("Handles stay exactly where they are") {
+    const Net mesh = noisy_patch();
+    const std::vector<int> handles{0, 19, 150};
+    const double factor = GENERATE(1.0, 1.1);
+    Equalizer equalizer(mesh, {EqualLength::given, factor * mesh.mean_length(), handles});
+    const EqualizeReport report = equalizer.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(largest_deviation(mesh, equalizer.positions(), report.length) < 1.1e-9);
+    for (int v : handles) CHECK(equalizer.positions().col(v) == mesh.rest_positions().col(v));
+    CHECK(report.fitting_length == report.length);
+    CHECK(report.max_move < 3);
+}
+
+TEST_CASE("What cannot be is refused honestly, with the best that was found") {
+    SECTION("no five points have one distance from each other") {
+        const Net mesh = five_neighbours();
+        Equalizer equalizer(mesh);
+        const EqualizeReport report = equalizer.solve();
+        CHECK((report.status == Status::stalled || report.status == Status::max_iterations));
+        CHECK(report.max_deviation > 1e-3);
+        CHECK(report.max_deviation < largest_deviation(mesh, mesh.rest_positions(), mesh.mean_length()));
+        CHECK(report.max_deviation == Approx(largest_deviation(mesh, equalizer.positions(), report.length)));
+        REQUIRE(!report.worst_edges.empty());
+        const auto edge = mesh.edges().col(report.worst_edges[0]);
+        const double worst = (equalizer.positions().col(edge[0]) - equalizer.positions().col(edge[1])).norm();
+        CHECK(deviation(worst / report.length) == Approx(report.max_deviation));
+    }
+    SECTION("handles farther apart than the net is long") {
+        const Net mesh = noisy_patch();
+        Equalizer equalizer(mesh, {EqualLength::given, 0.5 * mesh.mean_length(), {0, 299}});
+        const EqualizeReport report = equalizer.solve();
+        CHECK(report.status == Status::unreachable);
+        CHECK(equalizer.positions().allFinite());
+        REQUIRE(report.unreachable_pairs.size() == 1);
+        const UnreachablePair& pair = report.unreachable_pairs[0];
+        CHECK(pair.distance == Approx((mesh.rest_positions().col(0) - mesh.rest_positions().col(299)).norm()));
+        CHECK(pair.reach == Approx(33 * 0.5 * mesh.mean_length()));
+        for (int v : {0, 299}) CHECK(equalizer.positions().col(v) == mesh.rest_positions().col(v));
+    }
+}
+
+TEST_CASE("In slices it comes to the same result, and can be left at any of them") {
+    const Net mesh = raw_mesh("steps:vertices=1500", 0.3);
+    Equalizer whole(mesh), sliced(mesh);
+    const EqualizeReport at_once = whole.solve();
+    EqualizeReport report;
+    int slices = 0;
+    do {
+        report = sliced.solve({1, 1e9});
+        CHECK(report.iterations == ++slices);
+        CHECK(sliced.positions().allFinite());
+        CHECK(report.max_deviation == Approx(largest_deviation(mesh, sliced.positions(), report.length)).margin(1e-12));
+    } while (report.status == Status::running);
+    CHECK(report.status == at_once.status);
+    CHECK(report.iterations == at_once.iterations);
+    CHECK(sliced.positions() == whole.positions());
+    CHECK(sliced.solve().iterations == report.iterations);  // nothing is left to do
+
+    Equalizer hurried(mesh);
+    CHECK(hurried.solve({1000, 0}).iterations == 1);
+}
+
+TEST_CASE("Lengths of any size, far from the origin and close by") {
+    const double unit = GENERATE(1e-100, 1e-6, 1e6, 1e100);
+    const Net patch = noisy_patch();
+    const Positions x = unit * (patch.rest_positions().array() + 1000).matrix();
+    Equalizer equalizer(Net(x, patch.faces()));
+    const EqualizeReport report = equalizer.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.max_deviation < k_equal_deviation);
+    CHECK(report.max_move < 3);
+}
+
+TEST_CASE("Lengths and handles that make no sense are refused") {
+    const Net mesh = samples::mixed_mesh();
+    const auto code = [&](EqualizeOptions options) {
+        try {
+            const Equalizer equalizer(mesh, std::move(options));
+        } catch (const Error& error) {
+            return error.code();
+        }
+        FAIL("not refused");
+        return ErrorCode::no_faces;
+    };
+    for (double length : {0.0, -1.0, 1e-9, 1e9, std::nan(""), std::numeric_limits<double>::infinity()})
+        CHECK(code({EqualLength::given, length, {}}) == ErrorCode::bad_option);
+    CHECK(code({EqualLength::fitting, 0, {1}}) == ErrorCode::bad_option);
+    CHECK(code({EqualLength::mean, 0, {8}}) == ErrorCode::index_out_of_range);
+    CHECK(code({EqualLength::mean, 0, {1, 1}}) == ErrorCode::repeated_vertex);
+}

@@ -1,0 +1,227 @@
+/** Files on their way in and out, without a page. */
+import { describe, expect, test } from 'vitest';
+import type { NetSource } from '../../web/src/document/document';
+import { edgesCsv } from '../../web/src/files/edges_csv';
+import { edgeLengths, spreadOf } from '../../web/src/files/edge_lengths';
+import { fileNameOf, typeOf } from '../../web/src/files/export';
+import type { FileRequest, FileResponse, Stage } from '../../web/src/files/file_protocol';
+import type { FileWorkerLike } from '../../web/src/files/file_reading';
+import type { FileReport } from '../../web/src/files/file_report';
+import { FileSession } from '../../web/src/files/file_session';
+import { FileOpener, LARGEST_FILE } from '../../web/src/files/import';
+import type { FileChoice, FileDialogLike } from '../../web/src/files/import';
+import { objText } from '../../web/src/files/obj_text';
+import { faceWords, lengthWords, percentWords, singularWords } from '../../web/src/panels/file_words';
+import { load } from '../wasm/load';
+
+const core = await load();
+
+const SQUARES = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n';
+const OBLONG = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
+const DOUBLE_FACE = `${SQUARES}v 7 7 7\nf 4 3 2 1\n`;
+const TURNED_FACE = SQUARES.replace('f 2 5 6 3', 'f 3 6 5 2');
+
+describe('lengths', () => {
+  test('are measured and summed up', () => {
+    const lengths = edgeLengths(Float64Array.of(0, 0, 0, 3, 4, 0, 3, 4, 1), Int32Array.of(0, 1, 1, 2));
+    expect(lengths).toEqual(Float64Array.of(5, 1));
+    expect(spreadOf(lengths)).toEqual({ smallest: 1, mean: 3, largest: 5, largestDeviation: 2 / 3 });
+  });
+
+  test('become a table, one line an edge', () => {
+    const edges = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(5, 2) };
+    expect(edgesCsv(edges, Float64Array.of(0, 0, 0, 3, 4, 0, 3, 4, 1))).toBe(
+      'edge,vertex_a,vertex_b,length,rest_length,deviation\n0,0,1,5,5,0\n1,1,2,1,2,0.5\n',
+    );
+  });
+});
+
+test('the text of a mesh brings every coordinate back, in few digits', () => {
+  const mesh = core.readMesh(new TextEncoder().encode('v 0.1 -2.5e-30 1e22\nv 1 0.3333333333333333 0\nv 0 1 0\nf 3 1 2\n'), 'net.obj');
+  const text = objText(mesh);
+  expect(text.split('\n')[0]).toBe('v 0.1 -2.5e-30 1e+22');
+  expect(core.readMesh(new TextEncoder().encode(text), 'net.obj')).toEqual(mesh);
+});
+
+test('a file to be saved is named after what was opened', () => {
+  expect(fileNameOf({ recipe: 'dome:vertices=2000' }, 'ply')).toBe('dome.ply');
+  expect(fileNameOf({ obj: '', name: 'My scan.PLY' }, 'obj')).toBe('My scan.obj');
+  expect(fileNameOf({ obj: '', name: '.obj' }, 'csv')).toBe('net.csv');
+  expect(typeOf('png')).toBe('image/png');
+});
+
+describe('words', () => {
+  test('for faces', () => {
+    expect(faceWords({ faces: 1200, facesByArity: { 4: 1200 } })).toBe('1,200 quads');
+    expect(faceWords({ faces: 10, facesByArity: { 3: 1, 4: 7, 9: 2 } })).toBe('10: 7 quads, 2 9-gons, 1 triangle');
+  });
+  test('for singular vertices', () => {
+    expect(singularWords({})).toBe('none');
+    expect(singularWords({ 3: 4, 5: 1 })).toBe('4 of valence 3, 1 of valence 5');
+  });
+  test('for lengths and fractions', () => {
+    expect([0.1234567, 1, 123456].map(lengthWords)).toEqual(['0.12346', '1', '123460']);
+    expect([0, 1e-7, 0.0123, 0.5, 2.345].map(percentWords)).toEqual(['0 %', 'below 0.001 %', '1.2 %', '50 %', '235 %']);
+  });
+});
+
+/** A worker in name only: the session answers in this thread. */
+class LocalWorker implements FileWorkerLike {
+  onmessage: FileWorkerLike['onmessage'] = null;
+  onerror: FileWorkerLike['onerror'] = null;
+  terminated = false;
+  readonly #session = new FileSession(core, (data) => this.#say(data));
+
+  postMessage(request: FileRequest): void {
+    void this.#session.handle(request);
+  }
+
+  terminate(): void {
+    this.terminated = true;
+  }
+
+  #say(data: FileResponse): void {
+    if (!this.terminated) this.onmessage?.({ data } as MessageEvent<FileResponse>);
+  }
+}
+
+class FakeDialog implements FileDialogLike {
+  stages: Stage[] = [];
+  report: FileReport | null = null;
+  isClosed = false;
+  close!: () => void;
+  readonly closed = new Promise<null>((resolve) => {
+    this.close = () => {
+      this.isClosed = true;
+      resolve(null);
+    };
+  });
+
+  constructor(
+    readonly name: string,
+    private readonly answer: (dialog: FakeDialog) => Promise<FileChoice>,
+  ) {}
+
+  showStage(stage: Stage): void {
+    this.stages.push(stage);
+  }
+
+  ask(report: FileReport): Promise<FileChoice> {
+    this.report = report;
+    return this.answer(this);
+  }
+}
+
+const AS_IT_IS: FileChoice = { repaired: false, restLengths: 'automatic' };
+
+/** Opens files one after the other; `answer` is what the user does. */
+function makeOpener(answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS)) {
+  const [workers, dialogs, opened]: [LocalWorker[], FakeDialog[], NetSource[]] = [[], [], []];
+  const opener = new FileOpener({
+    spawnWorker: () => workers[workers.push(new LocalWorker()) - 1]!,
+    createDialog: (name) => dialogs[dialogs.push(new FakeDialog(name, answer)) - 1]!,
+    open: async (net) => void opened.push(net),
+  });
+  return { workers, dialogs, opened, open: (text: string, name = 'net.obj') => opener.open(new File([text], name)), opener };
+}
+
+describe('a file', () => {
+  test('is read in stages, told about and opened', async () => {
+    const { open, opened, dialogs, workers } = makeOpener();
+    await open(SQUARES);
+    expect(dialogs[0]?.stages).toEqual(['loading', 'reading', 'checking', 'measuring', 'opening']);
+    expect(dialogs[0]?.report).toEqual({
+      vertices: 6,
+      edges: 7,
+      faces: 2,
+      facesByArity: { 4: 2 },
+      boundaryLoops: 1,
+      components: 1,
+      singularVertices: {},
+      isChebyshev: true,
+      lengths: { smallest: 1, mean: 1, largest: 1, largestDeviation: 0 },
+      findings: [],
+      refusal: null,
+    });
+    expect(opened).toEqual([{ obj: SQUARES, name: 'net.obj', restLengths: 'automatic' }]);
+    expect(workers[0]?.terminated).toBe(true);
+    expect(dialogs[0]?.isClosed).toBe(true);
+  });
+
+  test('of unequal edges opens with the lengths that are chosen', async () => {
+    const { open, opened, dialogs } = makeOpener(() => Promise.resolve({ repaired: false, restLengths: 'equal' }));
+    await open(OBLONG);
+    expect(dialogs[0]?.report).toMatchObject({ isChebyshev: false, lengths: { smallest: 1, mean: 1.5, largest: 2 } });
+    expect(opened).toMatchObject([{ restLengths: 'equal' }]);
+  });
+
+  test('that the core refuses is repaired with consent', async () => {
+    const { open, opened, dialogs } = makeOpener(() => Promise.resolve({ repaired: true, restLengths: 'automatic' }));
+    await open(DOUBLE_FACE);
+    const { findings, refusal, vertices } = dialogs[0]?.report ?? expect.fail('no report');
+    expect(findings.map(({ defect, count }) => [defect, count])).toEqual([
+      ['duplicate_faces', 1],
+      ['unused_vertices', 1],
+    ]);
+    expect(refusal).toMatch(/vertex|edge/);
+    expect(vertices).toBe(6);
+    expect(opened).toMatchObject([{ obj: SQUARES }]);
+  });
+
+  test('with a flaw the core puts up with may stay as it is', async () => {
+    const { open, opened, dialogs } = makeOpener();
+    await open(TURNED_FACE);
+    expect(dialogs[0]?.report).toMatchObject({ findings: [{ defect: 'inconsistent_winding' }], refusal: null });
+    expect(opened).toMatchObject([{ obj: TURNED_FACE }]);
+  });
+
+  test.each([
+    ['a bad line', 'v 0 0 zero\n', 'bad_syntax', /^net\.obj:1: /],
+    ['only points', 'v 0 0 0\nv 1 0 0\n', 'no_faces', /^net\.obj: /],
+    ['a face beyond the vertices', `${SQUARES}f 1 2 77\n`, 'index_out_of_range', /^net\.obj:9: /],
+  ])('with %s is refused in the words of the core', async (_, text, code, message) => {
+    const { open, opened, dialogs, workers } = makeOpener();
+    await expect(open(text)).rejects.toMatchObject({ code, message: expect.stringMatching(message) });
+    expect(opened).toEqual([]);
+    expect([dialogs[0]?.isClosed, workers[0]?.terminated]).toEqual([true, true]);
+  });
+
+  test('that is too large is not even read', async () => {
+    const { opener, dialogs } = makeOpener();
+    const file = { name: 'huge.ply', size: LARGEST_FILE + 1e6 } as File;
+    await expect(opener.open(file)).rejects.toMatchObject({ code: 'too_large', message: expect.stringMatching(/101 MB/) });
+    expect(dialogs).toEqual([]);
+  });
+
+  test('that cannot be read is said to be so', async () => {
+    const { opener } = makeOpener();
+    const folder = { name: 'folder', size: 4096, arrayBuffer: () => Promise.reject(new Error('NotReadableError')) } as File;
+    await expect(opener.open(folder)).rejects.toMatchObject({ code: 'file_access', message: expect.stringMatching(/folder/) });
+  });
+
+  test('is given up when its dialog is closed, and its worker ended', async () => {
+    const { open, opened, dialogs, workers } = makeOpener((dialog) => {
+      dialog.close();
+      return new Promise(() => {});
+    });
+    await open(SQUARES);
+    expect(opened).toEqual([]);
+    expect([dialogs[0]?.isClosed, workers[0]?.terminated]).toEqual([true, true]);
+  });
+
+  test('takes the place of one that is still being asked about', async () => {
+    let asked = 0;
+    const { open, opened } = makeOpener(() => (asked++ === 0 ? new Promise(() => {}) : Promise.resolve(AS_IT_IS)));
+    const first = open(SQUARES, 'first.obj');
+    await expect.poll(() => asked).toBe(1);
+    await Promise.all([first, open(OBLONG, 'second.obj')]);
+    expect(opened).toMatchObject([{ name: 'second.obj' }]);
+  });
+
+  test('whose worker does not start is an error', async () => {
+    const { opener, workers } = makeOpener();
+    const opening = opener.open(new File([SQUARES], 'net.obj'));
+    workers[0]?.onerror?.({ message: 'blocked' } as ErrorEvent);
+    await expect(opening).rejects.toMatchObject({ code: 'internal', message: 'blocked' });
+  });
+});

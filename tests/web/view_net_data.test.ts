@@ -1,0 +1,73 @@
+/** What the graphics card reads: made once a net, written in place ever after. */
+import { describe, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { ColourTexture, NetData, netUniforms } from '../../web/src/view/net_data';
+import { NetLines } from '../../web/src/view/net_lines';
+import { Space } from '../../web/src/view/space';
+import type { FrameData, OpenedNet } from '../../web/src/worker/protocol';
+import { stripTriangles } from '../../web/src/worker/triangles';
+
+const core = await load();
+
+function openedNet(recipe: string): OpenedNet {
+  return { ...core.openRecipe(recipe) } as unknown as OpenedNet;
+}
+
+function frameOf({ restPositions, edges }: OpenedNet, shift: number): FrameData {
+  return {
+    positions: restPositions.map((x) => x + shift),
+    deviations: new Float32Array(edges.length / 2).fill(shift),
+    cornerAngles: new Float32Array(restPositions.length / 3).fill(Math.PI / 2),
+  } as FrameData;
+}
+
+const net = openedNet('vault:vertices=300');
+const smaller = openedNet('dome:vertices=200');
+const { vertices, edges } = net.info;
+
+function dataOf(shown: OpenedNet): NetData {
+  return new NetData(shown, Space.of(shown.restPositions));
+}
+
+describe('the textures of a net', () => {
+  const data = dataOf(net);
+  const uniforms = netUniforms();
+  data.putInto(uniforms);
+
+  test('hold every vertex and edge, by number', () => {
+    data.show(frameOf(net, 0));
+    const { data: points } = uniforms.vertices.value!.image as { data: Float32Array };
+    const { data: ends } = uniforms.ends.value!.image as { data: Int32Array };
+    expect(points).toBe(data.points);
+    expect(Array.from(points.subarray(0, 4 * vertices)).every((x, i) => (i % 4 === 3 ? Math.abs(x - 90) < 1e-4 : Math.abs(x) <= 1))).toBe(true);
+    expect(ends.subarray(0, 2 * edges)).toEqual(net.edges);
+  });
+
+  test('stay the same objects from frame to frame, and each frame is one upload', () => {
+    const kept = Object.values(uniforms).map(({ value }) => value);
+    const arrays = kept.map((texture) => (texture.image as { data: unknown }).data);
+    const versions = kept.map(({ version }) => version);
+    for (const shift of [0.1, 0.2, 0.3]) data.show(frameOf(net, shift));
+    expect(Object.values(uniforms).map(({ value }) => value)).toEqual(kept);
+    kept.forEach((texture, i) => expect((texture.image as { data: unknown }).data).toBe(arrays[i]));
+    expect(kept.map(({ version }, i) => version - versions[i]!)).toEqual([3, 3, 0]);
+  });
+});
+
+test('two triangles of an edge share its four vertices', () => {
+  expect([...stripTriangles(2)]).toEqual([0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7]);
+});
+
+test('the next net is drawn by the same material: nothing is compiled for it', () => {
+  const uniforms = netUniforms();
+  const lines = new NetLines(uniforms, new ColourTexture());
+  const { material } = lines.object;
+  for (const shown of [net, smaller]) {
+    const data = dataOf(shown);
+    data.putInto(uniforms);
+    lines.showNet(data, stripTriangles(shown.info.edges));
+    expect(lines.object.material).toBe(material);
+    expect(material.uniforms.vertices!.value).toHaveProperty('image.data', data.points);
+    expect(lines.object.geometry.index!.count).toBe(6 * shown.info.edges);
+  }
+});

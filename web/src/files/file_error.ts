@@ -1,0 +1,9 @@
+/** A file that could not be read. `code` as in core/net/error.h. */
+export class FileError extends Error {
+  constructor(
+    readonly code: string,
+    message: string,
+  ) {
+    super(message);
+  }
+}

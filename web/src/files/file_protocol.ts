@@ -1,0 +1,20 @@
+/** What page and file worker say to each other; one request at a time. */
+import type { FileReport } from './file_report';
+
+/** What is going on with a file, in this order. */
+export const STAGES = ['loading', 'reading', 'checking', 'measuring', 'opening'] as const;
+export type Stage = (typeof STAGES)[number];
+
+export type FileRequest =
+  /** Answered with `report`, after news of the stages. `name` is what messages call the file. */
+  | { type: 'read'; file: Blob; name: string }
+  /** Then: the mesh as it was read, or repaired. Answered with `text`. */
+  | { type: 'take'; repaired: boolean };
+
+export type FileResponse =
+  | { type: 'stage'; stage: Stage }
+  | { type: 'report'; report: FileReport }
+  /** OBJ text of the mesh. */
+  | { type: 'text'; obj: string }
+  /** `code` as in core/net/error.h. */
+  | { type: 'error'; code: string; message: string };

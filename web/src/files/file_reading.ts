@@ -1,0 +1,75 @@
+/** The page's side of the file worker. */
+import { FileError } from './file_error';
+import type { FileRequest, FileResponse, Stage } from './file_protocol';
+import type { FileReport } from './file_report';
+
+/** The part of a `Worker` that is used. */
+export interface FileWorkerLike {
+  postMessage(request: FileRequest): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<FileResponse>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+interface Waiting {
+  resolve(response: FileResponse): void;
+  reject(error: FileError): void;
+}
+
+/**
+ * A file being read. It has a worker of its own, so that the net at hand goes on meanwhile, and giving up needs no more
+ * than ending the worker.
+ */
+export class FileReading {
+  readonly #worker: FileWorkerLike;
+  #waiting: Waiting | null = null;
+
+  constructor(
+    spawn: () => FileWorkerLike,
+    private readonly entered: (stage: Stage) => void,
+  ) {
+    this.#worker = spawn();
+    this.#worker.onmessage = ({ data }) => this.#receive(data);
+    this.#worker.onerror = ({ message }) => this.#fail('internal', message || 'The file reader could not be started.');
+  }
+
+  /** Throws FileError with the core's sentence. */
+  async report(file: Blob, name: string): Promise<FileReport> {
+    const response = await this.#ask({ type: 'read', file, name });
+    if (response.type !== 'report') throw unexpected(response);
+    return response.report;
+  }
+
+  /** After `report`: OBJ text of the mesh as it was read, or repaired. */
+  async text(repaired: boolean): Promise<string> {
+    const response = await this.#ask({ type: 'take', repaired });
+    if (response.type !== 'text') throw unexpected(response);
+    return response.obj;
+  }
+
+  /** At any time; what is waited for then never comes. */
+  close(): void {
+    this.#worker.terminate();
+  }
+
+  #ask(request: FileRequest): Promise<FileResponse> {
+    return new Promise((resolve, reject) => {
+      this.#waiting = { resolve, reject };
+      this.#worker.postMessage(request);
+    });
+  }
+
+  #receive(response: FileResponse): void {
+    if (response.type === 'stage') this.entered(response.stage);
+    else if (response.type === 'error') this.#fail(response.code, response.message);
+    else this.#waiting?.resolve(response);
+  }
+
+  #fail(code: string, message: string): void {
+    this.#waiting?.reject(new FileError(code, message));
+  }
+}
+
+function unexpected({ type }: FileResponse): FileError {
+  return new FileError('internal', `The file reader answered with "${type}".`);
+}

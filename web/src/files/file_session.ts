@@ -1,0 +1,71 @@
+/** What the file worker does, apart from being a worker: reads one file, has it looked at, gives it as text. */
+import type { Chebnet } from '../../../wasm/chebnet';
+import type { FileRequest, FileResponse, Stage } from './file_protocol';
+import { checkMesh, reportOf } from './file_report';
+import type { CheckedMesh, FileReport } from './file_report';
+import { objText } from './obj_text';
+
+export class FileSession {
+  readonly #core: Chebnet;
+  readonly #post: (response: FileResponse) => void;
+  #mesh: CheckedMesh | null = null;
+
+  constructor(core: Chebnet, post: (response: FileResponse) => void) {
+    this.#core = core;
+    this.#post = post;
+  }
+
+  async handle(request: FileRequest): Promise<void> {
+    try {
+      if (request.type === 'read') this.#post({ type: 'report', report: await this.#read(request.file, request.name) });
+      else this.#post({ type: 'text', obj: this.#take(request.repaired) });
+    } catch (error) {
+      const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
+      this.#post({ type: 'error', code, message: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  async #read(file: Blob, name: string): Promise<FileReport> {
+    this.#enter('loading');
+    const bytes = await bytesOf(file, name);
+    this.#enter('reading');
+    const given = this.#core.readMesh(bytes, name);
+    this.#enter('checking');
+    const mesh = inFile(name, () => checkMesh(this.#core, given));
+    this.#enter('measuring');
+    const report = inFile(name, () => reportOf(this.#core, mesh));
+    this.#mesh = mesh;
+    return report;
+  }
+
+  #take(repaired: boolean): string {
+    if (this.#mesh === null) throw failure('no_net', 'No file was read.');
+    return objText(repaired ? this.#mesh.repaired : this.#mesh.given);
+  }
+
+  #enter(stage: Stage): void {
+    this.#post({ type: 'stage', stage });
+  }
+}
+
+async function bytesOf(file: Blob, name: string): Promise<Uint8Array> {
+  try {
+    return new Uint8Array(await file.arrayBuffer());
+  } catch {
+    throw failure('file_access', `${name} could not be read; perhaps it is a folder.`);
+  }
+}
+
+/** What is wrong with a mesh is said without the file it came from. */
+function inFile<T>(name: string, doing: () => T): T {
+  try {
+    return doing();
+  } catch (error) {
+    if (error instanceof Error && 'code' in error) throw failure(String(error.code), `${name}: ${error.message}`);
+    throw error;
+  }
+}
+
+function failure(code: string, message: string): Error {
+  return Object.assign(new Error(message), { code });
+}
