@@ -25,11 +25,12 @@ constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
 // a drag has left on its way would stay for ever.
 constexpr double k_forgetting = 0.05;
 // Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. Each time
-// that it fails, the next round makes the net smooth to a part of this max dL; first by springs, then by stage 4.
+// that it fails, the next round makes the net smooth to a part of this max dL: by springs as long as they get there,
+// and at least twice, then by stage 4.
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.1;
 constexpr int k_most_spring_iterations = 60;
-constexpr int k_spring_rounds = 2;
+constexpr int k_least_spring_rounds = 2;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;
 
@@ -69,9 +70,10 @@ private:
     Stage m_stage = rigid;
     int m_left = 0;  // iterations of the stage at most
     double m_max_deviation = 0;
-    int m_round = 0;    // of making the net smooth and projecting it
-    double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
-    Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
+    int m_round = 0;            // of making the net smooth and projecting it
+    bool m_springs_pay = true;  // whether the last iteration of stage 2 brought the net near
+    double m_best = 0;          // smallest max dL of this stage 3, counted in halvings
+    Positions m_shape;          // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
     Positions m_result;  // where the method last left the net
     Positions m_smooth;  // where stage 3 began
@@ -199,7 +201,8 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
     if (measure(positions)) return Status::converged;
     const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
     if (!m_reachable) return settled ? Status::unreachable : Status::running;
-    if (--m_left == 0 || settled || is_near()) enter(exact, positions);
+    m_springs_pay = is_near();
+    if (--m_left == 0 || settled || m_springs_pay) enter(exact, positions);
     return Status::running;
 }
 
@@ -238,7 +241,8 @@ bool Projection::measure(const Positions& positions) {
 void Projection::give_up_projecting(Positions& positions) {
     positions = m_smooth;
     m_max_deviation = m_smooth_deviation;
-    enter(++m_round < k_spring_rounds ? springs : newton, positions);
+    ++m_round;
+    enter(m_springs_pay || m_round < k_least_spring_rounds ? springs : newton, positions);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ export function tableCsv({ runs }: Comparison): string {
     frame?.iterations,
     frame?.milliseconds,
     frame?.maxDeviation,
-    frame?.bend,
+    measures?.bend,
     measures && measures.smallestAngle * DEGREES,
     measures?.handleError,
   ];

@@ -11,7 +11,7 @@ const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined
   { title: 'Iterations', hint: 'Iterations made', text: ({ frame }) => frame ? count(frame.iterations) : undefined },
   { title: 'ms', hint: 'Time spent in the solver', text: ({ frame }) => frame ? milliseconds(frame.milliseconds) : undefined },
   { title: 'Max dL', hint: 'Largest deviation of an edge from its length', text: ({ frame }) => frame ? small(frame.maxDeviation) : undefined },
-  { title: 'Bend', hint: 'Fairness: root mean square change of the bend of net lines from rest; less is smoother', text: ({ frame }) => frame ? small(frame.bend) : undefined },
+  { title: 'Bend', hint: 'Fairness: root mean square change of the bend of net lines from rest; less is smoother', text: ({ measures }) => measures ? small(measures.bend) : undefined },
   { title: 'Smallest angle', hint: 'Smallest angle at a corner of a face', text: ({ measures }) => measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined },
   { title: 'Handle error', hint: 'Largest distance of a handle from its target', text: ({ measures }) => measures ? small(measures.handleError) : undefined },
   { title: 'Status', hint: 'How the run ended', text: runWords },

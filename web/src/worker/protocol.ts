@@ -57,6 +57,8 @@ export interface Tables {
 }
 
 export interface Measures {
+  /** Fairness, see core/net/measures.h. */
+  bend: number;
   /** At a face corner, radians. */
   smallestAngle: number;
   /** Largest distance of a handle from its target. */
@@ -93,7 +95,6 @@ export interface FrameData {
   iterations: number;
   milliseconds: number;
   stage: number;
-  bend: number;
   method: string;
   /** Rows since the frame before; `iteration` 1 begins a new solve. */
   trace: TraceRow[];

@@ -164,7 +164,7 @@ export class Session {
 
   #measured(): Answer {
     const editor = this.#net();
-    return { type: 'measured', measures: { smallestAngle: editor.smallestAngle(), handleError: editor.handleError() } };
+    return { type: 'measured', measures: { bend: editor.bend(), smallestAngle: editor.smallestAngle(), handleError: editor.handleError() } };
   }
 
   #thumbnail(recipe: string): Answer {
@@ -275,7 +275,6 @@ export class Session {
       iterations: this.#row?.iteration ?? 0,
       milliseconds: this.#row?.totalMs ?? 0,
       stage: this.#row?.stage ?? 0,
-      bend: editor.bend(),
       method: editor.method,
       trace,
       stepFrom,
