@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <random>
-#include <set>
 
 #include "net/measures.h"
 #include "sample_nets.h"
@@ -160,19 +159,41 @@ TEST_CASE("Somebody else moving the net does not make the projection method jump
     CHECK(editor.positions() == shaped);
 }
 
-TEST_CASE("Where projecting fails, the method becomes smoother first and ends with Gauss-Newton") {
-    // A staircase pulled up: flat parts between folds, whose lengths hardly any small move can change.
+/// The stages that a solve goes through, one after the other.
+std::vector<int> stages(const SolveReport& report) {
+    std::vector<int> passed;
+    for (const TraceRow& row : report.trace)
+        if (passed.empty() || passed.back() != row.stage) passed.push_back(row.stage);
+    return passed;
+}
+
+/// A staircase pulled up: flat parts between folds, whose lengths hardly any small move can change.
+Editor pulled_stairs(double edge_lengths) {
     Shape shape = make_shape("steps:vertices=300");
     Editor editor(std::move(shape.net));
     editor.set_method("projection");
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), shape.suggested_handles);
-    handles.back().target += Eigen::Vector3d(0, 0, 2.5 * editor.net().mean_length());
+    handles.back().target += Eigen::Vector3d(0, 0, edge_lengths * editor.net().mean_length());
     editor.set_handles(handles);
+    return editor;
+}
+
+TEST_CASE("Where projecting fails, the net becomes smoother first") {
+    Editor editor = pulled_stairs(2.5);
     const SolveReport report = editor.solve();
     CHECK(report.status == Status::converged);
-    std::set<int> stages;
-    for (const TraceRow& row : report.trace) stages.insert(row.stage);
-    CHECK(stages == std::set{1, 2, 3, 4});
+    const std::vector<int> passed = stages(report);
+    REQUIRE(passed.size() >= 5);
+    CHECK(std::vector<int>(passed.begin(), passed.begin() + 5) == std::vector{1, 2, 3, 2, 3});
+}
+
+TEST_CASE("Where springs do not help, Gauss-Newton has the last word, and an honest one") {
+    Editor editor = pulled_stairs(4);
+    const SolveReport report = editor.solve();
+    CHECK(stages(report).back() == 4);
+    CHECK(report.status != Status::converged);
+    CHECK(report.max_deviation < 0.01);
+    CHECK(editor.handle_error() == 0);
 }
 
 TEST_CASE("Out of reach, the projection method says so and stays finite") {
