@@ -251,7 +251,7 @@ test('a large file is read while the page stays awake, and can be given up', asy
   expect(await report()).toMatch(new RegExp(`Vertices\\s+${count.toLocaleString('en-US')}`));
   const pause = await longestPause();
   console.log(`${count} vertices reported on after ${Date.now() - began} ms; longest pause of the page ${pause} ms`);
-  expect(pause).toBeLessThan(3000); // a freeze, not a slow machine: about 50 ms if it has nothing else to do
+  expect(pause).toBeLessThan(1000); // about 50 ms if the machine has nothing else to do
   await press('Open');
   await waitForVertices(count);
   console.log(`and with its opening ${await longestPause()} ms`);
