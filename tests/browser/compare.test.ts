@@ -1,11 +1,12 @@
 /** Comparing methods on the present edit: by real clicks, with the curves, the table, the files and Cancel. */
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import type { Browser, Download } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import type { Download } from 'playwright-core';
+import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
-import { OUTPUT, Script, launch, newPage, serve } from './page';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -14,29 +15,12 @@ const chebnet = await load();
 const reference = chebnet.openRecipe(SHAPE);
 const dragged = reference.suggestedHandles.at(-1)!;
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-let visit: Awaited<ReturnType<typeof newPage>>;
+const { arrive } = visits();
+let visit: Visit;
 let script: Script;
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
 beforeEach(async () => {
-  visit = await newPage(browser);
-  script = new Script(visit.page);
-  await visit.page.goto(site.address);
-  await script.waitForNet();
-});
-afterEach(async () => {
-  const { complaints } = visit;
-  await visit.close();
-  expect(complaints).toEqual([]);
+  visit = await arrive();
+  ({ script } = visit);
 });
 
 test('four methods run on the same edit, with curves, a table and files', async () => {

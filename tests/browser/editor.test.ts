@@ -1,11 +1,11 @@
 /** What a visitor does: look, drag, cancel, add, remove, undo, open files; by real pointer, keyboard and file events. */
 import { join } from 'node:path';
-import type { Browser } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import { beforeEach, describe, expect, test } from 'vitest';
 import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
-import { OUTPUT, README_PICTURE, Script, launch, newPage, serve } from './page';
+import type { Script, Visit } from './page';
+import { OUTPUT, README_PICTURE, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 
@@ -15,43 +15,22 @@ const { edges, restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-let visit: Awaited<ReturnType<typeof newPage>>;
+const { arrive } = visits();
+let visit: Visit;
 let script: Script;
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
 beforeEach(async () => {
-  visit = await newPage(browser);
-  script = new Script(visit.page);
-  await visit.page.goto(site.address);
-  await script.waitForNet();
-});
-afterEach(async () => {
-  const { complaints } = visit;
-  await visit.close();
-  expect(complaints).toEqual([]);
+  visit = await arrive();
+  ({ script } = visit);
 });
 
 test('a visitor sees a net soon, with handles and a line that says what to do', async () => {
-  const fresh = await newPage(browser);
   const began = Date.now();
-  await fresh.page.goto(site.address);
-  await new Script(fresh.page).waitForNet();
+  const fresh = await arrive();
   const waited = Date.now() - began;
   console.log(`first net after ${waited} ms`);
   expect(waited).toBeLessThan(10_000); // about 1 s if the machine has nothing else to do
-  expect((await new Script(fresh.page).stats()).handles).toBeGreaterThan(1);
+  expect((await fresh.script.stats()).handles).toBeGreaterThan(1);
   expect(await fresh.page.locator('body').innerText()).toMatch(/drag/i);
-  expect(fresh.complaints).toEqual([]);
-  await fresh.close();
 });
 
 test('the page brings its own strict content security policy', async () => {

@@ -1,33 +1,14 @@
 /** A link to an experiment: the net, what to look for, and one step of the solve with its direction. */
 import { join } from 'node:path';
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
-import { OUTPUT, Script, launch, newPage, serve } from './page';
+import { expect, test } from 'vitest';
+import { OUTPUT, visits } from './page';
 
-const PHONE = { width: 390, height: 844 };
+const PHONE = { viewport: { width: 390, height: 844 } };
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
-async function arrive(hash: string, viewport = { width: 1280, height: 800 }) {
-  const visit = await newPage(browser, { viewport });
-  const script = new Script(visit.page);
-  await visit.page.goto(site.address + hash);
-  await script.waitForNet();
-  await script.settled();
-  return { ...visit, script };
-}
+const { arrive } = visits();
 
 test('a link opens an experiment, unsolved, and steps show where they lead', async () => {
-  const { page, script, complaints, close } = await arrive('#experiment=long-edges');
+  const { page, script } = await arrive('#experiment=long-edges');
   const note = page.getByRole('region', { name: 'Experiment' });
   expect(await note.innerText()).toMatch(/Figure 8: Longer on the way/);
   expect(await note.innerText()).toMatch(/composite majorization/i);
@@ -51,12 +32,10 @@ test('a link opens an experiment, unsolved, and steps show where they lead', asy
   await expect.poll(async () => (await script.stats()).method).toBe('li2022');
   await note.getByRole('button', { name: 'Solve' }).click();
   await expect.poll(async () => (await script.stats()).status, { timeout: 20_000 }).toBe('converged');
-  expect(complaints).toEqual([]);
-  await close();
 });
 
 test('the list of experiments is links, and a link to the one that is open begins it again', async () => {
-  const { page, script, complaints, close } = await arrive('');
+  const { page, script } = await arrive();
   await page.locator('summary', { hasText: /^Experiments$/ }).click();
   const link = page.getByRole('link', { name: 'General meshes' });
   for (const _ of ['first', 'again']) {
@@ -66,24 +45,18 @@ test('the list of experiments is links, and a link to the one that is open begin
     await script.settled();
     expect((await script.stats()).iterations).toBeGreaterThan(0);
   }
-  expect(complaints).toEqual([]);
-  await close();
 });
 
 test('a phone shows net and note without scrolling sideways', async () => {
-  const { page, complaints, close } = await arrive('#experiment=singular-vertices', PHONE);
+  const { page } = await arrive('#experiment=singular-vertices', PHONE);
   await expect.poll(() => page.getByRole('region', { name: 'Experiment' }).isVisible()).toBe(true);
   await page.waitForTimeout(500);
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone.png') });
   expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
-  expect(complaints).toEqual([]);
-  await close();
 });
 
 test('an unknown experiment shows the first net and says so', async () => {
-  const { page, script, complaints, close } = await arrive('#experiment=nonsense');
+  const { page, script } = await arrive('#experiment=nonsense');
   await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/experiment/);
   expect((await script.stats()).vertices).toBeGreaterThan(1000);
-  expect(complaints).toEqual([]);
-  await close();
 });

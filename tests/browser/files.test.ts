@@ -1,13 +1,13 @@
 /** Files: one is dropped, read aside, reported on, repaired with consent, opened; what is saved comes back the same. */
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import type { Browser } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
 import { edgeLengths } from '../../web/src/files/edge_lengths';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
-import { OUTPUT, Script, launch, newPage, serve } from './page';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
 
 const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=600');
@@ -20,29 +20,12 @@ const BROKEN = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.5 0 0\nv 1.5 1 0\nv 9 9 
 const TURNED = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 3 6 5 2\n';
 const UNEQUAL = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-let visit: Awaited<ReturnType<typeof newPage>>;
+const { arrive } = visits();
+let visit: Visit;
 let script: Script;
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
 beforeEach(async () => {
-  visit = await newPage(browser);
-  script = new Script(visit.page);
-  await visit.page.goto(site.address);
-  await script.waitForNet();
-});
-afterEach(async () => {
-  const { complaints } = visit;
-  await visit.close();
-  expect(complaints).toEqual([]);
+  visit = await arrive();
+  ({ script } = visit);
 });
 
 const dialog = () => visit.page.getByRole('dialog');
@@ -186,15 +169,10 @@ test('edges of unequal length keep their own or take the mean; a link remembers 
   await script.settled();
 
   const link = await visit.page.evaluate(() => window.chebnet.link());
-  const receiver = await newPage(browser);
-  const there = new Script(receiver.page);
-  await receiver.page.goto(link);
-  await there.waitForNet();
+  const { script: there } = await arrive(link);
   await there.settled();
   expect(largestError(await there.positions(), await script.positions())).toBeLessThan(1e-4);
   expect((await there.stats()).maxDeviation).toBeLessThan(1e-6);
-  expect(receiver.complaints).toEqual([]);
-  await receiver.close();
 });
 
 async function lengthsShown(): Promise<number[]> {

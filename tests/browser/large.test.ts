@@ -1,9 +1,9 @@
 /** A net of 100,000 vertices: slower than others, but the page lives. */
-import type { Browser } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from 'vitest';
+import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy } from './geometry';
-import { Script, launch, newPage, serve } from './page';
+import type { Script, Visit } from './page';
+import { visits } from './page';
 import { mainThreadTasks } from './tasks';
 
 const RECIPE = 'vault:vertices=100000';
@@ -17,34 +17,17 @@ const { vertices, meanLength } = editor.info;
 const dragged = editor.suggestedHandles.at(-1)!;
 editor.dispose();
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-let visit: Awaited<ReturnType<typeof newPage>>;
+const { arrive, browser } = visits();
+let visit: Visit;
 let script: Script;
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
 beforeEach(async () => {
-  visit = await newPage(browser, { viewport });
-  script = new Script(visit.page);
-  await visit.page.goto(site.address);
-  await script.waitForNet();
-});
-afterEach(async () => {
-  const { complaints } = visit;
-  await visit.close();
-  expect(complaints).toEqual([]);
+  visit = await arrive('', { viewport });
+  ({ script } = visit);
 });
 
 test('opens and is drawn, and no task of the page lasts long', async () => {
   await drawn();
-  const { own } = await mainThreadTasks(browser, async () => {
+  const { own } = await mainThreadTasks(browser(), async () => {
     await script.open({ recipe: RECIPE });
     await drawn();
     await script.settled();

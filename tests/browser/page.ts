@@ -7,6 +7,7 @@ import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { chromium } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import type { Scripting } from '../../web/src/scripting';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -36,7 +37,7 @@ const POLICY = [
 ].join('; ');
 
 /** Serves the built page below a folder, as any host of static files might. */
-export async function serve(): Promise<{ address: string; close(): void }> {
+async function serve(): Promise<{ address: string; close(): void }> {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
     const file = join(DIST, path === '/' ? 'index.html' : path);
@@ -59,7 +60,7 @@ export async function serve(): Promise<{ address: string; close(): void }> {
   };
 }
 
-export function launch(): Promise<Browser> {
+function launch(): Promise<Browser> {
   const executablePath = [process.env['CHROMIUM'] ?? '', '/usr/bin/chromium'].find(existsSync);
   if (executablePath === undefined) throw new Error('no Chromium: install it or set CHROMIUM to its path');
   return chromium.launch({
@@ -80,8 +81,48 @@ export function launch(): Promise<Browser> {
 /** What the browser itself says about drawing in software. */
 const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/];
 
-/** A page in a context of its own. `complaints` collects every error and warning. */
-export async function newPage(browser: Browser, options: BrowserContextOptions = {}) {
+/** Somebody who was never here before. `complaints` collects every error and warning. */
+export interface Visit {
+  page: Page;
+  script: Script;
+  complaints: string[];
+}
+
+/** For one file of tests: a browser and the site while they run. After each test its visits end, and none may have
+ *  complained. */
+export function visits() {
+  let browser: Browser;
+  let site: Awaited<ReturnType<typeof serve>>;
+  const going: Visit[] = [];
+
+  beforeAll(async () => {
+    [browser, site] = await Promise.all([launch(), serve()]);
+  });
+  afterEach(async () => {
+    const ended = going.splice(0);
+    await Promise.all(ended.map(({ page }) => page.context().close()));
+    for (const { complaints } of ended) expect(complaints).toEqual([]);
+  });
+  afterAll(async () => {
+    await browser.close();
+    site.close();
+  });
+
+  return {
+    browser: () => browser,
+    address: () => site.address,
+    /** Opens the page, or a link into it, and waits for the net. */
+    async arrive(link = '', options: BrowserContextOptions = {}): Promise<Visit> {
+      const visit = await newVisit(browser, options);
+      going.push(visit);
+      await visit.page.goto(new URL(link, site.address).href);
+      await visit.script.waitForNet();
+      return visit;
+    },
+  };
+}
+
+async function newVisit(browser: Browser, options: BrowserContextOptions): Promise<Visit> {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 800 },
     permissions: ['clipboard-read', 'clipboard-write'],
@@ -99,7 +140,7 @@ export async function newPage(browser: Browser, options: BrowserContextOptions =
     if (response.status() >= 400) complaints.push(`${response.url()}: ${response.status()}`);
   });
   page.on('crash', () => complaints.push('the page crashed'));
-  return { page, complaints, close: () => context.close() };
+  return { page, script: new Script(page), complaints };
 }
 
 /** `window.chebnet` from outside: each call runs in the page. */

@@ -1,33 +1,10 @@
 /** Links: what one visitor copies, another one sees. */
-import type { Browser } from 'playwright-core';
-import { afterAll, beforeAll, expect, test } from 'vitest';
+import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy } from './geometry';
-import { Script, launch, newPage, serve } from './page';
+import { visits } from './page';
 
-let browser: Browser;
-let site: Awaited<ReturnType<typeof serve>>;
-let firstNet: { vertices: number; handles: number };
-
-beforeAll(async () => {
-  [browser, site] = await Promise.all([launch(), serve()]);
-  const usual = await arrive(site.address);
-  firstNet = await usual.script.stats();
-  await usual.close();
-});
-afterAll(async () => {
-  await browser.close();
-  site.close();
-});
-
-/** Opens an address as somebody who was never here before. */
-async function arrive(address: string) {
-  const visit = await newPage(browser);
-  const script = new Script(visit.page);
-  await visit.page.goto(address);
-  await script.waitForNet();
-  return { ...visit, script };
-}
+const { address, arrive } = visits();
 
 test('a copied link shows the same scene', async () => {
   const recipe = 'vault:vertices=1000';
@@ -35,7 +12,7 @@ test('a copied link shows the same scene', async () => {
   const dragged = reference.suggestedHandles.at(-1)!;
   const { meanLength, vertices } = reference.info;
 
-  const sender = await arrive(site.address);
+  const sender = await arrive();
   await sender.script.open({ recipe });
   await dragBy(sender.script, dragged, [-60, -40]);
   await sender.script.settled();
@@ -43,7 +20,7 @@ test('a copied link shows the same scene', async () => {
   await sender.page.waitForTimeout(500);
   const link = await sender.page.evaluate(() => navigator.clipboard.readText());
   console.log(`link of ${link.length} characters`);
-  expect(link.startsWith(`${site.address}#`)).toBe(true);
+  expect(link.startsWith(`${address()}#`)).toBe(true);
   expect(link.length).toBeLessThan(8000);
 
   const receiver = await arrive(link);
@@ -57,11 +34,6 @@ test('a copied link shows the same scene', async () => {
   expect((await receiver.script.stats()).handles).toBe((await sender.script.stats()).handles);
   const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
   expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
-
-  for (const visit of [sender, receiver]) {
-    expect(visit.complaints).toEqual([]);
-    await visit.close();
-  }
 });
 
 const BROKEN = [
@@ -72,11 +44,10 @@ const BROKEN = [
 ] as const;
 
 test.each(BROKEN)('a link %s shows the first net and says so', async (_, hash) => {
-  const { page, script, complaints, close } = await arrive(site.address + hash);
+  const usual = await (await arrive()).script.stats();
+  const { page, script } = await arrive(hash);
   const said = () => page.locator('[role=alert], [role=status]').allInnerTexts();
   await expect.poll(said).toContainEqual(expect.stringMatching(/link/i));
-  expect((await script.stats()).vertices).toBe(firstNet.vertices);
-  expect((await script.stats()).handles).toBe(firstNet.handles);
-  expect(complaints).toEqual([]);
-  await close();
+  const { vertices, handles } = await script.stats();
+  expect({ vertices, handles }).toEqual({ vertices: usual.vertices, handles: usual.handles });
 });

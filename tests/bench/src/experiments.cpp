@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "numbers.h"
 
 namespace chebnet::bench {
 namespace {
@@ -13,11 +14,7 @@ constexpr double k_near = 1e-2;            // max dL at which the paper changes 
 constexpr double k_threshold = 1e-6;       // max dL at which a net is accepted
 constexpr const char* k_patient = "2000";  // iterations for methods whose iterations are cheap
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return std::isinf(value) ? "never" : text;
-}
+std::string number(double value) { return std::isinf(value) ? "never" : formatted("%.3g", value); }
 
 // What is read off a run.
 
@@ -209,7 +206,8 @@ std::vector<Experiment> make_experiments() {
         {"fig07_reduction",
          7,
          "Adaptive variable reduction",
-         {{"Moving only the vertices near bad edges saves time.", "on converges, in no more time than off (3% are noise).",
+         {{"Moving only the vertices near bad edges saves time.",
+           "on converges, in no more time than off (3% are noise).",
            "With few bad edges left the last iterations become cheap, but a new part of the net has to be ordered and "
            "factored, and sometimes more iterations are needed.",
            [](const Group& g) { return no_longer_than(g, "on", {"off"}); }}},

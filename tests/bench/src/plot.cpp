@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace chebnet::bench {
@@ -18,13 +17,7 @@ constexpr double k_width = 420, k_height = 260;                                /
 constexpr double k_left = 62, k_right = 24, k_top = 30, k_bottom = 46;         // of these, around the axes
 constexpr double k_legend_line = 20, k_legend_entry = 210, k_legend_top = 14;  // px
 
-std::string format(const char* pattern, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, pattern, value);
-    return text;
-}
-
-std::string px(double value) { return format("%.1f", value); }
+std::string px(double value) { return formatted("%.1f", value); }
 
 std::string escaped(const std::string& text) {
     std::string safe;
@@ -45,7 +38,7 @@ std::string text_at(double x, double y, const std::string& text, const char* att
 
 std::string line(double x1, double y1, double x2, double y2, double opacity) {
     return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" stroke=\"" +
-           k_ink + "\" opacity=\"" + format("%g", opacity) + "\"/>\n";
+           k_ink + "\" opacity=\"" + formatted("%g", opacity) + "\"/>\n";
 }
 
 /// From values to pixels, with round ticks. A logarithmic axis counts in powers of ten.
@@ -74,13 +67,13 @@ public:
     std::vector<Tick> ticks() const {
         std::vector<Tick> list;
         for (double s = m_low; s < m_high + m_step / 2; s += m_step)
-            list.push_back({place(s), m_is_log ? power_label(s) : format("%g", std::abs(s) < m_step / 2 ? 0 : s)});
+            list.push_back({place(s), m_is_log ? power_label(s) : formatted("%g", std::abs(s) < m_step / 2 ? 0 : s)});
         return list;
     }
 
 private:
     static std::string power_label(double exponent) {
-        return exponent >= 0 && exponent <= 5 ? format("%g", std::pow(10, exponent)) : format("1e%g", exponent);
+        return exponent >= 0 && exponent <= 5 ? formatted("%g", std::pow(10, exponent)) : formatted("1e%g", exponent);
     }
     static double round_step(double rough) {
         if (rough <= 0) return 1;

@@ -3,11 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace chebnet::bench {
+#include "numbers.h"
 
-struct Point {
-    double x, y;
-};
+namespace chebnet::bench {
 
 /// One line of a panel. Series with the same `key` have the same colour and one entry in the legend.
 struct Series {

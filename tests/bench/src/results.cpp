@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 
 #include "io/obj.h"
+#include "numbers.h"
 #include "plot.h"
 #include "report.h"
 
@@ -138,20 +138,6 @@ std::string plot(const Result& result) {
         for (const View& view : curve_views) panels.push_back(curves(view, group));
     }
     return to_svg(panels, static_cast<int>(curve_views.size()));
-}
-
-std::string cell(const char* pattern, double value) {
-    if (!std::isfinite(value)) return "–";
-    char text[32];
-    std::snprintf(text, sizeof text, pattern, value);
-    return text;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return std::nan("");
-    std::ranges::sort(values);
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 /// One line of an experiment's table: a variant over all edits. Ratios are over the edits that both it and the first

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 
-#include "sample.h"
+#include "../numbers.h"
 
 namespace chebnet::bench {
 namespace {
@@ -40,40 +39,34 @@ Rows rows_of(const Results& results) {
 
 std::string section_of(const std::string& name) { return name.substr(0, name.find("  ")); }
 
-struct Change {
+struct Difference {
     double ratio;
     bool is_noise;
 };
 
 /// Samples of the same thing: the medians, and the spread around them.
-Change compare_samples(const std::vector<double>& before, const std::vector<double>& after) {
+Difference compare_samples(const std::vector<double>& before, const std::vector<double>& after) {
     const double a = median(before), b = median(after);
     const double noise = std::max(k_least_change * a, spread(before) + spread(after));
     return {b / a, std::abs(b - a) <= noise};
 }
 
 /// The frames of a drag are different work: each is compared with itself.
-Change compare_frames(const std::vector<double>& before, const std::vector<double>& after) {
+Difference compare_frames(const std::vector<double>& before, const std::vector<double>& after) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) ratios.push_back(after[i] / before[i]);
     const double ratio = median(ratios);
     return {ratio, std::abs(ratio - 1) <= std::max(k_least_change, spread(ratios))};
 }
 
-std::string number(const char* pattern, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, pattern, value);
-    return text;
-}
-
-std::string differences(const Row& before, const Row& after, const Change& change) {
+std::string differences(const Row& before, const Row& after, const Difference& change) {
     std::string text;
     if (!change.is_noise)
-        text += "  " + number("%.3g", median(before.ms)) + " -> " + number("%.3g", median(after.ms)) + " ms (" +
-                number("%.2f", change.ratio) + " times)";
+        text += "  " + formatted("%.3g", median(before.ms)) + " -> " + formatted("%.3g", median(after.ms)) + " ms (" +
+                formatted("%.2f", change.ratio) + " times)";
     if (before.ending != after.ending) text += "  " + before.ending + " -> " + after.ending;
     if (std::abs(after.bend - before.bend) > k_least_bend_change * before.bend)
-        text += "  bend " + number("%.4f", before.bend) + " -> " + number("%.4f", after.bend);
+        text += "  bend " + formatted("%.4f", before.bend) + " -> " + formatted("%.4f", after.bend);
     return text;
 }
 
@@ -101,7 +94,8 @@ std::string compare(const Results& before, const Results& after) {
         if (found == old_rows.end()) continue;
         ++matched;
         const Row& old_row = found->second;
-        const Change change = row.is_drag ? compare_frames(old_row.ms, row.ms) : compare_samples(old_row.ms, row.ms);
+        const Difference change =
+            row.is_drag ? compare_frames(old_row.ms, row.ms) : compare_samples(old_row.ms, row.ms);
         ratios[section_of(name)].push_back(change.ratio);
         const std::string found_differences = differences(old_row, row, change);
         if (found_differences.empty())
@@ -113,7 +107,7 @@ std::string compare(const Results& before, const Results& after) {
          << old_rows.size() - matched << ", only in the second " << new_rows.size() - matched << ".\n";
     for (const auto& [section, values] : ratios)
         text << section << ": time in the second as part of the first, geometric mean of " << values.size() << ": "
-             << number("%.3f", geometric_mean(values)) << '\n';
+             << formatted("%.3f", geometric_mean(values)) << '\n';
     return text.str();
 }
 

@@ -13,10 +13,10 @@
 #include <span>
 #include <utility>
 
+#include "../numbers.h"
 #include "measure.h"
 #include "net/error.h"
 #include "open_net.h"
-#include "sample.h"
 #include "solve/stopwatch.h"
 
 namespace chebnet::bench {

@@ -2,26 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
-#include "sample.h"
+#include "../numbers.h"
 
 namespace chebnet::bench {
 namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string number(const char* pattern, double value) {
-    if (!std::isfinite(value)) return "–";
-    char text[32];
-    std::snprintf(text, sizeof text, pattern, value);
-    return text;
-}
-
-std::string ms(double value) { return number(value < 100 ? "%.3g" : "%.0f", value); }
-std::string ratio(double value) { return number("%.2f", value); }
+std::string ms(double value) { return cell(value < 100 ? "%.3g" : "%.0f", value); }
+std::string ratio(double value) { return cell("%.2f", value); }
 
 std::string row(const Cells& cells) {
     std::string text = "|";
@@ -127,8 +119,8 @@ std::string edit_table(const Results& results) {
         for (const auto& [first, edit] : pairs.list)
             rows.push_back({edit->edit, std::to_string(edit->vertices), edit->method, ending(*edit),
                             ms(median(edit->ms)), ratio(median(edit->ms) / median(first->ms)),
-                            std::to_string(edit->iterations), number("%.1e", edit->max_dL), number("%.4f", edit->bend),
-                            number("%.1f°", edit->smallest_angle)});
+                            std::to_string(edit->iterations), cell("%.1e", edit->max_dL), cell("%.4f", edit->bend),
+                            cell("%.1f°", edit->smallest_angle)});
     std::ranges::stable_sort(rows, {}, [](const Cells& cells) { return cells[0]; });
     return table(
         {"edit", "vertices", "method", "ended", "ms", "time ratio", "iterations", "max dL", "bend", "smallest angle"},
@@ -154,7 +146,7 @@ std::string drag_table(const Results& results) {
     std::vector<Cells> rows;
     for (const DragResult& drag : results.drags)
         rows.push_back({drag.edit, std::to_string(drag.vertices), drag.method, ms(median(drag.ms)), ms(slow_ms(drag)),
-                        number("%.1e", drag.max_dL), number("%.4f", drag.bend), std::to_string(drag.unsolved_frames),
+                        cell("%.1e", drag.max_dL), cell("%.4f", drag.bend), std::to_string(drag.unsolved_frames),
                         std::to_string(drag.fallback_frames)});
     return table({"drag", "vertices", "method", "median ms", "95 % ms", "worst max dL", "bend at the end",
                   "frames not converged", "frames that fell back"},
@@ -206,7 +198,7 @@ std::string kernel_table(const Results& results) {
         rows.push_back({system.ours->edit, system.ours->system, std::to_string(system.ours->rows),
                         ms(median(system.ours->ms)), ms(system.ms_of("eigen")), ms(system.ms_of("cholmod")),
                         ratio(system.ratio_to("eigen")), ratio(system.ratio_to("cholmod")),
-                        number("%.1e", system.ours->residual)});
+                        cell("%.1e", system.ours->residual)});
     return table({"net and handles of", "system", "rows", "ms", "Eigen, ms", "CHOLMOD, ms", "Eigen / ours",
                   "CHOLMOD / ours", "our residual"},
                  rows);
@@ -221,8 +213,8 @@ std::string growth_exponents(const Results& results) {
     std::vector<Cells> rows;
     for (const auto& [key, list] : points)
         if (list.size() > 1)
-            rows.push_back({key.first, key.second, number("%.2f", fit_power_law(list).exponent),
-                            number("%.0f", list.front().x) + " … " + number("%.0f", list.back().x)});
+            rows.push_back({key.first, key.second, cell("%.2f", fit_power_law(list).exponent),
+                            cell("%.0f", list.front().x) + " … " + cell("%.0f", list.back().x)});
     return table({"edit", "method", "exponent", "vertices"}, rows);
 }
 
@@ -230,11 +222,11 @@ std::string growth_table(const Results& results) {
     std::vector<Cells> rows;
     for (const GrowthResult& growth : results.growth)
         rows.push_back({growth.edit, std::to_string(growth.vertices), growth.method, ending(growth),
-                        ms(median(growth.ms)), std::to_string(growth.iterations), number("%.0f", growth.peak_mb)});
+                        ms(median(growth.ms)), std::to_string(growth.iterations), cell("%.0f", growth.peak_mb)});
     std::string text = table({"edit", "vertices", "method", "ended", "ms", "iterations", "peak memory, MB"}, rows);
     for (const GrowthStop& stop : results.stops)
         text += "- " + stop.edit + " by " + stop.method + " was left out: it would take about " +
-                number("%.0f", stop.predicted_seconds) + " s.\n";
+                cell("%.0f", stop.predicted_seconds) + " s.\n";
     return text + (results.stops.empty() ? "" : "\n");
 }
 

@@ -1,7 +1,8 @@
-#include "sample.h"
+#include "numbers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace chebnet::bench {
@@ -39,5 +40,13 @@ PowerLaw fit_power_law(std::span<const Point> points) {
     const double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
     return {std::exp((sy - exponent * sx) / n), exponent};
 }
+
+std::string formatted(const char* pattern, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, pattern, value);
+    return text;
+}
+
+std::string cell(const char* pattern, double value) { return std::isfinite(value) ? formatted(pattern, value) : "–"; }
 
 }  // namespace chebnet::bench

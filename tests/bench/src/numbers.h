@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace chebnet::bench {
@@ -24,5 +25,10 @@ struct PowerLaw {
 };
 /// By least squares; at least two points of different x, all coordinates positive.
 PowerLaw fit_power_law(std::span<const Point> points);
+
+/// As printf writes it.
+std::string formatted(const char* pattern, double value);
+/// The same for a table: "–" for what is not finite.
+std::string cell(const char* pattern, double value);
 
 }  // namespace chebnet::bench
