@@ -11,6 +11,12 @@ export interface HandleData {
   target: Vec3;
   /** Anchors are drawn apart and are not dragged by accident; to the solver both are the same. */
   anchor: boolean;
+  /** How the user calls it; without one, by its vertex. */
+  name?: string;
+  /** Not drawn, and not to be caught by a click; holds the net all the same. */
+  hidden?: boolean;
+  /** Above 0: a soft handle, which pulls with this weight beside that of an edge; without one the target is kept exactly. */
+  weight?: number;
 }
 
 /** A handle of a scene that is yet to be opened; `target` null: where the vertex rests. */

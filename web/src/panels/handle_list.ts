@@ -1,5 +1,6 @@
 /** The handles as a table: select, hold as anchor, put to exact coordinates, remove; and add one by its number. */
 import type { HandleData, Vec3 } from '../document/document';
+import { words } from '../language/language';
 import { make, makeButton, makeIcon, setValue } from './dom';
 import type { PanelEvents } from './panels';
 import { coordinate } from './words';
@@ -17,7 +18,7 @@ interface Row {
 
 export class HandleList {
   private readonly list = make('ul', { class: 'handles' });
-  private readonly empty = make('p', { class: 'quiet' }, 'No handles. Click a vertex of the net to take hold of it.');
+  private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
   private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: 'Number', 'aria-label': 'Vertex number' });
   readonly content: HTMLElement[];
   private rows = new Map<number, Row>();
