@@ -244,18 +244,7 @@ double smallest_angle(const Session& session) {
 
 double handle_error(const Session& session) { return session.editor.handle_error(); }
 
-val unreachable_pairs(const Session& session) {
-    val pairs = val::array();
-    for (const UnreachablePair& pair : session.editor.unreachable_pairs()) {
-        val row = val::object();
-        row.set("vertexA", pair.vertex_a);
-        row.set("vertexB", pair.vertex_b);
-        row.set("distance", pair.distance);
-        row.set("reach", pair.reach);
-        pairs.call<void>("push", row);
-    }
-    return pairs;
-}
+val unreachable_pairs(const Session& session) { return pairs_out(session.editor.unreachable_pairs()); }
 
 std::string to_obj(const Session& session, int digits) {
     return write_obj(session.editor.positions(), session.editor.net().faces(), digits);

@@ -209,6 +209,52 @@ export interface Editor {
   dispose(): void;
 }
 
+/** How edge lengths differ, as parts of their mean. */
+export interface EqualizeSpread {
+  shortest: number;
+  longest: number;
+  standardDeviation: number;
+}
+
+export interface EqualizeOptions {
+  /** The length all edges are to have: the `mean` of the original's, unless said otherwise; the one with which the net
+   *  lies nearest to the original; or a number. */
+  length?: 'mean' | 'fitting' | number;
+  /** Vertices that stay exactly where they are; without any the whole net is free. */
+  handles?: readonly number[];
+}
+
+export interface EqualizeReport {
+  status: Status;
+  /** What all edges have if it is `converged`. */
+  length: number;
+  fittingLength: number;
+  /** Against that length; `converged` means below 1e-9. */
+  maxDeviation: number;
+  /** Since the beginning, as are the milliseconds. */
+  iterations: number;
+  milliseconds: number;
+  before: EqualizeSpread;
+  after: EqualizeSpread;
+  /** Of vertices from where they were, in edge lengths. */
+  meanMove: number;
+  maxMove: number;
+  /** A few of those that are off, the worst first. */
+  worstEdges: { vertexA: number; vertexB: number; length: number }[];
+  /** Of handles. */
+  unreachablePairs: UnreachablePair[];
+}
+
+/** Turns a mesh into a net near it whose edges have one length; see core/edit/equalize.h, whose contract this follows. */
+export interface Equalizer {
+  /** Goes on until it ends or the budget runs out (`running`). */
+  solve(budget?: Budget): EqualizeReport;
+  /** Those held now; of the original, bit for bit, if its edges have the length already. */
+  positions(): Float64Array;
+  /** Frees the memory on the other side; the equalizer must not be used again. */
+  dispose(): void;
+}
+
 export interface Chebnet {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
@@ -227,6 +273,8 @@ export interface Chebnet {
   /** Looks for every defect and repairs those `chosen`, all unless said otherwise. Vertices closer than `mergeTolerance`
    *  times the mean edge length count as duplicates. What is given stays as it is. */
   repairMesh(mesh: Mesh, chosen?: readonly Defect[], mergeTolerance?: number): RepairedMesh;
+
+  equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
 }
 
 /** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */

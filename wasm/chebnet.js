@@ -3,8 +3,8 @@
 import createCore from '../build/wasm/chebnet_core.js';
 
 /**
- * @import { Budget, Chebnet, Defect, Editor, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
- * @import { Core, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Core, CoreEqualizer, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -257,6 +257,44 @@ class WasmEditor {
   }
 }
 
+/** @implements {Equalizer} */
+class WasmEqualizer {
+  /** @type {CoreEqualizer | null} */
+  #equalizer;
+
+  /** @param {CoreEqualizer} equalizer */
+  constructor(equalizer) {
+    this.#equalizer = equalizer;
+  }
+
+  get #open() {
+    if (this.#equalizer === null) throw failure('disposed', 'this equalizer was disposed and cannot be used any more');
+    return this.#equalizer;
+  }
+
+  /** @param {Budget} [budget] @returns {EqualizeReport} */
+  solve(budget = {}) {
+    return this.#open.solve(...limits(budget));
+  }
+
+  positions() {
+    return this.#open.positions();
+  }
+
+  dispose() {
+    this.#equalizer?.delete();
+    this.#equalizer = null;
+  }
+}
+
+/** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
+function newEqualizer(core, original, { length = 'mean', handles = [] }) {
+  if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
+  const vertices = Int32Array.from(handles, vertexNumber);
+  const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
+  return new WasmEqualizer(core.equalizer(mesh(original), choice, number, vertices));
+}
+
 /** @param {Core} core @returns {Chebnet} */
 function facade(core) {
   return {
@@ -278,6 +316,7 @@ function facade(core) {
       }
       return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
     },
+    equalizer: (original, options = {}) => newEqualizer(core, original, options),
   };
 }
 

@@ -1,6 +1,7 @@
-/** What wasm/bindings.cpp and wasm/mesh_border.cpp give to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
+/** What wasm/*.cpp give to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
 import type {
   Defect,
+  EqualizeReport,
   InitialisationInfo,
   Mesh,
   MethodInfo,
@@ -55,6 +56,12 @@ export interface Session {
   delete(): void;
 }
 
+export interface CoreEqualizer {
+  solve(iterations: number, milliseconds: number): EqualizeReport;
+  positions(): Float64Array;
+  delete(): void;
+}
+
 export interface Core {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
@@ -66,6 +73,7 @@ export interface Core {
   readMesh(bytes: Uint8Array, name: string): Mesh;
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
+  equalizer(mesh: Mesh, choice: string, length: number, handles: Int32Array): CoreEqualizer;
   readonly mergeTolerance: number;
 }
 

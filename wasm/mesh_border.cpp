@@ -95,6 +95,19 @@ Mesh mesh_in(const val& object) {
     return mesh;
 }
 
+val pairs_out(const std::vector<UnreachablePair>& pairs) {
+    val rows = val::array();
+    for (const UnreachablePair& pair : pairs) {
+        val row = val::object();
+        row.set("vertexA", pair.vertex_a);
+        row.set("vertexB", pair.vertex_b);
+        row.set("distance", pair.distance);
+        row.set("reach", pair.reach);
+        rows.call<void>("push", row);
+    }
+    return rows;
+}
+
 FileFormat file_format_named(std::string_view name) {
     static const Names<FileFormat> names = {{"obj", FileFormat::obj},
                                             {"ply", FileFormat::ply},

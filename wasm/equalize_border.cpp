@@ -1,0 +1,82 @@
+// Equalising, seen from JavaScript.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edit/equalize.h"
+#include "io/text.h"
+#include "mesh_border.h"
+
+namespace chebnet {
+namespace {
+
+EqualLength equal_length_named(const std::string& name) {
+    if (name == "mean") return EqualLength::mean;
+    if (name == "fitting") return EqualLength::fitting;
+    if (name == "given") return EqualLength::given;
+    throw Error(ErrorCode::bad_option, "a length is mean, fitting or a number, not " + quoted(name));
+}
+
+/// `handles`: an Int32Array.
+Equalizer* equalizer(val mesh, std::string choice, double length, val handles) {
+    Mesh original = mesh_in(mesh);
+    EqualizeOptions options;
+    options.choice = equal_length_named(choice);
+    options.length = length;
+    options.handles = emscripten::convertJSArrayToNumberVector<int>(handles);
+    return new Equalizer(Net(std::move(original.positions), std::move(original.faces), RestLengths::own),
+                         std::move(options));
+}
+
+val spread_out(const LengthSpread& spread) {
+    val object = val::object();
+    object.set("shortest", spread.shortest);
+    object.set("longest", spread.longest);
+    object.set("standardDeviation", spread.standard_deviation);
+    return object;
+}
+
+val worst_edges_out(const Equalizer& equalizer, const std::vector<int>& edges) {
+    const Eigen::Matrix2Xi& ends = equalizer.original().edges();
+    val list = val::array();
+    for (const int e : edges) {
+        const int a = ends(0, e), b = ends(1, e);
+        val row = val::object();
+        row.set("vertexA", a);
+        row.set("vertexB", b);
+        row.set("length", (equalizer.positions().col(a) - equalizer.positions().col(b)).norm());
+        list.call<void>("push", row);
+    }
+    return list;
+}
+
+val solve(Equalizer& equalizer, int iterations, double milliseconds) {
+    const EqualizeReport report = equalizer.solve({iterations, milliseconds});
+    val object = val::object();
+    object.set("status", std::string(to_string(report.status)));
+    object.set("length", report.length);
+    object.set("fittingLength", report.fitting_length);
+    object.set("maxDeviation", report.max_deviation);
+    object.set("iterations", report.iterations);
+    object.set("milliseconds", report.milliseconds);
+    object.set("before", spread_out(report.before));
+    object.set("after", spread_out(report.after));
+    object.set("meanMove", report.mean_move);
+    object.set("maxMove", report.max_move);
+    object.set("worstEdges", worst_edges_out(equalizer, report.worst_edges));
+    object.set("unreachablePairs", pairs_out(report.unreachable_pairs));
+    return object;
+}
+
+val positions(const Equalizer& equalizer) { return copy_out(equalizer.positions()); }
+
+EMSCRIPTEN_BINDINGS(chebnet_equalize) {
+    emscripten::function("equalizer", guarded<&equalizer>, emscripten::allow_raw_pointers());
+    emscripten::class_<Equalizer>("Equalizer")
+        .function("solve", guarded<&solve>)
+        .function("positions", guarded<&positions>);
+}
+
+}  // namespace
+}  // namespace chebnet
