@@ -24,13 +24,11 @@ constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
 // Part of its way to the rigid shape that the net goes in each of them. Without it, the shear and the small folds that
 // a drag has left on its way would stay for ever.
 constexpr double k_forgetting = 0.05;
-// Stage 2: projection takes over below this max dL, or when so many iterations have not brought it there. Each time
-// that it fails, the next round makes the net smooth to a part of this max dL: by springs as long as they get there,
-// and at least twice, then by stage 4.
+// Projection takes over below this max dL. Each time that it fails, the net is made smoother, to a part of this max dL:
+// by the springs of stage 2, which go on where they were until they have made so many iterations, then by stage 4.
 constexpr double k_projection_deviation = 1e-4;
-constexpr double k_round_part = 0.1;
-constexpr int k_most_spring_iterations = 60;
-constexpr int k_least_spring_rounds = 2;
+constexpr double k_round_part = 0.01;
+constexpr int k_most_spring_iterations = 150;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;
 
@@ -68,12 +66,12 @@ private:
     Options m_options;
     bool m_reachable = true;
     Stage m_stage = rigid;
-    int m_left = 0;  // iterations of the stage at most
+    int m_left = 0;          // iterations of stage 1 or 3 at most
+    int m_springs_left = 0;  // iterations of stage 2 in all
     double m_max_deviation = 0;
-    int m_round = 0;            // of making the net smooth and projecting it
-    bool m_springs_pay = true;  // whether the last iteration of stage 2 brought the net near
-    double m_best = 0;          // smallest max dL of this stage 3, counted in halvings
-    Positions m_shape;          // the copy that ARAP moves; empty: it starts from the net
+    int m_round = 0;    // of making the net smooth and projecting it
+    double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
+    Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
     Positions m_result;  // where the method last left the net
     Positions m_smooth;  // where stage 3 began
@@ -106,6 +104,7 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
     m_round = 0;
+    m_springs_left = k_most_spring_iterations;
     enter(rigid, positions);
     return Status::running;
 }
@@ -138,8 +137,7 @@ void Projection::enter(Stage stage, Positions& positions) {
             m_left = rigid_iterations(positions);
             break;
         case springs:
-            m_left = k_most_spring_iterations;
-            m_springs->start(positions);
+            if (m_round == 0) m_springs->start(positions);
             break;
         case exact:
             m_left = k_patience;
@@ -201,8 +199,8 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
     if (measure(positions)) return Status::converged;
     const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
     if (!m_reachable) return settled ? Status::unreachable : Status::running;
-    m_springs_pay = is_near();
-    if (--m_left == 0 || settled || m_springs_pay) enter(exact, positions);
+    m_springs_left = settled ? 0 : m_springs_left - 1;
+    if (m_springs_left == 0 || is_near()) enter(exact, positions);
     return Status::running;
 }
 
@@ -242,7 +240,7 @@ void Projection::give_up_projecting(Positions& positions) {
     positions = m_smooth;
     m_max_deviation = m_smooth_deviation;
     ++m_round;
-    enter(m_springs_pay || m_round < k_least_spring_rounds ? springs : newton, positions);
+    enter(m_springs_left > 0 ? springs : newton, positions);
 }
 
 }  // namespace
