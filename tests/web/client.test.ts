@@ -94,41 +94,40 @@ describe('dragging', () => {
 
   test('keeps one target under way, and of those that come meanwhile the newest', async () => {
     const taken: number[] = [];
-    for (let x = 1; x <= 5; ++x) void client.drag(7, [x, 0, 0]).then(() => taken.push(x));
-    expect(worker().sent).toMatchObject([{ type: 'drag', vertex: 7, target: [1, 0, 0] }]);
+    for (let x = 1; x <= 5; ++x) void client.drag([{ vertex: 7, target: [x, 0, 0] }]).then(() => taken.push(x));
+    expect(worker().sent).toMatchObject([{ type: 'drag', targets: [{ vertex: 7, target: [1, 0, 0] }] }]);
     await worker().do();
     expect(taken).toEqual([1]);
-    expect(worker().sent).toMatchObject([{ type: 'drag', vertex: 7, target: [5, 0, 0] }]);
+    expect(worker().sent).toMatchObject([{ type: 'drag', targets: [{ vertex: 7, target: [5, 0, 0] }] }]);
     await worker().do();
     expect(taken).toEqual([1, 2, 3, 4, 5]);
     expect(worker().sent).toEqual([]);
   });
 
   test('does not lose the target of one handle to that of another', async () => {
-    for (const [vertex, x] of [[7, 1], [7, 2], [8, 3], [7, 4], [8, 5]] as const) void client.drag(vertex, [x, 0, 0]);
-    expect([await worker().do(), await worker().do(), await worker().do()]).toMatchObject([
-      { vertex: 7, target: [1, 0, 0] },
-      { vertex: 7, target: [4, 0, 0] },
-      { vertex: 8, target: [5, 0, 0] },
+    for (const [vertex, x] of [[7, 1], [7, 2], [8, 3], [7, 4], [8, 5]] as const) void client.drag([{ vertex, target: [x, 0, 0] }]);
+    expect([await worker().do(), await worker().do()]).toMatchObject([
+      { targets: [{ vertex: 7, target: [1, 0, 0] }] },
+      { targets: [{ vertex: 7, target: [4, 0, 0] }, { vertex: 8, target: [5, 0, 0] }] },
     ]);
     expect(worker().sent).toEqual([]);
   });
 
   test('is not overtaken by what is asked afterwards', async () => {
-    void client.drag(7, [1, 0, 0]);
-    void client.drag(7, [2, 0, 0]);
+    void client.drag([{ vertex: 7, target: [1, 0, 0] }]);
+    void client.drag([{ vertex: 7, target: [2, 0, 0] }]);
     void client.setHandles([]);
     expect(worker().sent.map(({ type }) => type)).toEqual(['drag', 'drag', 'handles']);
     await worker().do();
     await worker().do();
     await worker().do();
-    void client.drag(7, [3, 0, 0]);
+    void client.drag([{ vertex: 7, target: [3, 0, 0] }]);
     expect(worker().sent).toHaveLength(1);
   });
 
   test('goes on after a target that was refused', async () => {
-    const first = client.drag(7, [NaN, 0, 0]);
-    const second = client.drag(7, [1, 0, 0]);
+    const first = client.drag([{ vertex: 7, target: [NaN, 0, 0] }]);
+    const second = client.drag([{ vertex: 7, target: [1, 0, 0] }]);
     worker().say({ id: worker().take().id, type: 'error', code: 'non_finite', message: 'not finite' });
     await expect(first).rejects.toMatchObject({ code: 'non_finite', message: 'not finite' });
     await worker().do();

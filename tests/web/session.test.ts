@@ -122,7 +122,7 @@ describe('a scene', () => {
     expect(said[0]).toMatchObject({ type: 'opened', net: { edges, faceStart, faceVertices, restPositions } });
     expect(said[0]).toHaveProperty('net.triangles.length', 3 * (faceVertices.length - 2 * (faceStart.length - 1)));
     expect(moved[0]).toHaveLength(11);
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run();
     expect(settled().frame.status).toBe('converged');
     expect(settled().frame.positions).toHaveLength(3 * vertices);
@@ -208,7 +208,7 @@ describe('a drag', () => {
   });
 
   test('is answered at once and ends settled', () => {
-    const id = ask({ type: 'drag', vertex: dragged, target: away });
+    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     expect(said).toEqual([{ id, type: 'done' }]);
     run();
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
@@ -217,9 +217,9 @@ describe('a drag', () => {
   });
 
   test('is interrupted by the next once it had its share of time, and only the last one settles', () => {
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run(20, 1);
-    const id = ask({ type: 'drag', vertex: dragged, target: home });
+    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: home }] });
     expect(said).not.toContainEqual({ id, type: 'done' });
     run(20, 1);
     expect(said).toContainEqual({ id, type: 'done' });
@@ -229,16 +229,16 @@ describe('a drag', () => {
   });
 
   test('that waits for its turn goes before what is asked after it', () => {
-    ask({ type: 'drag', vertex: dragged, target: away });
-    const waiting = ask({ type: 'drag', vertex: dragged, target: home });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    const waiting = ask({ type: 'drag', targets: [{ vertex: dragged, target: home }] });
     const after = ask({ type: 'cancel' });
     expect(said.map(({ id }) => id)).toEqual([waiting - 1, waiting, after, after]);
     expect(at(settled().frame.positions, dragged)).toEqual(home);
   });
 
   test('of a vertex that is no handle is refused, and what goes on goes on', () => {
-    const id = ask({ type: 'drag', vertex: dragged, target: away });
-    const wrong = ask({ type: 'drag', vertex: 5, target: home });
+    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    const wrong = ask({ type: 'drag', targets: [{ vertex: 5, target: home }] });
     run(40);
     expect(said).toContainEqual(expect.objectContaining({ id: wrong, type: 'error', code: 'index_out_of_range' }));
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
@@ -246,7 +246,7 @@ describe('a drag', () => {
 
   test('sends no frame before the last was seen, and none faster than a display shows', () => {
     ask({ type: 'seen' });
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run(40, 2);
     expect(frames('frame')).toHaveLength(1);
     ask({ type: 'seen' });
@@ -258,7 +258,7 @@ describe('a drag', () => {
   });
 
   test('gives each row of the trace once', () => {
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     while (tasks.length > 0) {
       run(20, 1);
       ask({ type: 'seen' });
@@ -276,7 +276,7 @@ describe('by hand', () => {
   });
 
   test('a step is one iteration, a cancel none', () => {
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     ask({ type: 'cancel' });
     run();
     expect(settled().frame).toMatchObject({ status: 'running', iterations: 0 });
@@ -299,7 +299,7 @@ describe('by hand', () => {
   });
 
   test('reset and restore bring back what was', () => {
-    ask({ type: 'drag', vertex: dragged, target: away });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run();
     const { positions, handles } = settled().frame;
     ask({ type: 'reset' });
@@ -310,7 +310,7 @@ describe('by hand', () => {
   });
 
   test('what is out of reach is said so', () => {
-    ask({ type: 'drag', vertex: dragged, target: [0, 0, 500] });
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: [0, 0, 500] }] });
     run();
     expect(settled().frame.status).toBe('unreachable');
     expect(settled().frame.unreachable[0]).toMatchObject({ vertexB: dragged });

@@ -30,7 +30,9 @@ describe('a scene comes back', () => {
     handles: [
       { vertex: 0, target: [0, 0, 0], anchor: true },
       { vertex: 37, target: [0.1 + 0.2, -1e-17, 123456.789012345], anchor: false },
+      { vertex: 41, target: [1, 2, 3], anchor: false, name: 'Südspitze 南', hidden: true, weight: 0.25 },
     ],
+    symmetry: { axis: 'y', through: 'origin' },
     method: 'another',
     initialisation: 'arap:5',
     options: { threshold: 1e-8, adaptive_p: false },
@@ -39,9 +41,9 @@ describe('a scene comes back', () => {
 
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
-    const { net: source, method, initialisation, options } = full;
-    expect(rest).toEqual({ net: source, method, initialisation, options, view, settled: true });
-    expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1]]);
+    const { net: source, symmetry, method, initialisation, options } = full;
+    expect(rest).toEqual({ net: source, symmetry, method, initialisation, options, view, settled: true });
+    expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1], full.handles[2]]);
     expect(positions).toHaveProperty('packed');
     if (positions && 'packed' in positions) {
       expect(largestDistance(unpackPositions(positions.packed, net), moved)).toBeLessThan(1e-4);
@@ -132,10 +134,12 @@ describe('hostile links are refused', () => {
 
   const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
-  test('not this one, made before links had an initialisation and an up axis', () => {
+  test('not this one, made before links had an initialisation, an up axis, a symmetry, and names of handles', () => {
     const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
     expect(scene).toMatchObject({ net: { recipe: 'vault' }, initialisation: 'naive' });
     expect(scene.view).not.toHaveProperty('upAxis');
+    expect(scene).not.toHaveProperty('symmetry');
+    expect(scene.handles).toEqual([{ vertex: 3, anchor: false, target: [1, 2, 3] }]);
   });
 
   test.each(['#', '#nonsense', '#%E0%A4%A', '#v2=AAAA', '#v01=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
@@ -186,6 +190,15 @@ describe('hostile links are refused', () => {
     [point, '"handles":[[3,0,1,2,NaN]]'],
     [point, '"handles":[[3,0,1,2,null]]'],
     [point, '"handles":{}'],
+    [point, '"handles":[[3,0,{"name":7}]]'],
+    [point, `"handles":[[3,0,{"name":"${'x'.repeat(41)}"}]]`],
+    [point, '"handles":[[3,0,{"hidden":1}]]'],
+    [point, '"handles":[[3,0,{"weight":0}]]'],
+    [point, '"handles":[[3,0,{"weight":1e999}]]'],
+    [point, '"handles":[[3,0,{},1,2,3]]'],
+    [point, '"handles":[[3,0,1,2,3,null]]'],
+    ['"settled":true', '"settled":true,"symmetry":{"axis":"w","through":"centre"}'],
+    ['"settled":true', '"settled":true,"symmetry":null'],
     ['{"recipe":"vault"}', '{"recipe":7}'],
     ['{"recipe":"vault"}', '{"obj":"v"}'],
     ['{"recipe":"vault"}', 'null'],

@@ -194,7 +194,7 @@ export class App {
   /** Moves a handle. Moves one after another with the same `key` are undone together. */
   async moveHandle(vertex: number, target: Vec3, key: string | null = null): Promise<void> {
     const before = this.#snapshot();
-    await this.#client.drag(vertex, target);
+    await this.#client.drag([{ vertex, target }]);
     if (before) this.#history.record(before, key);
     this.#change({ handles: this.#withTarget(vertex, target) });
     this.#showDocument();
@@ -390,7 +390,7 @@ export class App {
     this.#change({ handles: this.#withTarget(vertex, target) });
     this.#panels.showHandles(this.#handles(), this.#selected);
     this.#view.showHandles(this.#handles(), this.#selected);
-    this.#try(this.#client.drag(vertex, target));
+    this.#try(this.#client.drag([{ vertex, target }]));
   }
 
   #endDrag(cancelled: boolean): void {

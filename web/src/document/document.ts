@@ -6,10 +6,13 @@ export type Vec3 = [number, number, number];
 /** `restLengths`: which length each edge of a file is to keep, `automatic` unless it is said. */
 export type NetSource = { recipe: string } | { obj: string; name: string; restLengths?: RestLengths };
 
+/** Of a handle, in characters. */
+export const LONGEST_NAME = 40;
+
 export interface HandleData {
   vertex: number;
   target: Vec3;
-  /** Anchors are drawn apart and are not dragged by accident; to the solver both are the same. */
+  /** Locked: drawn apart, and no hand moves or removes it; to the solver both are the same. */
   anchor: boolean;
   /** How the user calls it; without one, by its vertex. */
   name?: string;
@@ -20,10 +23,15 @@ export interface HandleData {
 }
 
 /** A handle of a scene that is yet to be opened; `target` null: where the vertex rests. */
-export interface HandleSeed {
-  vertex: number;
+export interface HandleSeed extends Omit<HandleData, 'target'> {
   target: Vec3 | null;
-  anchor: boolean;
+}
+
+/** A plane across an axis of the net; what is done to handles on one side of it is done on the other too. */
+export interface Symmetry {
+  axis: 'x' | 'y' | 'z';
+  /** Where it lies: in the middle of the net at rest, or at 0. */
+  through: 'centre' | 'origin';
 }
 
 /** Positions as a link carries them (packing.ts); they become numbers beside the net they belong to. */
@@ -66,6 +74,7 @@ export interface ExperimentPart {
 export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   net: NetSource;
   handles: HandleData[];
+  symmetry?: Symmetry | undefined;
   view: ViewState;
   /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
   positions: Float64Array | null;
@@ -78,6 +87,7 @@ export interface Scene extends SolverSettings, ExperimentPart {
   net: NetSource;
   /** `suggested`: those that come with the recipe. */
   handles: HandleSeed[] | 'suggested';
+  symmetry?: Symmetry | undefined;
   view: ViewState;
   /** null: the rest positions. */
   positions: Float64Array | PackedPositions | null;

@@ -7,7 +7,8 @@
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import type { RestLengths } from '../../../wasm/chebnet';
-import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, UpAxis, Vec3, ViewState } from './document';
+import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, Vec3, ViewState } from './document';
+import { LONGEST_NAME } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
@@ -80,13 +81,14 @@ function header(document: ChebnetDocument, net: PackingNet, settled: boolean): o
   const source = 'recipe' in document.net ? { recipe: document.net.recipe } : document.net;
   const camera = view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7)));
   const handles = document.handles.map((handle) => writeHandle(handle, net));
-  return { net: source, handles, method, initialisation, options, view: { ...view, camera }, settled };
+  const { symmetry } = document;
+  return { net: source, handles, symmetry, method, initialisation, options, view: { ...view, camera }, settled };
 }
 
-/** `[vertex, anchor]`, and the target unless the handle is at rest. */
-function writeHandle({ vertex, anchor, target }: HandleData, { restPositions }: PackingNet): number[] {
+/** `[vertex, anchor]`, the target unless the handle is at rest, and what else there is to say about it. */
+function writeHandle({ vertex, anchor, target, ...rest }: HandleData, { restPositions }: PackingNet): unknown[] {
   const atRest = target.every((x, axis) => x === restPositions[3 * vertex + axis]);
-  return [vertex, anchor ? 1 : 0, ...(atRest ? [] : target)];
+  return [vertex, anchor ? 1 : 0, ...(atRest ? [] : target), ...(Object.keys(rest).length > 0 ? [rest] : [])];
 }
 
 function toHash(head: object, packed: Uint8Array | null): string {
@@ -154,6 +156,7 @@ function readScene(head: Record<string, unknown>, packed: Uint8Array | null): Sc
   return {
     net: readNet(record(head.net)),
     handles: list(head.handles).map(readHandle),
+    ...(head.symmetry === undefined ? {} : { symmetry: readSymmetry(record(head.symmetry)) }),
     method: text(head.method),
     // Links made before there was a choice have none.
     initialisation: head.initialisation === undefined ? DEFAULT_INITIALISATION : text(head.initialisation),
@@ -173,10 +176,37 @@ function readNet(net: Record<string, unknown>): NetSource {
 }
 
 function readHandle(row: unknown): HandleSeed {
-  const [vertex, anchor, ...target] = list(row).map(number);
+  const fields = list(row);
+  const rest = typeof fields.at(-1) === 'object' ? record(fields.pop()) : {};
+  const [vertex, anchor, ...target] = fields.map(number);
   if (vertex === undefined || !Number.isInteger(vertex) || vertex < 0 || vertex >= 2 ** 31) throw damaged();
   if (anchor !== 0 && anchor !== 1) throw damaged();
-  return { vertex, anchor: anchor === 1, target: target.length === 0 ? null : point(target) };
+  return { vertex, anchor: anchor === 1, target: target.length === 0 ? null : point(target), ...readRest(rest) };
+}
+
+/** What a handle may have; links made before there was such a thing have none. */
+function readRest({ name, hidden, weight }: Record<string, unknown>): Pick<HandleSeed, 'name' | 'hidden' | 'weight'> {
+  return {
+    ...(name === undefined ? {} : { name: nameOf(name) }),
+    ...(hidden === undefined ? {} : { hidden: flag(hidden) }),
+    ...(weight === undefined ? {} : { weight: weightOf(weight) }),
+  };
+}
+
+function nameOf(value: unknown): string {
+  const name = text(value);
+  if (name.length > LONGEST_NAME) throw damaged();
+  return name;
+}
+
+function weightOf(value: unknown): number {
+  const weight = number(value);
+  if (weight <= 0) throw damaged();
+  return weight;
+}
+
+function readSymmetry({ axis, through }: Record<string, unknown>): Symmetry {
+  return { axis: oneOf(axis, ['x', 'y', 'z']), through: oneOf(through, ['centre', 'origin']) };
 }
 
 function readOptions(options: Record<string, unknown>): SolverOptions {

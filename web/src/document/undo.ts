@@ -1,11 +1,12 @@
 /** Undo and redo as whole states of what is being made: net, handles and positions. Solver options and the view are how
  *  one works and looks; they are not undone. */
-import type { HandleData, NetSource } from './document';
+import type { HandleData, NetSource, Symmetry } from './document';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. */
 export interface Snapshot {
   readonly net: NetSource;
   readonly handles: readonly HandleData[];
+  readonly symmetry?: Symmetry | undefined;
   readonly positions: Float64Array;
   /** Nothing was left to be solved. */
   readonly settled: boolean;

@@ -48,7 +48,8 @@ interface Waiting {
 }
 
 interface PendingDrag {
-  target: Vec3;
+  /** The newest of each vertex. */
+  targets: Map<number, Vec3>;
   taken(): void;
   refused(error: unknown): void;
   promise: Promise<void>;
@@ -63,8 +64,8 @@ export class Client {
   #proven = false;
   #lastId = 0;
   readonly #waiting = new Map<number, Waiting>();
-  /** The newest target of each vertex, to be sent when the drag under way is answered. */
-  readonly #pendingDrags = new Map<number, PendingDrag>();
+  /** To be sent when the drag under way is answered. */
+  #pendingDrag: PendingDrag | null = null;
   #dragsUnderWay = 0;
   /** The last request answered that touched the net, and the last of which the news says that it is settled. */
   #touched = 0;
@@ -85,7 +86,7 @@ export class Client {
 
   /** Whether requests wait or the net is being solved. */
   get busy(): boolean {
-    return this.#waiting.size > 0 || this.#pendingDrags.size > 0 || this.solving;
+    return this.#waiting.size > 0 || this.#pendingDrag !== null || this.solving;
   }
 
   /** Whether the net is yet to settle. */
@@ -105,7 +106,7 @@ export class Client {
 
   /** If it fails, the net opened before stays. */
   async open(scene: OpenScene): Promise<Opened> {
-    this.#sendAllDrags();
+    this.#sendDrag();
     const { net, frame } = await this.#ask({ type: 'open', scene }, 'opened');
     this.#scene = scene;
     this.#remember(frame.handles, frame.positions);
@@ -118,13 +119,12 @@ export class Client {
   }
 
   /**
-   * A target of the moment. At most one is under way; of those that come meanwhile only the newest of each vertex is
-   * sent. Resolves when the worker has taken this target or a newer one.
+   * Targets of the moment. At most one request is under way; of the targets that come meanwhile the newest of each vertex
+   * are sent together. Resolves when the worker has taken these targets or newer ones.
    */
-  drag(vertex: number, target: Vec3): Promise<void> {
-    const pending = this.#pendingDrags.get(vertex) ?? newPendingDrag(target);
-    pending.target = target;
-    this.#pendingDrags.set(vertex, pending);
+  drag(targets: readonly Handle[]): Promise<void> {
+    const pending = (this.#pendingDrag ??= newPendingDrag());
+    for (const { vertex, target } of targets) pending.targets.set(vertex, target);
     if (this.#dragsUnderWay === 0) this.#sendDrag();
     return pending.promise;
   }
@@ -157,7 +157,7 @@ export class Client {
 
   /** The net as the bytes of a file. */
   async exportFile(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
-    this.#sendAllDrags();
+    this.#sendDrag();
     return (await this.#ask({ type: 'export', format }, 'exported')).bytes;
   }
 
@@ -167,9 +167,9 @@ export class Client {
 
   // -------------------------------------------------------------------------------------------------------- requests
 
-  /** For requests that are done or fail. Drags that wait go first: the order of the user's hands is kept. */
+  /** For requests that are done or fail. A drag that waits goes first: the order of the user's hands is kept. */
   async #tell(body: Body): Promise<void> {
-    this.#sendAllDrags();
+    this.#sendDrag();
     await this.#ask(body, 'done');
   }
 
@@ -188,20 +188,15 @@ export class Client {
   }
 
   #sendDrag(): void {
-    const [next] = this.#pendingDrags;
-    if (next === undefined) return;
-    const [vertex, { target, taken, refused }] = next;
-    this.#pendingDrags.delete(vertex);
+    if (this.#pendingDrag === null) return;
+    const { targets, taken, refused } = this.#pendingDrag;
+    this.#pendingDrag = null;
     this.#dragsUnderWay += 1;
     const onward = (): void => {
       this.#dragsUnderWay -= 1;
       if (this.#dragsUnderWay === 0) this.#sendDrag();
     };
-    this.#ask({ type: 'drag', vertex, target }, 'done').then(taken, refused).finally(onward);
-  }
-
-  #sendAllDrags(): void {
-    while (this.#pendingDrags.size > 0) this.#sendDrag();
+    this.#ask({ type: 'drag', targets: Array.from(targets, ([vertex, target]) => ({ vertex, target })) }, 'done').then(taken, refused).finally(onward);
   }
 
   #remember(handles: readonly Handle[], positions: Float64Array | null): void {
@@ -296,12 +291,12 @@ export class Client {
   }
 }
 
-function newPendingDrag(target: Vec3): PendingDrag {
+function newPendingDrag(): PendingDrag {
   let taken = (): void => {};
   let refused = (_error: unknown): void => {};
   const promise = new Promise<void>((resolve, reject) => {
     taken = resolve;
     refused = reject;
   });
-  return { target, taken, refused, promise };
+  return { targets: new Map(), taken, refused, promise };
 }

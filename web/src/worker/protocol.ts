@@ -13,7 +13,7 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 3;
+export const PROTOCOL_VERSION = 4;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
@@ -24,9 +24,9 @@ export type Request = { id: number } & (
   /** If it fails, the net edited before stays. */
   | { type: 'open'; scene: Omit<Scene, 'view'> }
   | { type: 'handles'; handles: Handle[] }
-  /** The target of the moment while a handle is dragged. Answered when it is taken: at once, or when the solve for the
-   *  target before has had its share of time. */
-  | { type: 'drag'; vertex: number; target: [number, number, number] }
+  /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
+   *  solve for those before has had its share of time. */
+  | { type: 'drag'; targets: Handle[] }
   /** Begins no solve; one under way goes on with them. */
   | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */

@@ -41,7 +41,7 @@ export class Session {
   #sliceWaits = false;
   /** When the present solve began, or sent its last frame. */
   #shareStart = 0;
-  /** A target that waits until the present solve has had its share. */
+  /** Targets that wait until the present solve has had its share. */
   #nextDrag: Drag | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
@@ -134,7 +134,7 @@ export class Session {
   }
 
   #drag(request: Drag): void {
-    this.#net().moveHandle(request.vertex, request.target);
+    for (const { vertex, target } of request.targets) this.#net().moveHandle(vertex, target);
     this.#accept(request, true);
   }
 
