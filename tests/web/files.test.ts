@@ -163,7 +163,7 @@ describe('a file', () => {
       ['duplicate_faces', 1],
       ['unused_vertices', 1],
     ]);
-    expect(refusal).toMatch(/vertex|edge/);
+    expect(refusal?.message).toMatch(/vertex|edge/);
     expect(vertices).toBe(6);
     expect(opened).toMatchObject([{ obj: SQUARES }]);
   });

@@ -4,7 +4,7 @@ import { longestMove } from '../../web/src/document/longest_move';
 import { Convergence } from '../../web/src/panels/convergence';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/panels/recipe';
 import { edgeLayers, project } from '../../web/src/panels/thumbnail';
-import { coordinate, milliseconds, small, stageWords, statusWords, title } from '../../web/src/panels/words';
+import { coordinate, milliseconds, small, stageWords, statusWords } from '../../web/src/panels/words';
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,
@@ -121,8 +121,6 @@ test('numbers and states are put in words', () => {
   expect([0, 1e-30, 4.23e-7, 0.68, 12, Infinity].map(small)).toEqual(['0', '< 1e-16', '4.2e-7', '0.68', '12', '∞']);
   expect([0.04, 9.96, 152.4].map(milliseconds)).toEqual(['0.0', '10.0', '152']);
   expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual(['1.23457', '-1234.568', '2']);
-  expect(title('switch_deviation')).toBe('Switch deviation');
-  expect(title('p_end')).toBe('p end');
   expect(statusWords('running', true, 1)).toMatch(/solving/i);
   expect(statusWords('running', false, 1)).toMatch(/stopped/i);
   expect(statusWords('running', false, 0)).toMatch(/not solved/i);

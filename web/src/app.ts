@@ -11,6 +11,7 @@ import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { Snapshot } from './document/undo';
 import type { FileKind } from './files/export';
+import { words } from './language/language';
 import type { PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
 import { Client, SolverError } from './worker/client';
@@ -100,7 +101,7 @@ export class App {
   async start(): Promise<void> {
     const tables = await this.#tables;
     this.#optionTable = tables.options;
-    this.#panels.showTables(tables, (recipe) => this.#client.thumbnail(recipe));
+    this.#panels.showTables(words.core.tables(tables), (recipe) => this.#client.thumbnail(recipe));
   }
 
   /** Calls `listener` on every event of that kind; returns what ends this. */
@@ -135,7 +136,7 @@ export class App {
     const before = this.#snapshot();
     if (before) this.#history.record(before);
     this.#showOpened(scene, opened);
-    if (opened.frame.handles.length === 0) this.say('Click a vertex to make it a handle.');
+    if (opened.frame.handles.length === 0) this.say(words.intro.noHandles);
   }
 
   /** Opens a net as it comes, to be solved and shown as the present one is. */
@@ -311,7 +312,7 @@ export class App {
   /** Says so if a net takes long to open. */
   async #await(opening: Promise<Opened>): Promise<Opened> {
     this.#awaited += 1;
-    const late = setTimeout(() => this.#view.setWaiting('Opening the net…'), LATE_MS);
+    const late = setTimeout(() => this.#view.setWaiting(words.view.opening), LATE_MS);
     try {
       return await opening;
     } finally {
@@ -491,14 +492,14 @@ export class App {
 
   #restarted(reason: string, opened: Opened | null): void {
     if (opened === null || this.#opening === null) {
-      this.#panels.say(`The solver stopped and cannot go on with this net: ${sentence(reason)}`, 'error');
+      this.#panels.say(words.solver.stopped(sentence(reason)), 'error');
       return;
     }
     const anchors = new Set(this.#handles().filter(({ anchor }) => anchor).map(({ vertex }) => vertex));
     const handles = opened.frame.handles.map((handle) => ({ ...handle, anchor: anchors.has(handle.vertex) }));
     this.#change({ handles });
     this.#showDocument();
-    this.#panels.say(`The solver stopped and was started again; the net is as it last stood. ${sentence(reason)}`, 'error');
+    this.#panels.say(words.solver.restarted(sentence(reason)), 'error');
   }
 
   #showDocument(): void {
@@ -527,11 +528,7 @@ export class App {
     this.#saidUnreachable = worst !== undefined;
     if (worst === undefined || said) return;
     const { vertexA, vertexB, distance, reach } = worst;
-    const [far, long] = [distance, reach].map((length) => length.toPrecision(3));
-    this.say(
-      `Handles ${vertexA} and ${vertexB} are out of reach of each other: they are ${far} apart, the net between them is ` +
-        `${long} long. It holds its best shape; bring them closer.`,
-    );
+    this.say(words.handles.unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3)));
   }
 
   #emit(event: AppEvent, error?: unknown): void {
@@ -550,9 +547,5 @@ function targetsOf(handles: readonly HandleData[]): { vertex: number; target: Ve
 
 /** What went wrong, as a sentence. */
 function sentence(error: unknown): string {
-  const text = error instanceof Error ? error.message : String(error);
-  const end = /[.!?]$/.test(text) ? '' : '.';
-  // The name of a file stays as it is.
-  const start = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() : text.charAt(0);
-  return `${start}${text.slice(1)}${end}`;
+  return words.core.sentence(error instanceof Error ? error.message : String(error));
 }

@@ -8,10 +8,13 @@ import { download } from './files/download';
 import { fileNameOf, typeOf } from './files/export';
 import type { FileKind } from './files/export';
 import { FileOpener, pickFile } from './files/import';
+import { translateDocument, words } from './language/language';
 import { FileDialog } from './panels/file_dialog';
 import { createPanels } from './panels/sidebar';
 import { createScripting } from './scripting';
 import { createView } from './view/scene';
+
+translateDocument(document);
 
 const app = new App(
   {
@@ -67,7 +70,7 @@ async function followLink(): Promise<void> {
   if (location.hash.length <= 1) return;
   await ready;
   await app.openScene(sceneOf(location.hash));
-  app.say('The link is open. Undo brings back what was here before.');
+  app.say(words.link.open);
 }
 
 function sceneOf(hash: string): Scene {
@@ -81,10 +84,10 @@ async function copyLink(): Promise<void> {
   const link = new URL(shared.hash, location.href).href;
   try {
     await navigator.clipboard.writeText(link);
-    app.say(`The link is copied. ${advice}`.trim());
+    app.say(words.link.copied(advice));
   } catch {
     history.replaceState(null, '', link);
-    app.say(`The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim());
+    app.say(words.link.inAddressBar(advice));
   }
 }
 

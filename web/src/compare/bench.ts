@@ -1,5 +1,6 @@
 /** A worker of its own for comparing: it solves one scene after another while the user's worker is free for their hands. */
 import type { Scene } from '../document/document';
+import { words } from '../language/language';
 import { SolverError } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { FrameData, Measures, Request, Response } from '../worker/protocol';
@@ -17,8 +18,8 @@ export class Bench {
   constructor(spawn: () => WorkerLike) {
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = ({ message }) => this.#reject(new SolverError('worker_lost', message || 'The solver could not be started.'));
-    this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', 'A message of the solver could not be read.'));
+    this.#worker.onerror = ({ message }) => this.#reject(new SolverError('worker_lost', message || words.solver.notStarted));
+    this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', words.solver.garbled));
   }
 
   /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. */
@@ -51,11 +52,11 @@ export class Bench {
   /** At once, in the middle of whatever it does; what is waited for fails. Of no use afterwards. */
   dispose(): void {
     this.#worker.terminate();
-    this.#reject(new SolverError('cancelled', 'The comparison was cancelled.'));
+    this.#reject(new SolverError('cancelled', words.comparison.wasCancelled));
   }
 
   #receive(response: Response): void {
-    if (response.type === 'error') return this.#reject(new SolverError(response.code, response.message));
+    if (response.type === 'error') return this.#reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
     if (response.type === 'frame' || response.type === 'settled') this.#post({ type: 'seen' });
     this.#take(response);
   }

@@ -7,6 +7,7 @@
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import type { RestLengths } from '../../../wasm/chebnet';
+import { words } from '../language/language';
 import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, Vec3, ViewState } from './document';
 import { LONGEST_NAME } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
@@ -55,7 +56,7 @@ export function decodeScene(hash: string): Scene {
   const text = hash.replace(/^#/, '');
   if (!text.startsWith(TAG)) {
     const newer = /^v\d+=/.test(text);
-    throw new LinkError('foreign_link', newer ? 'This link was made by another version of chebnet.' : 'This link is not one of chebnet.');
+    throw new LinkError('foreign_link', newer ? words.link.otherVersion : words.link.foreign);
   }
   const content = inflate(fromBase64(text.slice(TAG.length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
@@ -66,11 +67,11 @@ export function decodeScene(hash: string): Scene {
 
 /** What to tell a user about the link just made, or null if there is nothing to tell. */
 export function linkAdvice(shared: Shared): string | null {
-  if (shared.hash === null) return 'This net is too large for a link. Save it as a file instead.';
-  const size = `${shared.hash.length.toLocaleString('en')} characters`;
-  if (!shared.positions) return `The link leaves out the shape of the moment, which is too large; it will be solved again. It has ${size}.`;
-  if (shared.hash.length > HUGE_LINK) return `The link has ${size}; many programs cut so long a link. Saving the net as a file is safer.`;
-  if (shared.hash.length > LONG_LINK) return `The link has ${size}; some chat programs cut so long a link.`;
+  if (shared.hash === null) return words.link.tooLarge;
+  const size = shared.hash.length.toLocaleString(words.locale);
+  if (!shared.positions) return words.link.withoutShape(size);
+  if (shared.hash.length > HUGE_LINK) return words.link.huge(size);
+  if (shared.hash.length > LONG_LINK) return words.link.long(size);
   return null;
 }
 
@@ -107,7 +108,7 @@ function toBase64(bytes: Uint8Array): string {
 // ------------------------------------------------------------------------------------------------------------- reading
 
 function damaged(): LinkError {
-  return new LinkError('bad_link', 'This link is damaged: perhaps a part of it was cut off.');
+  return new LinkError('bad_link', words.link.damaged);
 }
 
 function fromBase64(text: string): Uint8Array {

@@ -3,6 +3,7 @@
 import { DEFAULT_INITIALISATION, DEFAULT_VIEW } from '../document/defaults';
 import type { HandleSeed, NetSource, Scene, SolverSettings } from '../document/document';
 import { LinkError } from '../document/share';
+import { words } from '../language/language';
 import { EXPERIMENTS } from './list';
 
 export interface Edit {
@@ -47,10 +48,10 @@ export function experimentLink(name: string, variant = 0): string {
 export function experimentScene(hash: string): Scene {
   const query = new URLSearchParams(hash.slice(1));
   const experiment = findExperiment(query.get('experiment'));
-  if (experiment === undefined) throw new LinkError('foreign_link', 'This link names an experiment that there is not.');
+  if (experiment === undefined) throw new LinkError('foreign_link', words.experiment.unknown);
   const number = Number(query.get('variant') ?? 0);
   const variant = number === 0 ? {} : experiment.variants?.[number - 1];
-  if (variant === undefined) throw new LinkError('foreign_link', `The experiment "${experiment.title}" has no such variant.`);
+  if (variant === undefined) throw new LinkError('foreign_link', words.experiment.noVariant(experiment.title));
   return toScene(experiment, variant);
 }
 

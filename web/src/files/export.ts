@@ -7,17 +7,16 @@ export type FileKind = ExportFormat | 'png';
 
 export interface ExportKind {
   kind: FileKind;
-  hint: string;
   type: string;
 }
 
 export const EXPORT_KINDS: readonly ExportKind[] = [
-  { kind: 'obj', hint: 'for Rhino and Blender', type: 'model/obj' },
-  { kind: 'ply', hint: 'binary, every digit', type: 'application/octet-stream' },
-  { kind: 'off', hint: 'plain text', type: 'text/plain' },
-  { kind: 'stl', hint: 'triangles, for printing', type: 'model/stl' },
-  { kind: 'csv', hint: 'edges and their lengths', type: 'text/csv' },
-  { kind: 'png', hint: 'picture without background', type: 'image/png' },
+  { kind: 'obj', type: 'model/obj' },
+  { kind: 'ply', type: 'application/octet-stream' },
+  { kind: 'off', type: 'text/plain' },
+  { kind: 'stl', type: 'model/stl' },
+  { kind: 'csv', type: 'text/csv' },
+  { kind: 'png', type: 'image/png' },
 ];
 
 export function typeOf(kind: FileKind): string {

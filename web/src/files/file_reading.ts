@@ -1,4 +1,5 @@
 /** The page's side of the file worker. */
+import { words } from '../language/language';
 import { FileError } from './file_error';
 import type { FileRequest, FileResponse, Stage } from './file_protocol';
 import type { FileReport } from './file_report';
@@ -30,10 +31,10 @@ export class FileReading {
   ) {
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = ({ message }) => this.#fail('internal', message || 'The file reader could not be started.');
+    this.#worker.onerror = ({ message }) => this.#fail('internal', message || words.file.notStarted);
   }
 
-  /** Throws FileError with the core's sentence. */
+  /** Throws FileError with what the core says. */
   async report(file: Blob, name: string): Promise<FileReport> {
     const response = await this.#ask({ type: 'read', file, name });
     if (response.type !== 'report') throw unexpected(response);
@@ -61,7 +62,7 @@ export class FileReading {
 
   #receive(response: FileResponse): void {
     if (response.type === 'stage') this.entered(response.stage);
-    else if (response.type === 'error') this.#fail(response.code, response.message);
+    else if (response.type === 'error') this.#fail(response.code, words.core.failure(response.code, response.message));
     else this.#waiting?.resolve(response);
   }
 

@@ -11,8 +11,8 @@ export interface FileReport extends Pick<NetInfo, 'vertices' | 'edges' | 'faces'
   isChebyshev: boolean;
   /** What repair changes; the numbers above are those of the repaired mesh. Empty: it is sound as it is. */
   findings: Finding[];
-  /** Why the core refuses the mesh without repair; null: it does not. */
-  refusal: string | null;
+  /** Why the core refuses the mesh without repair, with its code; null: it does not. */
+  refusal: { code: string; message: string } | null;
 }
 
 /** A mesh as the file has it, and as the core repairs it; the same if nothing was found. */
@@ -48,11 +48,11 @@ function countArities({ faceStart }: Mesh): Record<string, number> {
   return counts;
 }
 
-function refusalOf(core: Chebnet, mesh: Mesh): string | null {
+function refusalOf(core: Chebnet, mesh: Mesh): FileReport['refusal'] {
   try {
     return withEditor(core, mesh, () => null);
   } catch (error) {
-    if (error instanceof Error && 'code' in error) return error.message;
+    if (error instanceof Error && 'code' in error) return { code: String(error.code), message: error.message };
     throw error;
   }
 }

@@ -1,6 +1,7 @@
 /** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
 import type { RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
+import { words } from '../language/language';
 import { FileError } from './file_error';
 import type { Stage } from './file_protocol';
 import { FileReading } from './file_reading';
@@ -67,8 +68,8 @@ async function readAndAsk(reading: FileReading, file: File, dialog: FileDialogLi
 
 function checkSize({ name, size }: File): void {
   if (size <= LARGEST_FILE) return;
-  const [megabytes, largest] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
-  throw new FileError('too_large', `${name} has ${megabytes} MB; nets are opened up to ${largest} MB.`);
+  const [megabytes = 0, largest = 0] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
+  throw new FileError('too_large', words.file.tooLarge(name, megabytes, largest));
 }
 
 /** Lets the user choose a file; null if they think better of it. */

@@ -1,19 +1,31 @@
-/** Every sentence the page says, in the visitor's language. */
+/** Every sentence the page says, in the visitor's language. Workers say theirs in English, with a code: see `words.core`. */
 import { en } from './en';
 import { zh } from './zh';
 
 /** What every language must have: the same names, texts where English has texts, functions where it has functions. */
 export type Words = Widened<typeof en>;
-type Widened<T> = { [K in keyof T]: T[K] extends string ? string : T[K] extends (...given: infer G) => string ? (...given: G) => string : Widened<T[K]> };
+type Widened<T> = T extends (...given: infer Given) => infer Result
+  ? (...given: Given) => Result extends string ? string : Result
+  : T extends string
+    ? string
+    : { [K in keyof T]: Widened<T[K]> };
 
-export type Language = 'en' | 'zh';
-const LANGUAGES: Record<Language, Words> = { en, zh };
+export const LANGUAGES = { en, zh };
+export type Language = keyof typeof LANGUAGES;
 const CHOICE = 'chebnet.language';
 
 /** As chosen on an earlier visit, or else as the browser wants it. */
 export function preferredLanguage(): Language {
-  const chosen = globalThis.localStorage?.getItem(CHOICE) ?? globalThis.navigator?.language ?? 'en';
-  return chosen.toLowerCase().startsWith('zh') ? 'zh' : 'en';
+  const wanted = earlierChoice() ?? globalThis.navigator?.language ?? 'en';
+  return wanted.toLowerCase().startsWith('zh') ? 'zh' : 'en';
+}
+
+function earlierChoice(): string | null {
+  try {
+    return globalThis.localStorage?.getItem(CHOICE) ?? null;
+  } catch {
+    return null; // Storage is switched off.
+  }
 }
 
 /** Counts from the next load of the page. */
@@ -23,3 +35,11 @@ export function chooseLanguage(language: Language): void {
 
 export const language = preferredLanguage();
 export const words: Words = LANGUAGES[language];
+
+/** Puts what stands in the document itself in that language. */
+export function translateDocument(document: Document): void {
+  document.documentElement.lang = words.locale;
+  document.title = words.page.title;
+  document.querySelector('meta[name=description]')?.setAttribute('content', words.page.description);
+  document.querySelector('#beside')?.setAttribute('aria-label', words.comparison.net);
+}

@@ -1,5 +1,6 @@
 /** What the colours mean and whether faces are drawn. */
 import type { ColourMap, Field, UpAxis, ViewState } from '../document/document';
+import { words } from '../language/language';
 import { makeSelect, makeSwitch, setValue } from './dom';
 import type { PanelEvents } from './panels';
 
@@ -13,21 +14,21 @@ export class Appearance {
 
   constructor(events: PanelEvents) {
     const fields = [
-      { value: 'deviation', text: 'Deviation of edges' },
-      { value: 'angle', text: 'Corner angles' },
+      { value: 'deviation', text: words.appearance.deviation },
+      { value: 'angle', text: words.appearance.angle },
     ];
     const maps = [
-      { value: 'paper', text: 'Blue and red' },
-      { value: 'log', text: 'Logarithmic' },
+      { value: 'paper', text: words.appearance.paper },
+      { value: 'log', text: words.appearance.log },
     ];
     const axes = [
       { value: 'z', text: 'z' },
       { value: 'y', text: 'y' },
     ];
-    const field = makeSelect('Colour by', fields, (value) => events.setView({ field: value as Field }));
-    const map = makeSelect('Colours', maps, (value) => events.setView({ colourMap: value as ColourMap }));
-    const faces = makeSwitch('Faces', (showFaces) => events.setView({ showFaces }));
-    const up = makeSelect('Up axis', axes, (value) => events.setView({ upAxis: value as UpAxis }));
+    const field = makeSelect(words.appearance.colourBy, fields, (value) => events.setView({ field: value as Field }));
+    const map = makeSelect(words.appearance.colours, maps, (value) => events.setView({ colourMap: value as ColourMap }));
+    const faces = makeSwitch(words.appearance.faces, (showFaces) => events.setView({ showFaces }));
+    const up = makeSelect(words.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
     [this.field, this.map, this.mapRow] = [field.select, map.select, map.row];
     [this.faces, this.up] = [faces.box, up.select];
     this.content = [field.row, map.row, faces.row, up.row];

@@ -1,15 +1,15 @@
 /** Chooses what to compare and sets it going. */
 import type { MethodInfo } from '../../../wasm/chebnet';
 import type { ComparisonWish, StartingPoint } from '../compare/run';
+import { words } from '../language/language';
 import { make, makeButton, makeSelect } from './dom';
-import { methodTitle } from './words';
 
 /** Ticked at first: the paper's method, our own, and one of each other kind. */
 const USUAL = ['li2022', 'projection', 'composite_majorization', 'local_global'];
 
 const STARTS: { value: StartingPoint; text: string }[] = [
-  { value: 'rest', text: 'The rest shape' },
-  { value: 'present', text: 'The net as it stands' },
+  { value: 'rest', text: words.comparison.rest },
+  { value: 'present', text: words.comparison.present },
 ];
 
 export class ComparisonForm {
@@ -20,12 +20,12 @@ export class ComparisonForm {
   private proposed: readonly string[] | undefined;
 
   constructor(private readonly compare: (wish: ComparisonWish) => void) {
-    this.run = makeButton('Compare', () => this.submit());
-    const start = makeSelect('Start from', STARTS, () => {});
+    this.run = makeButton(words.comparison.compare, () => this.submit());
+    const start = makeSelect(words.comparison.startFrom, STARTS, () => {});
     this.start = start.select;
     this.methods.addEventListener('change', () => this.showReady());
     this.content = [
-      make('p', { class: 'quiet' }, 'Each method solves the present edit from the same start, with the initialisation and settings of the section Solver.'),
+      make('p', { class: 'quiet' }, words.comparison.about),
       this.methods,
       start.row,
       make('div', { class: 'buttons' }, this.run),
@@ -38,9 +38,9 @@ export class ComparisonForm {
         'label',
         { title: sentence },
         make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
-        methodTitle(name),
+        words.core.method(name),
       );
-    this.methods.replaceChildren(make('legend', {}, 'Methods'), ...table.map(choice));
+    this.methods.replaceChildren(make('legend', {}, words.comparison.methods), ...table.map(choice));
     this.showReady();
   }
 

@@ -1,6 +1,7 @@
 /** Curves of several methods in one picture: log₁₀ max dL against iterations or milliseconds. */
 import uPlot from 'uplot';
 import type { Comparison, Run } from '../compare/run';
+import { words } from '../language/language';
 import { decade } from './convergence';
 import { make } from './dom';
 import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange } from './plot_parts';
@@ -24,8 +25,8 @@ export class ComparisonPlot {
     private readonly axis: 'iterations' | 'milliseconds',
     private readonly styleOf: (method: string) => CurveStyle,
   ) {
-    const caption = `Max dL against ${axis}`;
-    this.host.setAttribute('aria-label', `${caption}, a curve for each method; the numbers are in the table`);
+    const caption = words.comparison.plots[axis];
+    this.host.setAttribute('aria-label', words.comparison.plotLabel(caption));
     this.element.append(make('figcaption', {}, caption), this.host);
     new ResizeObserver(() => this.fit()).observe(this.host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plot?.redraw());

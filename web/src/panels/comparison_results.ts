@@ -3,12 +3,12 @@ import type { MethodInfo } from '../../../wasm/chebnet';
 import { tableCsv, tracesCsv } from '../compare/csv';
 import type { Comparison, Run } from '../compare/run';
 import { download } from '../files/download';
+import { words } from '../language/language';
 import { savePicture } from './comparison_picture';
 import { ComparisonPlot, type CurveStyle } from './comparison_plot';
 import { ComparisonTable } from './comparison_table';
 import { make, makeButton, setText } from './dom';
 import type { PanelEvents } from './panels';
-import { methodTitle } from './words';
 
 /** Numbers that change more often cannot be read. */
 const REFRESH_MS = 120;
@@ -36,17 +36,17 @@ export class ComparisonResults {
       show: (run) => events.showRun(run === this.current ? null : run),
       showBeside: (run) => events.showBeside(run === this.beside ? null : run),
     });
-    this.stop = makeButton('Cancel', () => events.cancelComparison());
+    this.stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
     this.element = make(
       'section',
-      { class: 'comparison', 'aria-label': 'Comparison of methods', hidden: true },
+      { class: 'comparison', 'aria-label': words.comparison.label, hidden: true },
       make(
         'header',
         {},
-        make('h2', {}, 'Comparison'),
+        make('h2', {}, words.comparison.heading),
         this.words,
         this.actions(),
-        makeButton('×', () => this.close(), { 'aria-label': 'Close the comparison' }),
+        makeButton('×', () => this.close(), { 'aria-label': words.comparison.close }),
       ),
       make('div', { class: 'plots' }, ...this.plots.map(({ element }) => element)),
       this.table.element,
@@ -103,14 +103,14 @@ export class ComparisonResults {
       'div',
       { class: 'actions' },
       this.stop,
-      makeButton('Table CSV', save('comparison.csv', tableCsv)),
-      makeButton('Traces CSV', save('comparison-traces.csv', tracesCsv)),
-      makeButton('Plots PNG', () => this.savePlots()),
+      makeButton(words.comparison.tableCsv, save('comparison.csv', tableCsv)),
+      makeButton(words.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
+      makeButton(words.comparison.plotsPng, () => this.savePlots()),
     );
   }
 
   private savePlots(): void {
-    const methods = this.comparison?.runs.map(({ method }) => ({ title: methodTitle(method), ...this.styleOf(method) })) ?? [];
+    const methods = this.comparison?.runs.map(({ method }) => ({ title: words.core.method(method), ...this.styleOf(method) })) ?? [];
     void savePicture(this.element, this.plots, methods);
   }
 
@@ -131,8 +131,8 @@ export class ComparisonResults {
 function progress({ runs, running }: Comparison): string {
   const done = runs.filter(({ state }) => state === 'ended' || state === 'failed').length;
   const current = runs.find(({ state }) => state === 'running');
-  if (running && current) return `${methodTitle(current.method)}, ${done + 1} of ${runs.length}`;
-  if (done < runs.length) return `Cancelled after ${done} of ${runs.length}`;
+  if (running && current) return words.comparison.running(words.core.method(current.method), done + 1, runs.length);
+  if (done < runs.length) return words.comparison.cancelled(done, runs.length);
   const idle = runs.every(({ frame }) => frame?.iterations === 0);
-  return idle ? 'The start is a solution already: move a handle and compare again.' : `${done} methods`;
+  return idle ? words.comparison.idle : words.comparison.done(done);
 }

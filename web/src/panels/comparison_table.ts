@@ -1,20 +1,22 @@
 /** The numbers of a comparison, one row a method. A click on a row asks for its net. */
 import type { Run } from '../compare/run';
+import { words } from '../language/language';
 import type { CurveStyle } from './comparison_plot';
 import { make, makeButton, setText } from './dom';
-import { count, methodTitle, milliseconds, runWords, small } from './words';
+import { count, milliseconds, runWords, small } from './words';
 
 const DEGREES = 180 / Math.PI;
 const NOTHING = '–';
 
+const { columns } = words.comparison;
 const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined }[] = [
-  { title: 'Iterations', hint: 'Iterations made', text: ({ frame }) => frame ? count(frame.iterations) : undefined },
-  { title: 'ms', hint: 'Time spent in the solver', text: ({ frame }) => frame ? milliseconds(frame.milliseconds) : undefined },
-  { title: 'Max dL', hint: 'Largest deviation of an edge from its length', text: ({ frame }) => frame ? small(frame.maxDeviation) : undefined },
-  { title: 'Bend', hint: 'Fairness: root mean square change of the bend of net lines from rest; less is smoother', text: ({ measures }) => measures ? small(measures.bend) : undefined },
-  { title: 'Smallest angle', hint: 'Smallest angle at a corner of a face', text: ({ measures }) => measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined },
-  { title: 'Handle error', hint: 'Largest distance of a handle from its target', text: ({ measures }) => measures ? small(measures.handleError) : undefined },
-  { title: 'Status', hint: 'How the run ended', text: runWords },
+  { ...columns.iterations, text: ({ frame }) => frame ? count(frame.iterations) : undefined },
+  { ...columns.milliseconds, text: ({ frame }) => frame ? milliseconds(frame.milliseconds) : undefined },
+  { ...columns.maxDeviation, text: ({ frame }) => frame ? small(frame.maxDeviation) : undefined },
+  { ...columns.bend, text: ({ measures }) => measures ? small(measures.bend) : undefined },
+  { ...columns.smallestAngle, text: ({ measures }) => measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined },
+  { ...columns.handleError, text: ({ measures }) => measures ? small(measures.handleError) : undefined },
+  { ...columns.status, text: runWords },
 ];
 
 interface TableEvents {
@@ -30,7 +32,7 @@ interface Row {
 }
 
 export class ComparisonTable {
-  readonly element = make('div', { class: 'table', tabindex: 0, role: 'region', 'aria-label': 'Results' });
+  readonly element = make('div', { class: 'table', tabindex: 0, role: 'region', 'aria-label': words.comparison.results });
   private rows: Row[] = [];
 
   constructor(
@@ -43,7 +45,7 @@ export class ComparisonTable {
     this.rows = runs.map((run) => this.makeRow(run));
     const body = make('tbody', {}, ...this.rows.map((row) => this.makeLine(row)));
     this.element.replaceChildren(
-      make('table', {}, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'Method'), ...heads, make('td'))), body),
+      make('table', {}, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.method), ...heads, make('td'))), body),
     );
   }
 
@@ -62,12 +64,12 @@ export class ComparisonTable {
     const { colour, dashed } = this.styleOf(run.method);
     const swatch = make('i', { class: dashed ? 'swatch dashed' : 'swatch' });
     swatch.style.setProperty('color', `var(${colour})`);
-    const button = makeButton(swatch, () => {}, { class: 'plain', title: 'Show this net' });
-    button.append(methodTitle(run.method));
-    const beside = makeButton('Beside', () => this.events.showBeside(run), {
+    const button = makeButton(swatch, () => {}, { class: 'plain', title: words.comparison.show });
+    button.append(words.core.method(run.method));
+    const beside = makeButton(words.comparison.beside, () => this.events.showBeside(run), {
       class: 'plain link',
-      title: 'Show this net beside the other',
-      'aria-label': `${methodTitle(run.method)} beside the other net`,
+      title: words.comparison.besideHint,
+      'aria-label': words.comparison.besideOther(words.core.method(run.method)),
     });
     return { run, button, beside, cells: COLUMNS.map(() => make('td')) };
   }

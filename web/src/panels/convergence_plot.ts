@@ -1,6 +1,7 @@
 /** The record of convergence as a plot: log₁₀ max dL against iterations or time, the threshold, and where stages begin. */
 import uPlot from 'uplot';
 import type { TraceRow } from '../../../wasm/chebnet';
+import { words } from '../language/language';
 import { Convergence, type Curve } from './convergence';
 import { make, makeSelect } from './dom';
 import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange, strokeLine } from './plot_parts';
@@ -14,7 +15,7 @@ const REST_MS = 1000;
 export class ConvergencePlot {
   readonly element = make('div', { class: 'plot' });
   private readonly record = new Convergence();
-  private readonly host = make('div', { role: 'img', 'aria-label': 'Convergence: largest deviation dL against iterations' });
+  private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label });
   private plot: uPlot | null = null;
   private curve: Curve = { x: [], y: [], marks: [] };
   private byTime = false;
@@ -24,10 +25,10 @@ export class ConvergencePlot {
 
   constructor() {
     const choices = [
-      { value: 'iterations', text: 'Iterations' },
-      { value: 'milliseconds', text: 'Milliseconds' },
+      { value: 'iterations', text: words.plot.iterations },
+      { value: 'milliseconds', text: words.plot.milliseconds },
     ];
-    const { row } = makeSelect('Max dL against', choices, (value) => {
+    const { row } = makeSelect(words.plot.against, choices, (value) => {
       this.byTime = value === 'milliseconds';
       this.draw();
     });
@@ -117,7 +118,7 @@ export class ConvergencePlot {
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
       if (x < free) continue;
       ctx.fillStyle = plotColour(this.element, '--muted');
-      const label = free < 0 ? `Stage ${mark.stage}` : String(mark.stage);
+      const label = free < 0 ? words.plot.stage(mark.stage) : String(mark.stage);
       ctx.fillText(label, x, bbox.top - 7 * ratio);
       free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
     }

@@ -2,21 +2,19 @@
 import { experimentLink, findExperiment } from '../experiments/experiment';
 import type { Experiment } from '../experiments/experiment';
 import { EXPERIMENTS } from '../experiments/list';
+import { words } from '../language/language';
 import { make, makeButton } from './dom';
 import type { PanelEvents } from './panels';
 
-const READING =
-  'After the figures of Li et al. 2022, on nets of our own; which experiment stands for which figure is our reading of the paper.';
-
 export class ExperimentsPanel {
-  readonly note = make('section', { class: 'experiment', hidden: true, 'aria-label': 'Experiment' });
+  readonly note = make('section', { class: 'experiment', hidden: true, 'aria-label': words.experiment.label });
   readonly content: HTMLElement[];
   private readonly links = new Map<string, HTMLAnchorElement>();
   private shown: string | undefined;
 
   constructor(private readonly events: PanelEvents) {
-    const items = EXPERIMENTS.map((each) => make('li', {}, make('span', {}, `Figure ${each.figure}`), this.makeEntry(each)));
-    this.content = [make('ul', { class: 'experiments' }, ...items), make('p', { class: 'quiet' }, READING)];
+    const items = EXPERIMENTS.map((each) => make('li', {}, make('span', {}, words.experiment.figure(each.figure)), this.makeEntry(each)));
+    this.content = [make('ul', { class: 'experiments' }, ...items), make('p', { class: 'quiet' }, words.experiment.reading)];
   }
 
   show(name: string | undefined): void {
@@ -35,15 +33,15 @@ export class ExperimentsPanel {
   }
 
   private describe({ name, figure, title, text, variants = [] }: Experiment): HTMLElement[] {
-    const links = [{ label: 'As it is' }, ...variants].map(({ label }, i) => makeLink(experimentLink(name, i), label));
+    const links = [{ label: words.experiment.asItIs }, ...variants].map(({ label }, i) => makeLink(experimentLink(name, i), label));
     const buttons = [
-      makeButton('Solve', () => this.events.solve(), { title: 'Iterate until the solve ends' }),
-      makeButton('One step', () => this.events.step(), { title: 'One iteration, then stop' }),
+      makeButton(words.solver.solve, () => this.events.solve(), { title: words.solver.solveHint }),
+      makeButton(words.step.step, () => this.events.step(), { title: words.step.stepHint }),
     ];
     return [
-      make('details', { open: true }, make('summary', {}, `Figure ${figure}: ${title}`), make('p', {}, text)),
+      make('details', { open: true }, make('summary', {}, words.experiment.heading(figure, title)), make('p', {}, text)),
       make('div', { class: 'buttons' }, ...buttons),
-      make('nav', { 'aria-label': 'Settings to try', hidden: variants.length === 0 }, 'Begin again: ', ...links),
+      make('nav', { 'aria-label': words.experiment.settings, hidden: variants.length === 0 }, words.experiment.again, ...links),
     ];
   }
 }

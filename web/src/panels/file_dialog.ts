@@ -5,9 +5,10 @@ import { STAGES } from '../files/file_protocol';
 import type { Stage } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
 import type { FileChoice, FileDialogLike } from '../files/import';
+import { words } from '../language/language';
 import { make, makeButton, setText } from './dom';
-import { faceWords, fileStageWords, lengthWords, percentWords, singularWords } from './file_words';
-import { count, title } from './words';
+import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
+import { count } from './words';
 
 export class FileDialog implements FileDialogLike {
   readonly closed: Promise<null>;
@@ -15,7 +16,7 @@ export class FileDialog implements FileDialogLike {
   private readonly stage = make('label', { for: 'file-progress' });
   private readonly progress = make('progress', { id: 'file-progress', max: STAGES.length });
   private readonly progressRow = make('p', { class: 'progress', role: 'status' }, this.stage, this.progress);
-  private readonly cancel = makeButton('Cancel', () => this.close());
+  private readonly cancel = makeButton(words.file.cancel, () => this.close());
   private readonly body = make('div', { class: 'body' }, this.progressRow);
   private readonly buttons = make('div', { class: 'buttons' }, this.cancel);
 
@@ -32,7 +33,7 @@ export class FileDialog implements FileDialogLike {
   }
 
   showStage(stage: Stage): void {
-    setText(this.stage, fileStageWords(stage));
+    setText(this.stage, words.file.stages[stage]);
     this.progress.value = STAGES.indexOf(stage);
     if (stage !== 'opening') return;
     // Past the point where it could be called back.
@@ -60,49 +61,51 @@ export class FileDialog implements FileDialogLike {
 
 function makeFacts(report: FileReport): HTMLElement {
   const { vertices, edges, boundaryLoops, components, singularVertices, lengths } = report;
+  const terms = words.file.facts;
   const facts: [string, string][] = [
-    ['Vertices', count(vertices)],
-    ['Edges', count(edges)],
-    ['Faces', faceWords(report)],
-    ['Pieces', count(components)],
-    ['Boundary loops', count(boundaryLoops)],
-    ['Singular vertices', singularWords(singularVertices)],
-    ['Shortest edge', lengthWords(lengths.smallest)],
-    ['Mean length', lengthWords(lengths.mean)],
-    ['Longest edge', lengthWords(lengths.largest)],
-    ['Largest deviation from the mean', percentWords(lengths.largestDeviation)],
+    [terms.vertices, count(vertices)],
+    [terms.edges, count(edges)],
+    [terms.faces, faceWords(report)],
+    [terms.pieces, count(components)],
+    [terms.boundaryLoops, count(boundaryLoops)],
+    [terms.singularVertices, singularWords(singularVertices)],
+    [terms.shortest, lengthWords(lengths.smallest)],
+    [terms.mean, lengthWords(lengths.mean)],
+    [terms.longest, lengthWords(lengths.largest)],
+    [terms.deviation, percentWords(lengths.largestDeviation)],
   ];
   return make('dl', { class: 'facts' }, ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))));
 }
 
 function makeDefects({ findings, refusal }: FileReport): HTMLElement {
-  const rows = findings.map(({ defect, count: number, sentence }) =>
-    make('li', {}, make('strong', {}, `${title(defect)}: ${count(number)}`), make('span', {}, sentence)),
-  );
+  const rows = findings.map((finding) => {
+    const name = words.file.defect(words.core.name(finding.defect), count(finding.count));
+    return make('li', {}, make('strong', {}, name), make('span', {}, words.core.finding(finding)));
+  });
   return make(
     'section',
     { class: 'defects', 'aria-labelledby': 'file-defects' },
-    make('h3', { id: 'file-defects' }, 'The mesh has defects'),
-    make('p', {}, 'Repair would change this; the numbers above are those of the repaired mesh.'),
+    make('h3', { id: 'file-defects' }, words.file.defects),
+    make('p', {}, words.file.defectsHint),
     make('ul', {}, ...rows),
-    ...(refusal === null ? [] : [make('p', {}, `As it is it cannot be opened: ${refusal}.`)]),
+    ...(refusal === null ? [] : [make('p', {}, words.file.refused(words.core.failure(refusal.code, refusal.message)))]),
   );
 }
 
 /** The first is what Enter does. */
 function openButtons({ findings, refusal }: FileReport, open: (repaired: boolean) => void): [HTMLElement, ...HTMLElement[]] {
   const primary = { class: 'primary' };
-  if (findings.length === 0) return [makeButton('Open', () => open(false), primary)];
-  const repair = makeButton('Repair and open', () => open(true), primary);
-  return refusal === null ? [repair, makeButton('Open as it is', () => open(false))] : [repair];
+  if (findings.length === 0) return [makeButton(words.file.open, () => open(false), primary)];
+  const repair = makeButton(words.file.repair, () => open(true), primary);
+  return refusal === null ? [repair, makeButton(words.file.asItIs, () => open(false))] : [repair];
 }
 
 const LENGTH_CHOICES: readonly { value: RestLengths; text: (report: FileReport) => string; hint: string }[] = [
-  { value: 'own', text: () => 'Keep each edge’s own length', hint: 'The shape stays as it is.' },
+  { value: 'own', text: () => words.file.own.text, hint: words.file.own.hint },
   {
     value: 'equal',
-    text: ({ lengths }) => `One length, the mean (${lengthWords(lengths.mean)})`,
-    hint: 'The shape changes until all edges have it, as far as they can.',
+    text: ({ lengths }) => words.file.equal.text(lengthWords(lengths.mean)),
+    hint: words.file.equal.hint,
   },
 ];
 
@@ -112,7 +115,7 @@ class LengthChoice {
   chosen: RestLengths = 'own';
 
   constructor(report: FileReport) {
-    const legend = `Edge lengths differ by up to ${percentWords(report.lengths.largestDeviation)} from the mean`;
+    const legend = words.file.lengths(percentWords(report.lengths.largestDeviation));
     const rows = LENGTH_CHOICES.map(({ value, text, hint }) => {
       const radio = make('input', { type: 'radio', name: 'file-lengths', value, checked: value === this.chosen });
       radio.addEventListener('change', () => (this.chosen = value));

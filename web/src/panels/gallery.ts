@@ -1,5 +1,6 @@
 /** The shapes to begin with, each with a picture that is drawn when it comes into sight and nothing else is going on. */
 import type { ShapeInfo } from '../../../wasm/chebnet';
+import { words } from '../language/language';
 import { make, makeButton, makeIcon } from './dom';
 import type { Idle } from './idle';
 import { drawThumbnail, type Wireframe } from './thumbnail';
@@ -17,7 +18,7 @@ interface Item {
 }
 
 export class Gallery {
-  readonly element = make('div', { class: 'gallery', role: 'group', 'aria-label': 'Shapes' });
+  readonly element = make('div', { class: 'gallery', role: 'group', 'aria-label': words.gallery.label });
   private readonly fileTile = this.makeFileTile();
   private items: Item[] = [];
   private waiting: Item[] = [];
@@ -61,8 +62,8 @@ export class Gallery {
   }
 
   private makeFileTile(): HTMLButtonElement {
-    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: 'Open an OBJ, PLY or OFF file, or drop one on the page' });
-    tile.append(make('span', {}, 'Open file'));
+    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: words.gallery.openFileHint });
+    tile.append(make('span', {}, words.gallery.openFile));
     return tile;
   }
 

@@ -19,14 +19,14 @@ interface Row {
 export class HandleList {
   private readonly list = make('ul', { class: 'handles' });
   private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
-  private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: 'Number', 'aria-label': 'Vertex number' });
+  private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: words.handles.number, 'aria-label': words.handles.vertexNumber });
   readonly content: HTMLElement[];
   private rows = new Map<number, Row>();
   private handles: readonly HandleData[] = [];
   private edgeLength = 1;
 
   constructor(private readonly events: PanelEvents) {
-    const form = make('form', { class: 'add-handle' }, this.number, make('button', {}, 'Add vertex'));
+    const form = make('form', { class: 'add-handle' }, this.number, make('button', {}, words.handles.add));
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.add(this.number.valueAsNumber);
@@ -68,18 +68,18 @@ export class HandleList {
 
   private makeRow(vertex: number): Row {
     const select = makeButton('', () => this.toggle(vertex), { class: 'plain name' });
-    select.append(make('i', { class: 'mark' }), `Vertex ${vertex}`);
+    select.append(make('i', { class: 'mark' }), words.handles.vertex(vertex));
     const anchor = make('input', { type: 'checkbox', class: 'switch' });
     anchor.addEventListener('change', () => this.events.setAnchor(vertex, anchor.checked));
     const remove = makeButton(makeIcon(CROSS), () => this.events.deleteHandle(vertex), {
       class: 'plain',
-      'aria-label': `Remove the handle at vertex ${vertex}`,
-      title: 'Remove',
+      'aria-label': words.handles.removeAt(vertex),
+      title: words.handles.remove,
     });
     const inputs = AXES.map((_, axis) => this.makeField(vertex, axis));
     const fields = make('div', { class: 'coordinates' });
     inputs.forEach((input, axis) => fields.append(make('label', {}, make('span', {}, AXES[axis]!), input)));
-    const line = make('div', { class: 'line' }, select, make('label', {}, make('span', {}, 'Anchor'), anchor), remove);
+    const line = make('div', { class: 'line' }, select, make('label', {}, make('span', {}, words.handles.anchor), anchor), remove);
     return { element: make('li', {}, line, fields), select, anchor, fields, inputs };
   }
 
@@ -100,8 +100,4 @@ export class HandleList {
     const open = this.rows.get(vertex)!.element.classList.contains('selected');
     this.events.selectHandle(open ? null : vertex);
   }
-}
-
-export function handleCount(handles: readonly HandleData[]): string {
-  return `Handles (${handles.length})`;
 }

@@ -1,5 +1,6 @@
 /** The colour map with its ends, and below it the range of the data. */
 import type { ViewState } from '../document/document';
+import { words } from '../language/language';
 import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData } from '../worker/protocol';
@@ -17,7 +18,7 @@ export class Legend {
   private readonly words = make('p', { class: 'words' });
   readonly element = make(
     'section',
-    { class: 'legend', 'aria-label': 'Legend' },
+    { class: 'legend', 'aria-label': words.legend.label },
     this.name,
     this.bar,
     make('div', { class: 'track' }, this.data),
@@ -52,7 +53,7 @@ export class Legend {
     const width = Math.max(0.02, legendPosition(this.scale, to) - left);
     this.data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
     this.data.style.width = `${(100 * width).toFixed(1)}%`;
-    setText(this.words, byAngle ? `Net: ${from.toFixed(0)}° to ${to.toFixed(0)}°` : `Net: ${deviationRange(from, to)}`);
+    setText(this.words, words.legend.net(byAngle ? angleRange(from, to) : deviationRange(from, to)));
   }
 
   private draw(): void {
@@ -82,6 +83,10 @@ function legendPosition(scale: Scale, value: number): number {
 }
 
 function deviationRange(low: number, high: number): string {
-  if (high < ROUNDING) return 'exact';
-  return low < ROUNDING ? `up to ${small(high)}` : `${small(low)} to ${small(high)}`;
+  if (high < ROUNDING) return words.legend.exact;
+  return low < ROUNDING ? words.legend.upTo(small(high)) : words.legend.range(small(low), small(high));
+}
+
+function angleRange(low: number, high: number): string {
+  return words.legend.range(`${low.toFixed(0)}°`, `${high.toFixed(0)}°`);
 }

@@ -1,18 +1,10 @@
 /** The numbers of the moment. */
+import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from './dom';
 import { count, milliseconds, NOTHING, small } from './words';
 
-const LABELS = {
-  vertices: 'Vertices',
-  edges: 'Edges',
-  handles: 'Handles',
-  maxDeviation: 'Max dL',
-  stage: 'Stage',
-  iterations: 'Iterations',
-  milliseconds: 'Last solve, ms',
-  framesPerSecond: 'Frames a second',
-};
+const LABELS = words.numbers;
 
 export class LiveNumbers {
   readonly element = make('dl', { class: 'numbers' });

@@ -1,4 +1,5 @@
 /** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
+import { words } from '../language/language';
 import { make, makeButton } from './dom';
 
 const INFO_MS = 6000;
@@ -23,7 +24,7 @@ export class Messages {
 
   private sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': 'Dismiss' }));
+    line.append(makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss }));
     this.errors.replaceChildren(line);
   }
 }

@@ -1,7 +1,7 @@
 /** Method and initialisation, each chosen from the core's table, with what it does and where it comes from. */
 import type { InitialisationInfo, MethodInfo } from '../../../wasm/chebnet';
+import { words } from '../language/language';
 import { make, makeSelect, setValue } from './dom';
-import { methodTitle } from './words';
 
 /** The paper does so many iterations of an initialisation. */
 const USUAL_COUNT = 5;
@@ -25,7 +25,7 @@ class Choice<Info extends { name: string; sentence: string; citation: string }> 
   showTable(table: Info[]): void {
     this.table = table;
     this.select.replaceChildren(
-      ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, methodTitle(name))),
+      ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, words.core.method(name))),
     );
   }
 
@@ -46,7 +46,7 @@ export class MethodChoice {
   private readonly choice: Choice<MethodInfo>;
 
   constructor(changed: () => void) {
-    this.choice = new Choice('Method', changed);
+    this.choice = new Choice(words.solver.method, changed);
     this.content = [this.choice.row, this.choice.about];
   }
 
@@ -68,10 +68,10 @@ export class InitialisationChoice {
   readonly content: HTMLElement[];
   private readonly choice: Choice<InitialisationInfo>;
   private readonly count = make('input', { type: 'number', step: 1, min: 1, max: 10000, value: USUAL_COUNT, required: true });
-  private readonly countRow = make('label', { class: 'row' }, make('span', {}, 'Its iterations'), this.count);
+  private readonly countRow = make('label', { class: 'row' }, make('span', {}, words.solver.count), this.count);
 
   constructor(changed: () => void) {
-    this.choice = new Choice('Initialisation', changed);
+    this.choice = new Choice(words.solver.initialisation, changed);
     this.count.addEventListener('change', () => this.count.reportValidity() && changed());
     this.content = [this.choice.row, this.countRow, this.choice.about];
   }

@@ -1,8 +1,9 @@
 /** Sliders for what the recipe of the present shape can vary. */
 import type { ShapeInfo, ShapeParameter } from '../../../wasm/chebnet';
+import { words } from '../language/language';
 import { make } from './dom';
 import { formatRecipe, fromSlider, parseRecipe, SLIDER_STEPS, toSlider, type Recipe } from './recipe';
-import { count, title } from './words';
+import { count } from './words';
 
 export class ShapeParameters {
   readonly element = make('div', { class: 'parameters' });
@@ -46,6 +47,6 @@ export class ShapeParameters {
       const values = { ...recipe.values, [parameter.name]: fromSlider(parameter, input.valueAsNumber) };
       this.open(formatRecipe({ name: recipe.name, values }, shape));
     });
-    return make('label', { class: 'slider' }, make('span', {}, title(parameter.name)), input, output);
+    return make('label', { class: 'slider' }, make('span', {}, words.core.name(parameter.name)), input, output);
   }
 }

@@ -4,6 +4,7 @@ import type { ShapeInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 import type { Comparison, Run } from '../compare/run';
+import { words } from '../language/language';
 import { Appearance } from './appearance';
 import { ComparisonForm } from './comparison_form';
 import { ComparisonResults } from './comparison_results';
@@ -11,7 +12,7 @@ import { ConvergencePlot } from './convergence_plot';
 import { make, makeButton, makeSection, setSummary, setText } from './dom';
 import { ExperimentsPanel } from './experiments_panel';
 import { Gallery } from './gallery';
-import { handleCount, HandleList } from './handle_list';
+import { HandleList } from './handle_list';
 import { Idle } from './idle';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
@@ -49,14 +50,14 @@ class Sidebar implements Panels {
   private readonly toolbar: Toolbar;
   private readonly legend = new Legend();
   private readonly messages = new Messages();
-  private readonly status = make('span', { class: 'status-words' }, 'Loading the solver');
+  private readonly status = make('span', { class: 'status-words' }, words.status.loading);
   private readonly light = make('i', { class: 'light', 'data-status': 'running' });
   private readonly fileName = make('p', { class: 'quiet', hidden: true });
-  private readonly toDrag = make('p', {}, 'Drag the ', make('em', {}, 'orange sphere'), '. Every edge keeps its length.');
-  private readonly toClick = make('p', { hidden: true }, 'Click a vertex to take hold of it. Every edge keeps its length.');
+  private readonly toDrag = makeDragLine();
+  private readonly toClick = make('p', { hidden: true }, words.intro.click);
   private readonly handleSection: HTMLDetailsElement;
   private readonly sections: HTMLElement;
-  private readonly fold = makeButton('Controls', () => this.unfold(!this.sections.classList.contains('open')));
+  private readonly fold = makeButton(words.page.controls, () => this.unfold(!this.sections.classList.contains('open')));
   private shapes: ShapeInfo[] = [];
   private usualThreshold = 1e-6;
   private pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
@@ -84,23 +85,23 @@ class Sidebar implements Panels {
       events.showBeside(null);
     });
     this.toolbar = new Toolbar(events);
-    this.handleSection = makeSection(handleCount([]), false, ...this.handles.content);
+    this.handleSection = makeSection(words.handles.title(0), false, ...this.handles.content);
     this.sections = make(
       'div',
       { class: 'sections', id: 'sections' },
-      makeSection('Shape', true, this.gallery.element, this.fileName, this.parameters.element),
-      makeSection('Convergence', true, this.numbers.element, this.plot.element),
-      makeSection('Step', false, ...this.step.content),
+      makeSection(words.sections.shape, true, this.gallery.element, this.fileName, this.parameters.element),
+      makeSection(words.sections.convergence, true, this.numbers.element, this.plot.element),
+      makeSection(words.sections.step, false, ...this.step.content),
       this.handleSection,
-      makeSection('Appearance', false, ...this.appearance.content),
-      makeSection('Solver', false, ...this.solver.content),
-      makeSection('Experiments', false, ...this.experiments.content),
-      makeSection('Compare methods', false, ...this.comparison.content),
+      makeSection(words.sections.appearance, false, ...this.appearance.content),
+      makeSection(words.sections.solver, false, ...this.solver.content),
+      makeSection(words.sections.experiments, false, ...this.experiments.content),
+      makeSection(words.sections.compare, false, ...this.comparison.content),
     );
     root.append(
       make(
         'section',
-        { class: 'over', 'aria-label': 'Title, actions and legend' },
+        { class: 'over', 'aria-label': words.page.over },
         make(
           'header',
           { class: 'title' },
@@ -116,7 +117,7 @@ class Sidebar implements Panels {
       ),
       this.toolbar.menu,
       this.results.element,
-      make('aside', { class: 'sidebar', 'aria-label': 'Controls' }, this.statusRow(), this.sections),
+      make('aside', { class: 'sidebar', 'aria-label': words.page.controls }, this.statusRow(), this.sections),
     );
   }
 
@@ -166,7 +167,7 @@ class Sidebar implements Panels {
   }
 
   showHandles(handles: readonly HandleData[], selected: number | null): void {
-    setSummary(this.handleSection, handleCount(handles));
+    setSummary(this.handleSection, words.handles.title(handles.length));
     this.numbers.showHandles(handles.length);
     const draggable = handles.some(({ anchor }) => !anchor);
     this.toDrag.hidden = !draggable;
@@ -213,4 +214,9 @@ class Sidebar implements Panels {
     this.sections.classList.toggle('open', open);
     this.fold.setAttribute('aria-expanded', String(open));
   }
+}
+
+function makeDragLine(): HTMLElement {
+  const { before, sphere, after } = words.intro.drag;
+  return make('p', {}, before, make('em', {}, sphere), after);
 }

@@ -1,11 +1,11 @@
 /** The method and its settings, and the buttons that set it going. */
 import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
+import { words } from '../language/language';
 import type { Tables } from '../worker/protocol';
 import { make, makeButton, makeSwitch, setValue } from './dom';
 import { InitialisationChoice, MethodChoice } from './method_choice';
 import type { PanelEvents } from './panels';
-import { title } from './words';
 
 /** Shown at once; the rest of the table is a click away. */
 const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 'adaptive_reduction'];
@@ -29,23 +29,23 @@ export class SolverPanel {
 
   constructor(private readonly events: PanelEvents) {
     this.buttons = {
-      cancel: makeButton('Cancel', () => events.cancel(), { disabled: true }),
-      undo: makeButton('Undo last drag', () => events.undoDrag(), { disabled: true }),
+      cancel: makeButton(words.solver.cancel, () => events.cancel(), { disabled: true }),
+      undo: makeButton(words.solver.undo, () => events.undoDrag(), { disabled: true }),
     };
-    this.defaults = makeButton('Back to defaults', () => this.set({}), { class: 'plain link' });
+    this.defaults = makeButton(words.solver.defaults, () => this.set({}), { class: 'plain link' });
     this.content = [
       make(
         'div',
         { class: 'buttons' },
-        makeButton('Solve', () => events.solve(), { title: 'Iterate until the solve ends' }),
+        makeButton(words.solver.solve, () => events.solve(), { title: words.solver.solveHint }),
         this.buttons.cancel,
-        makeButton('Reset to rest', () => events.reset()),
+        makeButton(words.solver.reset, () => events.reset()),
         this.buttons.undo,
       ),
       ...this.method.content,
       ...this.initialisation.content,
       this.usual,
-      make('details', { class: 'more' }, make('summary', {}, 'More settings'), this.seldom),
+      make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.seldom),
       this.defaults,
     ];
   }
@@ -74,7 +74,7 @@ export class SolverPanel {
 
   private makeSetting(option: OptionInfo): Setting {
     if (option.kind === 'flag') {
-      const { row, box } = makeSwitch(title(option.name), (on) => this.change(option, on));
+      const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.change(option, on));
       row.title = option.sentence;
       return { option, input: box, row };
     }
@@ -84,7 +84,7 @@ export class SolverPanel {
     input.addEventListener('change', () => {
       if (input.reportValidity()) this.change(option, input.valueAsNumber);
     });
-    const row = make('label', { class: 'row', title: option.sentence }, make('span', {}, title(option.name)), input);
+    const row = make('label', { class: 'row', title: option.sentence }, make('span', {}, words.core.name(option.name)), input);
     return { option, input, row };
   }
 

@@ -1,12 +1,13 @@
 /** One iteration at a time: what it did, and its direction as arrows in the picture. */
 import type { TraceRow } from '../../../wasm/chebnet';
 import { longestMove } from '../document/longest_move';
+import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, makeButton, makeSwitch, setText } from './dom';
 import type { PanelEvents } from './panels';
 import { count, NOTHING, small, stageWords } from './words';
 
-const LABELS = { iteration: 'Iteration', energy: 'Energy', step: 'Step size', move: 'Move, edges' };
+const LABELS = words.step.numbers;
 
 export class StepPanel {
   readonly content: HTMLElement[];
@@ -18,8 +19,8 @@ export class StepPanel {
   private edgeLength = 1;
 
   constructor(events: PanelEvents) {
-    const { row } = makeSwitch('Direction as arrows', (on) => events.setStepArrows(on));
-    row.title = 'From where the vertices stood towards where they went; the longest arrow is drawn four edges long';
+    const { row } = makeSwitch(words.step.arrows, (on) => events.setStepArrows(on));
+    row.title = words.step.arrowsHint;
     const numbers = make('dl', { class: 'numbers' });
     const cell = (label: string) => {
       const value = make('dd', {}, NOTHING);
@@ -27,7 +28,7 @@ export class StepPanel {
       return value;
     };
     this.cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as typeof this.cells;
-    const step = makeButton('One step', () => events.step(), { title: 'One iteration, then stop' });
+    const step = makeButton(words.step.step, () => events.step(), { title: words.step.stepHint });
     this.content = [make('div', { class: 'buttons' }, step), row, this.stage, numbers];
   }
 
@@ -50,7 +51,7 @@ export class StepPanel {
 
   refresh(): void {
     const { row, move, cells } = this;
-    setText(this.stage, row ? stageWords(row) : 'Solves one iteration, then stops. The arrows show where it leads.');
+    setText(this.stage, row ? stageWords(row) : words.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);
     setText(cells.energy, row ? small(row.energy) : NOTHING);
     setText(cells.step, row ? small(row.step) : NOTHING);

@@ -1,4 +1,5 @@
 /** What is wanted often, over the picture: undo, the whole net in sight, the link, the files. */
+import { words } from '../language/language';
 import { make, makeButton, makeIcon } from './dom';
 import { ExportMenu } from './export_menu';
 import type { PanelEvents } from './panels';
@@ -17,21 +18,22 @@ export class Toolbar {
   private readonly undo: HTMLButtonElement;
 
   constructor(events: PanelEvents) {
-    const tool = (icon: keyof typeof ICONS, label: string, hint: string, click: () => void) => {
-      const button = makeButton(makeIcon(ICONS[icon]), click, { title: hint, 'aria-label': label });
+    const tool = (name: keyof typeof ICONS, click: () => void) => {
+      const { label, hint } = words.toolbar[name];
+      const button = makeButton(makeIcon(ICONS[name]), click, { title: hint, 'aria-label': label });
       button.append(make('span', {}, label));
       return button;
     };
     const exports = new ExportMenu((kind) => events.exportFile(kind));
     this.menu = exports.menu;
-    this.undo = tool('undo', 'Undo', 'Undo the last change (Ctrl+Z)', () => events.undoDrag());
+    this.undo = tool('undo', () => events.undoDrag());
     this.element = make(
       'div',
-      { class: 'toolbar', role: 'group', 'aria-label': 'Actions' },
+      { class: 'toolbar', role: 'group', 'aria-label': words.toolbar.actions },
       this.undo,
-      tool('reset', 'Reset', 'Back to the rest shape', () => events.reset()),
-      tool('frame', 'Show all', 'See the whole net (Home)', () => events.frameAll()),
-      tool('link', 'Copy link', 'A link to what you see', () => events.copyLink()),
+      tool('reset', () => events.reset()),
+      tool('frame', () => events.frameAll()),
+      tool('link', () => events.copyLink()),
       exports.button,
     );
   }

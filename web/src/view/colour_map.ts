@@ -1,6 +1,7 @@
 /** Colours of edges and vertices: what number gets what colour, for the view and for the legend alike. */
 import { interpolatePlasma } from 'd3-scale-chromatic';
 import type { ColourMap, Field } from '../document/document';
+import { words } from '../language/language';
 
 /** Red, green, blue in 0…1, as the screen takes them (sRGB). */
 export type Rgb = readonly [number, number, number];
@@ -83,7 +84,7 @@ export function mix(a: Rgb, b: Rgb, t: number): Rgb {
 
 function paperScale({ good, bad }: MapColours): Scale {
   return {
-    title: 'Deviation dL of an edge',
+    title: words.legend.deviation,
     low: PAPER_BLUE,
     high: PAPER_RED,
     logarithmic: true,
@@ -100,7 +101,7 @@ function paperScale({ good, bad }: MapColours): Scale {
 function logScale({ dark }: MapColours): Scale {
   const [from, to] = dark ? PLASMA_DARK : PLASMA_LIGHT;
   return {
-    title: 'Deviation dL of an edge',
+    title: words.legend.deviation,
     low: 1e-12,
     high: 1e-1,
     logarithmic: true,
@@ -116,7 +117,7 @@ function logScale({ dark }: MapColours): Scale {
 
 function angleScale({ narrow, right, wide }: MapColours): Scale {
   return {
-    title: 'Corner angle farthest from 90°',
+    title: words.legend.angle,
     low: 45,
     high: 135,
     logarithmic: false,

@@ -1,4 +1,5 @@
 /** A line in the place of the picture when there can be none. */
+import { words } from '../language/language';
 import type { View } from './view';
 
 export function createNotice(container: HTMLElement): { show(text: string): void; hide(): void; remove(): void } {
@@ -30,7 +31,7 @@ export function probeGraphics(): 'none' | 'software' | 'card' {
 /** Stands in where there is no WebGL: says so, and lets the rest of the page work. */
 export function createBlankView(container: HTMLElement): View {
   const notice = createNotice(container);
-  notice.show('The net is drawn with WebGL 2, which this browser lacks or has switched off. The panels and the solver still work.');
+  notice.show(words.view.noGraphics);
   const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
   return {
     showNet() {},
@@ -42,7 +43,7 @@ export function createBlankView(container: HTMLElement): View {
     frameAll() {},
     camera: () => nowhere,
     setCamera() {},
-    picture: () => Promise.reject(new Error('There is no picture without WebGL 2.')),
+    picture: () => Promise.reject(new Error(words.view.noPicture)),
     framesPerSecond: () => 0,
     screenPosition: () => ({ x: 0, y: 0 }),
     dispose: () => notice.remove(),

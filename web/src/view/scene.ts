@@ -1,6 +1,7 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
 import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { HandleData, Vec3, ViewState } from '../document/document';
+import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { AxisArrows } from './axis_arrows';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
@@ -83,10 +84,7 @@ class SceneView implements View {
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
-    canvas.setAttribute(
-      'aria-label',
-      'The net. Arrow keys turn the view or move the selected handle, plus and minus zoom, Home shows the whole net.',
-    );
+    canvas.setAttribute('aria-label', words.view.net);
     container.append(canvas, this.overlay.element);
     this.notice = createNotice(container);
     this.waiting = createNotice(container);
@@ -108,7 +106,7 @@ class SceneView implements View {
     this.theme = readTheme(container);
     this.applyTheme();
     this.stopThemes = onThemeChange(() => this.readTheme());
-    canvas.addEventListener('webglcontextlost', () => this.notice.show('The graphics card dropped the picture; waiting for it…'));
+    canvas.addEventListener('webglcontextlost', () => this.notice.show(words.view.pictureLost));
     canvas.addEventListener('webglcontextrestored', () => this.restored());
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(container);
@@ -183,7 +181,7 @@ class SceneView implements View {
     // The canvas can be read only in the task that has drawn it.
     this.draw();
     return new Promise((resolve, reject) => {
-      const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error('The picture could not be made.')));
+      const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error(words.view.pictureFailed)));
       this.renderer.domElement.toBlob(take, 'image/png');
     });
   }
@@ -417,7 +415,7 @@ class SceneView implements View {
       const [a, b] = [this.marks.point(vertexA), this.marks.point(vertexB)];
       if (!a || !b) return [];
       const [from, to] = [this.place(a), this.place(b)];
-      const text = `${distance.toPrecision(3)} apart, the net reaches ${reach.toPrecision(3)}`;
+      const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
       return [{ from, to, label: i === 0 ? { text, at: this.between(from, to) } : null }];
     });
   }

@@ -2,6 +2,7 @@
  *  old one is lost. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
+import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 
@@ -232,7 +233,7 @@ export class Client {
     if (response.type === 'error') {
       // What failed changed nothing, so the news of what went on before still counts.
       if (this.#barrier === response.id) this.#barrier = 0;
-      waiting.reject(new SolverError(response.code, response.message));
+      waiting.reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
     } else {
       if (touchesNet(waiting.type)) this.#touched = Math.max(this.#touched, response.id);
       waiting.resolve(response);
@@ -254,8 +255,8 @@ export class Client {
     worker.onmessage = ({ data }) => {
       if (worker === this.#worker) this.#receive(data);
     };
-    worker.onerror = ({ message }) => lose(message || 'The solver could not be started.');
-    worker.onmessageerror = () => lose('A message of the solver could not be read.');
+    worker.onerror = ({ message }) => lose(message || words.solver.notStarted);
+    worker.onmessageerror = () => lose(words.solver.garbled);
     this.#proven = false;
     return worker;
   }
@@ -263,7 +264,7 @@ export class Client {
   /** Starts counting the silence anew, as long as there is something to wait for. */
   #watch(): void {
     clearTimeout(this.#silence);
-    if (this.busy) this.#silence = setTimeout(() => this.#lose('The solver did not answer any more.'), this.#patience);
+    if (this.busy) this.#silence = setTimeout(() => this.#lose(words.solver.silent), this.#patience);
   }
 
   #lose(reason: string): void {

@@ -1,0 +1,96 @@
+/** Every language says everything, in its own words. */
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from 'vitest';
+import { en } from '../../web/src/language/en';
+import { zh } from '../../web/src/language/zh';
+import { CORE_ERRORS, DEFECTS, INITIALISATIONS, METHODS, NAMES, OPTIONS, SHAPES } from '../../web/src/language/zh/core';
+import { load, ROOT } from '../wasm/load';
+
+/** Every text and every function, by the names that lead to it. */
+function leaves(words: object, path = ''): Map<string, unknown> {
+  const found = new Map<string, unknown>();
+  for (const [name, value] of Object.entries(words)) {
+    if (typeof value === 'object') leaves(value, `${path}${name}.`).forEach((leaf, each) => found.set(each, leaf));
+    else found.set(path + name, value);
+  }
+  return found;
+}
+
+const english = leaves(en);
+const chinese = leaves(zh);
+
+/** What stays as it is in Chinese. */
+const SAME: string[] = [];
+
+test('Chinese has the same names as English', () => {
+  expect([...chinese.keys()]).toEqual([...english.keys()]);
+});
+
+test.each([...english])('%s is said in both languages', (name, text) => {
+  const translated = chinese.get(name);
+  expect(typeof translated).toBe(typeof text);
+  if (typeof text === 'function') expect(translated).toHaveLength(text.length);
+  if (typeof text !== 'string' || typeof translated !== 'string') return;
+  expect(text.trim()).not.toBe('');
+  expect(translated.trim()).not.toBe('');
+  if (!SAME.includes(name)) expect(translated).not.toBe(text);
+});
+
+const HAN = /\p{Script=Han}/u;
+
+describe('what the core says has Chinese words:', () => {
+  const byName = (table: { name: string }[]) => table.map(({ name }) => name).sort();
+  const names = (table: object) => Object.keys(table).sort();
+
+  test('its tables', async () => {
+    const core = await load();
+    const tables = { shapes: core.shapes(), methods: core.methods(), initialisations: core.initialisations(), options: core.options() };
+    const { shapes, methods, initialisations, options } = zh.core.tables(tables);
+    expect(names(SHAPES)).toEqual(byName(shapes));
+    for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
+    expect(names(METHODS)).toEqual(byName(methods));
+    expect(names(INITIALISATIONS)).toEqual(byName(initialisations));
+    expect(names(OPTIONS)).toEqual(byName(options));
+    for (const { title, sentence } of shapes) expect([title, sentence].every((text) => HAN.test(text))).toBe(true);
+    const all = [...shapes.flatMap(({ parameters }) => parameters), ...methods, ...initialisations, ...options];
+    for (const { sentence } of all) expect(sentence).toMatch(HAN);
+  });
+
+  test('the names of parameters, options and defects, and no others', async () => {
+    const core = await load();
+    const parameters = core.shapes().flatMap((shape) => byName(shape.parameters));
+    expect(names(NAMES)).toEqual([...new Set([...parameters, ...byName(core.options()), ...core.defects()])].sort());
+    expect(names(DEFECTS)).toEqual([...core.defects()].sort());
+  });
+
+  test('the codes of its errors', () => {
+    const header = readFileSync(new URL('core/net/error.h', ROOT), 'utf8');
+    const codes = [...header.matchAll(/^ {4}(\w+), +\/\/\/</gm)].map(([, code]) => code!);
+    expect(codes.length).toBeGreaterThan(9);
+    expect(names(CORE_ERRORS)).toEqual([...codes, 'disposed', 'internal'].sort());
+  });
+});
+
+test('an error of the core keeps what the core says of it', () => {
+  expect(en.core.failure('bad_syntax', 'a.obj:3: no number')).toBe('a.obj:3: no number');
+  expect(zh.core.failure('bad_syntax', 'a.obj:3: no number')).toMatch(/^\p{Script=Han}+（a\.obj:3: no number）$/u);
+  expect(zh.core.failure('a_new_code', 'Something else.')).toBe('Something else.');
+});
+
+test('a finding is told with its examples', () => {
+  const finding = { defect: 'duplicate_vertices', repaired: true, count: 1200, examples: [4, 7], sentence: 'as the core says' } as const;
+  expect(en.core.finding({ ...finding, examples: [4, 7] })).toBe('as the core says');
+  expect(zh.core.finding({ ...finding, examples: [4, 7] })).toMatch(/^1,200 .*：4、7…$/);
+});
+
+test('names of the core are made readable', () => {
+  expect(en.core.name('switch_deviation')).toBe('Switch deviation');
+  expect(en.core.name('p_end')).toBe('p end');
+});
+
+test('a message becomes a sentence, a name of a file stays as it is', () => {
+  expect(en.core.sentence('no net is open')).toBe('No net is open.');
+  expect(en.core.sentence('net.obj: line 3 is no face')).toBe('net.obj: line 3 is no face.');
+  expect(zh.core.sentence('没有打开的网')).toBe('没有打开的网。');
+  expect(zh.core.sentence('链接已损坏。')).toBe('链接已损坏。');
+});

@@ -1,0 +1,39 @@
+/** What the core says. It speaks English: its sentences stand as they are, its names are made readable. */
+import type { Finding } from '../../../../wasm/chebnet';
+import type { Tables } from '../../worker/protocol';
+
+/** Methods and initialisations that are more than their words. */
+const METHODS: Record<string, string> = {
+  li2022: 'Li et al. 2022',
+  projected_newton: 'Projected Newton',
+  gauss_newton: 'Gauss–Newton',
+  dp4: 'D^p, p = 4',
+  dp8: 'D^p, p = 8',
+  arap: 'ARAP',
+  local_global: 'Local–global',
+  lbfgs: 'L-BFGS',
+};
+
+export const core = {
+  /** With titles and sentences for people. */
+  tables: (tables: Tables) => tables,
+  /** A parameter, an option or a defect. */
+  name: (name: string) => readable(name),
+  /** A method or an initialisation. */
+  method: (name: string) => METHODS[name] ?? readable(name),
+  finding: ({ sentence }: Finding) => sentence,
+  /** What went wrong. */
+  failure: (_code: string, message: string) => message,
+  /** As a sentence to be shown by itself. The name of a file stays as it is. */
+  sentence: (text: string) => {
+    const start = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() : text.charAt(0);
+    return `${start}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
+  },
+};
+
+/** `switch_deviation` → `Switch deviation`; but `p_end` → `p end`, for p is a letter of the paper. */
+function readable(name: string): string {
+  const words = name.replaceAll('_', ' ');
+  if (words.charAt(1) === ' ') return words;
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

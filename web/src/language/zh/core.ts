@@ -1,0 +1,187 @@
+/** What the core says, by the names in its tables and the codes of its errors. */
+import type { Defect, Finding } from '../../../../wasm/chebnet';
+import type { Tables } from '../../worker/protocol';
+
+interface ShapeWords {
+  title: string;
+  sentence: string;
+  parameters: Record<string, string>;
+}
+
+const VERTICES = '网的大致顶点数。';
+
+export const SHAPES: Record<string, ShapeWords> = {
+  vault: {
+    title: '拱顶',
+    sentence: '矩形上方的拱顶：一道拱沿波浪线移动而成。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '拱高与拱宽之比。',
+      aspect: '拱顶长度与拱的弧长之比。',
+      waves: '拱顶沿长度方向起伏的次数。',
+      slope: '波浪的陡峭程度，以度为单位。',
+    },
+  },
+  dome: {
+    title: '穹顶',
+    sentence: '球面的一部分，用圆规从在顶点相交的两道拱出发织成网。',
+    parameters: { vertices: VERTICES, reach: '两道主拱从顶点向下延伸的角度，以度为单位。' },
+  },
+  tube: {
+    title: '管',
+    sentence: '倾斜的管，两端开口。',
+    parameters: { vertices: VERTICES, aspect: '管长与管周长之比。', bend: '管向两侧倾斜的角度，以度为单位。' },
+  },
+  torus: {
+    title: '环面',
+    sentence: '竖立的小环沿平放的大环移动而成。',
+    parameters: { vertices: VERTICES, thickness: '竖环周长与平环周长之比。' },
+  },
+  jack: {
+    title: '六臂体',
+    sentence: '立方体伸出六条方形臂。角上汇集三条或六条边，而非四条。',
+    parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。' },
+  },
+  steps: {
+    title: '阶梯',
+    sentence: '阶梯金字塔。角上汇集三条或五条边，而非四条。',
+    parameters: { vertices: VERTICES, steps: '通往顶部的级数。', height: '每级台阶的高度与深度之比。' },
+  },
+  elephant: {
+    title: '大象',
+    sentence: '由方块搭成的大象。角上汇集三条、五条或六条边，而非四条。',
+    parameters: { vertices: VERTICES, legs: '腿的长度（躯干高度为 4）。', trunk: '象鼻的长度（躯干高度为 4）。' },
+  },
+};
+
+export const METHODS: Record<string, { title: string; sentence: string }> = {
+  li2022: { title: 'Li 等 2022', sentence: '论文的方法：能量为 r^p + r^-p，对其凸优超函数作牛顿迭代，分三个阶段。' },
+  projection: { title: '投影', sentence: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。' },
+  composite_majorization: { title: '复合优超', sentence: '论文的能量与阶段；受压的边没有切向刚度。' },
+  projected_newton: { title: '投影牛顿法', sentence: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。' },
+  gauss_newton: { title: '高斯–牛顿法', sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。' },
+  dp4: { title: 'D^p，p = 4', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。' },
+  dp8: { title: 'D^p，p = 8', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。' },
+  arap: { title: 'ARAP', sentence: '尽可能刚性：各顶点处的边从初始形状起一同转动；保持形状，不保持长度。' },
+  local_global: { title: '局部–全局法', sentence: '每条边先各自取得自己的长度，再由一个不变的线性方程组将它们拼合。' },
+  gradient_descent: { title: '梯度下降', sentence: '对论文的能量作最速下降并线搜索：每步代价低，步数极多。' },
+  lbfgs: { title: 'L-BFGS', sentence: '对论文的能量使用 L-BFGS：从最近十个梯度中获知曲率。' },
+};
+
+export const INITIALISATIONS: Record<string, { title: string; sentence: string }> = {
+  naive: { title: '直接', sentence: '不作处理：手柄跳到目标位置，其余不动。' },
+  arap: { title: 'ARAP', sentence: '先作几次 ARAP 迭代：网尽可能刚性地跟随手柄。' },
+  local_global: { title: '局部–全局法', sentence: '先作几次局部–全局迭代：将各边拉向自己的长度。' },
+};
+
+export const OPTIONS: Record<string, string> = {
+  threshold: '最大 dL 低于此值即为收敛（ε3）。',
+  energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
+  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）。',
+  max_iterations: '一次求解最多迭代这么多次。',
+  p_start: '边长相差较大时能量的指数。',
+  p_end: '用于抹平最后偏差的指数。',
+  adaptive_p: '从小指数开始；关闭则一开始就用大指数。',
+  switch_deviation: '最大 dL 低于此值时改用大指数。',
+  adaptive_reduction: '接近结束时，只移动仍有偏差的边附近的顶点。',
+  reduction_deviation: '最大 dL 低于此值时减少变量。',
+  active_fraction: 'dL 高于阈值的这一比例时，该边视为仍有偏差（ε4）。',
+  active_rings: '有偏差的边周围保持自由的邻域环数。',
+  direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
+};
+
+/** Parameters of shapes, options, defects. */
+export const NAMES: Record<string, string> = {
+  vertices: '顶点数',
+  rise: '拱高',
+  aspect: '长宽比',
+  waves: '波数',
+  slope: '坡度',
+  reach: '延伸角',
+  bend: '倾斜',
+  thickness: '粗细',
+  arm: '臂长',
+  steps: '级数',
+  height: '台阶高度',
+  legs: '腿长',
+  trunk: '鼻长',
+  threshold: '阈值',
+  energy_tolerance: '能量容差',
+  gradient_tolerance: '梯度容差',
+  max_iterations: '最大迭代次数',
+  p_start: '起始 p',
+  p_end: '最终 p',
+  adaptive_p: '自适应 p',
+  switch_deviation: '切换偏差',
+  adaptive_reduction: '自适应减少变量',
+  reduction_deviation: '减少变量的偏差',
+  active_fraction: '活动比例',
+  active_rings: '活动环数',
+  direct_energy: '直接能量',
+  duplicate_vertices: '重复顶点',
+  degenerate_faces: '退化面',
+  duplicate_faces: '重复面',
+  non_manifold_edges: '非流形边',
+  inconsistent_winding: '绕向不一致',
+  unused_vertices: '未使用的顶点',
+};
+
+/** What was found, and what repair does. */
+export const DEFECTS: Record<Defect, { found: string; repair: string }> = {
+  duplicate_vertices: { found: '个顶点与先前的顶点重合', repair: '将合并' },
+  degenerate_faces: { found: '个面有重合的角', repair: '将简化或删除' },
+  duplicate_faces: { found: '个面与先前的面有相同的边', repair: '将删除' },
+  non_manifold_edges: { found: '个面是同一条边上的第三个或更多的面', repair: '将删除' },
+  inconsistent_winding: { found: '个面的绕向与其他面相反', repair: '将翻转' },
+  unused_vertices: { found: '个顶点不属于任何面', repair: '将舍弃' },
+};
+
+/** The codes of core/net/error.h and wasm/chebnet.d.ts. What the core says, a place or a value, follows. */
+export const CORE_ERRORS: Record<string, string> = {
+  no_faces: '网没有面',
+  index_out_of_range: '所指的顶点不存在',
+  repeated_vertex: '顶点重复',
+  small_face: '面的顶点少于三个',
+  non_finite: '数值不是有限数',
+  zero_length_edge: '边的两端重合',
+  non_manifold_edge: '同一条边上有两个以上的面',
+  unused_vertex: '有顶点不属于任何面',
+  bad_syntax: '无法读取',
+  bad_option: '名称不存在或数值超出范围',
+  too_large: '超出大小限制',
+  file_access: '无法访问文件',
+  internal: '内部错误',
+  disposed: '编辑器已关闭',
+};
+
+/** What the page's own workers say besides; there is nothing to add. */
+const WORKER_ERRORS: Record<string, string> = {
+  version: '页面与求解器的版本不同，请重新加载页面',
+  no_net: '没有打开的网',
+  bad_link: '此链接中的位置数据已损坏，或属于另一张网',
+};
+
+export const core = {
+  tables: ({ shapes, methods, initialisations, options }: Tables): Tables => ({
+    shapes: shapes.map((shape) => {
+      const { title, sentence, parameters } = SHAPES[shape.name] ?? { ...shape, parameters: {} };
+      const own = shape.parameters.map((each) => ({ ...each, sentence: parameters[each.name] ?? each.sentence }));
+      return { ...shape, title, sentence, parameters: own };
+    }),
+    methods: methods.map((each) => ({ ...each, sentence: METHODS[each.name]?.sentence ?? each.sentence })),
+    initialisations: initialisations.map((each) => ({ ...each, sentence: INITIALISATIONS[each.name]?.sentence ?? each.sentence })),
+    options: options.map((each) => ({ ...each, sentence: OPTIONS[each.name] ?? each.sentence })),
+  }),
+  name: (name: string) => NAMES[name] ?? name,
+  method: (name: string) => METHODS[name]?.title ?? INITIALISATIONS[name]?.title ?? name,
+  finding: ({ defect, repaired, count, examples }: Finding) => {
+    const { found, repair } = DEFECTS[defect];
+    const more = count > examples.length ? '…' : '';
+    return `${count.toLocaleString('zh-CN')} ${found}${repaired ? `，${repair}` : ''}：${examples.join('、')}${more}`;
+  },
+  failure: (code: string, message: string) => {
+    const said = CORE_ERRORS[code];
+    return said === undefined ? (WORKER_ERRORS[code] ?? message) : `${said}（${message.replace(/\.$/, '')}）`;
+  },
+  sentence: (text: string) => (/[.!?。！？…]$/.test(text) ? text : `${text}。`),
+};
