@@ -30,7 +30,11 @@ function earlierChoice(): string | null {
 
 /** Counts from the next load of the page. */
 export function chooseLanguage(language: Language): void {
-  localStorage.setItem(CHOICE, language);
+  try {
+    localStorage.setItem(CHOICE, language);
+  } catch {
+    // Storage is switched off: the browser's language stays.
+  }
 }
 
 export const language = preferredLanguage();

@@ -14,6 +14,7 @@ import { ExperimentsPanel } from './experiments_panel';
 import { Gallery } from './gallery';
 import { HandleList } from './handle_list';
 import { Idle } from './idle';
+import { makeLanguageChoice } from './language_choice';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
@@ -117,7 +118,7 @@ class Sidebar implements Panels {
       ),
       this.toolbar.menu,
       this.results.element,
-      make('aside', { class: 'sidebar', 'aria-label': words.page.controls }, this.statusRow(), this.sections),
+      make('aside', { class: 'sidebar', 'aria-label': words.page.controls }, this.statusRow(), this.sections, makeLanguageChoice()),
     );
   }
 

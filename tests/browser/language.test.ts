@@ -1,0 +1,112 @@
+/** The page in Chinese: every text, at every width, and the way from one language to the other. */
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { OUTPUT, visits } from './page';
+
+const { arrive } = visits();
+const CHINESE = { locale: 'zh-CN' };
+
+/** Names, units and formulas, and the other language by its own name. */
+const NAMES =
+  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl\+Z|Home|OBJ|PLY|OFF|STL|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||ms|MB/g;
+
+/** What the page says in Latin letters beyond names: texts, and what a pointer or a screen reader learns besides. */
+async function foreignWords(page: Page): Promise<string[]> {
+  const texts = await page.evaluate(() => {
+    const said: string[] = [document.title];
+    const visible = (element: Element): boolean => element.checkVisibility() && element.closest('cite, kbd') === null;
+    for (const element of document.querySelectorAll('body *')) {
+      if (!visible(element)) continue;
+      for (const name of ['aria-label', 'title', 'placeholder', 'aria-valuetext', 'alt']) said.push(element.getAttribute(name) ?? '');
+      for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) said.push(node.nodeValue ?? '');
+    }
+    return said;
+  });
+  const latin = (text: string) => /[A-Za-z]{2,}/.test(text.replace(NAMES, ''));
+  return [...new Set(texts.filter(latin))];
+}
+
+async function overflow(page: Page): Promise<number> {
+  return page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+}
+
+async function unfoldAll(page: Page): Promise<void> {
+  await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
+}
+
+test('a Chinese visitor reads Chinese, in the picture and in every panel', async () => {
+  const { page, script } = await arrive('', CHINESE);
+  await script.settled();
+  expect(await page.locator('html').getAttribute('lang')).toBe('zh-CN');
+  await page.getByText('每条边的长度都保持不变').waitFor();
+  expect(await foreignWords(page)).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-desktop.png') });
+  await unfoldAll(page);
+  expect(await foreignWords(page)).toEqual([]);
+  await page.getByRole('button', { name: '保存', exact: true }).click();
+  expect(await foreignWords(page)).toEqual([]);
+});
+
+test('in an experiment, its comparison and its single steps too', async () => {
+  const { page, script } = await arrive('#experiment=long-edges', CHINESE);
+  await script.settled();
+  await page.getByRole('button', { name: '单步迭代' }).first().click();
+  await unfoldAll(page);
+  await page.getByRole('button', { name: '开始比较' }).click();
+  const results = page.getByRole('region', { name: '方法比较' });
+  await results.getByText('2 种方法').waitFor();
+  await results.getByRole('button', { name: 'Li 等 2022', exact: true }).click();
+  await page.getByText('正在显示').waitFor();
+  expect(await foreignWords(page)).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-comparison.png') });
+});
+
+test('a file is reported on in Chinese, and so is its fault', async () => {
+  const { page } = await arrive('', CHINESE);
+  const drop = (name: string, text: string) =>
+    page.evaluate(
+      ([file, content]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([content], file));
+        document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+      },
+      [name, text] as const,
+    );
+  await drop('1.obj', 'v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 9 9 9\nf 1 2 3 4\nf 1 2 3 4\n');
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText('此网格有缺陷').waitFor();
+  // But for the name of the file and what the core says.
+  expect((await foreignWords(page)).filter((text) => text !== '1.obj' && !text.startsWith('不修复则无法打开'))).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-file.png') });
+  await dialog.getByRole('button', { name: '取消' }).click();
+  await drop('2.obj', 'v 0 0\n');
+  await page.getByRole('alert').getByText(/^无法读取（2\.obj:1.*）。$/).waitFor();
+});
+
+test('on a phone nothing runs over the edge', async () => {
+  const { page, script } = await arrive('#experiment=first-order', { ...CHINESE, viewport: { width: 390, height: 844 } });
+  await script.settled();
+  expect(await overflow(page)).toBeLessThanOrEqual(0);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-phone.png') });
+  await page.getByRole('button', { name: '控制面板' }).click();
+  await unfoldAll(page);
+  expect(await overflow(page)).toBeLessThanOrEqual(0);
+  const sections = page.locator('#sections');
+  expect(await sections.evaluate((each) => each.scrollWidth - each.clientWidth)).toBeLessThanOrEqual(0);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-phone-controls.png') });
+});
+
+test('the choice of a language is remembered', async () => {
+  const { page, script } = await arrive();
+  expect(await page.locator('html').getAttribute('lang')).toBe('en-US');
+  await page.getByRole('button', { name: '中文' }).click();
+  await page.locator('html[lang=zh-CN]').waitFor();
+  await script.waitForNet();
+  expect(await page.title()).toContain('切比雪夫网');
+  await page.reload();
+  await script.waitForNet();
+  await page.getByRole('button', { name: 'English' }).click();
+  await page.locator('html[lang=en-US]').waitFor();
+  expect(await page.getByRole('button', { name: 'English' }).getAttribute('aria-pressed')).toBe('true');
+});
