@@ -1,5 +1,5 @@
 /** Every language says everything, in its own words. */
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
@@ -26,14 +26,14 @@ test('Chinese has the same names as English', () => {
   expect([...chinese.keys()]).toEqual([...english.keys()]);
 });
 
-test.each([...english])('%s is said in both languages', (name, text) => {
-  const translated = chinese.get(name);
-  expect(typeof translated).toBe(typeof text);
-  if (typeof text === 'function') expect(translated).toHaveLength(text.length);
-  if (typeof text !== 'string' || typeof translated !== 'string') return;
-  expect(text.trim()).not.toBe('');
-  expect(translated.trim()).not.toBe('');
-  if (!SAME.includes(name)) expect(translated).not.toBe(text);
+test('a text is a text in both, not empty and not the same; a function takes the same', () => {
+  const faults = [...english].filter(([name, text]) => {
+    const translated = chinese.get(name);
+    if (typeof text === 'function') return typeof translated !== 'function' || translated.length !== text.length;
+    if (typeof text !== 'string' || typeof translated !== 'string') return true;
+    return text.trim() === '' || translated.trim() === '' || (text === translated && !SAME.includes(name));
+  });
+  expect(faults).toEqual([]);
 });
 
 const HAN = /\p{Script=Han}/u;
@@ -93,4 +93,33 @@ test('a message becomes a sentence, a name of a file stays as it is', () => {
   expect(en.core.sentence('net.obj: line 3 is no face')).toBe('net.obj: line 3 is no face.');
   expect(zh.core.sentence('没有打开的网')).toBe('没有打开的网。');
   expect(zh.core.sentence('链接已损坏。')).toBe('链接已损坏。');
+});
+
+test('no text stands outside of language/', () => {
+  const SOURCES = new URL('web/src/', ROOT);
+  /** They speak English to programs, with a code by which the page says it in the visitor's language. */
+  const FOR_PROGRAMS = /^(worker|language)\/|^files\/file_(session|worker)\.ts$|^document\/packing\.ts$|^scripting\.ts$/;
+  /** What a literal stands behind that nobody reads. */
+  const UNREAD = /(new Error\(|'internal', |matchMedia\(|class: |[!=]== |\/\* glsl \*\/ )$/;
+  const ALLOWED = [
+    'English',
+    '(prefers-color-scheme: dark)',
+    'linear-gradient(to right, …)',
+    'swatch dashed',
+    'squares and triangles.obj',
+  ];
+  const COMMENT_OR_LITERAL = /\/\*[^]*?\*\/|\/\/.*|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g;
+  /** Two words side by side, or one with a capital. */
+  const TEXT = /[A-Za-z]{2,}[,:;]? [A-Za-z]{2,}|^[A-Z][a-z]+…?$/;
+
+  const files = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' });
+  const found = files.filter((file) => file.endsWith('.ts') && !FOR_PROGRAMS.test(file)).flatMap((file) => {
+    const source = readFileSync(new URL(file, SOURCES), 'utf8');
+    return [...source.matchAll(COMMENT_OR_LITERAL)].flatMap(({ 0: each, index }) => {
+      const text = each.slice(1, -1).replace(/\$\{[^}]*\}/g, '…');
+      const shown = !each.startsWith('/') && !UNREAD.test(source.slice(0, index));
+      return shown && TEXT.test(text) && !ALLOWED.includes(text) ? [`${file}: ${text}`] : [];
+    });
+  });
+  expect(found).toEqual([]);
 });
