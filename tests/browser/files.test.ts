@@ -7,7 +7,7 @@ import { edgeLengths } from '../../web/src/files/edge_lengths';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { dropFile, OUTPUT, visits } from './page';
 
 const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=600');
@@ -31,19 +31,7 @@ beforeEach(async () => {
 const dialog = () => visit.page.getByRole('dialog');
 const press = (name: string) => visit.page.getByRole('button', { name, exact: true }).click();
 
-/** Drops a file on the picture. */
-async function drop(name: string, content: Uint8Array | string) {
-  const bytes = Buffer.from(content).toString('base64');
-  await visit.page.evaluate(
-    ([fileName, base64]) => {
-      const file = new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], fileName);
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(file);
-      document.getElementById('view')?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-    },
-    [name, bytes] as const,
-  );
-}
+const drop = (name: string, content: Uint8Array | string) => dropFile(visit.page, name, content);
 
 /** Waits for the report of the file dropped, and gives its text. */
 async function report(): Promise<string> {

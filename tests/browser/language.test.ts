@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { OUTPUT, visits } from './page';
+import { dropFile, OUTPUT, visits } from './page';
 
 const { arrive } = visits();
 const CHINESE = { locale: 'zh-CN' };
@@ -27,15 +27,15 @@ async function foreignWords(page: Page): Promise<string[]> {
   return [...new Set(texts.filter(latin))];
 }
 
-async function overflow(page: Page): Promise<number> {
-  return page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+async function overflow(page: Page, selector: string): Promise<number> {
+  return page.locator(selector).evaluate((each) => each.scrollWidth - each.clientWidth);
 }
 
 async function unfoldAll(page: Page): Promise<void> {
   await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
 }
 
-test('a Chinese visitor reads Chinese, in the picture and in every panel', async () => {
+test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file and on its fault', async () => {
   const { page, script } = await arrive('', CHINESE);
   await script.settled();
   expect(await page.locator('html').getAttribute('lang')).toBe('zh-CN');
@@ -43,12 +43,22 @@ test('a Chinese visitor reads Chinese, in the picture and in every panel', async
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-desktop.png') });
   await unfoldAll(page);
-  expect(await foreignWords(page)).toEqual([]);
   await page.getByRole('button', { name: '保存', exact: true }).click();
   expect(await foreignWords(page)).toEqual([]);
+  await page.keyboard.press('Escape');
+
+  await dropFile(page, '1.obj', 'v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 9 9 9\nf 1 2 3 4\nf 1 2 3 4\n');
+  const dialog = page.getByRole('dialog');
+  await dialog.getByText('此网格有缺陷').waitFor();
+  // But for the name of the file and what the core says.
+  expect((await foreignWords(page)).filter((text) => text !== '1.obj' && !text.startsWith('不修复则无法打开'))).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-file.png') });
+  await dialog.getByRole('button', { name: '取消' }).click();
+  await dropFile(page, '2.obj', 'v 0 0\n');
+  await page.getByRole('alert').getByText(/^无法读取（2\.obj:1.*）。$/).waitFor();
 });
 
-test('in an experiment, its comparison and its single steps too', async () => {
+test('in an experiment, its steps and its comparison too, and on a phone nothing runs over the edge', async () => {
   const { page, script } = await arrive('#experiment=long-edges', CHINESE);
   await script.settled();
   await page.getByRole('button', { name: '单步迭代' }).first().click();
@@ -60,40 +70,14 @@ test('in an experiment, its comparison and its single steps too', async () => {
   await page.getByText('正在显示').waitFor();
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-comparison.png') });
-});
 
-test('a file is reported on in Chinese, and so is its fault', async () => {
-  const { page } = await arrive('', CHINESE);
-  const drop = (name: string, text: string) =>
-    page.evaluate(
-      ([file, content]) => {
-        const data = new DataTransfer();
-        data.items.add(new File([content], file));
-        document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-      },
-      [name, text] as const,
-    );
-  await drop('1.obj', 'v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 9 9 9\nf 1 2 3 4\nf 1 2 3 4\n');
-  const dialog = page.getByRole('dialog');
-  await dialog.getByText('此网格有缺陷').waitFor();
-  // But for the name of the file and what the core says.
-  expect((await foreignWords(page)).filter((text) => text !== '1.obj' && !text.startsWith('不修复则无法打开'))).toEqual([]);
-  await page.screenshot({ path: join(OUTPUT, 'chinese-file.png') });
-  await dialog.getByRole('button', { name: '取消' }).click();
-  await drop('2.obj', 'v 0 0\n');
-  await page.getByRole('alert').getByText(/^无法读取（2\.obj:1.*）。$/).waitFor();
-});
-
-test('on a phone nothing runs over the edge', async () => {
-  const { page, script } = await arrive('#experiment=first-order', { ...CHINESE, viewport: { width: 390, height: 844 } });
-  await script.settled();
-  expect(await overflow(page)).toBeLessThanOrEqual(0);
+  await page.setViewportSize({ width: 390, height: 844 });
+  expect(await overflow(page, 'html')).toBeLessThanOrEqual(0);
+  await page.getByRole('button', { name: '关闭比较' }).click();
   await page.screenshot({ path: join(OUTPUT, 'chinese-phone.png') });
   await page.getByRole('button', { name: '控制面板' }).click();
-  await unfoldAll(page);
-  expect(await overflow(page)).toBeLessThanOrEqual(0);
-  const sections = page.locator('#sections');
-  expect(await sections.evaluate((each) => each.scrollWidth - each.clientWidth)).toBeLessThanOrEqual(0);
+  expect(await overflow(page, 'html')).toBeLessThanOrEqual(0);
+  expect(await overflow(page, '#sections')).toBeLessThanOrEqual(0);
   await page.screenshot({ path: join(OUTPUT, 'chinese-phone-controls.png') });
 });
 
