@@ -5,39 +5,41 @@ import { DragReport, ViewPlane } from '../../web/src/view/drag';
 function record() {
   const said: string[] = [];
   const report = new DragReport({
-    dragStart: (vertex) => said.push(`start ${vertex}`),
-    dragMove: (vertex, target) => said.push(`move ${vertex} to ${target}`),
-    dragEnd: (vertex, cancelled) => said.push(`${cancelled ? 'cancel' : 'end'} ${vertex}`),
+    dragStart: () => void said.push('start'),
+    dragMove: (targets) => void said.push(`move ${targets.map(({ vertex, target }) => `${vertex} to ${target}`).join(' and ')}`),
+    dragEnd: (cancelled) => void said.push(cancelled ? 'cancel' : 'end'),
   });
   return { said, report };
 }
 
-describe('a drag', () => {
+const both = (target: [number, number, number]) => [7, 8].map((vertex) => ({ vertex, target }));
+
+describe('a drag of two handles', () => {
   test('reports the last of the moves of a frame, and no frame without one', () => {
     const { said, report } = record();
-    report.begin(7);
-    report.move([1, 0, 0]);
-    report.move([2, 0, 0]);
+    report.begin([7, 8]);
+    report.move(both([1, 0, 0]));
+    report.move(both([2, 0, 0]));
     report.flush();
     report.flush();
-    expect(said).toEqual(['start 7', 'move 7 to 2,0,0']);
+    expect(said).toEqual(['start', 'move 7 to 2,0,0 and 8 to 2,0,0']);
   });
   test('ends where the hand was last', () => {
     const { said, report } = record();
-    report.begin(7);
-    report.move([3, 0, 0]);
+    report.begin([7, 8]);
+    report.move(both([3, 0, 0]));
     report.end(false);
-    expect(said).toEqual(['start 7', 'move 7 to 3,0,0', 'end 7']);
-    expect(report.vertex).toBeNull();
+    expect(said).toEqual(['start', 'move 7 to 3,0,0 and 8 to 3,0,0', 'end']);
+    expect(report.isUnderWay).toBe(false);
   });
   test('cancelled, moves no more', () => {
     const { said, report } = record();
-    report.begin(7);
-    report.move([3, 0, 0]);
+    report.begin([7, 8]);
+    report.move(both([3, 0, 0]));
     report.end(true);
     report.flush();
     report.end(false);
-    expect(said).toEqual(['start 7', 'cancel 7']);
+    expect(said).toEqual(['start', 'cancel']);
   });
 });
 

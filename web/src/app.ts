@@ -1,16 +1,17 @@
 /** The controller: owns the document, its history and the worker's client, and keeps view and panels in step with them.
  *  Everything a user or a script can do to the net is a method here. */
-import type { OptionInfo } from '../../wasm/chebnet';
+import type { Handle, OptionInfo } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
 import type { ComparisonWish, Run } from './compare/run';
 import { freshScene } from './document/defaults';
-import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, Vec3, ViewState } from './document/document';
+import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from './document/document';
 import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { Snapshot } from './document/undo';
 import type { FileKind } from './files/export';
+import { type HandleDesk, HandleEditor, targetsOf } from './handles/handle_editor';
 import { words } from './language/language';
 import type { PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
@@ -48,6 +49,7 @@ type Listener = (error?: unknown) => void;
 export type AppEvent = 'frame' | 'settled' | 'error';
 
 export class App {
+  readonly handles: HandleEditor;
   readonly #view: View;
   readonly #panels: Panels;
   readonly #client: Client;
@@ -60,12 +62,10 @@ export class App {
   #opening: Opening | null = null;
   /** Nets on their way. */
   #awaited = 0;
-  #selected: number | null = null;
   /** The run whose net the view shows in place of the user's. */
   #shownRun: Run | null = null;
   /** The run whose net stands beside it. */
   #runBeside: Run | null = null;
-  #dragMoved = false;
   #saidUnreachable = false;
 
   constructor({ createView, createBeside, createPanels, spawnWorker }: AppParts, services: AppServices) {
@@ -78,6 +78,7 @@ export class App {
       this.#view.setCamera(camera);
       this.#changeView({ camera });
     });
+    this.handles = this.#createHandleEditor();
     // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
     this.#tables = this.#client.hello();
     this.#view = createView(this.#viewEvents());
@@ -132,7 +133,7 @@ export class App {
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays. */
   async openScene(scene: Scene): Promise<void> {
     const opened = await this.#await(this.#client.open(scene));
-    this.#history.endGesture(this.#dragMoved);
+    this.handles.endDrag(false);
     const before = this.#snapshot();
     if (before) this.#history.record(before);
     this.#showOpened(scene, opened);
@@ -165,57 +166,6 @@ export class App {
     return this.#view.picture();
   }
 
-  // ----------------------------------------------------------------------------------------------------------- handles
-
-  /** Replaces the handles. */
-  async setHandles(handles: readonly HandleData[]): Promise<void> {
-    const before = this.#snapshot();
-    this.#change({ handles: [...handles] });
-    try {
-      await this.#client.setHandles(targetsOf(handles));
-    } catch (error) {
-      if (before) this.#change({ handles: [...before.handles] });
-      throw error;
-    }
-    if (before) this.#history.record(before);
-    this.#showDocument();
-  }
-
-  /** Makes a vertex a handle, where it stands, and selects it. */
-  async addHandle(vertex: number): Promise<void> {
-    const handles = [...this.#handles(), { vertex, target: this.positionOf(vertex), anchor: false }];
-    await this.setHandles(handles);
-    this.select(vertex);
-  }
-
-  async deleteHandle(vertex: number): Promise<void> {
-    await this.setHandles(this.#handles().filter((handle) => handle.vertex !== vertex));
-  }
-
-  /** Moves a handle. Moves one after another with the same `key` are undone together. */
-  async moveHandle(vertex: number, target: Vec3, key: string | null = null): Promise<void> {
-    const before = this.#snapshot();
-    await this.#client.drag([{ vertex, target }]);
-    if (before) this.#history.record(before, key);
-    this.#change({ handles: this.#withTarget(vertex, target) });
-    this.#showDocument();
-  }
-
-  select(vertex: number | null): void {
-    this.#selected = vertex;
-    this.#showDocument();
-  }
-
-  deleteSelected(): void {
-    if (this.#selected !== null) this.#try(this.deleteHandle(this.#selected));
-  }
-
-  /** Where a vertex stands. */
-  positionOf(vertex: number): Vec3 {
-    const positions = this.#opening?.frame.positions;
-    return [positions?.[3 * vertex] ?? 0, positions?.[3 * vertex + 1] ?? 0, positions?.[3 * vertex + 2] ?? 0];
-  }
-
   // ----------------------------------------------------------------------------------------------------------- solving
 
   async setOptions(settings: SolverSettings): Promise<void> {
@@ -231,9 +181,9 @@ export class App {
     const before = this.#snapshot();
     if (before === null || this.#opening === null) return;
     const { restPositions } = this.#opening.net;
-    const atRest = ({ vertex, anchor }: HandleData): HandleData => {
-      const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * vertex, 3 * vertex + 3);
-      return { vertex, anchor, target: [x, y, z] };
+    const atRest = (handle: HandleData): HandleData => {
+      const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
+      return { ...handle, target: [x, y, z] };
     };
     this.#history.record(before);
     this.#change({ handles: before.handles.map(atRest) });
@@ -295,17 +245,17 @@ export class App {
   #restore(state: Snapshot): void {
     const document = this.#opening?.document;
     if (document === undefined) return;
-    const { net, handles, positions, settled } = state;
+    const { net, handles, symmetry, positions, settled } = state;
     if (net !== document.net) return this.#reopen(document, state);
-    this.#change({ handles: [...handles], positions, settled });
+    this.#change({ handles: [...handles], symmetry, positions, settled });
     this.#showDocument();
     this.#try(this.#client.restore(positions, targetsOf(handles), settled));
   }
 
-  #reopen(document: ChebnetDocument, { net, handles, positions, settled }: Snapshot): void {
+  #reopen(document: ChebnetDocument, { net, handles, symmetry, positions, settled }: Snapshot): void {
     const { method, initialisation, options } = document;
     const view = { ...document.view, camera: null };
-    const scene: Scene = { net, handles: [...handles], positions, settled, method, initialisation, options, view };
+    const scene: Scene = { net, handles: [...handles], symmetry, positions, settled, method, initialisation, options, view };
     this.#try(this.#await(this.#client.open(scene)).then((opened) => this.#showOpened(scene, opened)));
   }
 
@@ -324,8 +274,8 @@ export class App {
 
   #snapshot(): Snapshot | null {
     if (this.#opening === null) return null;
-    const { net, handles } = this.#opening.document;
-    return { net, handles, positions: this.#positions(), settled: this.#isSettled() };
+    const { net, handles, symmetry } = this.#opening.document;
+    return { net, handles, symmetry, positions: this.#positions(), settled: this.#isSettled() };
   }
 
   /** While something is under way, the positions shown are not the last. */
@@ -337,14 +287,14 @@ export class App {
 
   #viewEvents(): ViewEvents {
     return {
-      addHandle: (vertex) => this.#try(this.addHandle(vertex)),
-      selectHandle: (vertex) => this.select(vertex),
+      addHandle: (vertex, also) => this.handles.add(vertex, also),
+      select: (selection) => this.handles.select(selection),
       dragStart: () => {
         this.showRun(null);
-        this.#beginDrag();
+        this.handles.beginDrag();
       },
-      dragMove: (vertex, target) => this.#drag(vertex, target),
-      dragEnd: (_vertex, cancelled) => this.#endDrag(cancelled),
+      dragMove: (targets) => this.handles.drag(targets),
+      dragEnd: (cancelled) => this.handles.endDrag(cancelled),
       cameraChanged: (camera) => this.#changeView({ camera }),
       cameraMoved: (camera) => this.#beside.setCamera(camera),
     };
@@ -356,11 +306,8 @@ export class App {
       copyLink,
       exportFile,
       openRecipe: (recipe) => this.#try(this.openNet({ recipe })),
-      selectHandle: (vertex) => this.select(vertex),
-      addHandle: (vertex) => this.#try(this.addHandle(vertex)),
-      deleteHandle: (vertex) => this.#try(this.deleteHandle(vertex)),
-      setHandleTarget: (vertex, target) => this.#try(this.moveHandle(vertex, target)),
-      setAnchor: (vertex, anchor) => this.#setAnchor(vertex, anchor),
+      handles: this.handles,
+      previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#try(this.setOptions(settings)),
       setView: (change) => this.#changeView(change),
       solve: () => this.#try(this.#client.solve()),
@@ -377,35 +324,19 @@ export class App {
     };
   }
 
-  #beginDrag(): void {
-    const before = this.#snapshot();
-    // The net in hand is about to go.
-    if (before === null || this.#awaited > 0) return;
-    this.#dragMoved = false;
-    this.#history.beginGesture(before);
-  }
-
-  #drag(vertex: number, target: Vec3): void {
-    if (!this.#history.inGesture) return;
-    this.#dragMoved = true;
-    this.#change({ handles: this.#withTarget(vertex, target) });
-    this.#panels.showHandles(this.#handles(), this.#selected);
-    this.#view.showHandles(this.#handles(), this.#selected);
-    this.#try(this.#client.drag([{ vertex, target }]));
-  }
-
-  #endDrag(cancelled: boolean): void {
-    const before = cancelled ? this.#history.cancelGesture() : null;
-    if (before && this.#dragMoved) this.#restore(before);
-    this.#history.endGesture(this.#dragMoved);
-    this.#showDocument();
-  }
-
-  #setAnchor(vertex: number, anchor: boolean): void {
-    const before = this.#snapshot();
-    if (before) this.#history.record(before);
-    this.#change({ handles: this.#handles().map((handle) => (handle.vertex === vertex ? { ...handle, anchor } : handle)) });
-    this.#showDocument();
+  #createHandleEditor(): HandleEditor {
+    const desk: HandleDesk = {
+      opening: () => this.#opening,
+      // While a net is on its way, the one in hand is about to go.
+      snapshot: () => (this.#awaited > 0 ? null : this.#snapshot()),
+      change: (change) => this.#change(change),
+      restore: (state) => this.#restore(state),
+      show: () => this.#showDocument(),
+      showDrag: () => this.#showDrag(),
+      say: (message) => this.say(message),
+      attempt: (doing) => this.#try(doing),
+    };
+    return new HandleEditor(desk, this.#client, this.#history);
   }
 
   #changeView(change: Partial<ViewState>): void {
@@ -429,10 +360,6 @@ export class App {
     return this.#opening?.document.handles ?? [];
   }
 
-  #withTarget(vertex: number, target: Vec3): HandleData[] {
-    return this.#handles().map((handle) => (handle.vertex === vertex ? { ...handle, target } : handle));
-  }
-
   #positions(): Float64Array {
     return this.#opening?.document.positions ?? new Float64Array();
   }
@@ -450,13 +377,15 @@ export class App {
     const last = frame.handles.length - 1;
     // Of the handles that come with a recipe the last is the one to drag.
     const isAnchor = (i: number): boolean => (scene.handles === 'suggested' ? i < last : (scene.handles[i]?.anchor ?? false));
-    const handles = frame.handles.map(({ vertex, target }, i) => ({ vertex, target, anchor: isAnchor(i) }));
+    const seeds = scene.handles === 'suggested' ? [] : scene.handles;
+    const handles = frame.handles.map(({ vertex, target }, i) => ({ ...seeds[i], vertex, target, anchor: isAnchor(i) }));
     this.#opening = {
       net,
       frame,
       document: {
         net: scene.net,
         handles,
+        symmetry: scene.symmetry,
         method,
         initialisation,
         options,
@@ -467,9 +396,9 @@ export class App {
         compare,
       },
     };
-    this.#selected = null;
+    this.handles.netChanged();
     // First, for the view leaves room for what the panels say.
-    this.#panels.showDocument(this.#opening.document, null, this.#history.canUndo);
+    this.#panels.showDocument(this.#opening.document, this.handles.choice, this.#history.canUndo);
     this.#view.setAppearance(view);
     this.#view.showNet(net, frame, view.camera);
     this.#panels.showNet(net);
@@ -495,9 +424,7 @@ export class App {
       this.#panels.say(words.solver.stopped(sentence(reason)), 'error');
       return;
     }
-    const anchors = new Set(this.#handles().filter(({ anchor }) => anchor).map(({ vertex }) => vertex));
-    const handles = opened.frame.handles.map((handle) => ({ ...handle, anchor: anchors.has(handle.vertex) }));
-    this.#change({ handles });
+    this.#change({ handles: opened.frame.handles.map((handle) => this.#withTraits(handle)) });
     this.#showDocument();
     this.#panels.say(words.solver.restarted(sentence(reason)), 'error');
   }
@@ -505,16 +432,28 @@ export class App {
   #showDocument(): void {
     if (this.#opening === null) return;
     const { document } = this.#opening;
-    if (!document.handles.some(({ vertex }) => vertex === this.#selected)) this.#selected = null;
-    this.#view.showHandles(this.#shownHandles(document), this.#selected);
-    this.#panels.showDocument(document, this.#selected, this.#history.canUndo);
+    const { choice } = this.handles;
+    this.#view.setSymmetry(document.symmetry);
+    this.#view.showHandles(this.#shownHandles(document), choice);
+    this.#panels.showDocument(document, choice, this.#history.canUndo);
+  }
+
+  #showDrag(): void {
+    if (this.#opening === null) return;
+    const { handles } = this.#opening.document;
+    this.#view.showHandles(handles, this.handles.choice);
+    this.#panels.showHandles(handles, this.handles.choice);
   }
 
   /** Those of the run whose net is shown stand where they stood when it began. */
   #shownHandles({ handles }: ChebnetDocument): HandleData[] {
-    const anchors = new Set(handles.filter(({ anchor }) => anchor).map(({ vertex }) => vertex));
-    const shown = this.#shownRun?.frame?.handles.map((handle) => ({ ...handle, anchor: anchors.has(handle.vertex) }));
-    return shown ?? handles;
+    return this.#shownRun?.frame?.handles.map((handle) => this.#withTraits(handle)) ?? handles;
+  }
+
+  /** A handle of the solver, with what only the document knows about it. */
+  #withTraits({ vertex, target }: Handle): HandleData {
+    const known = this.#handles().find((handle) => handle.vertex === vertex);
+    return { anchor: false, ...known, vertex, target };
   }
 
   #showLive(): void {
@@ -539,10 +478,6 @@ export class App {
   #try(doing: Promise<unknown>): void {
     doing.catch((error: unknown) => this.report(error));
   }
-}
-
-function targetsOf(handles: readonly HandleData[]): { vertex: number; target: Vec3 }[] {
-  return handles.map(({ vertex, target }) => ({ vertex, target }));
 }
 
 /** What went wrong, as a sentence. */

@@ -9,12 +9,16 @@ import { fileNameOf, typeOf } from './files/export';
 import type { FileKind } from './files/export';
 import { FileOpener, pickFile } from './files/import';
 import { translateDocument, words } from './language/language';
+import type { GizmoMode } from './handles/wishes';
 import { FileDialog } from './panels/file_dialog';
 import { createPanels } from './panels/sidebar';
 import { createScripting } from './scripting';
 import { createView } from './view/scene';
 
 translateDocument(document);
+
+/** As in other programs for shapes: grab, rotate, scale. */
+const MODE_KEYS: Record<string, GizmoMode> = { g: 'translate', r: 'rotate', s: 'scale' };
 
 const app = new App(
   {
@@ -114,11 +118,14 @@ function commandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 
   const letter = key.toLowerCase();
   if (altKey) return null;
   if (ctrlKey || metaKey) {
+    if (letter === 'a' && !shiftKey) return () => app.handles.selectAll();
     if (letter === 'z') return () => (shiftKey ? app.redo() : app.undo());
     return letter === 'y' && ctrlKey ? () => app.redo() : null;
   }
-  if (key === 'Delete' || key === 'Backspace') return () => app.deleteSelected();
-  return key === 'Escape' ? () => app.select(null) : null;
+  if (key === 'Delete' || key === 'Backspace') return () => app.handles.removeSelected();
+  if (key === 'Escape') return () => app.handles.select([]);
+  const mode = shiftKey ? undefined : MODE_KEYS[letter];
+  return mode ? () => app.handles.setMode(mode) : null;
 }
 
 /** In a field for text the keys belong to the text. */

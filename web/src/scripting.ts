@@ -18,7 +18,7 @@ export interface ScriptHandle {
   vertex: number;
   /** Without it, where the vertex stands. */
   target?: Vec3;
-  /** Drawn apart, and not dragged by accident. Without it, a handle without a target is an anchor. */
+  /** Locked: drawn apart, and no hand moves it. Without it, a handle without a target is locked. */
   anchor?: boolean;
 }
 
@@ -83,11 +83,11 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     setHandles: async (handles) => {
       await ready;
       if (!Array.isArray(handles)) throw failure('bad_syntax', 'handles must be given as a list');
-      await app.setHandles(handles.map((handle: ScriptHandle) => readHandle(app, handle)));
+      await app.handles.set(handles.map((handle: ScriptHandle) => readHandle(app, handle)));
     },
     move: async (vertex, target) => {
       await ready;
-      await app.moveHandle(vertex, target, `move ${vertex}`);
+      await app.handles.move([{ vertex, target }], `move ${vertex}`);
     },
     settled: async () => {
       await ready;
@@ -122,7 +122,7 @@ function readNet(net: Parameters<Scripting['open']>[0]): NetSource {
 }
 
 function readHandle(app: App, { vertex, target, anchor }: ScriptHandle): HandleData {
-  return { vertex, target: target ?? app.positionOf(vertex), anchor: anchor ?? target === undefined };
+  return { vertex, target: target ?? app.handles.positionOf(vertex), anchor: anchor ?? target === undefined };
 }
 
 async function setOptions(app: App, wished: Parameters<Scripting['setOptions']>[0]): Promise<void> {

@@ -17,8 +17,9 @@ export class Beside {
   show(net: OpenedNet, frame: FrameData, look: ViewState): void {
     if (this.#view === null) this.#view = this.#open(net, frame, look);
     this.#view.showFrame(frame);
-    // Anchors all: no hand takes hold of them here.
-    this.#view.showHandles(frame.handles.map((handle): HandleData => ({ ...handle, anchor: true })), null);
+    // Locked all: no hand takes hold of them here.
+    const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
+    this.#view.showHandles(handles, { selection: [], mode: 'translate' });
   }
 
   hide(): void {
@@ -38,7 +39,7 @@ export class Beside {
     const nothing = () => {};
     const view = this.#create({
       addHandle: nothing,
-      selectHandle: nothing,
+      select: nothing,
       dragStart: nothing,
       dragMove: nothing,
       dragEnd: nothing,

@@ -6,28 +6,36 @@ export interface Faces {
   faceVertices: Int32Array;
 }
 
-/** Two neighbours of a vertex that share a face with it. */
-type Corner = readonly [number, number];
-
 export class Lines {
-  readonly #corners = new Map<number, Corner[]>();
+  /** The corners at vertex v are those from `#start[v]` to `#start[v + 1]`: two neighbours each that share a face with it. */
+  readonly #start: Int32Array;
+  readonly #corners: Int32Array;
 
   constructor({ faceStart, faceVertices }: Faces) {
+    const count = faceVertices.reduce((most, vertex) => Math.max(most, vertex + 1), 0);
+    this.#start = new Int32Array(count + 1);
+    for (const vertex of faceVertices) this.#start[vertex + 1]! += 1;
+    for (let vertex = 0; vertex < count; ++vertex) this.#start[vertex + 1]! += this.#start[vertex]!;
+    this.#corners = new Int32Array(2 * faceVertices.length);
+    const next = this.#start.slice();
     for (let face = 0; face + 1 < faceStart.length; ++face) {
-      const vertices = faceVertices.subarray(faceStart[face], faceStart[face + 1]);
-      vertices.forEach((vertex, k) => {
-        const corner: Corner = [vertices.at(k - 1)!, vertices[(k + 1) % vertices.length]!];
-        const known = this.#corners.get(vertex);
-        if (known) known.push(corner);
-        else this.#corners.set(vertex, [corner]);
-      });
+      const [first, end] = [faceStart[face]!, faceStart[face + 1]!];
+      for (let corner = first; corner < end; ++corner) {
+        const slot = next[faceVertices[corner]!]!++;
+        this.#corners[2 * slot] = faceVertices[corner === first ? end - 1 : corner - 1]!;
+        this.#corners[2 * slot + 1] = faceVertices[corner + 1 === end ? first : corner + 1]!;
+      }
     }
+  }
+
+  isBoundary(vertex: number): boolean {
+    return this.#boundaryNeighbours(vertex).length > 0;
   }
 
   /** The boundary loop through a vertex, which comes first; empty if it lies inside. */
   boundary(vertex: number): number[] {
     const loop = new Set<number>();
-    let next = this.#boundaryNeighbours(vertex).length > 0 ? vertex : undefined;
+    let next = this.isBoundary(vertex) ? vertex : undefined;
     while (next !== undefined) {
       loop.add(next);
       next = this.#boundaryNeighbours(next).find((each) => !loop.has(each));
@@ -38,18 +46,24 @@ export class Lines {
   /** The net lines through a vertex, each from end to end; a closed one begins anywhere. A line goes straight on: a regular
    *  vertex has two of them; a singular one, where lines end, has one for each of its edges. */
   through(vertex: number): number[][] {
-    const lines: number[][] = [];
-    const walked = new Set<number>();
-    for (const next of this.#neighbours(vertex)) {
-      if (walked.has(next)) continue;
-      const across = this.#across(vertex, next);
+    return this.#directions(vertex).map(([next, across]) => {
       const onward = this.#walk(vertex, next);
-      const isClosed = onward.at(-1) === vertex;
-      const back = across === undefined || isClosed ? [] : this.#walk(vertex, across);
-      lines.push(isClosed ? onward : [...back.reverse(), vertex, ...onward]);
-      if (across !== undefined) walked.add(across);
-    }
-    return lines;
+      if (onward.at(-1) === vertex) return onward;
+      const back = across === undefined ? [] : this.#walk(vertex, across);
+      return [...back.reverse(), vertex, ...onward];
+    });
+  }
+
+  /** How many of them there are. */
+  count(vertex: number): number {
+    return this.#directions(vertex).length;
+  }
+
+  /** Each as the neighbour it goes to and the one it comes from, if it comes through. */
+  #directions(vertex: number): [number, number | undefined][] {
+    const neighbours = this.#neighbours(vertex);
+    const pairs = neighbours.map((next): [number, number | undefined] => [next, this.#across(vertex, next)]);
+    return pairs.filter(([next, across]) => across === undefined || neighbours.indexOf(next) < neighbours.indexOf(across));
   }
 
   /** From a vertex by way of the next until the line ends or is back where it began; without the first. */
@@ -73,22 +87,24 @@ export class Lines {
   }
 
   #alone(vertex: number, from: number): number | undefined {
-    const beside = new Set(this.#cornersAt(vertex).flatMap((corner) => (corner.includes(from) ? corner : [])));
+    const around = this.#around(vertex);
+    const beside = new Set(around.flatMap((each, i) => (each === from ? [from, around[i ^ 1]!] : [])));
     const others = this.#neighbours(vertex).filter((each) => !beside.has(each));
     return others.length === 1 ? others[0] : undefined;
   }
 
   #neighbours(vertex: number): number[] {
-    return [...new Set(this.#cornersAt(vertex).flat())];
+    return [...new Set(this.#around(vertex))];
   }
 
   /** An edge of the boundary has one face only. */
   #boundaryNeighbours(vertex: number): number[] {
-    const beside = this.#cornersAt(vertex).flat();
-    return beside.filter((each) => beside.indexOf(each) === beside.lastIndexOf(each));
+    const around = this.#around(vertex);
+    return around.filter((each) => around.indexOf(each) === around.lastIndexOf(each));
   }
 
-  #cornersAt(vertex: number): readonly Corner[] {
-    return this.#corners.get(vertex) ?? [];
+  /** Its neighbours, corner by corner. */
+  #around(vertex: number): number[] {
+    return Array.from(this.#corners.subarray(2 * this.#start[vertex]!, 2 * this.#start[vertex + 1]!));
   }
 }

@@ -1,37 +1,35 @@
-/** The handles as a table: select, hold as anchor, put to exact coordinates, remove; and add one by its number. */
-import type { HandleData, Vec3 } from '../document/document';
+/** The handles as a list, what can be done with several of them, and one more by its vertex number. */
+import type { HandleData, Symmetry } from '../document/document';
+import { toggled } from '../handles/selection';
+import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeButton, makeIcon, setValue } from './dom';
+import { make } from './dom';
+import { HandleRow } from './handle_row';
 import type { PanelEvents } from './panels';
-import { coordinate } from './words';
-
-const AXES = ['x', 'y', 'z'] as const;
-const CROSS = 'M4 4l8 8M12 4l-8 8';
-
-interface Row {
-  element: HTMLLIElement;
-  select: HTMLButtonElement;
-  anchor: HTMLInputElement;
-  fields: HTMLDivElement;
-  inputs: HTMLInputElement[];
-}
+import { SelectionForm } from './selection_form';
+import { SymmetryChoice } from './symmetry_choice';
 
 export class HandleList {
   private readonly list = make('ul', { class: 'handles' });
   private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
   private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: words.handles.number, 'aria-label': words.handles.vertexNumber });
+  private readonly form: SelectionForm;
+  private readonly symmetry: SymmetryChoice;
   readonly content: HTMLElement[];
-  private rows = new Map<number, Row>();
+  private rows = new Map<number, HandleRow>();
   private handles: readonly HandleData[] = [];
+  private choice: Pick<Choice, 'selection'> = { selection: [] };
   private edgeLength = 1;
 
   constructor(private readonly events: PanelEvents) {
-    const form = make('form', { class: 'add-handle' }, this.number, make('button', {}, words.handles.add));
-    form.addEventListener('submit', (event) => {
+    const add = make('form', { class: 'add-handle' }, this.number, make('button', {}, words.handles.add));
+    add.addEventListener('submit', (event) => {
       event.preventDefault();
       this.add(this.number.valueAsNumber);
     });
-    this.content = [this.list, this.empty, form];
+    this.form = new SelectionForm(events);
+    this.symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
+    this.content = [this.form.element, this.list, this.empty, add, ...this.symmetry.rows];
   }
 
   showNet(vertices: number, edgeLength: number): void {
@@ -39,17 +37,28 @@ export class HandleList {
     this.edgeLength = edgeLength;
   }
 
-  show(handles: readonly HandleData[], selected: number | null): void {
+  showSymmetry(symmetry: Symmetry | undefined): void {
+    this.symmetry.show(symmetry);
+  }
+
+  show(handles: readonly HandleData[], choice: Choice): void {
     this.handles = handles;
+    this.choice = choice;
     this.empty.hidden = handles.length > 0;
     if (handles.length !== this.rows.size || handles.some(({ vertex }) => !this.rows.has(vertex))) this.rebuild();
-    for (const handle of handles) this.update(this.rows.get(handle.vertex)!, handle, handle.vertex === selected);
+    const selected = new Set(choice.selection);
+    const alone = selected.size === 1;
+    for (const handle of handles) {
+      const isSelected = selected.has(handle.vertex);
+      this.rows.get(handle.vertex)!.show(handle, isSelected, isSelected && alone, this.edgeLength);
+    }
+    this.form.show(handles.filter(({ vertex }) => selected.has(vertex)), choice, this.edgeLength);
   }
 
   private add(vertex: number): void {
     this.number.value = '';
-    if (this.rows.has(vertex)) this.events.selectHandle(vertex);
-    else this.events.addHandle(vertex);
+    if (this.rows.has(vertex)) this.events.handles.select([vertex]);
+    else this.events.handles.add(vertex);
   }
 
   private rebuild(): void {
@@ -57,47 +66,19 @@ export class HandleList {
     this.list.replaceChildren(...[...this.rows.values()].map(({ element }) => element));
   }
 
-  private update({ element, select, anchor, fields, inputs }: Row, handle: HandleData, selected: boolean): void {
-    element.classList.toggle('selected', selected);
-    element.classList.toggle('anchor', handle.anchor);
-    select.setAttribute('aria-expanded', String(selected));
-    anchor.checked = handle.anchor;
-    fields.hidden = !selected;
-    if (selected) inputs.forEach((input, axis) => setValue(input, coordinate(handle.target[axis]!, this.edgeLength)));
-  }
-
-  private makeRow(vertex: number): Row {
-    const select = makeButton('', () => this.toggle(vertex), { class: 'plain name' });
-    select.append(make('i', { class: 'mark' }), words.handles.vertex(vertex));
-    const anchor = make('input', { type: 'checkbox', class: 'switch' });
-    anchor.addEventListener('change', () => this.events.setAnchor(vertex, anchor.checked));
-    const remove = makeButton(makeIcon(CROSS), () => this.events.deleteHandle(vertex), {
-      class: 'plain',
-      'aria-label': words.handles.removeAt(vertex),
-      title: words.handles.remove,
+  private makeRow(vertex: number): HandleRow {
+    const { handles } = this.events;
+    return new HandleRow(vertex, {
+      select: (adds) => this.select(vertex, adds),
+      change: (traits) => handles.change([vertex], traits),
+      place: (target) => handles.place(vertex, target),
+      remove: () => handles.remove([vertex]),
     });
-    const inputs = AXES.map((_, axis) => this.makeField(vertex, axis));
-    const fields = make('div', { class: 'coordinates' });
-    inputs.forEach((input, axis) => fields.append(make('label', {}, make('span', {}, AXES[axis]!), input)));
-    const line = make('div', { class: 'line' }, select, make('label', {}, make('span', {}, words.handles.anchor), anchor), remove);
-    return { element: make('li', {}, line, fields), select, anchor, fields, inputs };
   }
 
-  private makeField(vertex: number, axis: number): HTMLInputElement {
-    const input = make('input', { type: 'number', step: 'any', required: true });
-    input.addEventListener('change', () => {
-      const handle = this.handles.find((each) => each.vertex === vertex);
-      if (!handle || !input.checkValidity()) return;
-      // The other two keep digits that their fields do not show.
-      const target: Vec3 = [...handle.target];
-      target[axis] = input.valueAsNumber;
-      this.events.setHandleTarget(vertex, target);
-    });
-    return input;
-  }
-
-  private toggle(vertex: number): void {
-    const open = this.rows.get(vertex)!.element.classList.contains('selected');
-    this.events.selectHandle(open ? null : vertex);
+  private select(vertex: number, adds: boolean): void {
+    const { selection } = this.choice;
+    const only = selection.length === 1 && selection[0] === vertex;
+    this.events.handles.select(adds || only ? toggled(selection, vertex) : [vertex]);
   }
 }

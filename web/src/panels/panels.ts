@@ -1,20 +1,18 @@
 /** The contract between the page and its controls; built from native HTML elements. Panels show state and report
  *  intentions; they never change the document themselves. */
 import type { Comparison, ComparisonWish, Run } from '../compare/run';
-import type { ChebnetDocument, HandleData, SolverSettings, Vec3, ViewState } from '../document/document';
+import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
 import type { FileKind } from '../files/export';
+import type { Choice, HandleWishes, LineName } from '../handles/wishes';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
   /** The user wants to pick a file. */
   pickFile(): void;
-  selectHandle(vertex: number | null): void;
-  /** A vertex typed in, for whoever cannot click on it; below the number of vertices, and no handle yet. */
-  addHandle(vertex: number): void;
-  deleteHandle(vertex: number): void;
-  setHandleTarget(vertex: number, target: Vec3): void;
-  setAnchor(vertex: number, anchor: boolean): void;
+  handles: HandleWishes;
+  /** Show what a button would take; null: no longer. */
+  previewLine(name: LineName | null): void;
   setOptions(settings: SolverSettings): void;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
   solve(): void;
@@ -43,11 +41,11 @@ export interface Panels {
     thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
   ): void;
   /** After anything in the document changed. */
-  showDocument(document: ChebnetDocument, selected: number | null, canUndo: boolean): void;
+  showDocument(document: ChebnetDocument, choice: Choice, canUndo: boolean): void;
   showNet(net: OpenedNet): void;
   /** Live numbers and the plot. `solving`: the worker is busy. */
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
-  showHandles(handles: readonly HandleData[], selected: number | null): void;
+  showHandles(handles: readonly HandleData[], choice: Choice): void;
   /** Whenever there is news of it. */
   showComparison(comparison: Comparison): void;
   /** The run whose net is in the view (null: one's own is), and the one beside it, if any. */

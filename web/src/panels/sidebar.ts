@@ -5,6 +5,7 @@ import type { ChebnetDocument, HandleData } from '../document/document';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 import type { Comparison, Run } from '../compare/run';
 import { words } from '../language/language';
+import type { Choice } from '../handles/wishes';
 import { Appearance } from './appearance';
 import { ComparisonForm } from './comparison_form';
 import { ComparisonResults } from './comparison_results';
@@ -19,6 +20,7 @@ import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
 import type { PanelEvents, Panels } from './panels';
+import { SelectionBar } from './selection_bar';
 import { RunNotice } from './run_notice';
 import { ShapeParameters } from './shape_parameters';
 import { SolverPanel } from './solver_panel';
@@ -49,6 +51,7 @@ class Sidebar implements Panels {
   private readonly results: ComparisonResults;
   private readonly runNotice: RunNotice;
   private readonly toolbar: Toolbar;
+  private readonly bar: SelectionBar;
   private readonly legend = new Legend();
   private readonly messages = new Messages();
   private readonly status = make('span', { class: 'status-words' }, words.status.loading);
@@ -86,6 +89,7 @@ class Sidebar implements Panels {
       events.showBeside(null);
     });
     this.toolbar = new Toolbar(events);
+    this.bar = new SelectionBar(events);
     this.handleSection = makeSection(words.handles.title(0), false, ...this.handles.content);
     this.sections = make(
       'div',
@@ -113,6 +117,7 @@ class Sidebar implements Panels {
         ),
         this.toolbar.element,
         this.legend.element,
+        this.bar.element,
         this.messages.element,
         this.runNotice.element,
       ),
@@ -133,7 +138,7 @@ class Sidebar implements Panels {
     this.results.showTable(tables.methods);
   }
 
-  showDocument(document: ChebnetDocument, selected: number | null, canUndo: boolean): void {
+  showDocument(document: ChebnetDocument, choice: Choice, canUndo: boolean): void {
     const { net, view, options } = document;
     const recipe = 'recipe' in net ? net.recipe : null;
     this.gallery.showCurrent(recipe?.split(':')[0] ?? null);
@@ -147,7 +152,8 @@ class Sidebar implements Panels {
     this.solver.showDocument(document, canUndo);
     this.toolbar.showUndo(canUndo);
     this.plot.setThreshold(Number(options.threshold ?? this.usualThreshold));
-    this.showHandles(document.handles, selected);
+    this.handles.showSymmetry(document.symmetry);
+    this.showHandles(document.handles, choice);
   }
 
   showNet(net: OpenedNet): void {
@@ -167,13 +173,14 @@ class Sidebar implements Panels {
     if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), REFRESH_MS);
   }
 
-  showHandles(handles: readonly HandleData[], selected: number | null): void {
+  showHandles(handles: readonly HandleData[], choice: Choice): void {
     setSummary(this.handleSection, words.handles.title(handles.length));
     this.numbers.showHandles(handles.length);
     const draggable = handles.some(({ anchor }) => !anchor);
     this.toDrag.hidden = !draggable;
     this.toClick.hidden = draggable;
-    this.handles.show(handles, selected);
+    this.handles.show(handles, choice);
+    this.bar.show(handles, choice);
   }
 
   showComparison(comparison: Comparison): void {

@@ -1,47 +1,50 @@
-/** One drag of a handle, whoever moves it: a pointer in the view plane, an axis arrow or the arrow keys. */
+/** One drag of handles, whoever moves them: a pointer in the view plane, the gizmo or the arrow keys. */
 import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
-import type { Vec3 } from '../document/document';
+import type { Handle } from '../../../wasm/chebnet';
 import type { ViewEvents } from './view';
 
 export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 
 /** Reports a drag in good order: a start, at most one move a frame, an end. */
 export class DragReport {
-  private held: number | null = null;
-  private pending: Vec3 | null = null;
+  private held: readonly number[] = [];
+  private pending: Handle[] | null = null;
 
   constructor(private readonly events: DragEvents) {}
 
-  /** The handle in hand. */
-  get vertex(): number | null {
+  /** The handles in hand, the one that leads first; empty: no drag is under way. */
+  get vertices(): readonly number[] {
     return this.held;
   }
 
-  begin(vertex: number): void {
-    this.held = vertex;
-    this.pending = null;
-    this.events.dragStart(vertex);
+  get isUnderWay(): boolean {
+    return this.held.length > 0;
   }
 
-  move(target: Vec3): void {
-    this.pending = target;
+  begin(vertices: readonly number[]): void {
+    this.held = vertices;
+    this.pending = null;
+    this.events.dragStart();
+  }
+
+  move(targets: Handle[]): void {
+    this.pending = targets;
   }
 
   /** Called once a frame. */
   flush(): void {
-    if (this.held === null || this.pending === null) return;
-    const target = this.pending;
+    if (this.pending === null) return;
+    const targets = this.pending;
     this.pending = null;
-    this.events.dragMove(this.held, target);
+    this.events.dragMove(targets);
   }
 
   end(cancelled: boolean): void {
-    if (this.held === null) return;
+    if (!this.isUnderWay) return;
     if (!cancelled) this.flush();
-    const vertex = this.held;
-    this.held = null;
+    this.held = [];
     this.pending = null;
-    this.events.dragEnd(vertex, cancelled);
+    this.events.dragEnd(cancelled);
   }
 }
 

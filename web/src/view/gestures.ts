@@ -1,8 +1,10 @@
-/** What hands mean: a click picks, a drag on a handle moves it, a drag elsewhere is the camera's. */
-import { Vector2, Vector3, type PerspectiveCamera } from 'three';
+/** What hands mean: a click picks, with Shift it adds; a drag on a handle moves it and what is selected with it, with Shift it
+ *  draws a box around handles; a drag elsewhere is the camera's. A long touch on a handle does what Shift and a click do. */
+import { Matrix4, Vector2, Vector3, type PerspectiveCamera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { AxisArrows } from './axis_arrows';
+import { type Selection, toggled, united } from '../handles/selection';
 import { type DragReport, ViewPlane } from './drag';
+import type { Gizmo } from './gizmo';
 import type { HandleMarks } from './handles';
 import type { NetData } from './net_data';
 import type { Place } from './overlay';
@@ -14,15 +16,20 @@ export interface GestureStage {
   canvas: HTMLCanvasElement;
   camera: PerspectiveCamera;
   orbit: OrbitControls;
-  arrows: AxisArrows;
+  gizmo: Gizmo;
   marks: HandleMarks;
   report: DragReport;
   events: ViewEvents;
   data(): NetData | null;
-  selected(): number | null;
+  selection(): Selection;
+  /** Those that move with a handle, itself first; without one, those of the selection. */
+  moving(handle?: number): readonly number[];
   projection(): Projection;
-  /** The handle in hand is at this point of the scene. */
-  carry(point: Vector3): void;
+  /** Takes handles in hand. */
+  grab(vertices: readonly number[]): void;
+  /** Where those in hand are now, from where they were taken. */
+  carry(motion: Matrix4): void;
+  box(corners: { from: Place; to: Place } | null): void;
   /** What lies under a resting pointer; null: nothing. */
   hovered(found: Found | null): void;
   frameAll(): void;
@@ -36,9 +43,11 @@ export interface Found {
 interface Press {
   pointer: number;
   at: Place;
-  /** The handle that will move if the pointer does. */
-  handle: number | null;
-  onArrow: boolean;
+  /** What the pointer does if it moves: drag this handle from this point, draw a box, or neither. */
+  handle: { vertex: number; from: Vector3 } | null;
+  box: boolean;
+  onGizmo: boolean;
+  /** It is no click any more. */
   moved: boolean;
 }
 
@@ -46,6 +55,7 @@ interface Press {
 const REACH = { mouse: 12, touch: 24 };
 const HANDLE_SLACK = { mouse: 4, touch: 16 };
 const STILL = { mouse: 3, touch: 8 };
+const LONG_TOUCH_MS = 450;
 /** How far behind the nearest vertex the front layer of the net ends, in edge lengths. */
 const LAYER = 3;
 /** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. */
@@ -61,7 +71,9 @@ export class Gestures {
   private press: Press | null = null;
   private hover: PointerEvent | null = null;
   private hoverFrame = 0;
-  private nudging = false;
+  /** How far the arrow keys have moved the selection while they are held; null: they are not. */
+  private nudged: Vector3 | null = null;
+  private longTouch: ReturnType<typeof setTimeout> | undefined;
   private readonly plane = new ViewPlane();
   private readonly listeners = new AbortController();
 
@@ -84,29 +96,33 @@ export class Gestures {
   dispose(): void {
     this.listeners.abort();
     cancelAnimationFrame(this.hoverFrame);
+    clearTimeout(this.longTouch);
   }
 
   private down(event: PointerEvent): void {
-    const { canvas, camera, orbit, arrows, marks } = this.stage;
+    const { canvas, orbit, gizmo } = this.stage;
     if (event.target !== canvas) return;
     this.setHover(null);
     if (this.press) {
       // A second finger: the camera's business, no click any more.
       this.press.moved = true;
+      clearTimeout(this.longTouch);
       return;
     }
     if (event.button !== 0) return;
     const at = this.place(event);
-    const handle = this.handleAt(at, event);
-    const held = handle !== null && this.mayDrag(handle) && !event.shiftKey ? handle : null;
-    const onArrow = held === null && this.stage.selected() !== null && arrows.takes(this.toDevice(at));
-    this.press = { pointer: event.pointerId, at, handle: held, onArrow, moved: false };
-    if (held === null && !onArrow) return;
+    const vertex = this.handleAt(at, event);
+    if (event.pointerType === 'touch' && vertex !== null) this.awaitLongTouch(vertex);
+    const handle = event.shiftKey ? null : this.grip(vertex);
+    const onGizmo = handle === null && gizmo.takes(this.toDevice(at));
+    const box = event.shiftKey && !onGizmo;
+    this.press = { pointer: event.pointerId, at, handle, box, onGizmo, moved: false };
+    if (!handle && !onGizmo && !box) return;
     orbit.enabled = false;
-    if (held === null) return;
-    arrows.setEnabled(false);
+    if (onGizmo) return;
+    gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
-    this.plane.grab(camera, marks.point(held)!, this.toDevice(at));
+    if (handle) this.plane.grab(this.stage.camera, handle.from, this.toDevice(at));
   }
 
   private move(event: PointerEvent): void {
@@ -117,52 +133,79 @@ export class Gestures {
     }
     if (event.pointerId !== press.pointer) return;
     const at = this.place(event);
-    if (!press.moved && Math.hypot(at.x - press.at.x, at.y - press.at.y) > STILL[kind(event)]) {
-      press.moved = true;
-      if (press.handle !== null) {
-        this.stage.report.begin(press.handle);
-        this.stage.canvas.style.cursor = 'grabbing';
-      }
-    }
-    if (!press.moved || press.handle === null || this.stage.report.vertex === null) return;
+    if (!press.moved && Math.hypot(at.x - press.at.x, at.y - press.at.y) > STILL[kind(event)]) this.begin(press);
+    if (!press.moved) return;
+    if (press.box) this.stage.box({ from: press.at, to: at });
+    else if (press.handle && this.stage.report.isUnderWay) this.carry(press.handle, at);
+  }
+
+  private begin(press: Press): void {
+    press.moved = true;
+    clearTimeout(this.longTouch);
+    if (!press.handle) return;
+    this.stage.grab(this.stage.moving(press.handle.vertex));
+    this.stage.canvas.style.cursor = 'grabbing';
+  }
+
+  private carry({ from }: NonNullable<Press['handle']>, at: Place): void {
     const point = this.plane.carry(this.stage.camera, this.toDevice(at));
-    if (point) this.stage.carry(point);
+    if (point) this.stage.carry(shift(point.sub(from)));
   }
 
   private up(event: PointerEvent): void {
     const { press } = this;
     if (!press || event.pointerId !== press.pointer) return;
     this.letGo();
-    if (press.handle !== null && press.moved) this.stage.report.end(false);
-    else if (!press.moved && !press.onArrow) this.click(press.at, event);
+    if (press.box && press.moved) this.chooseInside(press.at, this.place(event));
+    else if (press.handle && press.moved) this.stage.report.end(false);
+    else if (!press.moved && !press.onGizmo) this.click(press.at, event);
   }
 
   /** The system took the pointer away, for a gesture of its own. */
   private lost(event: PointerEvent): void {
     if (event.pointerId !== this.press?.pointer) return;
     this.letGo();
-    this.stage.arrows.release();
+    this.stage.gizmo.release();
     this.stage.report.end(true);
   }
 
   private letGo(): void {
+    clearTimeout(this.longTouch);
     this.press = null;
     this.stage.orbit.enabled = true;
-    this.stage.arrows.setEnabled(true);
+    this.stage.gizmo.setEnabled(true);
     this.stage.canvas.style.cursor = '';
+    this.stage.box(null);
   }
 
   private click(at: Place, event: PointerEvent): void {
     const { events } = this.stage;
+    const selection = this.stage.selection();
     const found = this.find(at, event);
-    if (!found) events.selectHandle(null);
-    else if (found.handle) events.selectHandle(found.vertex);
-    else events.addHandle(found.vertex);
+    if (found && !found.handle) events.addHandle(found.vertex, event.shiftKey ? selection : []);
+    else if (found) events.select(event.shiftKey ? toggled(selection, found.vertex) : [found.vertex]);
+    else if (!event.shiftKey) events.select([]);
   }
 
-  /** Anchors hold the net: one must be selected before it moves. */
-  private mayDrag(handle: number): boolean {
-    return !this.stage.marks.isAnchor(handle) || this.stage.selected() === handle;
+  private chooseInside(from: Place, to: Place): void {
+    const { marks, events } = this.stage;
+    events.select(united(this.stage.selection(), marks.inside(this.stage.projection(), from, to)));
+  }
+
+  private awaitLongTouch(vertex: number): void {
+    this.longTouch = setTimeout(() => {
+      if (!this.press || this.press.moved) return;
+      // The finger has had its say: nothing follows from where it goes, or lifts.
+      this.press = { ...this.press, moved: true, handle: null };
+      this.stage.events.select(toggled(this.stage.selection(), vertex));
+    }, LONG_TOUCH_MS);
+  }
+
+  /** A handle as a hand takes it; null: there is none, or it is locked. */
+  private grip(vertex: number | null): Press['handle'] {
+    const { marks } = this.stage;
+    const point = vertex === null || marks.isLocked(vertex) ? undefined : marks.point(vertex);
+    return point ? { vertex: vertex!, from: point.clone() } : null;
   }
 
   private find(at: Place, event: PointerEvent): Found | null {
@@ -174,7 +217,7 @@ export class Gestures {
     const { points, vertexCount } = data;
     const projection = this.stage.projection();
     const vertex = nearestVertex(points, vertexCount, projection, at.x, at.y, REACH[kind(event)], layer);
-    if (vertex === null) return null;
+    if (vertex === null || this.stage.marks.isHidden(vertex)) return null;
     return { vertex, handle: this.stage.marks.point(vertex) !== undefined };
   }
 
@@ -200,18 +243,21 @@ export class Gestures {
 
   private setHover(found: Found | null): void {
     const { canvas } = this.stage;
-    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.mayDrag(found.vertex) ? 'grab' : 'pointer';
+    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.stage.marks.isLocked(found.vertex) ? 'pointer' : 'grab';
     this.stage.hovered(found);
   }
 
-  /** Takes part before anyone else hears of the key: Esc in a drag means this drag, nothing else. */
+  /** Takes part before anyone else hears of the key: Esc in a gesture means this gesture, nothing else. */
   private escape(event: KeyboardEvent): void {
-    const { report, arrows } = this.stage;
-    if (event.key !== 'Escape' || report.vertex === null) return;
+    const { report, gizmo } = this.stage;
+    const isBoxing = this.press?.box && this.press.moved;
+    if (event.key !== 'Escape' || (!report.isUnderWay && !isBoxing)) return;
     event.stopPropagation();
     event.preventDefault();
-    this.nudging = false;
-    arrows.release();
+    this.nudged = null;
+    if (this.press) this.press = { ...this.press, box: false, handle: null };
+    this.stage.box(null);
+    gizmo.release();
     report.end(true);
     this.stage.canvas.style.cursor = '';
   }
@@ -232,34 +278,34 @@ export class Gestures {
   }
 
   private endNudge(): void {
-    if (!this.nudging) return;
-    this.nudging = false;
+    if (!this.nudged) return;
+    this.nudged = null;
     this.stage.report.end(false);
   }
 
-  private arrowKey([dx, dy]: readonly [number, number], shift: boolean): void {
+  private arrowKey([dx, dy]: readonly [number, number], big: boolean): void {
     const { orbit } = this.stage;
-    if (this.stage.selected() !== null) this.nudge(dx, dy, shift ? KEY.bigNudge : KEY.nudge);
-    else if (shift) orbit.pan(-dx * KEY.pan, dy * KEY.pan);
+    if (this.stage.selection().length > 0) this.nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
+    else if (big) orbit.pan(-dx * KEY.pan, dy * KEY.pan);
     else if (dx) orbit.rotateLeft(dx * KEY.turn);
     else orbit.rotateUp(dy * KEY.turn);
   }
 
-  /** Moves the selected handle in the view plane; held keys and their repeats make one drag. */
+  /** Moves the selection in the view plane; held keys and their repeats make one drag. */
   private nudge(dx: number, dy: number, edges: number): void {
-    const { marks, report, camera } = this.stage;
-    const vertex = this.stage.selected()!;
-    const from = marks.point(vertex);
+    const { camera } = this.stage;
+    const moving = this.stage.moving();
     const data = this.stage.data();
-    if (!from || !data || this.press) return;
-    if (!this.nudging) {
-      this.nudging = true;
-      report.begin(vertex);
+    if (moving.length === 0 || !data || this.press) return;
+    if (!this.nudged) {
+      this.nudged = new Vector3();
+      this.stage.grab(moving);
     }
     const step = edges * data.edgeLength;
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
-    this.stage.carry(from.clone().addScaledVector(right, dx * step).addScaledVector(up, dy * step));
+    this.nudged.addScaledVector(right, dx * step).addScaledVector(up, dy * step);
+    this.stage.carry(shift(this.nudged));
   }
 
   private place(event: PointerEvent): Place {
@@ -271,6 +317,10 @@ export class Gestures {
     const { clientWidth, clientHeight } = this.stage.canvas;
     return new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight);
   }
+}
+
+function shift(by: Vector3): Matrix4 {
+  return new Matrix4().makeTranslation(by);
 }
 
 function kind(event: PointerEvent): 'mouse' | 'touch' {

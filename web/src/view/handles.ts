@@ -1,5 +1,5 @@
-/** The handles: spheres to drag, dark cubes for anchors. Both keep a handy size on the screen however near the camera is, and
- *  shine faintly through what covers them. */
+/** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. All keep
+ *  a handy size on the screen however near the camera is, and shine faintly through what covers them. */
 import {
   BoxGeometry,
   type BufferGeometry,
@@ -12,11 +12,15 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   type PerspectiveCamera,
+  Quaternion,
+  RingGeometry,
   SphereGeometry,
   SRGBColorSpace,
   Vector3,
 } from 'three';
 import type { HandleData } from '../document/document';
+import type { Selection } from '../handles/selection';
+import type { Place } from './overlay';
 import { nearestMark, project, type Projection, type ScreenPoint } from './picking';
 import type { Space } from './space';
 import type { Theme } from './theme';
@@ -29,43 +33,53 @@ const CUBE = 0.7;
 
 interface Mark {
   vertex: number;
-  anchor: boolean;
+  locked: boolean;
+  soft: boolean;
+  hidden: boolean;
+  selected: boolean;
   point: Vector3;
 }
 
 export class HandleMarks {
   readonly object = new Group();
-  private marks: Mark[] = [];
+  private marks = new Map<number, Mark>();
   private radius = SMALLEST;
   private readonly spheres = new Shape(new SphereGeometry(1, 32, 20));
   private readonly cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
+  private readonly hollow = new Shape(new RingGeometry(0.5, 1, 40), true);
+  private readonly rings = new Shape(new RingGeometry(1.3, 1.55, 48), true);
 
   constructor() {
-    this.object.add(this.spheres.group, this.cubes.group);
+    for (const { group } of [this.spheres, this.cubes, this.hollow, this.rings]) this.object.add(group);
   }
 
-  /** `held`: the handle in a hand at the moment; it stays where the hand has it. */
-  show(handles: readonly HandleData[], space: Space, held: number | null): void {
-    const heldPoint = held === null ? undefined : this.point(held);
-    this.marks = handles.map(({ vertex, target, anchor }) => {
-      const point = new Vector3();
-      if (vertex === held && heldPoint) point.copy(heldPoint);
-      else space.toScene(point, target);
-      return { vertex, anchor, point };
-    });
+  /** `held`: the handles in a hand at the moment; they stay where the hand has them. */
+  show(handles: readonly HandleData[], space: Space, selection: Selection, held: readonly number[]): void {
+    const inHand = new Map(held.map((vertex) => [vertex, this.point(vertex)]));
+    const selected = new Set(selection);
+    const mark = ({ vertex, target, anchor, weight, hidden }: HandleData): Mark => {
+      const point = inHand.get(vertex) ?? new Vector3();
+      if (!inHand.has(vertex)) space.toScene(point, target);
+      return { vertex, locked: anchor, soft: weight !== undefined, hidden: hidden === true, selected: selected.has(vertex), point };
+    };
+    this.marks = new Map(handles.map((handle) => [handle.vertex, mark(handle)]));
   }
 
   point(vertex: number): Vector3 | undefined {
-    return this.find(vertex)?.point;
+    return this.marks.get(vertex)?.point;
   }
 
-  isAnchor(vertex: number): boolean {
-    return this.find(vertex)?.anchor ?? false;
+  isLocked(vertex: number): boolean {
+    return this.marks.get(vertex)?.locked ?? false;
   }
 
-  /** The one a newcomer is to drag: the last that is no anchor. */
+  isHidden(vertex: number): boolean {
+    return this.marks.get(vertex)?.hidden ?? false;
+  }
+
+  /** The one a newcomer is to drag: the last that is not locked. */
   get suggested(): number | null {
-    return this.marks.filter((mark) => !mark.anchor).at(-1)?.vertex ?? null;
+    return this.visible.filter(({ locked }) => !locked).at(-1)?.vertex ?? null;
   }
 
   get screenRadius(): number {
@@ -74,14 +88,27 @@ export class HandleMarks {
 
   /** The handle under a point of the canvas. */
   at(projection: Projection, x: number, y: number, slack: number): number | null {
-    const marks = this.marks.map(({ point }) => ({ ...toScreen(projection, point), radius: this.radius }));
+    const { visible } = this;
+    const marks = visible.map(({ point }) => ({ ...toScreen(projection, point), radius: this.radius }));
     const hit = nearestMark(marks, x, y, slack);
-    return hit === null ? null : this.marks[hit]!.vertex;
+    return hit === null ? null : visible[hit]!.vertex;
+  }
+
+  /** Those in a box of the canvas. */
+  inside(projection: Projection, a: Place, b: Place): number[] {
+    const between = (x: number, from: number, to: number) => Math.min(from, to) <= x && x <= Math.max(from, to);
+    const hits = this.visible.filter(({ point }) => {
+      const { x, y, depth } = toScreen(projection, point);
+      return depth > 0 && between(x, a.x, b.x) && between(y, a.y, b.y);
+    });
+    return hits.map(({ vertex }) => vertex);
   }
 
   setTheme(theme: Theme): void {
     this.spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
+    this.hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
+    this.rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
   }
 
   beforeDraw(camera: PerspectiveCamera, canvasHeight: number, edgeLength: number, distance: number): void {
@@ -89,24 +116,27 @@ export class HandleMarks {
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / canvasHeight;
     this.radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
     const size = this.radius * pixel;
-    const points = (anchor: boolean) => this.marks.filter((mark) => mark.anchor === anchor).map((mark) => mark.point);
-    this.spheres.place(points(false), camera, size);
-    this.cubes.place(points(true), camera, CUBE * size);
+    const points = (which: (mark: Mark) => boolean) => this.visible.filter(which).map(({ point }) => point);
+    this.spheres.place(points(({ locked, soft }) => !locked && !soft), camera, size);
+    this.hollow.place(points(({ locked, soft }) => !locked && soft), camera, size);
+    this.cubes.place(points(({ locked }) => locked), camera, CUBE * size);
+    this.rings.place(points(({ selected }) => selected), camera, size);
   }
 
   dispose(): void {
-    this.spheres.dispose();
-    this.cubes.dispose();
+    for (const shape of [this.spheres, this.cubes, this.hollow, this.rings]) shape.dispose();
   }
 
-  private find(vertex: number): Mark | undefined {
-    return this.marks.find((mark) => mark.vertex === vertex);
+  private get visible(): Mark[] {
+    return [...this.marks.values()].filter(({ hidden }) => !hidden);
   }
 }
 
 export function toScreen(projection: Projection, { x, y, z }: Vector3): ScreenPoint {
   return project(projection, x, y, z);
 }
+
+const UPRIGHT = new Quaternion();
 
 /** Many copies of one solid, each drawn twice: plainly, and as a ghost where something is in front. */
 class Shape {
@@ -121,9 +151,14 @@ class Shape {
   private meshes: InstancedMesh[] = [];
   private capacity = 0;
   private readonly matrix = new Matrix4();
+  private readonly scale = new Vector3();
   private readonly centre = new Vector3();
 
-  constructor(private readonly geometry: BufferGeometry) {}
+  /** `facing`: flat, and turned to the camera. */
+  constructor(
+    private readonly geometry: BufferGeometry,
+    private readonly facing = false,
+  ) {}
 
   setColour(colour: Color): void {
     this.solid.color.copy(colour);
@@ -139,8 +174,9 @@ class Shape {
     points.forEach((point, i) => {
       const distance = depth(camera, point);
       const nearer = 1 - 1.2 * size;
-      const s = size * distance * nearer;
-      this.matrix.makeScale(s, s, s).setPosition(this.centre.lerpVectors(camera.position, point, nearer));
+      this.scale.setScalar(size * distance * nearer);
+      this.centre.lerpVectors(camera.position, point, nearer);
+      this.matrix.compose(this.centre, this.facing ? camera.quaternion : UPRIGHT, this.scale);
       for (const mesh of this.meshes) mesh.setMatrixAt(i, this.matrix);
     });
     for (const mesh of this.meshes) {

@@ -37,6 +37,8 @@ export function createBlankView(container: HTMLElement): View {
     showNet() {},
     showFrame() {},
     showHandles() {},
+    setSymmetry() {},
+    setPreview() {},
     setAppearance() {},
     setWaiting() {},
     setStepArrows() {},

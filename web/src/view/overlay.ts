@@ -19,16 +19,19 @@ export class Overlay {
   private readonly hover = make('g', 'hover');
   private readonly ring = make('circle', 'ring');
   private readonly pulse = make('circle', 'pulse');
+  private readonly box = make('rect', 'box');
+  private readonly preview = make('path', 'preview');
 
   constructor() {
     this.element.setAttribute('aria-hidden', 'true');
     const plus = make('path', 'plus');
     plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
     this.hover.append(this.ring, plus);
-    this.element.append(this.strains, this.tether, this.pulse, this.hover);
+    this.element.append(this.strains, this.preview, this.tether, this.pulse, this.hover, this.box);
     this.setHover(null, 0, false);
     this.setPulse(null, 0);
     this.setTether(null);
+    this.setBox(null);
   }
 
   /** What a click would take; `adds`: it would become a handle. */
@@ -49,6 +52,21 @@ export class Overlay {
   setTether(ends: { from: Place; to: Place } | null): void {
     if (!show(this.tether, ends)) return;
     putLine(this.tether, ends!);
+  }
+
+  /** What a hand draws around handles. */
+  setBox(corners: { from: Place; to: Place } | null): void {
+    if (!show(this.box, corners)) return;
+    const { from, to } = corners!;
+    const [x, y] = [Math.min(from.x, to.x), Math.min(from.y, to.y)];
+    put(this.box, { x, y, width: Math.abs(to.x - from.x), height: Math.abs(to.y - from.y) });
+  }
+
+  /** Dots on vertices that a button would take. */
+  setPreview(places: readonly Place[]): void {
+    // A line of no length has round ends, and these are all it has.
+    const path = places.map(({ x, y }) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join('');
+    if (this.preview.getAttribute('d') !== path) this.preview.setAttribute('d', path);
   }
 
   /** Pairs of handles that are pulled farther apart than the net is long. */

@@ -1,15 +1,16 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
 import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { HandleData, Vec3, ViewState } from '../document/document';
+import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { AxisArrows } from './axis_arrows';
+import type { Choice } from '../handles/wishes';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { scaleOf } from './colour_map';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
+import { Gizmo } from './gizmo';
 import { Ground } from './ground';
 import { HandleMarks, toScreen } from './handles';
 import { ColourTexture, NetData, netUniforms } from './net_data';
@@ -20,6 +21,7 @@ import { Overlay, type Place, type Strain } from './overlay';
 import type { Projection } from './picking';
 import { Space } from './space';
 import { StepArrows } from './step_arrows';
+import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { View, ViewEvents } from './view';
 
@@ -42,11 +44,12 @@ class SceneView implements View {
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer;
   private readonly rig: CameraRig;
-  private readonly arrows: AxisArrows;
+  private readonly gizmo: Gizmo;
   private readonly marks = new HandleMarks();
   private readonly uniforms = netUniforms();
   private readonly ground = new Ground(this.uniforms);
   private readonly stepArrows = new StepArrows();
+  private readonly sheet = new SymmetrySheet();
   private readonly colours = new ColourTexture();
   private readonly lines = new NetLines(this.uniforms, this.colours);
   private readonly faces = new NetFaces(this.uniforms, this.colours);
@@ -66,7 +69,11 @@ class SceneView implements View {
   private latest: FrameData | null = null;
   private handles: readonly HandleData[] = [];
   private appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
-  private selected: number | null = null;
+  private choice: Pick<Choice, 'selection' | 'mode'> = { selection: [], mode: 'translate' };
+  private symmetry: Symmetry | undefined;
+  private preview: readonly number[] = [];
+  /** Where the handles in hand were taken. */
+  private taken: { vertex: number; from: Vector3 }[] = [];
   private found: Found | null = null;
   private firstVisit = isFirstVisit();
   private frame = 0;
@@ -93,14 +100,14 @@ class SceneView implements View {
       moved: () => this.cameraMoved(),
       rested: () => events.cameraChanged(this.camera()),
     });
-    this.arrows = new AxisArrows(this.rig.camera, canvas, {
-      start: () => this.report.begin(this.selected!),
-      move: (point) => this.carry(point),
+    this.gizmo = new Gizmo(this.rig.camera, canvas, {
+      start: () => this.grab(this.moving()),
+      move: (motion) => this.carry(motion),
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
     });
-    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows]) this.scene.add(part.object);
-    this.scene.add(...this.arrows.objects, this.rig.camera);
+    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet]) this.scene.add(part.object);
+    this.scene.add(...this.gizmo.objects, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
     this.theme = readTheme(container);
@@ -121,6 +128,7 @@ class SceneView implements View {
     this.lines.showNet(this.shown, net.strips);
     this.faces.showNet(net.triangles);
     this.ground.showNet(this.shown, this.faces.object.geometry);
+    this.sheet.show(this.symmetry, net.restPositions, this.shown.space);
     this.showFrame(frame);
     this.rig.framed = camera === null;
     this.rig.standAt(camera ? this.toStand(camera) : this.wholeNet());
@@ -135,13 +143,26 @@ class SceneView implements View {
     this.requestDraw();
   }
 
-  showHandles(handles: readonly HandleData[], selected: number | null): void {
+  showHandles(handles: readonly HandleData[], choice: Pick<Choice, 'selection' | 'mode'>): void {
     if (!this.shown) return;
     this.handles = handles;
-    this.marks.show(handles, this.shown.space, this.report.vertex);
-    this.selected = selected;
+    this.choice = choice;
+    this.marks.show(handles, this.shown.space, choice.selection, this.report.vertices);
+    this.gizmo.setMode(choice.mode);
     if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
     this.requestDraw();
+  }
+
+  setSymmetry(symmetry: Symmetry | undefined): void {
+    if (symmetry === this.symmetry) return;
+    this.symmetry = symmetry;
+    if (this.net && this.shown) this.sheet.show(symmetry, this.net.restPositions, this.shown.space);
+    this.requestDraw();
+  }
+
+  setPreview(vertices: readonly number[]): void {
+    this.preview = vertices;
+    this.drawOverlay();
   }
 
   setAppearance(appearance: Appearance): void {
@@ -211,8 +232,8 @@ class SceneView implements View {
     this.stopThemes();
     this.gestures.dispose();
     this.removeNet();
-    const { arrows, stepArrows, rig, marks, ground, lines, faces, colours, renderer } = this;
-    for (const thing of [arrows, stepArrows, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
+    const { gizmo, stepArrows, sheet, rig, marks, ground, lines, faces, colours, renderer } = this;
+    for (const thing of [gizmo, stepArrows, sheet, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
@@ -224,14 +245,17 @@ class SceneView implements View {
       canvas,
       camera: this.rig.camera,
       orbit: this.rig.orbit,
-      arrows: this.arrows,
+      gizmo: this.gizmo,
       marks: this.marks,
       report: this.report,
       events: this.events,
       data: () => this.shown,
-      selected: () => this.selected,
+      selection: () => this.choice.selection,
+      moving: (handle) => this.moving(handle),
       projection: () => this.projection(),
-      carry: (point) => this.carry(point),
+      grab: (vertices) => this.grab(vertices),
+      carry: (motion) => this.carry(motion),
+      box: (corners) => this.overlay.setBox(corners),
       hovered: (found) => this.setFound(found),
       frameAll: () => this.frameAll(),
     });
@@ -247,21 +271,42 @@ class SceneView implements View {
 
   private noteFirstDrag(events: ViewEvents): DragEvents {
     return {
-      dragStart: (vertex) => {
+      dragStart: () => {
         this.firstVisit = false;
         endFirstVisit();
-        events.dragStart(vertex);
+        events.dragStart();
       },
-      dragMove: (vertex, target) => events.dragMove(vertex, target),
-      dragEnd: (vertex, cancelled) => events.dragEnd(vertex, cancelled),
+      dragMove: (targets) => events.dragMove(targets),
+      dragEnd: (cancelled) => events.dragEnd(cancelled),
     };
   }
 
-  /** The handle in hand is drawn where the hand is, ahead of document and net. */
-  private carry(point: Vector3): void {
-    if (this.report.vertex === null || !this.shown) return;
-    this.marks.point(this.report.vertex)?.copy(point);
-    this.report.move(this.shown.space.toNet(point));
+  /** Those of the selection that are not locked, the leading one first; all by itself a handle that is not selected. */
+  private moving(handle?: number): readonly number[] {
+    const { selection } = this.choice;
+    if (handle !== undefined && !selection.includes(handle)) return [handle];
+    const free = [...selection].reverse().filter((vertex) => !this.marks.isLocked(vertex));
+    return handle === undefined ? free : [handle, ...free.filter((vertex) => vertex !== handle)];
+  }
+
+  private grab(vertices: readonly number[]): void {
+    this.taken = vertices.flatMap((vertex) => {
+      const from = this.marks.point(vertex)?.clone();
+      return from ? [{ vertex, from }] : [];
+    });
+    this.report.begin(vertices);
+  }
+
+  /** The handles in hand are drawn where the hand is, ahead of document and net. */
+  private carry(motion: Matrix4): void {
+    if (!this.report.isUnderWay || !this.shown) return;
+    const { space } = this.shown;
+    const targets = this.taken.map(({ vertex, from }) => {
+      const point = from.clone().applyMatrix4(motion);
+      this.marks.point(vertex)?.copy(point);
+      return { vertex, target: space.toNet(point) };
+    });
+    this.report.move(targets);
     this.requestDraw();
   }
 
@@ -278,10 +323,10 @@ class SceneView implements View {
 
   /** Another axis is up: everything stands elsewhere in the scene. */
   private turn(): void {
-    this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
+    this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     if (!this.net || !this.latest) return;
     this.showNet(this.net, this.latest, null);
-    this.showHandles(this.handles, this.selected);
+    this.showHandles(this.handles, this.choice);
   }
 
   private readTheme(): void {
@@ -290,8 +335,8 @@ class SceneView implements View {
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows]) part.setTheme(this.theme);
-    this.arrows.setTheme(this.theme, this.appearance.upAxis ?? 'z');
+    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet]) part.setTheme(this.theme);
+    this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.setAppearance(this.appearance);
   }
 
@@ -341,9 +386,16 @@ class SceneView implements View {
     this.lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
     this.stepArrows.beforeDraw(this.size, this.renderer.getPixelRatio());
     this.marks.beforeDraw(camera, this.size.y, edgeLength, distance);
-    this.arrows.show(this.selected === null ? null : (this.marks.point(this.selected) ?? null));
+    this.gizmo.show(this.gizmoPlace());
     // From below, the floor would hide the net.
     this.ground.object.visible = camera.position.z > this.ground.object.position.z;
+  }
+
+  /** The centre of what would move. */
+  private gizmoPlace(): Vector3 | null {
+    const points = this.moving().flatMap((vertex) => this.marks.point(vertex) ?? []);
+    if (points.length === 0) return null;
+    return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
   }
 
   private toStand({ position, target }: CameraPlace): Stand {
@@ -388,6 +440,7 @@ class SceneView implements View {
     const beckoning = this.firstVisit ? this.marks.suggested : null;
     this.overlay.setPulse(beckoning === null ? null : this.place(this.marks.point(beckoning)!), radius + 3);
     this.overlay.setTether(this.tether(radius));
+    this.overlay.setPreview(this.preview.map((vertex) => this.place(this.vertexPoint(vertex))));
     this.overlay.setStrains(this.drawnStrains());
   }
 
@@ -402,9 +455,9 @@ class SceneView implements View {
   }
 
   private tether(radius: number): { from: Place; to: Place } | null {
-    const { vertex } = this.report;
-    const point = vertex === null ? undefined : this.marks.point(vertex);
-    if (vertex === null || !point) return null;
+    const [vertex] = this.report.vertices;
+    const point = vertex === undefined ? undefined : this.marks.point(vertex);
+    if (vertex === undefined || !point) return null;
     const from = this.place(this.vertexPoint(vertex));
     const to = this.place(point);
     return Math.hypot(to.x - from.x, to.y - from.y) > 2 * radius ? { from, to } : null;

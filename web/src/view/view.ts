@@ -1,19 +1,22 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
  *  it never changes the document itself. */
-import type { HandleData, Vec3, ViewState } from '../document/document';
+import type { Handle } from '../../../wasm/chebnet';
+import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import type { Selection } from '../handles/selection';
+import type { Choice } from '../handles/wishes';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** What a hand did in the view. */
 export interface ViewEvents {
-  /** A click on a vertex that is no handle. */
-  addHandle(vertex: number): void;
-  /** A click on a handle, or on nothing (null). */
-  selectHandle(vertex: number | null): void;
-  dragStart(vertex: number): void;
+  /** A click on a vertex that is no handle; `also`: what is to stay selected beside it. */
+  addHandle(vertex: number, also: Selection): void;
+  /** A click on a handle or on nothing, or a box drawn around handles. */
+  select(selection: Selection): void;
+  dragStart(): void;
   /** At most once an animation frame. */
-  dragMove(vertex: number, target: Vec3): void;
-  /** `cancelled`: Esc was pressed, the handle goes back to where the drag began. */
-  dragEnd(vertex: number, cancelled: boolean): void;
+  dragMove(targets: Handle[]): void;
+  /** `cancelled`: Esc was pressed, the handles go back to where the drag began. */
+  dragEnd(cancelled: boolean): void;
   /** The camera came to rest after orbit, pan or zoom. */
   cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
   /** While it moves, but not by setCamera(). */
@@ -25,7 +28,11 @@ export interface View {
   showNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   showFrame(frame: FrameData): void;
-  showHandles(handles: readonly HandleData[], selected: number | null): void;
+  showHandles(handles: readonly HandleData[], choice: Pick<Choice, 'selection' | 'mode'>): void;
+  /** The plane of symmetry, if there is one. */
+  setSymmetry(symmetry: Symmetry | undefined): void;
+  /** Marks vertices that a button would take. */
+  setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
   /** A line over the picture while another net is on its way; null: no longer. */
   setWaiting(words: string | null): void;

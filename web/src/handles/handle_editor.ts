@@ -1,0 +1,252 @@
+/** The one place that changes handles: keeps document, history, solver and the mirror image in step. */
+import type { Handle } from '../../../wasm/chebnet';
+import type { Opening } from '../app';
+import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/document';
+import type { Snapshot, UndoHistory } from '../document/undo';
+import { words } from '../language/language';
+import type { Client } from '../worker/client';
+import type { OpenedNet } from '../worker/protocol';
+import { Lines } from './lines';
+import { all, type Selection, unlocked, within } from './selection';
+import { Mirror } from './symmetry';
+import { type Motion, transformed } from './transform';
+import type { Choice, GizmoMode, HandleTraits, HandleWishes, LineName } from './wishes';
+
+/** What the app lends to it. */
+export interface HandleDesk {
+  opening(): Opening | null;
+  /** The state before a change; null: no net is open, or another one is about to be. */
+  snapshot(): Snapshot | null;
+  change(change: Partial<ChebnetDocument>): void;
+  restore(state: Snapshot): void;
+  /** Shows the document as it now is. */
+  show(): void;
+  /** Shows only what a drag changes. */
+  showDrag(): void;
+  say(message: string): void;
+  /** For what the user does: a failure is shown, not thrown. */
+  attempt(doing: Promise<unknown>): void;
+}
+
+export class HandleEditor implements HandleWishes {
+  readonly #desk: HandleDesk;
+  readonly #client: Client;
+  readonly #history: UndoHistory;
+  #selection: Selection = [];
+  #mode: GizmoMode = 'translate';
+  #dragMoved = false;
+  #lines: { net: OpenedNet; lines: Lines } | null = null;
+  #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
+
+  constructor(desk: HandleDesk, client: Client, history: UndoHistory) {
+    this.#desk = desk;
+    this.#client = client;
+    this.#history = history;
+  }
+
+  // --------------------------------------------------------------------------------------------------------- choosing
+
+  /** What is chosen, and what can be done with it. */
+  get choice(): Choice {
+    this.#selection = within(this.#selection, this.#handles);
+    const leading = this.#selection.at(-1);
+    const lines = this.#linesOf();
+    return {
+      selection: this.#selection,
+      mode: unlocked(this.#selection, this.#handles).length > 1 ? this.#mode : 'translate',
+      onBoundary: leading !== undefined && lines !== null && lines.isBoundary(leading),
+      lines: leading === undefined || lines === null ? 0 : lines.count(leading),
+    };
+  }
+
+  select(selection: Selection): void {
+    this.#selection = selection;
+    this.#desk.show();
+  }
+
+  selectAll(): void {
+    this.select(all(this.#handles));
+  }
+
+  setMode(mode: GizmoMode): void {
+    this.#mode = mode;
+    this.#desk.show();
+  }
+
+  /** Another net is open. */
+  netChanged(): void {
+    this.#selection = [];
+    this.#mode = 'translate';
+  }
+
+  // --------------------------------------------------------------------------------------------------------- which ones
+
+  /** Replaces the handles. */
+  async set(handles: readonly HandleData[]): Promise<void> {
+    const before = this.#desk.snapshot();
+    this.#desk.change({ handles: [...handles] });
+    try {
+      await this.#client.setHandles(targetsOf(handles));
+    } catch (error) {
+      if (before) this.#desk.change({ handles: [...before.handles] });
+      throw error;
+    }
+    if (before) this.#history.record(before);
+    this.#desk.show();
+  }
+
+  add(vertex: number, also: Selection = []): void {
+    this.#desk.attempt(this.#take([vertex], [...also, vertex]));
+  }
+
+  takeLine(name: LineName): void {
+    const vertex = this.#selection.at(-1);
+    const line = this.line(name);
+    if (vertex !== undefined) this.#desk.attempt(this.#take(line, [...line.filter((each) => each !== vertex), vertex]));
+  }
+
+  /** The vertices of a line through the leading handle. */
+  line(name: LineName): readonly number[] {
+    const vertex = this.#selection.at(-1);
+    const lines = this.#linesOf();
+    if (vertex === undefined || lines === null) return [];
+    return [...new Set(name === 'boundary' ? lines.boundary(vertex) : lines.through(vertex)[name])];
+  }
+
+  remove(vertices: Selection): void {
+    const chosen = new Set(this.#mirrored(vertices));
+    const leaving = this.#handles.filter(({ vertex, anchor }) => chosen.has(vertex) && !anchor);
+    if (unlocked(vertices, this.#handles).length < vertices.length) this.#desk.say(words.handles.lockedStay);
+    if (leaving.length === 0) return;
+    this.#desk.attempt(this.set(this.#handles.filter((handle) => !leaving.includes(handle))));
+  }
+
+  removeSelected(): void {
+    if (this.#selection.length > 0) this.remove(this.#selection);
+  }
+
+  /** Makes vertices handles, with their mirror images, where they stand. */
+  async #take(vertices: readonly number[], selection: Selection): Promise<void> {
+    const present = new Set(this.#handles.map(({ vertex }) => vertex));
+    const fresh = this.#mirrored(vertices).filter((vertex) => !present.has(vertex));
+    const added = fresh.map((vertex): HandleData => ({ vertex, target: this.positionOf(vertex), anchor: false }));
+    if (added.length > 0) await this.set([...this.#handles, ...added]);
+    this.select(selection);
+  }
+
+  // --------------------------------------------------------------------------------------------------------- what they are
+
+  /** Name, lock and the like of some handles. */
+  change(vertices: Selection, traits: HandleTraits): void {
+    const chosen = new Set(vertices);
+    const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? { ...handle, ...traits } : handle));
+    // To the solver a lock, a name, or not to be seen are all one.
+    if ('weight' in traits) return this.#desk.attempt(this.set(handles));
+    this.#changeDocument({ handles });
+  }
+
+  setSymmetry(symmetry: Symmetry | undefined): void {
+    this.#changeDocument({ symmetry });
+  }
+
+  #changeDocument(change: Partial<ChebnetDocument>): void {
+    const before = this.#desk.snapshot();
+    if (before) this.#history.record(before);
+    this.#desk.change(change);
+    this.#desk.show();
+  }
+
+  // ---------------------------------------------------------------------------------------------------- where they are
+
+  place(vertex: number, target: Vec3): void {
+    this.#desk.attempt(this.move([{ vertex, target }]));
+  }
+
+  /** Moves, turns or scales the selection about its centre. */
+  transform(motion: Motion): void {
+    const moving = unlocked(this.#selection, this.#handles);
+    const targets = transformed(moving.map(({ target }) => target), motion);
+    if (moving.length > 0) this.#desk.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
+  }
+
+  /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */
+  async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
+    const before = this.#desk.snapshot();
+    const both = this.#onBothSides(targets);
+    await this.#client.drag(both);
+    if (before) this.#history.record(before, key);
+    this.#desk.change({ handles: this.#withTargets(both) });
+    this.#desk.show();
+  }
+
+  beginDrag(): void {
+    const before = this.#desk.snapshot();
+    if (before === null) return;
+    this.#dragMoved = false;
+    this.#history.beginGesture(before);
+  }
+
+  drag(targets: readonly Handle[]): void {
+    if (!this.#history.inGesture) return;
+    const both = this.#onBothSides(targets);
+    this.#dragMoved = true;
+    this.#desk.change({ handles: this.#withTargets(both) });
+    this.#desk.showDrag();
+    this.#desk.attempt(this.#client.drag(both));
+  }
+
+  endDrag(cancelled: boolean): void {
+    const before = cancelled ? this.#history.cancelGesture() : null;
+    if (before && this.#dragMoved) this.#desk.restore(before);
+    this.#history.endGesture(this.#dragMoved);
+    this.#desk.show();
+  }
+
+  /** Where a vertex stands. */
+  positionOf(vertex: number): Vec3 {
+    const positions = this.#desk.opening()?.frame.positions;
+    return [positions?.[3 * vertex] ?? 0, positions?.[3 * vertex + 1] ?? 0, positions?.[3 * vertex + 2] ?? 0];
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ the net
+
+  get #handles(): readonly HandleData[] {
+    return this.#desk.opening()?.document.handles ?? [];
+  }
+
+  #withTargets(targets: readonly Handle[]): HandleData[] {
+    const moved = new Map(targets.map(({ vertex, target }) => [vertex, target]));
+    return this.#handles.map((handle) => ({ ...handle, target: moved.get(handle.vertex) ?? handle.target }));
+  }
+
+  #mirrored(vertices: readonly number[]): readonly number[] {
+    return this.#mirrorOf()?.both(vertices) ?? vertices;
+  }
+
+  #onBothSides(targets: readonly Handle[]): readonly Handle[] {
+    return this.#mirrorOf()?.mirrored(targets, this.#handles) ?? targets;
+  }
+
+  #linesOf(): Lines | null {
+    const net = this.#desk.opening()?.net;
+    if (net === undefined) return null;
+    if (this.#lines?.net !== net) this.#lines = { net, lines: new Lines(net) };
+    return this.#lines.lines;
+  }
+
+  #mirrorOf(): Mirror | null {
+    const opening = this.#desk.opening();
+    const symmetry = opening?.document.symmetry;
+    if (!opening || !symmetry) return null;
+    const { net } = opening;
+    if (this.#mirror?.net !== net || this.#mirror.symmetry !== symmetry) {
+      this.#mirror = { net, symmetry, mirror: new Mirror(symmetry, net.restPositions, net.info.meanLength) };
+    }
+    return this.#mirror.mirror;
+  }
+}
+
+/** What of them the solver wants to know. */
+export function targetsOf(handles: readonly HandleData[]): Handle[] {
+  return handles.map(({ vertex, target }) => ({ vertex, target }));
+}

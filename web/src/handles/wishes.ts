@@ -1,0 +1,37 @@
+/** What panels and keys may ask of the handles, and what they are shown. */
+import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import type { Selection } from './selection';
+import type { Motion } from './transform';
+
+/** What the arrows at the selection do. */
+export type GizmoMode = 'translate' | 'rotate' | 'scale';
+export const GIZMO_MODES: readonly GizmoMode[] = ['translate', 'rotate', 'scale'];
+
+/** A line of vertices through the leading handle: the boundary loop, or one of its net lines. */
+export type LineName = 'boundary' | number;
+
+/** What may be changed about a handle, apart from where it is. */
+export type HandleTraits = { [K in 'name' | 'hidden' | 'weight' | 'anchor']?: HandleData[K] | undefined };
+
+export interface Choice {
+  selection: Selection;
+  mode: GizmoMode;
+  /** Of the leading handle: whether it lies on the boundary, and how many net lines go through it. */
+  onBoundary: boolean;
+  lines: number;
+}
+
+export interface HandleWishes {
+  select(selection: Selection): void;
+  setMode(mode: GizmoMode): void;
+  /** Makes a vertex a handle and selects it, and `also` others with it. */
+  add(vertex: number, also?: Selection): void;
+  /** Makes all vertices of a line handles and selects them. */
+  takeLine(name: LineName): void;
+  remove(vertices: Selection): void;
+  change(vertices: Selection, traits: HandleTraits): void;
+  place(vertex: number, target: Vec3): void;
+  /** Of the selection. */
+  transform(motion: Motion): void;
+  setSymmetry(symmetry: Symmetry | undefined): void;
+}

@@ -1,0 +1,39 @@
+/** Whether handles are edited on both sides of a plane, and of which. */
+import type { Symmetry } from '../document/document';
+import { AXES } from '../handles/transform';
+import { words } from '../language/language';
+import { makeSelect, setValue } from './dom';
+
+const OFF = 'off';
+
+export class SymmetryChoice {
+  readonly rows: HTMLElement[];
+  private readonly axis: ReturnType<typeof makeSelect>;
+  private readonly through: ReturnType<typeof makeSelect>;
+
+  constructor(private readonly chosen: (symmetry: Symmetry | undefined) => void) {
+    const axes = AXES.map((axis) => ({ value: axis, text: words.symmetry.across(axis) }));
+    this.axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () => this.choose());
+    this.through = makeSelect(
+      words.symmetry.through,
+      [
+        { value: 'centre', text: words.symmetry.centre },
+        { value: 'origin', text: words.symmetry.origin },
+      ],
+      () => this.choose(),
+    );
+    this.rows = [this.axis.row, this.through.row];
+    this.show(undefined);
+  }
+
+  show(symmetry: Symmetry | undefined): void {
+    setValue(this.axis.select, symmetry?.axis ?? OFF);
+    setValue(this.through.select, symmetry?.through ?? 'centre');
+    this.through.row.hidden = symmetry === undefined;
+  }
+
+  private choose(): void {
+    const [axis, through] = [this.axis.select.value, this.through.select.value];
+    this.chosen(axis === OFF ? undefined : ({ axis, through } as Symmetry));
+  }
+}
