@@ -130,7 +130,7 @@ export const zh: Words = {
   },
   plot: {
     label: '收敛曲线：最大偏差 dL 随迭代次数的变化',
-    against: '最大 dL 的横轴',
+    against: '最大 dL，横轴',
     iterations: '迭代次数',
     milliseconds: '毫秒',
     stage: (stage) => `阶段 ${stage}`,
@@ -257,7 +257,7 @@ export const zh: Words = {
     },
     polygons: (arity, _number, count) => `${count} 个${POLYGONS[arity] ?? `${arity} 边形`}`,
     faces: (count, kinds) => `${count}：${kinds.join('、')}`,
-    singular: (valence, count) => `${count} 个度数为 ${valence}`,
+    singular: (valence, count) => `度数为 ${valence} 的 ${count} 个`,
     list: (items) => items.join('、'),
     none: '无',
     below: (percent) => `低于 ${percent}`,

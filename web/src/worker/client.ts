@@ -209,7 +209,7 @@ export class Client {
   // -------------------------------------------------------------------------------------------------------- answers
 
   #receive(response: Response): void {
-    if (response.type === 'error' && response.code === CRASHED) return this.#lose(response.message);
+    if (response.type === 'error' && response.code === CRASHED) return this.#lose(words.core.failure(CRASHED, response.message));
     this.#proven = true;
     if (response.type === 'frame' || response.type === 'settled') this.#news(response);
     else this.#answered(response);
