@@ -9,7 +9,7 @@ const CHINESE = { locale: 'zh-CN' };
 
 /** Names, units and formulas, and the other language by its own name. */
 const NAMES =
-  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl\+Z|Home|OBJ|PLY|OFF|STL|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||ms|MB/g;
+  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl\+Z|Home|F2|Delete|OBJ|PLY|OFF|STL|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||ms|MB/g;
 
 /** What the page says in Latin letters beyond names: texts, and what a pointer or a screen reader learns besides. */
 async function foreignWords(page: Page): Promise<string[]> {
@@ -43,6 +43,10 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-desktop.png') });
   await unfoldAll(page);
+  await page.keyboard.press('Control+a');
+  await page.getByRole('heading', { name: '已选中 5 个手柄' }).waitFor();
+  expect(await foreignWords(page)).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-selection.png') });
   await page.getByRole('button', { name: '保存', exact: true }).click();
   expect(await foreignWords(page)).toEqual([]);
   await page.keyboard.press('Escape');

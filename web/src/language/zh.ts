@@ -113,7 +113,7 @@ export const zh: Words = {
   symmetry: {
     label: '对称',
     off: '关闭',
-    across: (axis) => `关于 ${axis} 轴`,
+    across: (axis) => `沿 ${axis} 方向`,
     through: '平面经过',
     centre: '网的中心',
     origin: '原点',
