@@ -1,6 +1,7 @@
 /** Files on their way in and out, without a page. */
 import { describe, expect, test } from 'vitest';
 import type { NetSource } from '../../web/src/document/document';
+import type { Subject } from '../../web/src/equalize/subject';
 import { edgesCsv } from '../../web/src/files/edges_csv';
 import { edgeLengths, spreadOf } from '../../web/src/files/edge_lengths';
 import { fileNameOf, typeOf } from '../../web/src/files/export';
@@ -9,7 +10,7 @@ import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
 import { FileSession } from '../../web/src/files/file_session';
 import { FileOpener, LARGEST_FILE } from '../../web/src/files/import';
-import type { FileChoice, FileDialogLike } from '../../web/src/files/import';
+import type { EqualizerLike, FileChoice, FileDialogLike } from '../../web/src/files/import';
 import { objText } from '../../web/src/files/obj_text';
 import { faceWords, lengthWords, percentWords, singularWords } from '../../web/src/panels/file_words';
 import { load } from '../wasm/load';
@@ -115,11 +116,20 @@ class FakeDialog implements FileDialogLike {
 const AS_IT_IS: FileChoice = { repaired: false, restLengths: 'automatic' };
 
 /** Opens files one after the other; `answer` is what the user does. */
-function makeOpener(answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS)) {
+function makeOpener(
+  answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS),
+  equalized: (subject: Subject, closed: Promise<null>) => Promise<string | null> = () => Promise.resolve(null),
+) {
   const [workers, dialogs, opened]: [LocalWorker[], FakeDialog[], NetSource[]] = [[], [], []];
+  const createEqualizer = (subject: Subject): EqualizerLike => {
+    let close = (): void => {};
+    const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
+    return { result: equalized(subject, closed), close };
+  };
   const opener = new FileOpener({
     spawnWorker: () => workers[workers.push(new LocalWorker()) - 1]!,
     createDialog: (name) => dialogs[dialogs.push(new FakeDialog(name, answer)) - 1]!,
+    createEqualizer,
     open: async (net) => void opened.push(net),
   });
   return { workers, dialogs, opened, open: (text: string, name = 'net.obj') => opener.open(new File([text], name)), opener };
@@ -153,6 +163,36 @@ describe('a file', () => {
     await open(OBLONG);
     expect(dialogs[0]?.report).toMatchObject({ isChebyshev: false, lengths: { smallest: 1, mean: 1.5, largest: 2 } });
     expect(opened).toMatchObject([{ restLengths: 'equal' }]);
+  });
+
+  test('of unequal edges is equalised if the user likes the result, and asked about again if not', async () => {
+    const subjects: Subject[] = [];
+    const answers: FileChoice[] = [
+      { repaired: true, restLengths: 'equalized' },
+      { repaired: false, restLengths: 'equalized' },
+    ];
+    const { open, opened } = makeOpener(
+      () => Promise.resolve(answers.shift()!),
+      (subject) => Promise.resolve(subjects.push(subject) === 1 ? null : SQUARES),
+    );
+    await open(OBLONG);
+    expect(subjects.map(({ name, net, handles }) => [name, net.info.edges, handles])).toEqual([
+      ['net.obj', 4, []],
+      ['net.obj', 4, []],
+    ]);
+    expect(opened).toEqual([{ obj: SQUARES, name: 'net.obj' }]);
+  });
+
+  test('whose dialog is closed is not equalised any more', async () => {
+    const { open, opened, dialogs } = makeOpener(
+      () => Promise.resolve({ repaired: false, restLengths: 'equalized' }),
+      (_, closed) => {
+        dialogs[0]?.close();
+        return closed;
+      },
+    );
+    await open(OBLONG);
+    expect(opened).toEqual([]);
   });
 
   test('that the core refuses is repaired with consent', async () => {

@@ -48,3 +48,21 @@ export function documentAt(positions: Float64Array | null): ChebnetDocument {
     settled: true,
   };
 }
+
+/** OBJ text of a bent sheet of quads whose edges differ in length. */
+export function uneven(columns: number, rows: number): string {
+  const lines: string[] = [];
+  for (let j = 0; j < rows; ++j) {
+    for (let i = 0; i < columns; ++i) {
+      const [x, y] = [i + 0.25 * Math.sin(3 * i + 2 * j), j + 0.25 * Math.cos(2 * i - 3 * j)];
+      lines.push(`v ${x} ${y} ${Math.sin(x / 3) * Math.cos(y / 4)}`);
+    }
+  }
+  for (let j = 0; j + 1 < rows; ++j) {
+    for (let i = 0; i + 1 < columns; ++i) {
+      const a = j * columns + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + 1 + columns} ${a + columns}`);
+    }
+  }
+  return [...lines, ''].join('\n');
+}

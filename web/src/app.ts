@@ -31,6 +31,7 @@ export interface AppParts {
 /** What the outside wants of a user's wish that is not about the net itself. */
 export interface AppServices {
   pickFile(): void;
+  equalize(): void;
   copyLink(): void;
   exportFile(kind: FileKind): void;
 }
@@ -300,9 +301,10 @@ export class App {
     };
   }
 
-  #panelEvents({ pickFile, copyLink, exportFile }: AppServices): PanelEvents {
+  #panelEvents({ pickFile, equalize, copyLink, exportFile }: AppServices): PanelEvents {
     return {
       pickFile,
+      equalize,
       copyLink,
       exportFile,
       openRecipe: (recipe) => this.#try(this.openNet({ recipe })),

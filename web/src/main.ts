@@ -4,12 +4,15 @@ import { defaultScene } from './document/defaults';
 import type { Scene } from './document/document';
 import { decodeScene, linkAdvice } from './document/share';
 import { experimentScene, isExperimentLink } from './experiments/experiment';
+import { equalizedScene, subjectOfNet } from './equalize/subject';
+import type { Subject } from './equalize/subject';
 import { download } from './files/download';
 import { fileNameOf, typeOf } from './files/export';
 import type { FileKind } from './files/export';
 import { FileOpener, pickFile } from './files/import';
 import { translateDocument, words } from './language/language';
 import type { GizmoMode } from './handles/wishes';
+import { EqualizeDialog } from './panels/equalize_dialog';
 import { FileDialog } from './panels/file_dialog';
 import { createPanels } from './panels/sidebar';
 import { createScripting } from './scripting';
@@ -29,6 +32,7 @@ const app = new App(
   },
   {
     pickFile: () => attempt(async () => openFile(await pickFile())),
+    equalize: () => attempt(equalizeNet),
     copyLink: () => attempt(copyLink),
     exportFile: (kind) => attempt(() => exportFile(kind)),
   },
@@ -36,6 +40,7 @@ const app = new App(
 const opener = new FileOpener({
   spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
   createDialog: (name) => new FileDialog(element('panels'), name),
+  createEqualizer,
   open: (net) => app.openNet(net),
 });
 const ready = start();
@@ -106,8 +111,25 @@ async function openFile(file: File | null): Promise<void> {
   if (file) await opener.open(file);
 }
 
+function createEqualizer(subject: Subject): EqualizeDialog {
+  return new EqualizeDialog(element('panels'), subject, {
+    spawnWorker: () => new Worker(new URL('./equalize/equalize_worker.ts', import.meta.url), { type: 'module' }),
+    createView,
+    upAxis: app.opening?.document.view.upAxis,
+  });
+}
+
+async function equalizeNet(): Promise<void> {
+  if (app.opening === null) return;
+  const { document, net } = app.opening;
+  const obj = await createEqualizer(subjectOfNet(document, net)).result;
+  if (obj !== null) await app.openScene(equalizedScene(document, obj));
+}
+
 function pressKey(event: KeyboardEvent): void {
-  if (event.defaultPrevented || isTyping(event.target)) return;
+  // Keys are for a dialog alone while it is open, wherever the focus is.
+  const busy = document.querySelector('dialog:modal') !== null;
+  if (event.defaultPrevented || busy || isTyping(event.target)) return;
   const command = commandOf(event);
   if (command === null) return;
   event.preventDefault();

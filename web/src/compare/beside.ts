@@ -1,5 +1,6 @@
 /** A second net beside the user's, seen from the same place: for looking only. */
 import type { HandleData, ViewState } from '../document/document';
+import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
@@ -36,14 +37,8 @@ export class Beside {
   }
 
   #open(net: OpenedNet, frame: FrameData, look: ViewState): View {
-    const nothing = () => {};
     const view = this.#create({
-      addHandle: nothing,
-      select: nothing,
-      dragStart: nothing,
-      dragMove: nothing,
-      dragEnd: nothing,
-      cameraChanged: nothing,
+      ...LOOKING_ONLY,
       // Not while it is being opened: it stands where the other does, which must still fit itself to half the room.
       cameraMoved: (camera) => this.#view && this.#cameraMoved(camera),
     });

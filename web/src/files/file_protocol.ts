@@ -1,4 +1,5 @@
 /** What page and file worker say to each other; one request at a time. */
+import type { OpenedNet } from '../worker/protocol';
 import type { FileReport } from './file_report';
 
 /** What is going on with a file, in this order. */
@@ -9,12 +10,15 @@ export type FileRequest =
   /** Answered with `report`, after news of the stages. `name` is what messages call the file. */
   | { type: 'read'; file: Blob; name: string }
   /** Then: the mesh as it was read, or repaired. Answered with `text`. */
-  | { type: 'take'; repaired: boolean };
+  | { type: 'take'; repaired: boolean }
+  /** The same as a net to be shown. Answered with `net`. */
+  | { type: 'show'; repaired: boolean };
 
 export type FileResponse =
   | { type: 'stage'; stage: Stage }
   | { type: 'report'; report: FileReport }
   /** OBJ text of the mesh. */
   | { type: 'text'; obj: string }
+  | { type: 'net'; net: OpenedNet }
   /** `code` as in core/net/error.h. */
   | { type: 'error'; code: string; message: string };

@@ -1,5 +1,6 @@
 /** The page's side of the file worker. */
 import { words } from '../language/language';
+import type { OpenedNet } from '../worker/protocol';
 import { FileError } from './file_error';
 import type { FileRequest, FileResponse, Stage } from './file_protocol';
 import type { FileReport } from './file_report';
@@ -46,6 +47,13 @@ export class FileReading {
     const response = await this.#ask({ type: 'take', repaired });
     if (response.type !== 'text') throw unexpected(response);
     return response.obj;
+  }
+
+  /** Likewise, as a net to be shown. */
+  async net(repaired: boolean): Promise<OpenedNet> {
+    const response = await this.#ask({ type: 'show', repaired });
+    if (response.type !== 'net') throw unexpected(response);
+    return response.net;
   }
 
   /** At any time; what is waited for then never comes. */

@@ -57,7 +57,8 @@ function refusalOf(core: Chebnet, mesh: Mesh): FileReport['refusal'] {
   }
 }
 
-function withEditor<T>(core: Chebnet, mesh: Mesh, look: (editor: Editor) => T): T {
+/** `look` at a mesh as at a net. Throws ChebnetError if it is none. */
+export function withEditor<T>(core: Chebnet, mesh: Mesh, look: (editor: Editor) => T): T {
   const editor = core.openMesh(mesh);
   try {
     return look(editor);

@@ -1,7 +1,8 @@
 /** What the file worker does, apart from being a worker: reads one file, has it looked at, gives it as text. */
-import type { Chebnet } from '../../../wasm/chebnet';
+import type { Chebnet, Mesh } from '../../../wasm/chebnet';
+import { describe } from '../worker/opened_net';
 import type { FileRequest, FileResponse, Stage } from './file_protocol';
-import { checkMesh, reportOf } from './file_report';
+import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
 import { objText } from './obj_text';
 
@@ -18,7 +19,8 @@ export class FileSession {
   async handle(request: FileRequest): Promise<void> {
     try {
       if (request.type === 'read') this.#post({ type: 'report', report: await this.#read(request.file, request.name) });
-      else this.#post({ type: 'text', obj: this.#take(request.repaired) });
+      else if (request.type === 'take') this.#post({ type: 'text', obj: objText(this.#take(request.repaired)) });
+      else this.#post({ type: 'net', net: withEditor(this.#core, this.#take(request.repaired), describe) });
     } catch (error) {
       const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
       this.#post({ type: 'error', code, message: error instanceof Error ? error.message : String(error) });
@@ -38,9 +40,9 @@ export class FileSession {
     return report;
   }
 
-  #take(repaired: boolean): string {
+  #take(repaired: boolean): Mesh {
     if (this.#mesh === null) throw failure('no_net', 'No file was read.');
-    return objText(repaired ? this.#mesh.repaired : this.#mesh.given);
+    return repaired ? this.#mesh.repaired : this.#mesh.given;
   }
 
   #enter(stage: Stage): void {

@@ -2,6 +2,8 @@
 import type { RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
 import { words } from '../language/language';
+import type { Subject } from '../equalize/subject';
+import type { OpenedNet } from '../worker/protocol';
 import { FileError } from './file_error';
 import type { Stage } from './file_protocol';
 import { FileReading } from './file_reading';
@@ -14,22 +16,31 @@ export const LARGEST_FILE = 100e6;
 /** How a user wants a file to be opened. */
 export interface FileChoice {
   repaired: boolean;
-  restLengths: RestLengths;
+  /** `equalized`: as a net near it whose edges have one length. */
+  restLengths: RestLengths | 'equalized';
 }
 
 /** Where the user sees what is going on and is asked. */
 export interface FileDialogLike {
   showStage(stage: Stage): void;
-  /** Resolves when the user has chosen. */
+  /** Resolves when the user has chosen; may be asked again. */
   ask(report: FileReport): Promise<FileChoice>;
   /** Resolves as soon as the user wants no more of it, or `close` is called. */
   readonly closed: Promise<null>;
   close(): void;
 }
 
+/** Where the user sees a net equalised. */
+export interface EqualizerLike {
+  /** OBJ text of the net that the user takes, or null. */
+  readonly result: Promise<string | null>;
+  close(): void;
+}
+
 export interface OpenerParts {
   spawnWorker(): FileWorkerLike;
   createDialog(name: string): FileDialogLike;
+  createEqualizer(subject: Subject): EqualizerLike;
   open(net: NetSource): Promise<void>;
 }
 
@@ -50,7 +61,7 @@ export class FileOpener {
       (stage) => dialog.showStage(stage),
     );
     try {
-      const net = await Promise.race([readAndAsk(reading, file, dialog), dialog.closed]);
+      const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
       if (net === null) return;
       dialog.showStage('opening');
       await this.parts.open(net);
@@ -59,11 +70,23 @@ export class FileOpener {
       dialog.close();
     }
   }
-}
 
-async function readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<NetSource> {
-  const { repaired, restLengths } = await dialog.ask(await reading.report(file, file.name));
-  return { obj: await reading.text(repaired), name: file.name, restLengths };
+  async #readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<NetSource> {
+    const { name } = file;
+    const report = await reading.report(file, name);
+    for (;;) {
+      const { repaired, restLengths } = await dialog.ask(report);
+      if (restLengths !== 'equalized') return { obj: await reading.text(repaired), name, restLengths };
+      const obj = await this.#equalized(name, await reading.net(repaired), dialog);
+      if (obj !== null) return { obj, name };
+    }
+  }
+
+  #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<string | null> {
+    const equalizer = this.parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
+    void dialog.closed.then(() => equalizer.close());
+    return equalizer.result;
+  }
 }
 
 function checkSize({ name, size }: File): void {

@@ -1,6 +1,5 @@
 /** A file on its way in: how far its reading is, then what it holds, what is wrong with it, and how to open it. Escape or
  *  Cancel ends it at any time before the net is opened. */
-import type { RestLengths } from '../../../wasm/chebnet';
 import { STAGES } from '../files/file_protocol';
 import type { Stage } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
@@ -19,13 +18,12 @@ export class FileDialog implements FileDialogLike {
   private readonly cancel = makeButton(words.file.cancel, () => this.close());
   private readonly body = make('div', { class: 'body' }, this.progressRow);
   private readonly buttons = make('div', { class: 'buttons' }, this.cancel);
+  private lengths: LengthChoice | null = null;
 
   constructor(root: HTMLElement, name: string) {
     const heading = make('h2', { id: 'file-title' }, name);
     this.dialog = make('dialog', { class: 'file', 'aria-labelledby': heading.id }, heading, this.body, this.buttons);
     this.closed = new Promise((resolve) => this.dialog.addEventListener('close', () => resolve(null)));
-    // Keys are for the dialog alone while it is open.
-    this.dialog.addEventListener('keydown', (event) => event.stopPropagation());
     this.dialog.addEventListener('close', () => this.dialog.remove());
     this.showStage('loading');
     root.append(this.dialog);
@@ -43,13 +41,16 @@ export class FileDialog implements FileDialogLike {
 
   ask(report: FileReport): Promise<FileChoice> {
     return new Promise((choose) => {
-      const lengths = report.isChebyshev ? null : new LengthChoice(report);
+      if (!report.isChebyshev) this.lengths ??= new LengthChoice(report);
+      const { lengths } = this;
       this.body.replaceChildren(makeFacts(report));
       if (report.findings.length > 0) this.body.append(makeDefects(report));
       if (lengths) this.body.append(lengths.element);
       const open = (repaired: boolean): void => choose({ repaired, restLengths: lengths?.chosen ?? 'automatic' });
       const [first, ...others] = openButtons(report, open);
       this.buttons.replaceChildren(first, ...others, this.cancel);
+      if (lengths) lengths.changed = () => setOpenWords(report, [first, ...others], lengths.chosen === 'equalized');
+      lengths?.changed();
       first.focus();
     });
   }
@@ -100,25 +101,37 @@ function openButtons({ findings, refusal }: FileReport, open: (repaired: boolean
   return refusal === null ? [repair, makeButton(words.file.asItIs, () => open(false))] : [repair];
 }
 
-const LENGTH_CHOICES: readonly { value: RestLengths; text: (report: FileReport) => string; hint: string }[] = [
+function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], equalize: boolean): void {
+  const { open, repairAndOpen, openAsItIs } = words.equalize;
+  const sound = [equalize ? open : words.file.open];
+  const broken = equalize ? [repairAndOpen, openAsItIs] : [words.file.repair, words.file.asItIs];
+  buttons.forEach((button, i) => setText(button, (findings.length === 0 ? sound : broken)[i] ?? ''));
+}
+
+const LENGTH_CHOICES: readonly { value: FileChoice['restLengths']; text: (report: FileReport) => string; hint: string }[] = [
   { value: 'own', text: () => words.file.own.text, hint: words.file.own.hint },
   {
     value: 'equal',
     text: ({ lengths }) => words.file.equal.text(lengthWords(lengths.mean)),
     hint: words.file.equal.hint,
   },
+  { value: 'equalized', text: () => words.equalize.choice, hint: words.equalize.choiceHint },
 ];
 
 /** Which length edges are to keep that differ in length. */
 class LengthChoice {
   readonly element: HTMLElement;
-  chosen: RestLengths = 'own';
+  chosen: FileChoice['restLengths'] = 'own';
+  changed: () => void = () => {};
 
   constructor(report: FileReport) {
     const legend = words.file.lengths(percentWords(report.lengths.largestDeviation));
     const rows = LENGTH_CHOICES.map(({ value, text, hint }) => {
       const radio = make('input', { type: 'radio', name: 'file-lengths', value, checked: value === this.chosen });
-      radio.addEventListener('change', () => (this.chosen = value));
+      radio.addEventListener('change', () => {
+        this.chosen = value;
+        this.changed();
+      });
       return make('label', {}, radio, make('span', {}, text(report), make('small', {}, hint)));
     });
     this.element = make('fieldset', { class: 'lengths' }, make('legend', {}, legend), ...rows);

@@ -10,6 +10,8 @@ export interface PanelEvents {
   openRecipe(recipe: string): void;
   /** The user wants to pick a file. */
   pickFile(): void;
+  /** Give all edges of the net that is open one length. */
+  equalize(): void;
   handles: HandleWishes;
   /** Show what a button would take; null: no longer. */
   previewLine(name: LineName | null): void;

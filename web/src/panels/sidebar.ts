@@ -91,10 +91,12 @@ class Sidebar implements Panels {
     this.toolbar = new Toolbar(events);
     this.bar = new SelectionBar(events);
     this.handleSection = makeSection(words.handles.title(0), false, ...this.handles.content);
+    const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });
+    const command = make('div', { class: 'buttons' }, equalize);
     this.sections = make(
       'div',
       { class: 'sections', id: 'sections' },
-      makeSection(words.sections.shape, true, this.gallery.element, this.fileName, this.parameters.element),
+      makeSection(words.sections.shape, true, this.gallery.element, this.fileName, this.parameters.element, command),
       makeSection(words.sections.convergence, true, this.numbers.element, this.plot.element),
       makeSection(words.sections.step, false, ...this.step.content),
       this.handleSection,

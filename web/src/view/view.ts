@@ -23,6 +23,18 @@ export interface ViewEvents {
   cameraMoved(camera: { position: Vec3; target: Vec3 }): void;
 }
 
+const nothing = (): void => {};
+/** For a net that is only looked at. */
+export const LOOKING_ONLY: ViewEvents = {
+  addHandle: nothing,
+  select: nothing,
+  dragStart: nothing,
+  dragMove: nothing,
+  dragEnd: nothing,
+  cameraChanged: nothing,
+  cameraMoved: nothing,
+};
+
 export interface View {
   /** Shows another net; frames the camera unless one is given. */
   showNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;

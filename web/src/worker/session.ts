@@ -3,9 +3,9 @@ import type { Chebnet, Editor, SolveReport, TraceRow } from '../../../wasm/chebn
 import { unpackPositions } from '../document/packing';
 import type { SolverOptions, SolverSettings } from '../document/document';
 import { edgesCsv } from '../files/edges_csv';
+import { describe } from './opened_net';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
-import { fanTriangles, stripTriangles } from './triangles';
 
 /** Milliseconds of solving between two looks at the messages; one iteration is the least. */
 const SLICE = 12;
@@ -353,23 +353,6 @@ function applySettings(core: Chebnet, editor: Editor, { method, initialisation, 
     set(before.method, before.initialisation, before.options);
     throw error;
   }
-}
-
-function describe(editor: Editor): OpenedNet {
-  const { info, edges, faceStart, faceVertices, restPositions, restLengths, suggestedHandles } = editor;
-  return {
-    info,
-    // Copies, made here: what the page gets is moved there, for to read it out of the message would hold the page up.
-    edges: edges.slice(),
-    faceStart: faceStart.slice(),
-    faceVertices: faceVertices.slice(),
-    restPositions: restPositions.slice(),
-    restLengths: restLengths.slice(),
-    suggestedHandles: suggestedHandles.slice(),
-    triangles: fanTriangles(faceStart, faceVertices),
-    strips: stripTriangles(edges.length / 2),
-    handles: editor.handles(),
-  };
 }
 
 /** What of a message is moved to the page rather than copied. */

@@ -1,0 +1,48 @@
+/** A net on its way from one shape to another, as a view shows it. */
+import { edgeLengths } from '../files/edge_lengths';
+import type { FrameData, OpenedNet } from '../worker/protocol';
+
+/** Positions, and the length against which edges are coloured. */
+export interface Shape {
+  positions: Float64Array;
+  length: number;
+}
+
+/** `share` 0 is the first shape, 1 the second. */
+export function between(first: Shape, second: Shape, share: number): Shape {
+  const mix = (a: number, b: number): number => (1 - share) * a + share * b;
+  if (share === 0) return first;
+  if (share === 1) return second;
+  return {
+    positions: first.positions.map((x, i) => mix(x, second.positions[i] ?? x)),
+    length: mix(first.length, second.length),
+  };
+}
+
+export function meanLength(positions: Float64Array, { edges }: Pick<OpenedNet, 'edges'>): number {
+  const lengths = edgeLengths(positions, edges);
+  return lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
+}
+
+/** A frame that nobody solves. */
+export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedNet, 'edges'>): FrameData {
+  const deviations = Float32Array.from(edgeLengths(positions, edges), (each) => (each / length - 1) ** 2 / (each / length));
+  const range = deviations.reduce<[number, number]>(([low, high], dL) => [Math.min(low, dL), Math.max(high, dL)], [Infinity, 0]);
+  return {
+    positions,
+    deviations,
+    deviationRange: range,
+    maxDeviation: range[1],
+    cornerAngles: new Float32Array(positions.length / 3),
+    angleRange: [0, 0],
+    handles: [],
+    status: 'running',
+    iterations: 0,
+    milliseconds: 0,
+    stage: 0,
+    method: '',
+    trace: [],
+    stepFrom: null,
+    unreachable: [],
+  };
+}

@@ -1,0 +1,23 @@
+/** What page and equalizing worker say to each other: one request, then news until the end. Whoever wants no more of it ends
+ *  the worker. */
+import type { EqualizeOptions, EqualizeReport, Mesh } from '../../../wasm/chebnet';
+
+export interface EqualizeRequest {
+  mesh: Mesh;
+  options: EqualizeOptions;
+}
+
+/** How far it is, and the net held at the moment. */
+export interface EqualizeNews {
+  report: EqualizeReport;
+  positions: Float64Array;
+}
+
+export type EqualizeResponse =
+  | ({ type: 'news' } & EqualizeNews)
+  /** `obj`: the net as OBJ text that brings back every bit; null if its edges have not become equal. */
+  | ({ type: 'ended'; obj: string | null } & EqualizeNews)
+  /** `code` as in core/net/error.h. */
+  | { type: 'error'; code: string; message: string };
+
+export type Equalized = Omit<Extract<EqualizeResponse, { type: 'ended' }>, 'type'>;

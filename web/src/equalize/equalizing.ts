@@ -1,0 +1,40 @@
+/** The page's side of the equalizing worker. */
+import { words } from '../language/language';
+import type { Equalized, EqualizeNews, EqualizeRequest, EqualizeResponse } from './equalize_protocol';
+
+/** The part of a `Worker` that is used. */
+export interface EqualizeWorkerLike {
+  postMessage(request: EqualizeRequest): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<EqualizeResponse>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** One mesh being equalised, in a worker of its own: giving up ends the worker, in the middle of whatever it does. */
+export class Equalizing {
+  readonly #worker: EqualizeWorkerLike;
+
+  constructor(spawn: () => EqualizeWorkerLike) {
+    this.#worker = spawn();
+  }
+
+  /** Rejects with the core's sentence. */
+  run(request: EqualizeRequest, news: (news: EqualizeNews) => void): Promise<Equalized> {
+    const ended = new Promise<Equalized>((resolve, reject) => {
+      this.#worker.onmessage = ({ data }) => {
+        if (data.type === 'news') news(data);
+        else if (data.type === 'ended') resolve(data);
+        else reject(new Error(words.core.failure(data.code, data.message)));
+      };
+      this.#worker.onerror = ({ message }) => reject(new Error(message));
+    });
+    this.#worker.postMessage(request);
+    return ended.finally(() => this.close());
+  }
+
+  /** At any time; what is waited for then never comes. */
+  close(): void {
+    this.#worker.onmessage = null; // some may be on their way
+    this.#worker.terminate();
+  }
+}

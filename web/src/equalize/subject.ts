@@ -1,0 +1,30 @@
+/** What is equalised, and what becomes of the net that was open. */
+import type { ChebnetDocument, Scene } from '../document/document';
+import { fileNameOf } from '../files/export';
+import type { OpenedNet } from '../worker/protocol';
+
+export interface Subject {
+  /** How the user knows it. */
+  name: string;
+  net: OpenedNet;
+  positions: Float64Array;
+  /** Vertices that the user may want to hold. */
+  handles: number[];
+}
+
+export function subjectOfNet(document: ChebnetDocument, net: OpenedNet): Subject {
+  return {
+    name: fileNameOf(document.net, 'obj'),
+    net,
+    positions: document.positions ?? net.restPositions,
+    // Soft ones hold nothing.
+    handles: document.handles.filter(({ weight }) => !weight).map(({ vertex }) => vertex),
+  };
+}
+
+/** The scene of the net that was open, with `obj` for its net: handles stay at their vertices, where these stand now. */
+export function equalizedScene(document: ChebnetDocument, obj: string): Scene {
+  const handles = document.handles.map((handle) => ({ ...handle, target: null }));
+  const net = { obj, name: fileNameOf(document.net, 'obj') };
+  return { ...document, net, handles, positions: null, settled: true, experiment: undefined, compare: undefined };
+}
