@@ -48,14 +48,14 @@ export class EqualizeResults {
     this.clear();
     const equal = report.status === 'converged';
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
-    this.end.append(make('p', { class: equal ? 'verdict' : 'verdict refused' }, verdict), makeFacts(report, meanBefore));
+    this.end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
     // A hundredth is below what the eye sees.
     if (equal && report.fittingLength > 1.01 * report.length) this.end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
   showFault(sentence: string): void {
     this.clear();
-    this.end.append(make('p', { class: 'verdict refused' }, TEXT.fault(words.core.sentence(sentence))));
+    this.end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
   }
 }
 
