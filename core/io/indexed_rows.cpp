@@ -5,14 +5,14 @@
 namespace chebnet {
 
 std::string indexed_rows(const Positions& positions, const Faces& faces) {
-    std::ostringstream out = number_stream(17);
-    for (const auto& p : positions.colwise()) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    std::string out;
+    for (const auto& p : positions.colwise()) out += row_text({p.data(), 3}, 17) + '\n';
     for (int f = 0; f < faces.size(); ++f) {
-        out << faces[f].size();
-        for (const int vertex : faces[f]) out << ' ' << vertex;
-        out << '\n';
+        out += std::to_string(faces[f].size());
+        for (const int vertex : faces[f]) out += ' ' + std::to_string(vertex);
+        out += '\n';
     }
-    return out.str();
+    return out;
 }
 
 }  // namespace chebnet

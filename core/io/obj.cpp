@@ -170,14 +170,14 @@ Mesh read_obj(std::string_view text, std::string_view name) {
 std::string write_obj(const Positions& positions, const Faces& faces, int digits) {
     if (digits < 1 || digits > 17)
         throw Error(ErrorCode::bad_option, "OBJ is written with 1 to 17 digits, not " + std::to_string(digits));
-    std::ostringstream out = number_stream(digits);
-    for (const auto& p : positions.colwise()) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    std::string out;
+    for (const auto& p : positions.colwise()) out += "v " + row_text({p.data(), 3}, digits) + '\n';
     for (int f = 0; f < faces.size(); ++f) {
-        out << 'f';
-        for (const int vertex : faces[f]) out << ' ' << vertex + 1;
-        out << '\n';
+        out += 'f';
+        for (const int vertex : faces[f]) out += ' ' + std::to_string(vertex + 1);
+        out += '\n';
     }
-    return out.str();
+    return out;
 }
 
 }  // namespace chebnet

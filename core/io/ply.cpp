@@ -277,11 +277,7 @@ private:
     static bool is_integer(double number) { return std::isfinite(number) && std::trunc(number) == number; }
 
     /// Numbers beyond those of a 32-bit integer can only stand in a text or a list of floats.
-    static std::string integer_text(double integer) {
-        std::ostringstream text = number_stream(17);
-        text << integer;
-        return text.str();
-    }
+    static std::string integer_text(double integer) { return number_text(integer, 17); }
 
     [[noreturn]] void fail_header(ErrorCode code, const std::string& what) const {
         fail_at_line(code, m_name, m_lines.number(), what);

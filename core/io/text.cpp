@@ -3,10 +3,11 @@
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <locale>
 #include <system_error>
 
 namespace chebnet {
@@ -80,11 +81,24 @@ double read_coordinate(std::string_view word, std::string_view name, int line) {
     return *coordinate;
 }
 
-std::ostringstream number_stream(int digits) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(digits);
-    return out;
+std::string number_text(double number, int digits) {
+    std::array<char, 32> spelled;
+    const int size = std::snprintf(spelled.data(), spelled.size(), "%.*g", digits, number);
+    std::string text(spelled.data(), size);
+    // What is neither digit nor sign nor letter is the decimal point of the locale.
+    constexpr std::string_view others = "+-0123456789einfa";
+    const std::size_t point = text.find_first_not_of(others);
+    if (point != text.npos) text.replace(point, text.find_last_not_of(others) + 1 - point, ".");
+    return text;
+}
+
+std::string row_text(std::span<const double> numbers, int digits) {
+    std::string row;
+    for (const double number : numbers) {
+        if (!row.empty()) row += ' ';
+        row += number_text(number, digits);
+    }
+    return row;
 }
 
 }  // namespace chebnet

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <sstream>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -54,8 +54,11 @@ private:
 /// The finite number that `word`, on that line of the text called `name`, spells. Throws Error bad_syntax, non_finite.
 double read_coordinate(std::string_view word, std::string_view name, int line);
 
-/// An empty text to which numbers are written with `digits` significant digits whatever the locale; 17 keep every
-/// double exactly.
-std::ostringstream number_stream(int digits);
+/// `number` with `digits` significant digits whatever the locale; 17 keep every double exactly. No stream of the standard
+/// library: they would make up a quarter of the WebAssembly module.
+std::string number_text(double number, int digits);
+
+/// The numbers with a space between them.
+std::string row_text(std::span<const double> numbers, int digits);
 
 }  // namespace chebnet

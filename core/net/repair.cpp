@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <sstream>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -401,12 +401,12 @@ const char* to_string(Defect defect) { return words_for(defect).name; }
 
 std::string to_sentence(const Finding& finding) {
     const Words words = words_for(finding.defect);
-    std::ostringstream text;
-    text << finding.count << ' ' << (finding.count == 1 ? words.one : words.many) << ' ' << words.what;
-    if (finding.repaired) text << ", " << words.repair;
-    for (std::size_t i = 0; i < finding.examples.size(); ++i) text << (i == 0 ? ": " : ", ") << finding.examples[i];
-    if (finding.count > std::ssize(finding.examples)) text << ", ...";
-    return text.str();
+    std::string text = std::to_string(finding.count) + ' ' + (finding.count == 1 ? words.one : words.many) + ' ' + words.what;
+    if (finding.repaired) text.append(", ").append(words.repair);
+    for (std::size_t i = 0; i < finding.examples.size(); ++i)
+        text += (i == 0 ? ": " : ", ") + std::to_string(finding.examples[i]);
+    if (finding.count > std::ssize(finding.examples)) text += ", ...";
+    return text;
 }
 
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance) {

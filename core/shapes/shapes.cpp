@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -65,11 +63,9 @@ double read_value(const ShapeParameter& parameter, std::string_view text) {
     if (!value) fail_syntax(std::string(parameter.name) + " is " + quoted(text) + ", which is not a number");
     // Also refuses NaN, which is not within any range.
     if (*value >= parameter.smallest && *value <= parameter.largest) return *value;
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << parameter.name << " is " << quoted(text) << ", but goes from " << parameter.smallest << " to "
-            << parameter.largest;
-    throw Error(ErrorCode::bad_option, message.str());
+    throw Error(ErrorCode::bad_option, std::string(parameter.name) + " is " + quoted(text) + ", but goes from " +
+                                           number_text(parameter.smallest, 6) + " to " +
+                                           number_text(parameter.largest, 6));
 }
 
 Values read_values(const ShapeInfo& shape, std::string_view list) {
