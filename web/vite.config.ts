@@ -1,8 +1,10 @@
 import { defineConfig } from 'vite';
+import { leanThree, plasma } from './page_parts';
 
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
   base: './',
+  plugins: [leanThree(), plasma()],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   worker: { format: 'es' },

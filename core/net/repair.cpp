@@ -401,7 +401,8 @@ const char* to_string(Defect defect) { return words_for(defect).name; }
 
 std::string to_sentence(const Finding& finding) {
     const Words words = words_for(finding.defect);
-    std::string text = std::to_string(finding.count) + ' ' + (finding.count == 1 ? words.one : words.many) + ' ' + words.what;
+    std::string text =
+        std::to_string(finding.count) + ' ' + (finding.count == 1 ? words.one : words.many) + ' ' + words.what;
     if (finding.repaired) text.append(", ").append(words.repair);
     for (std::size_t i = 0; i < finding.examples.size(); ++i)
         text += (i == 0 ? ": " : ", ") + std::to_string(finding.examples[i]);

@@ -1,5 +1,5 @@
 /** Colours of edges and vertices: what number gets what colour, for the view and for the legend alike. */
-import { interpolatePlasma } from 'd3-scale-chromatic';
+import { PLASMA } from 'virtual:plasma';
 import type { ColourMap, Field } from '../document/document';
 import { words } from '../language/language';
 
@@ -111,7 +111,7 @@ function logScale({ dark }: MapColours): Scale {
       { value: 1e-6, label: '1e-6' },
       { value: 1e-1, label: '0.1' },
     ],
-    colour: (t) => parseColour(interpolatePlasma(from + (to - from) * t)),
+    colour: (t) => parseColour(PLASMA[Math.round((from + (to - from) * t) * (PLASMA.length - 1))]!),
   };
 }
 
