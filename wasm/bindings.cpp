@@ -1,4 +1,4 @@
-// The editor and its tables, seen from JavaScript. wasm/chebnet.js gives them the shape of wasm/chebnet.d.ts.
+// The editor and its tables, seen from JavaScript. wasm/facade.js gives them the shape of wasm/chebnet.d.ts.
 
 #include <algorithm>
 #include <string>
@@ -196,10 +196,10 @@ val flat_trace(const Trace& trace) {
     std::vector<double> numbers;
     numbers.reserve(12 * trace.size());
     for (const TraceRow& row : trace) {
-        numbers.insert(numbers.end(), {static_cast<double>(row.iteration), static_cast<double>(row.stage), row.p,
-                                       row.energy, row.max_deviation, row.gradient_norm, row.step,
-                                       static_cast<double>(row.free_vertices), row.assembly_ms, row.factorisation_ms,
-                                       row.line_search_ms, row.total_ms});
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(row.iteration), static_cast<double>(row.stage), row.p, row.energy,
+                        row.max_deviation, row.gradient_norm, row.step, static_cast<double>(row.free_vertices),
+                        row.assembly_ms, row.factorisation_ms, row.line_search_ms, row.total_ms});
     }
     return copy_out(numbers);
 }
@@ -218,7 +218,8 @@ val solve(Session& session, int iterations, double milliseconds) {
 
 void reset(Session& session) { session.editor.reset(); }
 
-// ----------------------------------------------------------------------------------------------------------- the result
+// ----------------------------------------------------------------------------------------------------------- the
+// result
 
 val positions(const Session& session) { return copy_out(session.editor.positions()); }
 
@@ -229,8 +230,7 @@ val deviations(const Session& session) {
 }
 
 val corner_angles(const Session& session) {
-    const Eigen::VectorXf result =
-        vertex_corner_angles(session.editor.net(), session.editor.positions()).cast<float>();
+    const Eigen::VectorXf result = vertex_corner_angles(session.editor.net(), session.editor.positions()).cast<float>();
     return copy_out(result);
 }
 

@@ -255,7 +255,8 @@ export interface Equalizer {
   dispose(): void;
 }
 
-export interface Chebnet {
+/** What wasm/editors.js gives, too. */
+export interface Editors {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
   initialisations(): InitialisationInfo[];
@@ -264,7 +265,9 @@ export interface Chebnet {
   /** `name` is what messages call the text; `restLengths` are `automatic` unless said otherwise. */
   openObj(text: string, name?: string, restLengths?: RestLengths): Editor;
   openMesh(mesh: Mesh, restLengths?: RestLengths): Editor;
+}
 
+export interface Chebnet extends Editors {
   /** Reads the bytes of an OBJ, PLY (text, or binary in either byte order) or OFF file. What they begin with decides
    *  between these before the extension of `name` does, by which messages call the file. */
   readMesh(bytes: Uint8Array, name: string): Mesh;

@@ -1,4 +1,4 @@
-/** What wasm/*.cpp give to JavaScript; only wasm/chebnet.js uses it. Copied beside the built module. */
+/** What wasm/*.cpp give to JavaScript; only wasm/facade.js uses it. Copied beside the built module. */
 import type {
   Defect,
   EqualizeReport,

@@ -1,22 +1,37 @@
 // Meshes, and the names of what is done with them, across the border.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "border.h"
 #include "edit/editor.h"
 #include "io/mesh_file.h"
+#include "io/text.h"
 #include "net/mesh.h"
 
 namespace chebnet {
 
-/// The mesh of a JavaScript object with `positions`, `faceStart` and `faceVertices`, which wasm/chebnet.js has checked:
+/// The mesh of a JavaScript object with `positions`, `faceStart` and `faceVertices`, which wasm/facade.js has checked:
 /// the lengths fit, and the faces begin one after the other.
 Mesh mesh_in(const val& object);
 
 /// An array of objects with `vertexA`, `vertexB`, `distance` and `reach`.
 val pairs_out(const std::vector<UnreachablePair>& pairs);
+
+template <typename T>
+using Names = std::vector<std::pair<std::string_view, T>>;
+
+template <typename T>
+T named(const Names<T>& names, std::string_view name, const char* what) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& each) { return each.first == name; });
+    if (found == names.end())
+        throw Error(ErrorCode::bad_option, std::string("no ") + what + " is called " + quoted(name));
+    return found->second;
+}
 
 /// Throw Error bad_option for a name that wasm/chebnet.d.ts does not have.
 FileFormat file_format_named(std::string_view name);

@@ -1,5 +1,5 @@
 import { defineConfig } from 'vite';
-import { leanThree, plasma } from './page_parts';
+import { leanThree, plasma } from './page_parts.ts';
 
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.

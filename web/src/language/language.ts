@@ -1,6 +1,5 @@
 /** Every sentence the page says, in the visitor's language. Workers say theirs in English, with a code: see `words.core`. */
 import { en } from './en';
-import { zh } from './zh';
 
 /** What every language must have: the same names, texts where English has texts, functions where it has functions. */
 export type Words = Widened<typeof en>;
@@ -10,8 +9,7 @@ type Widened<T> = T extends (...given: infer Given) => infer Result
     ? string
     : { [K in keyof T]: Widened<T[K]> };
 
-export const LANGUAGES = { en, zh };
-export type Language = keyof typeof LANGUAGES;
+export type Language = 'en' | 'zh';
 const CHOICE = 'chebnet.language';
 
 /** As chosen on an earlier visit, or else as the browser wants it. */
@@ -38,7 +36,7 @@ export function chooseLanguage(language: Language): void {
 }
 
 export const language = preferredLanguage();
-export const words: Words = LANGUAGES[language];
+export const words: Words = language === 'zh' ? (await import('./zh')).zh : en;
 
 /** Puts what stands in the document itself in that language. */
 export function translateDocument(document: Document): void {

@@ -1,10 +1,10 @@
 /** Curves of several methods in one picture: log₁₀ max dL against iterations or milliseconds. */
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import type { Comparison, Run } from '../compare/run';
 import { words } from '../language/language';
 import { decade } from './convergence';
 import { make } from './dom';
-import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange } from './plot_parts';
+import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange } from './plot_parts';
 
 const HEIGHT = 172;
 
@@ -18,6 +18,7 @@ export interface CurveStyle {
 export class ComparisonPlot {
   readonly element = make('figure', { class: 'curves' });
   private readonly host = make('div', { role: 'img' });
+  private library: typeof uPlot | null = null;
   private plot: uPlot | null = null;
   private comparison: Comparison | null = null;
 
@@ -40,25 +41,26 @@ export class ComparisonPlot {
   show(comparison: Comparison): void {
     const isOther = this.comparison?.runs !== comparison.runs;
     this.comparison = comparison;
-    if (isOther) this.remake();
-    else this.plot?.setData(this.data(comparison));
+    if (isOther) void this.remake();
+    else if (this.library) this.plot?.setData(this.data(this.library, comparison));
   }
 
-  private remake(): void {
+  private async remake(): Promise<void> {
     this.plot?.destroy();
     this.plot = null;
+    this.library = await loadPlots();
     this.fit();
   }
 
   private fit(): void {
     const width = this.host.clientWidth;
-    if (width === 0 || this.comparison === null) return;
+    if (width === 0 || this.comparison === null || this.library === null) return;
     if (this.plot) this.plot.setSize({ width, height: HEIGHT });
-    else this.plot = new uPlot(this.options(this.comparison, width), this.data(this.comparison), this.host);
+    else this.plot = new this.library(this.options(this.comparison, width), this.data(this.library, this.comparison), this.host);
   }
 
-  private data({ runs }: Comparison): uPlot.AlignedData {
-    return uPlot.join(runs.map((run) => this.curve(run)));
+  private data({ join }: typeof uPlot, { runs }: Comparison): uPlot.AlignedData {
+    return join(runs.map((run) => this.curve(run)));
   }
 
   private curve({ startDeviation, trace }: Run): uPlot.AlignedData {

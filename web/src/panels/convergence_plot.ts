@@ -1,10 +1,10 @@
 /** The record of convergence as a plot: log₁₀ max dL against iterations or time, the threshold, and where stages begin. */
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import type { TraceRow } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { Convergence, type Curve } from './convergence';
 import { make, makeSelect } from './dom';
-import { decadeRange, drawThreshold, plotAxes, plotColour, roomyRange, strokeLine } from './plot_parts';
+import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange, strokeLine } from './plot_parts';
 
 const HEIGHT = 168;
 /** Labels of stages closer than this, in pixels, would run into each other. */
@@ -17,6 +17,8 @@ export class ConvergencePlot {
   private readonly record = new Convergence();
   private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label });
   private plot: uPlot | null = null;
+  /** A net has been shown. */
+  private wanted = false;
   private curve: Curve = { x: [], y: [], marks: [] };
   private byTime = false;
   private threshold = 1e-6;
@@ -69,14 +71,22 @@ export class ConvergencePlot {
   private draw(): void {
     this.stale = false;
     this.curve = this.record.curve(this.byTime);
-    this.plot?.setData([this.curve.x, this.curve.y]);
+    this.wanted = true;
+    if (this.plot) this.plot.setData([this.curve.x, this.curve.y]);
+    else this.fit();
   }
 
   private fit(): void {
     const width = this.host.clientWidth;
-    if (width === 0) return;
+    if (width === 0 || !this.wanted) return;
     if (this.plot) this.plot.setSize({ width, height: HEIGHT });
-    else this.plot = new uPlot(this.options(width), [this.curve.x, this.curve.y], this.host);
+    else void this.begin();
+  }
+
+  private async begin(): Promise<void> {
+    const Plot = await loadPlots();
+    const width = this.host.clientWidth;
+    if (width > 0) this.plot ??= new Plot(this.options(width), [this.curve.x, this.curve.y], this.host);
   }
 
   private options(width: number): uPlot.Options {

@@ -1,6 +1,11 @@
 /** What plots of convergence have in common: axes of decades, the threshold, colours of the page. */
 import type uPlot from 'uplot';
 
+/** The library comes when there is something to plot: the first net is shown without it. */
+export async function loadPlots(): Promise<typeof uPlot> {
+  return (await import('uplot')).default;
+}
+
 /** A colour of the style sheet, as it is at this moment: it follows dark and light. */
 export function plotColour(element: Element, name: string): string {
   return getComputedStyle(element).getPropertyValue(name).trim();

@@ -1,5 +1,5 @@
 /** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
-import type { Chebnet, Editor, SolveReport, TraceRow } from '../../../wasm/chebnet';
+import type { Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { unpackPositions } from '../document/packing';
 import type { SolverOptions, SolverSettings } from '../document/document';
 import { edgesCsv } from '../files/edges_csv';
@@ -32,7 +32,7 @@ export interface SessionHost {
  * solve between two iterations and the solve begins anew from where the net stands.
  */
 export class Session {
-  readonly #core: Chebnet;
+  readonly #core: Editors;
   readonly #host: SessionHost;
   #editor: Editor | null = null;
   /** The last request that touched the net. */
@@ -50,7 +50,7 @@ export class Session {
   #stepFrom: Float64Array | null = null;
   #frameSeen = true;
 
-  constructor(core: Chebnet, host: SessionHost) {
+  constructor(core: Editors, host: SessionHost) {
     this.#core = core;
     this.#host = host;
   }
@@ -314,7 +314,7 @@ function failure(code: string, message: string): Error {
   return Object.assign(new Error(message), { code });
 }
 
-function openNet(core: Chebnet, net: OpenScene['net']): Editor {
+function openNet(core: Editors, net: OpenScene['net']): Editor {
   return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
 }
 
@@ -322,7 +322,7 @@ function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
   return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
 }
 
-function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
+function prepare(core: Editors, editor: Editor, scene: OpenScene): void {
   applySettings(core, editor, scene);
   const rest = editor.restPositions;
   const seeds =
@@ -335,7 +335,7 @@ function prepare(core: Chebnet, editor: Editor, scene: OpenScene): void {
 }
 
 /** Sets the options named and puts the others back to their defaults; if one is refused, changes nothing. */
-function applySettings(core: Chebnet, editor: Editor, { method, initialisation, options }: SolverSettings): void {
+function applySettings(core: Editors, editor: Editor, { method, initialisation, options }: SolverSettings): void {
   const before = { method: editor.method, initialisation: editor.initialisation, options: editor.options() };
   const set = (name: string, start: string, values: SolverOptions): void => {
     // What stays the same is not set again: a new method would do its symbolic work again.

@@ -1,11 +1,11 @@
 /** Engines compile WebAssembly function by function, and better once a function has run for a while: the first solve of
  *  a page takes many times as long as the next. */
-import type { Chebnet } from '../../../wasm/chebnet';
+import type { Editors } from '../../../wasm/chebnet';
 
 const MILLISECONDS = 120;
 
 /** Solves small edits of a small net for a short while, so that the user's first one finds the solver compiled. */
-export function warmUp(core: Chebnet): void {
+export function warmUp(core: Editors): void {
   const [shape] = core.shapes();
   if (shape === undefined) return;
   const editor = core.openRecipe(`${shape.name}:vertices=300`);

@@ -1,7 +1,7 @@
 /** The module worker: loads the core and lets a session answer the page. */
-import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
-import { loadChebnet } from '../../../wasm/chebnet.js';
-import type { Chebnet } from '../../../wasm/chebnet';
+import wasmUrl from '../../../build/wasm/chebnet_editor.wasm?url';
+import { loadEditors } from '../../../wasm/editors.js';
+import type { Editors } from '../../../wasm/chebnet';
 import { CRASHED } from './protocol';
 import type { Request, Response } from './protocol';
 import { Session } from './session';
@@ -35,14 +35,14 @@ self.onmessage = ({ data }: MessageEvent<Request>) => {
   else queue.push(data);
 };
 
-function start(core: Chebnet): void {
+function start(core: Editors): void {
   session = new Session(core, { post, soon, now: () => performance.now() });
   for (const request of queue.splice(0)) session.handle(request);
   // After the first net is shown: a hand takes longer than this to find a handle.
   setTimeout(() => warmUp(core), WARM_UP_DELAY);
 }
 
-loadChebnet({ wasmUrl })
+loadEditors({ wasmUrl })
   .then(start)
   .catch((error: unknown) => {
     const message = `The solver could not be loaded: ${error instanceof Error ? error.message : String(error)}`;

@@ -1,0 +1,340 @@
+// Gives a module built from wasm/*.cpp the shape of chebnet.d.ts, and refuses what C++ would misread: there,
+// a number that is no integer becomes one and a missing coordinate becomes 0.
+
+/**
+ * @import { Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Core, CoreEqualizer, Session } from '../build/wasm/chebnet_core.js'
+ */
+
+const LARGEST_INT = 2 ** 31 - 1;
+/** @satisfies {readonly (keyof TraceRow)[]} */
+const TRACE_COLUMNS = /** @type {const} */ ([
+  'iteration',
+  'stage',
+  'p',
+  'energy',
+  'maxDeviation',
+  'gradientNorm',
+  'step',
+  'freeVertices',
+  'assemblyMs',
+  'factorisationMs',
+  'lineSearchMs',
+  'totalMs',
+]);
+
+/** @param {string} code @param {string} message */
+function failure(code, message) {
+  return Object.assign(new Error(message), { code });
+}
+
+/** What a message shows of a bad value. @param {unknown} value */
+function shown(value) {
+  if (typeof value === 'string') return JSON.stringify(value.slice(0, 60));
+  return typeof value === 'object' && value !== null ? `an ${Array.isArray(value) ? 'array' : 'object'}` : String(value);
+}
+
+/** @param {unknown} value @param {string} what @param {string} code @returns {string} */
+function text(value, what, code) {
+  if (typeof value !== 'string') throw failure(code, `${what} must be text, not ${shown(value)}`);
+  return value;
+}
+
+/** @param {unknown} value @returns {number} */
+function vertexNumber(value) {
+  if (typeof value !== 'number' || !Number.isInteger(value) || Math.abs(value) > LARGEST_INT) {
+    throw failure('index_out_of_range', `a vertex must be an integer, not ${shown(value)}`);
+  }
+  return value;
+}
+
+/** @param {unknown} value @param {number} vertex @returns {[number, number, number]} */
+function point(value, vertex) {
+  const [x, y, z] = Array.isArray(value) && value.length === 3 ? value : [];
+  if (typeof x !== 'number' || typeof y !== 'number' || typeof z !== 'number') {
+    throw failure('non_finite', `the target of vertex ${vertex} must be 3 numbers`);
+  }
+  return [x, y, z];
+}
+
+/** @param {unknown} value @param {string} what @param {number} smallest @param {number} largest @returns {number} */
+function integer(value, what, smallest, largest) {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < smallest || value > largest) {
+    throw failure('bad_option', `${what} must be an integer, ${smallest} … ${largest}, not ${shown(value)}`);
+  }
+  return value;
+}
+
+/** @param {Budget} budget @returns {[number, number]} iterations and milliseconds */
+function limits({ iterations = LARGEST_INT, milliseconds = Infinity }) {
+  if (typeof milliseconds !== 'number' || !(milliseconds >= 0)) {
+    throw failure('bad_option', `a budget of milliseconds must be a number from 0, not ${shown(milliseconds)}`);
+  }
+  const count = iterations === Infinity ? LARGEST_INT : iterations;
+  return [integer(count, 'a budget of iterations', 0, LARGEST_INT), milliseconds];
+}
+
+/** @param {Float64Array} flat @returns {TraceRow[]} */
+function traceRows(flat) {
+  const rows = [];
+  for (let i = 0; i < flat.length; i += TRACE_COLUMNS.length) {
+    const row = Object.fromEntries(TRACE_COLUMNS.map((name, k) => [name, flat[i + k]]));
+    rows.push(/** @type {TraceRow} */ (/** @type {unknown} */ (row)));
+  }
+  return rows;
+}
+
+/** @param {unknown} value @returns {Uint8Array} */
+function bytes(value) {
+  if (!(value instanceof Uint8Array)) throw failure('bad_syntax', `the bytes of a file must be a Uint8Array, not ${shown(value)}`);
+  return value;
+}
+
+/** Refuses what C++ could not walk through; which vertices a face names is for the core to judge. @param {Mesh} value */
+function mesh(value) {
+  const { positions, faceStart, faceVertices } = value ?? {};
+  if (!(positions instanceof Float64Array) || positions.length % 3 !== 0) {
+    throw failure('bad_syntax', 'the positions of a mesh must be a Float64Array of 3 numbers a vertex');
+  }
+  if (!(faceStart instanceof Int32Array) || !(faceVertices instanceof Int32Array)) {
+    throw failure('bad_syntax', 'the faces of a mesh must be two Int32Arrays, faceStart and faceVertices');
+  }
+  const ascends = faceStart.every((start, f) => start >= (faceStart[f - 1] ?? 0));
+  if (faceStart[0] !== 0 || !ascends || faceStart.at(-1) !== faceVertices.length) {
+    throw failure('bad_syntax', 'faceStart of a mesh must ascend from 0 to the length of faceVertices');
+  }
+  return value;
+}
+
+/** @param {RestLengths} value */
+function restLengths(value) {
+  return text(value, 'the choice of rest lengths', 'bad_option');
+}
+
+/** @param {readonly Defect[]} value */
+function defects(value) {
+  if (!Array.isArray(value)) throw failure('bad_option', `the defects to repair must be an array, not ${shown(value)}`);
+  return value.map((defect) => text(defect, 'a defect', 'bad_option'));
+}
+
+/** @implements {Editor} */
+class WasmEditor {
+  /** @type {Session | null} */
+  #session;
+
+  /** @param {Session} session */
+  constructor(session) {
+    this.#session = session;
+    this.info = session.info();
+    this.edges = session.edges();
+    this.faceStart = session.faceStart();
+    this.faceVertices = session.faceVertices();
+    this.restPositions = session.restPositions();
+    this.restLengths = session.restLengths();
+    this.suggestedHandles = session.suggestedHandles();
+  }
+
+  get #open() {
+    if (this.#session === null) throw failure('disposed', 'this editor was disposed and cannot be used any more');
+    return this.#session;
+  }
+
+  get method() {
+    return this.#open.method();
+  }
+
+  /** @param {string} name */
+  setMethod(name) {
+    this.#open.setMethod(text(name, 'the name of a method', 'bad_option'));
+  }
+
+  get initialisation() {
+    return this.#open.initialisation();
+  }
+
+  /** @param {string} initialisation */
+  setInitialisation(initialisation) {
+    this.#open.setInitialisation(text(initialisation, 'an initialisation', 'bad_option'));
+  }
+
+  options() {
+    const rows = this.#open.options();
+    return Object.fromEntries(rows.map(({ name, kind, value }) => [name, kind === 'flag' ? value !== 0 : value]));
+  }
+
+  /** @param {string} name @param {number | boolean} value */
+  setOption(name, value) {
+    text(name, 'the name of an option', 'bad_option');
+    if (typeof value !== 'number' && typeof value !== 'boolean') {
+      throw failure('bad_option', `option ${name} must be a number or true or false, not ${shown(value)}`);
+    }
+    this.#open.setOption(name, String(value));
+  }
+
+  handles() {
+    const vertices = this.#open.handleVertices();
+    const targets = this.#open.handleTargets();
+    return Array.from(vertices, (vertex, i) => ({
+      vertex,
+      target: point(Array.from(targets.subarray(3 * i, 3 * i + 3)), vertex),
+    }));
+  }
+
+  /** @param {readonly Handle[]} handles */
+  setHandles(handles) {
+    if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
+    const vertices = handles.map((handle) => vertexNumber(handle?.vertex));
+    const targets = handles.flatMap((handle) => point(handle.target, handle.vertex));
+    this.#open.setHandles(Int32Array.from(vertices), Float64Array.from(targets));
+  }
+
+  /** @param {number} vertex @param {readonly [number, number, number]} target */
+  moveHandle(vertex, target) {
+    this.#open.moveHandle(vertexNumber(vertex), ...point(target, vertex));
+  }
+
+  /** @param {Budget} [budget] @returns {SolveReport} */
+  solve(budget = {}) {
+    const report = this.#open.solve(...limits(budget));
+    return { ...report, trace: traceRows(report.trace) };
+  }
+
+  reset() {
+    this.#open.reset();
+  }
+
+  positions() {
+    return this.#open.positions();
+  }
+
+  /** @param {Float64Array} positions */
+  setPositions(positions) {
+    const expected = 3 * this.info.vertices;
+    if (!(positions instanceof Float64Array) || positions.length !== expected) {
+      const got = positions instanceof Float64Array ? `one of ${positions.length}` : shown(positions);
+      throw failure('index_out_of_range', `positions must be a Float64Array of ${expected} numbers, not ${got}`);
+    }
+    this.#open.setPositions(positions);
+  }
+
+  deviations() {
+    return this.#open.deviations();
+  }
+
+  cornerAngles() {
+    return this.#open.cornerAngles();
+  }
+
+  bend() {
+    return this.#open.bend();
+  }
+
+  smallestAngle() {
+    return this.#open.smallestAngle();
+  }
+
+  handleError() {
+    return this.#open.handleError();
+  }
+
+  unreachablePairs() {
+    return this.#open.unreachablePairs();
+  }
+
+  toObj(digits = 17) {
+    return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
+  }
+
+  /** @param {FileFormat} format */
+  toFile(format) {
+    return this.#open.toFile(text(format, 'a format', 'bad_option'));
+  }
+
+  dispose() {
+    this.#session?.delete();
+    this.#session = null;
+  }
+}
+
+/** @implements {Equalizer} */
+class WasmEqualizer {
+  /** @type {CoreEqualizer | null} */
+  #equalizer;
+
+  /** @param {CoreEqualizer} equalizer */
+  constructor(equalizer) {
+    this.#equalizer = equalizer;
+  }
+
+  get #open() {
+    if (this.#equalizer === null) throw failure('disposed', 'this equalizer was disposed and cannot be used any more');
+    return this.#equalizer;
+  }
+
+  /** @param {Budget} [budget] @returns {EqualizeReport} */
+  solve(budget = {}) {
+    return this.#open.solve(...limits(budget));
+  }
+
+  positions() {
+    return this.#open.positions();
+  }
+
+  dispose() {
+    this.#equalizer?.delete();
+    this.#equalizer = null;
+  }
+}
+
+/** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
+function newEqualizer(core, original, { length = 'mean', handles = [] }) {
+  if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
+  const vertices = Int32Array.from(handles, vertexNumber);
+  const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
+  return new WasmEqualizer(core.equalizer(mesh(original), choice, number, vertices));
+}
+
+/** @param {Core} core @returns {Chebnet} */
+function facade(core) {
+  return {
+    shapes: () => core.shapes(),
+    methods: () => core.methods(),
+    initialisations: () => core.initialisations(),
+    options: () => core.defaultOptions(),
+    openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
+    openObj: (obj, name = 'OBJ', lengths = 'automatic') =>
+      new WasmEditor(
+        core.openObj(text(obj, 'an OBJ', 'bad_syntax'), text(name, 'the name of an OBJ', 'bad_syntax'), restLengths(lengths)),
+      ),
+    openMesh: (given, lengths = 'automatic') => new WasmEditor(core.openMesh(mesh(given), restLengths(lengths))),
+    readMesh: (file, name) => core.readMesh(bytes(file), text(name, 'the name of a file', 'bad_syntax')),
+    defects: () => core.defects(),
+    repairMesh: (given, chosen = core.defects(), mergeTolerance = core.mergeTolerance) => {
+      if (typeof mergeTolerance !== 'number') {
+        throw failure('bad_option', `the tolerance for merging vertices must be a number, not ${shown(mergeTolerance)}`);
+      }
+      return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
+    },
+    equalizer: (original, options = {}) => newEqualizer(core, original, options),
+  };
+}
+
+/**
+ * What loads a module, once; `create` is the one that Emscripten made.
+ * @param {typeof import('../build/wasm/chebnet_core.js').default} create
+ * @returns {typeof import('./chebnet').loadChebnet}
+ */
+export function loaderOf(create) {
+  /** @type {Promise<Chebnet> | null} */
+  let loading = null;
+  return ({ wasmUrl, wasmBinary }) => {
+    loading ??= create({
+      ...(wasmUrl === undefined ? {} : { locateFile: () => wasmUrl }),
+      ...(wasmBinary === undefined ? {} : { wasmBinary }),
+    }).then(facade, (/** @type {unknown} */ reason) => {
+      loading = null; // another try may have better luck
+      throw failure('internal', `the WebAssembly module cannot be loaded: ${String(reason)}`);
+    });
+    return loading;
+  };
+}
