@@ -113,7 +113,7 @@ export const zh: Words = {
   symmetry: {
     label: '对称',
     off: '关闭',
-    across: (axis) => `沿 ${axis} 方向`,
+    across: (axis) => `垂直于 ${axis} 轴`,
     through: '平面经过',
     centre: '网的中心',
     origin: '原点',

@@ -20,6 +20,8 @@ export class HandleList {
   private handles: readonly HandleData[] = [];
   private choice: Pick<Choice, 'selection'> = { selection: [] };
   private edgeLength = 1;
+  /** The handle last scrolled to. */
+  private inSight: number | null = null;
 
   constructor(private readonly events: PanelEvents) {
     const add = make('form', { class: 'add-handle' }, this.number, make('button', {}, words.handles.add));
@@ -52,7 +54,18 @@ export class HandleList {
       const isSelected = selected.has(handle.vertex);
       this.rows.get(handle.vertex)!.show(handle, isSelected, isSelected && alone, this.edgeLength);
     }
+    if (alone) this.bringIntoSight(choice.selection[0]!);
     this.form.show(handles.filter(({ vertex }) => selected.has(vertex)), choice, this.edgeLength);
+  }
+
+  /** When another one is selected, e.g. in the view. Only the list scrolls, not what is around it. */
+  private bringIntoSight(vertex: number): void {
+    if (vertex === this.inSight) return;
+    this.inSight = vertex;
+    const { offsetTop, offsetHeight } = this.rows.get(vertex)!.element;
+    const top = offsetTop - this.list.offsetTop;
+    const { scrollTop, clientHeight } = this.list;
+    this.list.scrollTop = Math.max(Math.min(scrollTop, top), top + offsetHeight - clientHeight);
   }
 
   private add(vertex: number): void {

@@ -1,0 +1,298 @@
+/** Shaping with handles on the page: several at once, by hand and by numbers, with locks, names, symmetry; with a mouse, keys
+ *  and a finger. */
+import { join } from 'node:path';
+import { beforeEach, describe, expect, test } from 'vitest';
+import { centreOf } from '../../web/src/handles/transform';
+import { load } from '../wasm/load';
+import { distance, dragBy } from './geometry';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const SHAPE = 'vault:vertices=500';
+
+type Vec3 = [number, number, number];
+const core = await load();
+const net = core.openRecipe(SHAPE);
+const { meanLength } = net.info;
+const dragged = net.suggestedHandles.at(-1)!;
+const corner = net.suggestedHandles[0]!;
+
+const { arrive } = visits();
+let visit: Visit;
+let script: Script;
+
+async function open(options = {}) {
+  visit = await arrive('', options);
+  ({ script } = visit);
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+}
+
+const handles = () => visit.page.evaluate(() => window.chebnet.handles());
+const targetOf = async (vertex: number) => (await handles()).find((handle) => handle.vertex === vertex)!.target;
+const press = (keys: string) => visit.page.keyboard.press(keys);
+const button = (name: string | RegExp) => visit.page.getByRole('button', { name, exact: true });
+
+function rest(vertex: number): Vec3 {
+  const [x = NaN, y = NaN, z = NaN] = net.restPositions.subarray(3 * vertex, 3 * vertex + 3);
+  return [x, y, z];
+}
+
+/** The vertex that rests nearest to a point, given in parts of the net's extent in x and y. */
+function vertexAt(u: number, v: number): number {
+  const vertices = [...Array(net.info.vertices).keys()];
+  const [lowX, highX] = extent(0);
+  const [lowY, highY] = extent(1);
+  const place = [lowX + u * (highX - lowX), lowY + v * (highY - lowY)];
+  const far = (vertex: number) => Math.hypot(rest(vertex)[0] - place[0]!, rest(vertex)[1] - place[1]!);
+  return vertices.reduce((best, vertex) => (far(vertex) < far(best) ? vertex : best), 0);
+}
+
+function extent(axis: number): [number, number] {
+  const values = net.restPositions.filter((_, i) => i % 3 === axis);
+  return [Math.min(...values), Math.max(...values)];
+}
+
+async function click(vertex: number, keys: string[] = []) {
+  const { x, y } = await script.screenPosition(vertex);
+  for (const key of keys) await visit.page.keyboard.down(key);
+  await visit.page.mouse.click(x, y);
+  for (const key of keys) await visit.page.keyboard.up(key);
+  await script.settled();
+}
+
+/** Free handles beside the anchors of the corners. */
+async function addHandles(...vertices: number[]) {
+  const present = await handles();
+  await script.setHandles([...present, ...vertices.map((vertex) => ({ vertex, anchor: false }))]);
+  await script.settled();
+}
+
+async function boxAround(...vertices: number[]) {
+  const places = await Promise.all(vertices.map((vertex) => script.screenPosition(vertex)));
+  const [xs, ys] = [places.map(({ x }) => x), places.map(({ y }) => y)];
+  const { mouse, keyboard } = visit.page;
+  await keyboard.down('Shift');
+  await mouse.move(Math.min(...xs) - 20, Math.min(...ys) - 20);
+  await mouse.down();
+  await mouse.move(Math.max(...xs) + 20, Math.max(...ys) + 20, { steps: 4 });
+  await mouse.up();
+  await keyboard.up('Shift');
+}
+
+const [left, right] = [vertexAt(0.35, 0.35), vertexAt(0.65, 0.35)];
+const openSection = () => visit.page.getByText(/^Handles \(/).click();
+const isSelected = (vertex: number) => visit.page.getByRole('button', { name: `Vertex ${vertex}`, exact: true, pressed: true });
+
+describe('several handles', () => {
+  beforeEach(() => open());
+
+  test('in a box are selected, dragged together, and come back by one undo', async () => {
+    await addHandles(left, right);
+    await openSection();
+    await boxAround(left, right);
+    await isSelected(left).waitFor();
+    await isSelected(right).waitFor();
+    await visit.page.screenshot({ path: join(OUTPUT, 'handles-box.png') });
+
+    await dragBy(script, left, [-15, -25]);
+    await script.settled();
+    const [a, b] = [await targetOf(left), await targetOf(right)];
+    const [movedA, movedB] = [a.map((x, i) => x - rest(left)[i]!), b.map((x, i) => x - rest(right)[i]!)];
+    expect(Math.hypot(...movedA)).toBeGreaterThan(0.2 * meanLength);
+    expect(distance(movedA, movedB)).toBeLessThan(1e-9);
+    expect(distance(await targetOf(dragged), rest(dragged))).toBeLessThan(1e-9);
+
+    await press('Control+z');
+    await script.settled();
+    expect(distance(await targetOf(left), rest(left))).toBeLessThan(1e-9);
+    expect(distance(await targetOf(right), rest(right))).toBeLessThan(1e-9);
+    expect(await handles()).toHaveLength(net.suggestedHandles.length + 2);
+  });
+
+  test('are selected by Shift and clicks, all by Ctrl+A, none by Escape; arrow keys nudge them; Escape takes a drag back', async () => {
+    await addHandles(left, right);
+    await openSection();
+    await click(left);
+    await click(right, ['Shift']);
+    await isSelected(left).waitFor();
+    await click(left, ['Shift']);
+    await isSelected(left).waitFor({ state: 'detached' });
+    await isSelected(right).waitFor();
+
+    await press('Control+a');
+    for (const { vertex } of await handles()) await isSelected(vertex).waitFor();
+    await press('Escape');
+    await isSelected(right).waitFor({ state: 'detached' });
+
+    await click(left);
+    await click(right, ['Shift']);
+    await press('ArrowUp');
+    await script.settled();
+    const [movedA, movedB] = [(await targetOf(left)).map((x, i) => x - rest(left)[i]!), (await targetOf(right)).map((x, i) => x - rest(right)[i]!)];
+    expect(Math.hypot(...movedA)).toBeCloseTo(0.2 * meanLength, 6);
+    expect(distance(movedA, movedB)).toBeLessThan(1e-9);
+
+    const before = await targetOf(right);
+    await dragBy(script, left, [-15, -25], { atEnd: () => press('Escape') });
+    await script.settled();
+    expect(distance(await targetOf(right), before)).toBeLessThan(1e-9);
+  });
+
+  test('turn and grow about their centre, by numbers and by the ring of the gizmo', async () => {
+    await addHandles(left, right);
+    await openSection();
+    await boxAround(left, right);
+    await visit.page.getByLabel('Degrees', { exact: true }).fill('30');
+    await visit.page.getByRole('form', { name: 'Rotate, degrees' }).getByRole('button').click();
+    await script.settled();
+    const [a, b] = [await targetOf(left), await targetOf(right)];
+    const arm = (from: Vec3, to: Vec3) => Math.atan2(to[1] - from[1], to[0] - from[0]);
+    const turn = (arm(a, b) - arm(rest(left), rest(right))) * (180 / Math.PI);
+    expect(turn).toBeCloseTo(30, 6);
+    expect(distance(centreOf([a, b]), centreOf([rest(left), rest(right)]))).toBeLessThan(1e-9);
+
+    await visit.page.getByLabel('Factor', { exact: true }).fill('0.9');
+    await visit.page.getByRole('form', { name: 'Scale by' }).getByRole('button').click();
+    await script.settled();
+    expect(distance(await targetOf(left), await targetOf(right))).toBeCloseTo(0.9 * distance(a, b), 9);
+    for (let i = 0; i < 2; ++i) await press('Control+z');
+    await script.settled();
+    await visit.page.locator('canvas').first().focus();
+    await press('r');
+    expect(await button('Rotate').getAttribute('aria-pressed')).toBe('true');
+    await dragRing();
+    await script.settled();
+    const turned = await targetOf(left);
+    expect(distance(turned, rest(left))).toBeGreaterThan(1e-3 * meanLength);
+    expect(distance(turned, await targetOf(right))).toBeCloseTo(distance(rest(left), rest(right)), 9);
+    await press('Control+z');
+    await script.settled();
+    expect(distance(await targetOf(left), rest(left))).toBeLessThan(1e-9);
+  });
+
+  test('a boundary loop or a net line become handles in one action', async () => {
+    const count = (await handles()).length;
+    await click(corner);
+    await button('Boundary loop').click();
+    await expect.poll(async () => (await handles()).length).toBeGreaterThan(count + 40);
+    await script.settled();
+    await visit.page.screenshot({ path: join(OUTPUT, 'handles-boundary.png') });
+    await press('Control+z');
+    await expect.poll(async () => (await handles()).length).toBe(count);
+
+    await click(left);
+    await button('Net line 1').click();
+    await expect.poll(async () => (await handles()).length).toBeGreaterThan(count + 10);
+    await press('Delete');
+    await expect.poll(async () => (await handles()).length).toBeLessThanOrEqual(count);
+  });
+});
+
+describe('a handle', () => {
+  beforeEach(() => open());
+
+  test('that is locked neither moves nor goes until it is unlocked', async () => {
+    await click(corner);
+    await dragBy(script, corner, [-40, -30]);
+    await script.settled();
+    expect(await targetOf(corner)).toEqual(rest(corner));
+    await click(corner);
+    await press('Delete');
+    await visit.page.getByText('Locked handles stay').waitFor();
+    expect((await handles()).map(({ vertex }) => vertex)).toContain(corner);
+
+    await openSection();
+    await visit.page.getByRole('listitem').filter({ hasText: `Vertex ${corner}` }).getByRole('button', { name: 'Unlock' }).click();
+    await dragBy(script, corner, [-10, -10]);
+    await script.settled();
+    expect(distance(await targetOf(corner), rest(corner))).toBeGreaterThan(1e-3 * meanLength);
+  });
+
+  test('keeps name, softness and being hidden in a link; undo takes them back', async () => {
+    await click(dragged);
+    await openSection();
+    await visit.page.getByRole('button', { name: `Vertex ${dragged}`, exact: true }).press('F2');
+    await visit.page.keyboard.type('Crown <b>');
+    await press('Enter');
+    await visit.page.getByRole('checkbox', { name: 'Soft', exact: true }).locator('visible=true').check();
+    await script.settled();
+    const row = visit.page.getByRole('listitem').filter({ hasText: 'Crown <b>' });
+    await row.getByRole('button', { name: 'Hide' }).click();
+    const expected = { vertex: dragged, name: 'Crown <b>', weight: 1, hidden: true };
+    expect((await handles()).at(-1)).toMatchObject(expected);
+
+    const link = await visit.page.evaluate(() => window.chebnet.link());
+    const receiver = await arrive(link);
+    await receiver.script.settled();
+    expect((await receiver.page.evaluate(() => window.chebnet.handles())).at(-1)).toMatchObject(expected);
+
+    for (let i = 0; i < 3; ++i) await press('Control+z');
+    await expect.poll(async () => (await handles()).at(-1)).not.toHaveProperty('name');
+  });
+
+  test('moves its mirror image', async () => {
+    await openSection();
+    await visit.page.getByLabel('Symmetry').selectOption('x');
+    await click(left);
+    const partner = (await handles()).at(-1)!.vertex;
+    expect(partner).not.toBe(left);
+    expect(await handles()).toHaveLength(net.suggestedHandles.length + 2);
+    const [low, high] = extent(0);
+    const mirrored = ([x, y, z]: Vec3): Vec3 => [low + high - x, y, z];
+    expect(distance(mirrored(rest(left)), rest(partner))).toBeLessThan(0.5 * meanLength);
+
+    await dragBy(script, left, [-15, -25]);
+    await script.settled();
+    const apart = distance(mirrored(rest(left)), rest(partner));
+    expect(distance(mirrored(await targetOf(left)), await targetOf(partner))).toBeCloseTo(apart, 9);
+    expect(distance(await targetOf(left), rest(left))).toBeGreaterThan(0.2 * meanLength);
+  });
+});
+
+test('a finger drags a handle; held still, it selects; beside handles it turns the view', async () => {
+  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await addHandles(left);
+  const session = await visit.page.context().newCDPSession(visit.page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  const swipe = async ({ x, y }: { x: number; y: number }, dx: number, dy: number) => {
+    await touch('touchStart', [{ x, y }]);
+    for (let i = 1; i <= 5; ++i) await touch('touchMove', [{ x: x + (dx * i) / 5, y: y + (dy * i) / 5 }]);
+    await touch('touchEnd', []);
+    await script.settled();
+  };
+
+  const place = await script.screenPosition(dragged);
+  await swipe({ x: place.x + 12, y: place.y + 12 }, -20, -30);
+  expect(distance(await targetOf(dragged), rest(dragged))).toBeGreaterThan(0.2 * meanLength);
+
+  for (const vertex of [left, dragged]) {
+    await touch('touchStart', [await script.screenPosition(vertex)]);
+    await visit.page.waitForTimeout(600);
+    await touch('touchEnd', []);
+  }
+  await visit.page.getByRole('group', { name: 'Selected handles' }).getByText('2', { exact: true }).waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'handles-phone.png') });
+  const sizes = await visit.page.getByRole('group', { name: 'Selected handles' }).getByRole('button').evaluateAll((all) =>
+    all.map((each) => each.getBoundingClientRect()).filter(({ width }) => width > 0).map(({ width, height }) => Math.min(width, height)),
+  );
+  expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
+
+  const before = await script.screenPosition(corner);
+  await swipe({ x: 30, y: 600 }, 120, 0);
+  const after = await script.screenPosition(corner);
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+});
+
+/** Takes the outer ring of the gizmo, to the right of the centre, and pulls it along. */
+async function dragRing() {
+  const radius = 107; // on the screen, however near the camera is
+  const [a, b] = [await script.screenPosition(left), await script.screenPosition(right)];
+  const [x, y] = [(a.x + b.x) / 2 + radius, (a.y + b.y) / 2];
+  const { mouse } = visit.page;
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x, y - 30, { steps: 5 });
+  await mouse.up();
+}
