@@ -82,5 +82,5 @@ function refusal({ status, unreachablePairs: [pair], worstEdges: [edge], length,
   }
   const why = status === 'max_iterations' ? TEXT.tooMany(count(iterations)) : status === 'non_finite' ? TEXT.overflow : TEXT.stalled;
   const worst = edge ? TEXT.worstEdge(edge.vertexA, edge.vertexB, lengthWords(edge.length), lengthWords(length)) : '';
-  return [why, worst, TEXT.unchanged].join(' ').trim();
+  return words.core.sentences([why, worst, TEXT.unchanged]);
 }

@@ -29,6 +29,8 @@ export const core = {
     const start = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() : text.charAt(0);
     return `${start}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
   },
+  /** One after the other; an empty one does not count. */
+  sentences: (all: string[]) => all.filter((each) => each !== '').join(' '),
 };
 
 /** `switch_deviation` → `Switch deviation`; but `p_end` → `p end`, for p is a letter of the paper. */

@@ -185,4 +185,5 @@ export const core = {
     return said === undefined ? (WORKER_ERRORS[code] ?? message) : `${said}（${message.replace(/\.$/, '')}）`;
   },
   sentence: (text: string) => (/[.!?。！？…]$/.test(text) ? text : `${text}。`),
+  sentences: (all: string[]) => all.join(''),
 };
