@@ -1,10 +1,11 @@
 import { defineConfig } from 'vite';
+import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
 
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
   base: './',
-  plugins: [leanThree(), plasma()],
+  plugins: [leanThree(), plasma(), offline()],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   worker: { format: 'es' },

@@ -11,7 +11,7 @@ import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import type { Scripting } from '../../web/src/scripting';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
-const DIST = join(ROOT, 'web/dist');
+export const DIST = join(ROOT, 'web/dist');
 export const README_PICTURE = join(ROOT, 'web/screenshot.png');
 export const OUTPUT = join(ROOT, 'tests/output');
 mkdirSync(OUTPUT, { recursive: true });
@@ -24,6 +24,7 @@ const TYPES: Record<string, string> = {
   '.png': 'image/png',
   '.svg': 'image/svg+xml',
   '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
 };
 
 /** No eval, nothing inline, nothing from elsewhere: in the page and, where its meta element has no say, in the worker. */
@@ -34,13 +35,15 @@ const POLICY = [
   "connect-src 'self'",
   "img-src 'self'",
   "style-src 'self'",
+  "manifest-src 'self'",
+  "frame-src 'self'",
 ].join('; ');
 
-/** Serves the built page below a folder, as any host of static files might. */
-async function serve(): Promise<{ address: string; close(): void }> {
+/** Serves the built page below a folder, as any host of static files might. `root` may change. */
+async function serve(root: () => string): Promise<{ address: string; close(): void }> {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
-    const file = join(DIST, path === '/' ? 'index.html' : path);
+    const file = join(root(), path === '/' ? 'index.html' : path);
     readFile(file).then(
       (body) => {
         const type = TYPES[extname(file)] ?? 'application/octet-stream';
@@ -78,8 +81,8 @@ function launch(): Promise<Browser> {
   });
 }
 
-/** What the browser itself says about drawing in software. */
-const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/];
+/** What the browser says about drawing in software, and playwright about what newVisit() asks of it. */
+const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/, /Service Worker registration blocked/];
 
 /** Somebody who was never here before. `complaints` collects every error and warning. */
 export interface Visit {
@@ -90,13 +93,13 @@ export interface Visit {
 
 /** For one file of tests: a browser and the site while they run. After each test its visits end, and none may have
  *  complained. */
-export function visits() {
+export function visits(root = () => DIST) {
   let browser: Browser;
   let site: Awaited<ReturnType<typeof serve>>;
   const going: Visit[] = [];
 
   beforeAll(async () => {
-    [browser, site] = await Promise.all([launch(), serve()]);
+    [browser, site] = await Promise.all([launch(), serve(root)]);
   });
   afterEach(async () => {
     const ended = going.splice(0);
@@ -126,6 +129,8 @@ async function newVisit(browser: Browser, options: BrowserContextOptions): Promi
   const context = await browser.newContext({
     viewport: { width: 1280, height: 800 },
     permissions: ['clipboard-read', 'clipboard-write'],
+    // Downloading the page a second time would disturb what is measured.
+    serviceWorkers: 'block',
     ...options,
   });
   const page = await context.newPage();

@@ -129,6 +129,11 @@ export class App {
     this.#panels.say(message, 'info');
   }
 
+  /** A line with a button. */
+  offer(message: string, button: string, accept: () => void): void {
+    this.#panels.offer(message, button, accept);
+  }
+
   // ------------------------------------------------------------------------------------------------------ whole scenes
 
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays. */

@@ -11,6 +11,7 @@ import { fileNameOf, typeOf } from './files/export';
 import type { FileKind } from './files/export';
 import { FileOpener, pickFile } from './files/import';
 import { translateDocument, words } from './language/language';
+import { keepOffline } from './offline/offline';
 import type { GizmoMode } from './handles/wishes';
 import { EqualizeDialog } from './panels/equalize_dialog';
 import { FileDialog } from './panels/file_dialog';
@@ -45,6 +46,8 @@ const opener = new FileOpener({
 });
 const ready = start();
 window.chebnet = createScripting(app, ready);
+// Once the first net is there: until then the network is busy enough.
+void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);

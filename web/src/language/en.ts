@@ -47,6 +47,7 @@ export const en = {
     save: { label: 'Save', hint: 'Save the net as a file' },
   },
   messages: { dismiss: 'Dismiss' },
+  offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
   legend: {
     label: 'Legend',
     deviation: 'Deviation dL of an edge',

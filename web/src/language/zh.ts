@@ -47,6 +47,7 @@ export const zh: Words = {
     save: { label: '保存', hint: '将网保存为文件' },
   },
   messages: { dismiss: '关闭' },
+  offline: { newVersion: '此页面有新版本。', reload: '重新加载' },
   legend: {
     label: '图例',
     deviation: '边的偏差 dL',

@@ -16,6 +16,13 @@ export class Messages {
     else this.sayInfo(message);
   }
 
+  /** A line that stays until the user accepts or dismisses it. */
+  offer(message: string, button: string, accept: () => void): void {
+    const line = make('p', { class: 'message' }, make('span', {}, message), makeButton(button, accept, { class: 'plain link' }));
+    line.append(this.makeDismiss(line));
+    this.errors.before(make('div', { role: 'status' }, line));
+  }
+
   private sayInfo(message: string): void {
     this.infos.replaceChildren(make('p', { class: 'message' }, message));
     clearTimeout(this.timer);
@@ -24,7 +31,11 @@ export class Messages {
 
   private sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss }));
+    line.append(this.makeDismiss(line));
     this.errors.replaceChildren(line);
+  }
+
+  private makeDismiss(line: HTMLElement): HTMLButtonElement {
+    return makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss });
   }
 }

@@ -54,4 +54,6 @@ export interface Panels {
   showRuns(run: Run | null, beside: Run | null): void;
   /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error'): void;
+  /** A line with a button; it stays until that is pressed or the line is dismissed. */
+  offer(message: string, button: string, accept: () => void): void;
 }

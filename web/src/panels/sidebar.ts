@@ -200,6 +200,10 @@ class Sidebar implements Panels {
     this.messages.say(message, kind);
   }
 
+  offer(message: string, button: string, accept: () => void): void {
+    this.messages.offer(message, button, accept);
+  }
+
   private refresh(): void {
     this.timer = 0;
     const { frame, framesPerSecond, solving } = this.pending!;

@@ -1,0 +1,66 @@
+/**
+ * Keeps the page for when there is no network. A version of the page is downloaded whole, each file checked against its
+ * hash, before anything of it is shown; until a visitor wants it, or the last open page is closed, the version before goes on.
+ */
+export {};
+declare const self: ServiceWorkerGlobalScope;
+
+/** What the page consists of, written by web/offline.ts: `now` maps paths to hashes, `later` is kept when first asked for. */
+declare const __CONTENTS__: { version: string; now: Record<string, string>; later: string[] };
+const { version, now, later } = __CONTENTS__;
+
+const { scope } = self.registration;
+/** The site may hold other pages, even others of this kind. */
+const MINE = `chebnet ${scope} `;
+const CACHE = MINE + version;
+const LATER = new Set(later.map(addressOf));
+
+self.addEventListener('install', (event) => event.waitUntil(download()));
+self.addEventListener('activate', (event) => event.waitUntil(takeOver()));
+self.addEventListener('message', ({ data }) => {
+  if (data === 'activate') void self.skipWaiting();
+});
+self.addEventListener('fetch', (event) => {
+  const { method, url } = event.request;
+  if (method === 'GET' && url.startsWith(scope)) event.respondWith(answer(event.request));
+});
+
+/** The page itself goes by the name of its folder: some hosts lead there from index.html. */
+function addressOf(path: string): string {
+  return path === 'index.html' ? scope : scope + path;
+}
+
+async function download(): Promise<void> {
+  const cache = await caches.open(CACHE);
+  try {
+    await Promise.all(Object.entries(now).map(([path, integrity]) => keep(cache, addressOf(path), integrity)));
+  } catch (error) {
+    await caches.delete(CACHE);
+    throw error;
+  }
+}
+
+async function keep(cache: Cache, address: string, integrity: string): Promise<void> {
+  const response = await fetch(address, { integrity, cache: 'no-cache' });
+  if (!response.ok) throw new Error(`${address}: ${response.status}`);
+  // A browser does not open a page by a response that came by a redirection.
+  await cache.put(address, response.redirected ? new Response(response.body, response) : response);
+}
+
+/** The version before stays for pages that are still open with it. */
+async function takeOver(): Promise<void> {
+  const others = (await caches.keys()).filter((name) => name.startsWith(MINE) && name !== CACHE);
+  await Promise.all(others.slice(0, -1).map((name) => caches.delete(name)));
+  await self.clients.claim();
+}
+
+async function answer(request: Request): Promise<Response> {
+  const { origin, pathname } = new URL(request.url);
+  const address = addressOf((origin + pathname).slice(scope.length));
+  const cache = await caches.open(CACHE);
+  const kept = (await cache.match(address)) ?? (await caches.match(address));
+  if (kept) return kept;
+  const response = await fetch(request);
+  if (response.ok && LATER.has(address)) await cache.put(address, response.clone());
+  return response;
+}
