@@ -207,6 +207,19 @@ describe('a drag', () => {
     said = [];
   });
 
+  test('moves several handles with one request', () => {
+    const [first = -1] = reference.suggestedHandles;
+    const rest = at(reference.restPositions, first);
+    const targets = [
+      { vertex: dragged, target: away },
+      { vertex: first, target: [rest[0], rest[1], rest[2] + 0.1] as [number, number, number] },
+    ];
+    ask({ type: 'drag', targets });
+    run();
+    expect(settled().frame.status).toBe('converged');
+    for (const { vertex, target } of targets) expect(at(settled().frame.positions, vertex)).toEqual(target);
+  });
+
   test('is answered at once and ends settled', () => {
     const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     expect(said).toEqual([{ id, type: 'done' }]);

@@ -12,7 +12,7 @@
  */
 import type { ChebnetError, Status } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app';
-import type { HandleData, NetSource, Vec3 } from './document/document';
+import { type HandleData, LONGEST_NAME, type NetSource, type Vec3 } from './document/document';
 
 export interface ScriptHandle {
   vertex: number;
@@ -20,6 +20,10 @@ export interface ScriptHandle {
   target?: Vec3;
   /** Locked: drawn apart, and no hand moves it. Without it, a handle without a target is locked. */
   anchor?: boolean;
+  /** See HandleData. */
+  name?: string;
+  hidden?: boolean;
+  weight?: number;
 }
 
 export interface Stats {
@@ -121,8 +125,20 @@ function readNet(net: Parameters<Scripting['open']>[0]): NetSource {
   return { obj: net.obj, name: net.name ?? 'net.obj' };
 }
 
-function readHandle(app: App, { vertex, target, anchor }: ScriptHandle): HandleData {
-  return { vertex, target: target ?? app.handles.positionOf(vertex), anchor: anchor ?? target === undefined };
+function readHandle(app: App, { vertex, target, anchor, name, hidden, weight }: ScriptHandle): HandleData {
+  return {
+    vertex,
+    target: target ?? app.handles.positionOf(vertex),
+    anchor: anchor ?? target === undefined,
+    ...(name ? { name: String(name).slice(0, LONGEST_NAME) } : {}),
+    ...(hidden ? { hidden: true } : {}),
+    ...(weight === undefined ? {} : { weight: readWeight(weight, vertex) }),
+  };
+}
+
+function readWeight(weight: unknown, vertex: number): number {
+  if (typeof weight === 'number' && Number.isFinite(weight) && weight > 0) return weight;
+  throw failure('bad_option', `the weight of the handle at vertex ${vertex} must be a number above 0`);
 }
 
 async function setOptions(app: App, wished: Parameters<Scripting['setOptions']>[0]): Promise<void> {

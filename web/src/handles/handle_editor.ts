@@ -50,12 +50,12 @@ export class HandleEditor implements HandleWishes {
   get choice(): Choice {
     this.#selection = within(this.#selection, this.#handles);
     const leading = this.#selection.at(-1);
-    const lines = this.#linesOf();
+    const lines = leading === undefined ? null : this.#linesOf();
     return {
       selection: this.#selection,
       mode: unlocked(this.#selection, this.#handles).length > 1 ? this.#mode : 'translate',
-      onBoundary: leading !== undefined && lines !== null && lines.isBoundary(leading),
-      lines: leading === undefined || lines === null ? 0 : lines.count(leading),
+      onBoundary: lines?.isBoundary(leading!) ?? false,
+      lines: lines?.count(leading!) ?? 0,
     };
   }
 
@@ -216,7 +216,10 @@ export class HandleEditor implements HandleWishes {
 
   #withTargets(targets: readonly Handle[]): HandleData[] {
     const moved = new Map(targets.map(({ vertex, target }) => [vertex, target]));
-    return this.#handles.map((handle) => ({ ...handle, target: moved.get(handle.vertex) ?? handle.target }));
+    return this.#handles.map((handle) => {
+      const target = moved.get(handle.vertex);
+      return target ? { ...handle, target } : handle;
+    });
   }
 
   #mirrored(vertices: readonly number[]): readonly number[] {

@@ -29,7 +29,7 @@ export const en = {
     compare: 'Compare methods',
   },
   view: {
-    net: 'The net. Arrow keys turn the view or move the selected handle, plus and minus zoom, Home shows the whole net.',
+    net: 'The net. Arrow keys turn the view or move the selected handles, plus and minus zoom, Home shows the whole net.',
     opening: 'Opening the net…',
     pictureLost: 'The graphics card dropped the picture; waiting for it…',
     noGraphics:
@@ -88,6 +88,7 @@ export const en = {
     lockedStay: 'Locked handles stay. Unlock them first.',
     soft: 'Soft',
     weight: 'Weight',
+    several: 'Several at once: hold Shift and click, or drag a box around them; with a finger, touch and hold each.',
     selection: 'Selected handles',
     selected: (count: number) => `${count} handles selected`,
     centre: 'Centre',

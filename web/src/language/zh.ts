@@ -88,6 +88,7 @@ export const zh: Words = {
     lockedStay: '锁定的手柄保持不动，请先解锁。',
     soft: '柔性',
     weight: '权重',
+    several: '选择多个手柄：按住 Shift 单击，或拖出选框；触屏上逐个长按。',
     selection: '选中的手柄',
     selected: (count) => `已选中 ${count} 个手柄`,
     centre: '中心',

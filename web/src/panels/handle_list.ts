@@ -12,6 +12,7 @@ import { SymmetryChoice } from './symmetry_choice';
 export class HandleList {
   private readonly list = make('ul', { class: 'handles' });
   private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
+  private readonly several = make('p', { class: 'quiet' }, words.handles.several);
   private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: words.handles.number, 'aria-label': words.handles.vertexNumber });
   private readonly form: SelectionForm;
   private readonly symmetry: SymmetryChoice;
@@ -31,7 +32,7 @@ export class HandleList {
     });
     this.form = new SelectionForm(events);
     this.symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
-    this.content = [this.form.element, this.list, this.empty, add, ...this.symmetry.rows];
+    this.content = [this.form.element, this.list, this.empty, this.several, add, ...this.symmetry.rows];
   }
 
   showNet(vertices: number, edgeLength: number): void {
@@ -47,6 +48,7 @@ export class HandleList {
     this.handles = handles;
     this.choice = choice;
     this.empty.hidden = handles.length > 0;
+    this.several.hidden = handles.length < 2 || choice.selection.length > 1;
     if (handles.length !== this.rows.size || handles.some(({ vertex }) => !this.rows.has(vertex))) this.rebuild();
     const selected = new Set(choice.selection);
     const alone = selected.size === 1;
