@@ -155,7 +155,7 @@ describe('news', () => {
   test('of the time before a restore does not come', async () => {
     void client.solve();
     const { id } = await worker().do();
-    const restoring = client.restore(Float64Array.of(9, 9, 9), [], true);
+    const restoring = client.restore({ ...scene, handles: [], positions: Float64Array.of(9, 9, 9) });
     worker().say({ id, type: 'frame', frame: frame(1) });
     worker().say({ id, type: 'settled', frame: frame(2) });
     expect(news).toEqual([]);

@@ -1,6 +1,6 @@
 /** The session over the real core, its time in the hands of the test. */
 import { beforeEach, describe, expect, test } from 'vitest';
-import type { Chebnet, Editor } from '../../wasm/chebnet';
+import type { Chebnet, Editor, Handle } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { Scene, SolverOptions } from '../../web/src/document/document';
 import { packPositions } from '../../web/src/document/packing';
@@ -60,6 +60,11 @@ function ask(body: Body): number {
 
 function setOptions(options: SolverOptions): number {
   return ask({ type: 'options', settings: { method: 'li2022', initialisation: 'naive', options } });
+}
+
+function restore(positions: Float64Array, handles: readonly Handle[]): void {
+  const seeds = handles.map((handle) => ({ ...handle, anchor: false }));
+  ask({ type: 'restore', scene: { ...freshScene({ recipe }), positions, handles: seeds, settled: true } });
 }
 
 function open(change: Partial<Scene> = {}): number {
@@ -317,9 +322,16 @@ describe('by hand', () => {
     const { positions, handles } = settled().frame;
     ask({ type: 'reset' });
     expect(settled().frame).toMatchObject({ positions: reference.restPositions, status: 'converged' });
-    ask({ type: 'restore', positions, handles, settled: true });
+    restore(positions, handles);
     run();
     expect(settled().frame).toMatchObject({ positions, handles, status: 'converged', iterations: 0 });
+  });
+
+  test('restore brings back method and options with the rest', () => {
+    ask({ type: 'restore', scene: { ...freshScene({ recipe }), handles: [], method: 'li2022', options: { threshold: 1e-8 }, settled: true } });
+    expect(settled().frame).toMatchObject({ positions: reference.restPositions, method: 'li2022' });
+    ask({ type: 'restore', scene: { ...freshScene({ recipe }), handles: [{ vertex: 1e6, target: [0, 0, 0], anchor: false }] } });
+    expect(said.at(-1)).toMatchObject({ type: 'error', code: 'index_out_of_range' });
   });
 
   test('what is out of reach is said so', () => {
@@ -329,7 +341,7 @@ describe('by hand', () => {
     expect(settled().frame.unreachable[0]).toMatchObject({ vertexB: dragged });
     const { positions, handles } = settled().frame;
     ask({ type: 'reset' });
-    ask({ type: 'restore', positions, handles, settled: true });
+    restore(positions, handles);
     expect(settled().frame.status).toBe('unreachable');
   });
 

@@ -66,6 +66,12 @@ describe('a scene comes back', () => {
     expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual(source);
   });
 
+  test('as the experiment that it was opened as', () => {
+    const part = { experiment: 'long-edges', compare: ['li2022', 'dp4'] };
+    expect(decodeScene(hashOf({ ...documentAt(null), ...part }))).toMatchObject(part);
+    expect(decodeScene(hashOf(documentAt(null)))).not.toHaveProperty('experiment');
+  });
+
   test('while it is being solved', () => {
     expect(decodeScene(hashOf({ ...documentAt(moved), settled: false })).settled).toBe(false);
   });
@@ -199,6 +205,8 @@ describe('hostile links are refused', () => {
     [point, '"handles":[[3,0,1,2,3,null]]'],
     ['"settled":true', '"settled":true,"symmetry":{"axis":"w","through":"centre"}'],
     ['"settled":true', '"settled":true,"symmetry":null'],
+    ['"settled":true', '"settled":true,"experiment":7'],
+    ['"settled":true', '"settled":true,"compare":"li2022"'],
     ['{"recipe":"vault"}', '{"recipe":7}'],
     ['{"recipe":"vault"}', '{"obj":"v"}'],
     ['{"recipe":"vault"}', 'null'],

@@ -1,18 +1,21 @@
 /** Undo and redo: whole gestures, exact states. */
 import { expect, test } from 'vitest';
 import { UndoHistory } from '../../web/src/document/undo';
-import type { Snapshot } from '../../web/src/document/undo';
+import type { Entry, Snapshot } from '../../web/src/document/undo';
+import { documentAt } from './nets';
+
+const NET = { recipe: 'vault' };
 
 function state(x: number, positions = Float64Array.of(x, x, x)): Snapshot {
   const target: [number, number, number] = [x, x, x];
-  return { net: { recipe: 'vault' }, handles: [{ vertex: 0, target, anchor: false }], positions, settled: true };
+  return { ...documentAt(positions), net: NET, handles: [{ vertex: 0, target, anchor: false }] };
 }
 
 test('goes back and forth through the very same states', () => {
   const history = new UndoHistory();
   const states = [state(0), state(1), state(2)];
-  history.record(states[0]!);
-  history.record(states[1]!);
+  history.record(states[0]!, 'move');
+  history.record(states[1]!, 'move');
   expect(history.undo(states[2]!)).toBe(states[1]);
   expect(history.undo(states[1]!)).toBe(states[0]);
   expect(history.undo(states[0]!)).toBeNull();
@@ -25,66 +28,107 @@ test('a gesture is one entry, whatever happens in it', () => {
   const history = new UndoHistory();
   const before = state(0);
   history.beginGesture(before);
-  history.record(state(1));
-  history.record(state(2));
-  history.endGesture(true);
+  history.record(state(1), 'move');
+  history.record(state(2), 'move');
+  history.endGesture('drag');
   expect(history.undo(state(3))).toBe(before);
   expect(history.canUndo).toBe(false);
 });
 
 test('a gesture cannot be undone while it goes on', () => {
   const history = new UndoHistory();
-  history.record(state(0));
+  history.record(state(0), 'move');
   history.beginGesture(state(1));
   expect(history.canUndo).toBe(false);
   expect(history.undo(state(2))).toBeNull();
   expect(history.redo(state(2))).toBeNull();
-  history.endGesture(true);
-  expect(history.undo(state(3))?.positions[0]).toBe(1);
-  expect(history.undo(state(1))?.positions[0]).toBe(0);
+  history.endGesture('drag');
+  expect(history.undo(state(3))?.positions?.[0]).toBe(1);
+  expect(history.undo(state(1))?.positions?.[0]).toBe(0);
 });
 
 test('a gesture that changes nothing, or is cancelled, leaves no entry and keeps what could be redone', () => {
   const history = new UndoHistory();
-  history.record(state(0));
+  history.record(state(0), 'move');
   history.undo(state(1));
   history.beginGesture(state(0));
-  history.endGesture(false);
+  history.endGesture(null);
   const before = state(0);
   history.beginGesture(before);
   expect(history.cancelGesture()).toBe(before);
   expect(history.canUndo).toBe(false);
-  expect(history.redo(state(0))?.positions[0]).toBe(1);
+  expect(history.redo(state(0))?.positions?.[0]).toBe(1);
 });
 
 test('a new change forgets what could be redone', () => {
   const history = new UndoHistory();
-  history.record(state(0));
+  history.record(state(0), 'move');
   history.undo(state(1));
-  history.record(state(0));
+  history.record(state(0), 'move');
   expect(history.canRedo).toBe(false);
   expect(history.redo(state(2))).toBeNull();
 });
 
 test('changes of the same key join, until another comes between', () => {
   const history = new UndoHistory();
-  history.record(state(0), 'move 7');
-  history.record(state(1), 'move 7');
-  history.record(state(2));
-  history.record(state(3), 'move 7');
-  history.record(state(4), 'move 7');
-  expect(history.undo(state(5))?.positions[0]).toBe(3);
+  history.record(state(0), 'move', 'move 7');
+  history.record(state(1), 'move', 'move 7');
+  history.record(state(2), 'move');
+  history.record(state(3), 'move', 'move 7');
+  history.record(state(4), 'move', 'move 7');
+  expect(history.undo(state(5))?.positions?.[0]).toBe(3);
   history.redo(state(3));
-  history.record(state(5), 'move 7');
-  expect([state(6), state(5), state(3), state(2)].map((now) => history.undo(now)?.positions[0])).toEqual([5, 3, 2, 0]);
+  history.record(state(5), 'move', 'move 7');
+  expect([state(6), state(5), state(3), state(2)].map((now) => history.undo(now)?.positions?.[0])).toEqual([5, 3, 2, 0]);
 });
 
 test('forgets the oldest states of large nets, never the last', () => {
   const history = new UndoHistory();
-  for (let i = 0; i < 8; ++i) history.record(state(i, new Float64Array(2e6)));
+  for (let i = 0; i < 8; ++i) history.record(state(i, new Float64Array(2e6)), 'move');
   let undone = 0;
   while (history.undo(state(99))) ++undone;
   expect(undone).toBe(6);
-  history.record(state(0, new Float64Array(30e6)));
+  history.record(state(0, new Float64Array(30e6)), 'move');
   expect(history.canUndo).toBe(true);
+});
+
+test('has a name for each state, the first and those undone too', () => {
+  const history = new UndoHistory();
+  history.begin([{ name: 'open', state: state(0) }], 0);
+  history.record(state(0), 'move 7', '7');
+  history.record(state(1), 'move 7 again', '7');
+  history.beginGesture(state(2));
+  history.endGesture('drag');
+  expect(history).toMatchObject({ names: ['open', 'move 7 again', 'drag'], present: 2, canRedo: false });
+  history.undo(state(3));
+  expect(history).toMatchObject({ names: ['open', 'move 7 again', 'drag'], present: 1, canUndo: true, canRedo: true });
+  history.record(state(2), 'reset');
+  expect(history).toMatchObject({ names: ['open', 'move 7 again', 'reset'], present: 2 });
+});
+
+test('goes to any entry at once, and what was left is as it was', () => {
+  const history = new UndoHistory();
+  const states = [0, 1, 2, 3, 4].map((x) => state(x));
+  for (const each of states.slice(0, 4)) history.record(each, 'move');
+  expect(history.goTo(1, states[4]!)).toBe(states[1]);
+  expect(history.goTo(4, states[1]!)).toBe(states[4]);
+  expect(history.goTo(0, states[4]!)).toBe(states[0]);
+  expect([0, 5, -1].map((index) => history.goTo(index, states[0]!))).toEqual([null, null, null]);
+  expect(history.entries(states[0]!).map((entry) => entry.state)).toEqual(states);
+});
+
+test('goes on where another left off', () => {
+  const entries: Entry[] = [0, 1, 2].map((x) => ({ name: `to ${x}`, state: state(x) }));
+  const history = new UndoHistory();
+  history.begin(entries, 1);
+  expect(history.undo(state(1))).toBe(entries[0]!.state);
+  expect(history.goTo(2, state(0))).toBe(entries[2]!.state);
+});
+
+test('a long history stays quick', () => {
+  const history = new UndoHistory();
+  const shared = new Float64Array(3e5);
+  for (let i = 0; i < 3000; ++i) history.record(state(i, shared), `move ${i}`);
+  expect(history.names).toHaveLength(3001);
+  expect(history.goTo(0, state(3000, shared))?.handles[0]?.target[0]).toBe(0);
 });

@@ -4,16 +4,17 @@ import type { Handle, OptionInfo } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
 import type { ComparisonWish, Run } from './compare/run';
+import { netTitle, settingsChange } from './document/changes';
 import { freshScene } from './document/defaults';
 import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from './document/document';
+import type { Project } from './document/project';
 import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
-import type { Snapshot } from './document/undo';
-import type { FileKind } from './files/export';
-import { type HandleDesk, HandleEditor, targetsOf } from './handles/handle_editor';
+import type { HistoryView, Snapshot } from './document/undo';
+import { type HandleDesk, HandleEditor } from './handles/handle_editor';
 import { words } from './language/language';
-import type { PanelEvents, Panels } from './panels/panels';
+import type { Action, PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
 import { Client, SolverError } from './worker/client';
 import type { Opened, WorkerLike } from './worker/client';
@@ -28,13 +29,11 @@ export interface AppParts {
   spawnWorker(): WorkerLike;
 }
 
-/** What the outside wants of a user's wish that is not about the net itself. */
-export interface AppServices {
-  pickFile(): void;
-  equalize(): void;
-  copyLink(): void;
-  exportFile(kind: FileKind): void;
-}
+/** What a user wishes that is not about the net itself. */
+export type AppServices = Pick<
+  PanelEvents,
+  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'copyLink' | 'exportFile'
+>;
 
 /** A net that is open, and all that belongs to it. */
 export interface Opening {
@@ -47,7 +46,8 @@ export interface Opening {
 const LATE_MS = 250;
 
 type Listener = (error?: unknown) => void;
-export type AppEvent = 'frame' | 'settled' | 'error';
+/** `changed`: anything in the document; `restarted`: the worker was lost. */
+export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'restarted';
 
 export class App {
   readonly handles: HandleEditor;
@@ -58,7 +58,13 @@ export class App {
   readonly #history = new UndoHistory();
   readonly #comparer: Comparer;
   readonly #beside: Beside;
-  readonly #listeners: Record<AppEvent, Set<Listener>> = { frame: new Set(), settled: new Set(), error: new Set() };
+  readonly #listeners: Record<AppEvent, Set<Listener>> = {
+    frame: new Set(),
+    settled: new Set(),
+    error: new Set(),
+    changed: new Set(),
+    restarted: new Set(),
+  };
   #optionTable: OptionInfo[] = [];
   #opening: Opening | null = null;
   /** Nets on their way. */
@@ -125,8 +131,18 @@ export class App {
     this.#emit('error', error);
   }
 
-  say(message: string): void {
-    this.#panels.say(message, 'info');
+  /** @param action what a button beside the message does. */
+  say(message: string, action?: Action): void {
+    this.#panels.say(message, 'info', action);
+  }
+
+  get history(): HistoryView {
+    return this.#history;
+  }
+
+  /** Nothing is under way, neither in the solver nor in the user's hand. */
+  get isQuiet(): boolean {
+    return this.#awaited === 0 && !this.#history.inGesture && !this.#client.busy;
   }
 
   /** A line with a button. */
@@ -136,14 +152,33 @@ export class App {
 
   // ------------------------------------------------------------------------------------------------------ whole scenes
 
-  /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays. */
-  async openScene(scene: Scene): Promise<void> {
+  /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
+   *  @param name what the history calls it. */
+  async openScene(scene: Scene, name = words.history.open(netTitle(scene.net))): Promise<void> {
     const opened = await this.#await(this.#client.open(scene));
     this.handles.endDrag(false);
     const before = this.#snapshot();
-    if (before) this.#history.record(before);
     this.#showOpened(scene, opened);
+    if (before) this.#history.record(before, name);
+    else this.#history.begin([{ name, state: this.#snapshot()! }], 0);
+    this.#showDocument();
     if (opened.frame.handles.length === 0) this.say(words.intro.noHandles);
+  }
+
+  /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
+  async openProject({ entries, present, view }: Project): Promise<void> {
+    const scene = { ...entries[present]!.state, view };
+    const opened = await this.#await(this.#client.open(scene));
+    this.#showOpened(scene, opened);
+    this.#history.begin(entries, present);
+    this.#showDocument();
+  }
+
+  /** The document and its history; null before the first net. */
+  project(): Project | null {
+    const now = this.#snapshot();
+    if (now === null || this.#opening === null) return null;
+    return { entries: this.#history.entries(now), present: this.#history.present, view: this.#opening.document.view };
   }
 
   /** Opens a net as it comes, to be solved and shown as the present one is. */
@@ -175,10 +210,14 @@ export class App {
   // ----------------------------------------------------------------------------------------------------------- solving
 
   async setOptions(settings: SolverSettings): Promise<void> {
+    const before = this.#snapshot();
     await this.#client.setOptions(settings);
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
     const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
-    this.#change({ ...settings, options: Object.fromEntries(unusual) });
+    const after = { ...settings, options: Object.fromEntries(unusual) };
+    const change = before && settingsChange(before, after);
+    if (change) this.#history.record(before, change.name, change.key);
+    this.#change(after);
     this.#showDocument();
   }
 
@@ -191,7 +230,7 @@ export class App {
       const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
       return { ...handle, target: [x, y, z] };
     };
-    this.#history.record(before);
+    this.#history.record(before, words.history.reset);
     this.#change({ handles: before.handles.map(atRest) });
     this.#showDocument();
     await this.#client.reset();
@@ -235,34 +274,44 @@ export class App {
   // -------------------------------------------------------------------------------------------------------------- undo
 
   undo(): void {
-    this.#goTo((now) => this.#history.undo(now));
+    this.goTo(this.#history.present - 1);
   }
 
   redo(): void {
-    this.#goTo((now) => this.#history.redo(now));
+    this.goTo(this.#history.present + 1);
   }
 
-  #goTo(choose: (now: Snapshot) => Snapshot | null): void {
+  /** Goes to an entry of the history. */
+  goTo(index: number): void {
+    this.#try(this.#goTo(index));
+  }
+
+  async #goTo(index: number): Promise<void> {
     const now = this.#snapshot();
-    const state = now === null || this.#awaited > 0 ? null : choose(now);
-    if (state) this.#restore(state);
+    const from = this.#history.present;
+    const state = now === null || this.#awaited > 0 ? null : this.#history.goTo(index, now);
+    if (now === null || state === null) return;
+    try {
+      await this.#restore(state);
+    } catch (error) {
+      // A history from a file may hold what no net can be.
+      if (this.#history.goTo(from, state)) await this.#restore(now);
+      throw error;
+    }
   }
 
-  #restore(state: Snapshot): void {
-    const document = this.#opening?.document;
-    if (document === undefined) return;
-    const { net, handles, symmetry, positions, settled } = state;
-    if (net !== document.net) return this.#reopen(document, state);
-    this.#change({ handles: [...handles], symmetry, positions, settled });
+  async #restore(state: Snapshot): Promise<void> {
+    if (this.#opening === null) return;
+    const { document } = this.#opening;
+    const { net, ...rest } = state;
+    if (net !== document.net) return this.#reopen({ ...state, view: { ...document.view, camera: null } });
+    this.#setDocument({ ...state, view: document.view });
     this.#showDocument();
-    this.#try(this.#client.restore(positions, targetsOf(handles), settled));
+    await this.#client.restore(rest);
   }
 
-  #reopen(document: ChebnetDocument, { net, handles, symmetry, positions, settled }: Snapshot): void {
-    const { method, initialisation, options } = document;
-    const view = { ...document.view, camera: null };
-    const scene: Scene = { net, handles: [...handles], symmetry, positions, settled, method, initialisation, options, view };
-    this.#try(this.#await(this.#client.open(scene)).then((opened) => this.#showOpened(scene, opened)));
+  async #reopen(scene: Scene): Promise<void> {
+    this.#showOpened(scene, await this.#await(this.#client.open(scene)));
   }
 
   /** Says so if a net takes long to open. */
@@ -280,8 +329,8 @@ export class App {
 
   #snapshot(): Snapshot | null {
     if (this.#opening === null) return null;
-    const { net, handles, symmetry } = this.#opening.document;
-    return { net, handles, symmetry, positions: this.#positions(), settled: this.#isSettled() };
+    const { view: _, ...state } = this.#opening.document;
+    return { ...state, settled: this.#isSettled() };
   }
 
   /** While something is under way, the positions shown are not the last. */
@@ -306,12 +355,9 @@ export class App {
     };
   }
 
-  #panelEvents({ pickFile, equalize, copyLink, exportFile }: AppServices): PanelEvents {
+  #panelEvents(services: AppServices): PanelEvents {
     return {
-      pickFile,
-      equalize,
-      copyLink,
-      exportFile,
+      ...services,
       openRecipe: (recipe) => this.#try(this.openNet({ recipe })),
       handles: this.handles,
       previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
@@ -326,7 +372,9 @@ export class App {
       cancelComparison: () => this.#comparer.cancel(),
       showRun: (run) => this.showRun(run),
       showBeside: (run) => this.showBeside(run),
-      undoDrag: () => this.undo(),
+      undo: () => this.undo(),
+      redo: () => this.redo(),
+      goTo: (index) => this.goTo(index),
       frameAll: () => this.#view.frameAll(),
     };
   }
@@ -337,7 +385,7 @@ export class App {
       // While a net is on its way, the one in hand is about to go.
       snapshot: () => (this.#awaited > 0 ? null : this.#snapshot()),
       change: (change) => this.#change(change),
-      restore: (state) => this.#restore(state),
+      restore: (state) => this.#try(this.#restore(state)),
       show: () => this.#showDocument(),
       showDrag: () => this.#showDrag(),
       say: (message) => this.say(message),
@@ -367,45 +415,31 @@ export class App {
     return this.#opening?.document.handles ?? [];
   }
 
-  #positions(): Float64Array {
-    return this.#opening?.document.positions ?? new Float64Array();
-  }
-
   /** The document is never changed in place: history and links may hold parts of it. */
   #change(change: Partial<ChebnetDocument>): void {
-    if (this.#opening) this.#opening = { ...this.#opening, document: { ...this.#opening.document, ...change } };
+    if (this.#opening) this.#setDocument({ ...this.#opening.document, ...change });
+  }
+
+  #setDocument(document: ChebnetDocument): void {
+    if (this.#opening) this.#opening = { ...this.#opening, document };
+    this.#emit('changed');
   }
 
   // ------------------------------------------------------------------------------------------------------------ showing
 
   #showOpened(scene: Scene, { net, frame }: Opened): void {
     this.#showOwnNet();
-    const { method, initialisation, options, view, settled, experiment, compare } = scene;
+    const { view } = scene;
     const last = frame.handles.length - 1;
     // Of the handles that come with a recipe the last is the one to drag.
-    const isAnchor = (i: number): boolean => (scene.handles === 'suggested' ? i < last : (scene.handles[i]?.anchor ?? false));
-    const seeds = scene.handles === 'suggested' ? [] : scene.handles;
-    const handles = frame.handles.map(({ vertex, target }, i) => ({ ...seeds[i], vertex, target, anchor: isAnchor(i) }));
-    this.#opening = {
-      net,
-      frame,
-      document: {
-        net: scene.net,
-        handles,
-        symmetry: scene.symmetry,
-        method,
-        initialisation,
-        options,
-        view,
-        positions: frame.positions,
-        settled,
-        experiment,
-        compare,
-      },
-    };
+    const handles = frame.handles.map(({ vertex, target }, i) =>
+      scene.handles === 'suggested' ? { vertex, target, anchor: i < last } : { anchor: false, ...scene.handles[i], vertex, target },
+    );
+    this.#opening = { net, frame, document: { ...scene, handles, positions: frame.positions } };
+    this.#emit('changed');
     this.handles.netChanged();
     // First, for the view leaves room for what the panels say.
-    this.#panels.showDocument(this.#opening.document, this.handles.choice, this.#history.canUndo);
+    this.#panels.showDocument(this.#opening.document, this.handles.choice);
     this.#view.setAppearance(view);
     this.#view.showNet(net, frame, view.camera);
     this.#panels.showNet(net);
@@ -427,6 +461,7 @@ export class App {
   }
 
   #restarted(reason: string, opened: Opened | null): void {
+    this.#emit('restarted');
     if (opened === null || this.#opening === null) {
       this.#panels.say(words.solver.stopped(sentence(reason)), 'error');
       return;
@@ -442,7 +477,8 @@ export class App {
     const { choice } = this.handles;
     this.#view.setSymmetry(document.symmetry);
     this.#view.showHandles(this.#shownHandles(document), choice);
-    this.#panels.showDocument(document, choice, this.#history.canUndo);
+    this.#panels.showDocument(document, choice);
+    this.#panels.showHistory(this.#history);
   }
 
   #showDrag(): void {

@@ -1,9 +1,6 @@
 /** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app';
-import { defaultScene } from './document/defaults';
-import type { Scene } from './document/document';
-import { decodeScene, linkAdvice } from './document/share';
-import { experimentScene, isExperimentLink } from './experiments/experiment';
+import { linkAdvice } from './document/share';
 import { equalizedScene, subjectOfNet } from './equalize/subject';
 import type { Subject } from './equalize/subject';
 import { download } from './files/download';
@@ -16,6 +13,7 @@ import type { GizmoMode } from './handles/wishes';
 import { EqualizeDialog } from './panels/equalize_dialog';
 import { FileDialog } from './panels/file_dialog';
 import { createPanels } from './panels/sidebar';
+import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
 import { createView } from './view/scene';
 
@@ -32,19 +30,23 @@ const app = new App(
     spawnWorker: () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' }),
   },
   {
-    pickFile: () => attempt(async () => openFile(await pickFile())),
+    pickFile: () => attempt(pickAndOpen),
+    newNet: () => attempt(() => projects.newNet()),
+    saveProject: () => projects.save(),
+    restoreLast: () => attempt(() => projects.restoreLast()),
     equalize: () => attempt(equalizeNet),
     copyLink: () => attempt(copyLink),
     exportFile: (kind) => attempt(() => exportFile(kind)),
   },
 );
+const projects = new Projects(app);
 const opener = new FileOpener({
   spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
   createDialog: (name) => new FileDialog(element('panels'), name),
   createEqualizer,
   open: (net) => app.openNet(net),
 });
-const ready = start();
+const ready = projects.start();
 window.chebnet = createScripting(app, ready);
 // Once the first net is there: until then the network is busy enough.
 void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
@@ -67,26 +69,10 @@ function attempt(doing: () => Promise<void>): void {
   doing().catch((error: unknown) => app.report(error));
 }
 
-/** A link that cannot be opened is said to be so, and the default net takes its place. */
-async function start(): Promise<void> {
-  try {
-    await app.start();
-    if (location.hash.length > 1) await app.openScene(sceneOf(location.hash));
-  } catch (error) {
-    app.report(error);
-  }
-  if (app.opening === null) await app.openScene(defaultScene()).catch((error: unknown) => app.report(error));
-}
-
 async function followLink(): Promise<void> {
   if (location.hash.length <= 1) return;
   await ready;
-  await app.openScene(sceneOf(location.hash));
-  app.say(words.link.open);
-}
-
-function sceneOf(hash: string): Scene {
-  return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
+  await projects.followLink();
 }
 
 async function copyLink(): Promise<void> {
@@ -110,8 +96,14 @@ async function exportFile(kind: FileKind): Promise<void> {
   download(fileNameOf(net, kind), content, typeOf(kind));
 }
 
+async function pickAndOpen(): Promise<void> {
+  await openFile(await pickFile());
+}
+
 async function openFile(file: File | null): Promise<void> {
-  if (file) await opener.open(file);
+  if (file === null) return;
+  if (projects.isProject(file)) await projects.openFile(file);
+  else await opener.open(file);
 }
 
 function createEqualizer(subject: Subject): EqualizeDialog {
@@ -132,11 +124,18 @@ async function equalizeNet(): Promise<void> {
 function pressKey(event: KeyboardEvent): void {
   // Keys are for a dialog alone while it is open, wherever the focus is.
   const busy = document.querySelector('dialog:modal') !== null;
-  if (event.defaultPrevented || busy || isTyping(event.target)) return;
-  const command = commandOf(event);
+  if (event.defaultPrevented || busy) return;
+  const command = fileCommandOf(event) ?? (isTyping(event) ? null : commandOf(event));
   if (command === null) return;
   event.preventDefault();
   command();
+}
+
+function fileCommandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
+  if (!(ctrlKey || metaKey) || shiftKey || altKey) return null;
+  const letter = key.toLowerCase();
+  if (letter === 's') return () => projects.save();
+  return letter === 'o' ? () => attempt(pickAndOpen) : null;
 }
 
 function commandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
@@ -153,8 +152,8 @@ function commandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 
   return mode ? () => app.handles.setMode(mode) : null;
 }
 
-/** In a field for text the keys belong to the text. */
-function isTyping(target: EventTarget | null): boolean {
+/** In a field for text the keys belong to the text, in a list of choices those without Ctrl do. */
+function isTyping({ target, ctrlKey, metaKey }: KeyboardEvent): boolean {
   if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'range', 'button'].includes(target.type);
-  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLSelectElement && !ctrlKey && !metaKey);
 }

@@ -1,16 +1,13 @@
 /**
  * Scenes as links. A link carries the scene in its hash: `#v1=` and, deflated and in the base64 of URLs, the length of
- * a JSON header (32 bits, little end first), the header, and the packed positions (packing.ts).
- *
- * A link is foreign input: every field is checked here, and what only the net can tell (does vertex 9000 exist?) by the
- * core when the scene is opened.
+ * a JSON header (32 bits, little end first), the header (codec.ts), and the packed positions (packing.ts).
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
-import type { RestLengths } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import type { ChebnetDocument, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, Vec3, ViewState } from './document';
-import { LONGEST_NAME } from './document';
-import { DEFAULT_INITIALISATION } from './defaults';
+import { fromBase64, toBase64 } from './base64';
+import { readNet, readState, readView, writeState, writeView } from './codec';
+import type { ChebnetDocument, Scene } from './document';
+import { Field } from './field';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
 
@@ -58,11 +55,11 @@ export function decodeScene(hash: string): Scene {
     const newer = /^v\d+=/.test(text);
     throw new LinkError('foreign_link', newer ? words.link.otherVersion : words.link.foreign);
   }
-  const content = inflate(fromBase64(text.slice(TAG.length)));
+  const content = inflate(fromUrl(text.slice(TAG.length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
   if (!(headerEnd <= content.length)) throw damaged();
   const packed = content.subarray(headerEnd);
-  return readScene(parse(content.subarray(4, headerEnd)), packed.length > 0 ? packed : null);
+  return readScene(content.subarray(4, headerEnd), packed.length > 0 ? packed : null);
 }
 
 /** What to tell a user about the link just made, or null if there is nothing to tell. */
@@ -77,19 +74,8 @@ export function linkAdvice(shared: Shared): string | null {
 
 // ------------------------------------------------------------------------------------------------------------- writing
 
-function header(document: ChebnetDocument, net: PackingNet, settled: boolean): object {
-  const { method, initialisation, options, view } = document;
-  const source = 'recipe' in document.net ? { recipe: document.net.recipe } : document.net;
-  const camera = view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7)));
-  const handles = document.handles.map((handle) => writeHandle(handle, net));
-  const { symmetry } = document;
-  return { net: source, handles, symmetry, method, initialisation, options, view: { ...view, camera }, settled };
-}
-
-/** `[vertex, anchor]`, the target unless the handle is at rest, and what else there is to say about it. */
-function writeHandle({ vertex, anchor, target, ...rest }: HandleData, { restPositions }: PackingNet): unknown[] {
-  const atRest = target.every((x, axis) => x === restPositions[3 * vertex + axis]);
-  return [vertex, anchor ? 1 : 0, ...(atRest ? [] : target), ...(Object.keys(rest).length > 0 ? [rest] : [])];
+function header({ view, ...state }: ChebnetDocument, net: PackingNet, settled: boolean): object {
+  return { ...writeState({ ...state, settled }, net.restPositions), net: state.net, view: writeView(view) };
 }
 
 function toHash(head: object, packed: Uint8Array | null): string {
@@ -98,11 +84,11 @@ function toHash(head: object, packed: Uint8Array | null): string {
   new DataView(content.buffer).setUint32(0, json.length, true);
   content.set(json, 4);
   if (packed) content.set(packed, 4 + json.length);
-  return `#${TAG}${toBase64(deflateSync(content, { level: 9 }))}`;
+  return `#${TAG}${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
 }
 
-function toBase64(bytes: Uint8Array): string {
-  return btoa(strFromU8(bytes, true)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+function toUrl(base64: string): string {
+  return base64.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
 // ------------------------------------------------------------------------------------------------------------- reading
@@ -111,9 +97,9 @@ function damaged(): LinkError {
   return new LinkError('bad_link', words.link.damaged);
 }
 
-function fromBase64(text: string): Uint8Array {
+function fromUrl(text: string): Uint8Array {
   try {
-    return strToU8(atob(text.replaceAll('-', '+').replaceAll('_', '/')), true);
+    return fromBase64(text.replaceAll('-', '+').replaceAll('_', '/'));
   } catch {
     throw damaged();
   }
@@ -145,126 +131,11 @@ function inflate(deflated: Uint8Array): Uint8Array {
   return content;
 }
 
-function parse(json: Uint8Array): Record<string, unknown> {
+function readScene(json: Uint8Array, packed: Uint8Array | null): Scene {
   try {
-    return record(JSON.parse(strFromU8(json)));
+    const head = new Field(JSON.parse(strFromU8(json)));
+    return { ...readState(head), net: readNet(head.at('net')), view: readView(head.at('view')), positions: packed && { packed } };
   } catch {
     throw damaged();
   }
-}
-
-function readScene(head: Record<string, unknown>, packed: Uint8Array | null): Scene {
-  return {
-    net: readNet(record(head.net)),
-    handles: list(head.handles).map(readHandle),
-    ...(head.symmetry === undefined ? {} : { symmetry: readSymmetry(record(head.symmetry)) }),
-    method: text(head.method),
-    // Links made before there was a choice have none.
-    initialisation: head.initialisation === undefined ? DEFAULT_INITIALISATION : text(head.initialisation),
-    options: readOptions(record(head.options)),
-    view: readView(record(head.view)),
-    positions: packed && { packed },
-    settled: flag(head.settled),
-  };
-}
-
-function readNet(net: Record<string, unknown>): NetSource {
-  if ('recipe' in net) return { recipe: text(net.recipe) };
-  const file = { obj: text(net.obj), name: text(net.name) };
-  // Links made before there was a choice have none.
-  if (net.restLengths === undefined) return file;
-  return { ...file, restLengths: oneOf<RestLengths>(net.restLengths, ['automatic', 'equal', 'own']) };
-}
-
-function readHandle(row: unknown): HandleSeed {
-  const fields = list(row);
-  const rest = typeof fields.at(-1) === 'object' ? record(fields.pop()) : {};
-  const [vertex, anchor, ...target] = fields.map(number);
-  if (vertex === undefined || !Number.isInteger(vertex) || vertex < 0 || vertex >= 2 ** 31) throw damaged();
-  if (anchor !== 0 && anchor !== 1) throw damaged();
-  return { vertex, anchor: anchor === 1, target: target.length === 0 ? null : point(target), ...readRest(rest) };
-}
-
-/** What a handle may have; links made before there was such a thing have none. */
-function readRest({ name, hidden, weight }: Record<string, unknown>): Pick<HandleSeed, 'name' | 'hidden' | 'weight'> {
-  return {
-    ...(name === undefined ? {} : { name: nameOf(name) }),
-    ...(hidden === undefined ? {} : { hidden: flag(hidden) }),
-    ...(weight === undefined ? {} : { weight: weightOf(weight) }),
-  };
-}
-
-function nameOf(value: unknown): string {
-  const name = text(value);
-  if (name.length > LONGEST_NAME) throw damaged();
-  return name;
-}
-
-function weightOf(value: unknown): number {
-  const weight = number(value);
-  if (weight <= 0) throw damaged();
-  return weight;
-}
-
-function readSymmetry({ axis, through }: Record<string, unknown>): Symmetry {
-  return { axis: oneOf(axis, ['x', 'y', 'z']), through: oneOf(through, ['centre', 'origin']) };
-}
-
-function readOptions(options: Record<string, unknown>): SolverOptions {
-  return Object.fromEntries(
-    Object.entries(options).map(([name, value]) => [name, typeof value === 'boolean' ? value : number(value)]),
-  );
-}
-
-function readView(view: Record<string, unknown>): ViewState {
-  return {
-    camera: view.camera === null ? null : readCamera(list(view.camera).map(number)),
-    field: oneOf(view.field, ['deviation', 'angle']),
-    colourMap: oneOf(view.colourMap, ['paper', 'log']),
-    showFaces: flag(view.showFaces),
-    ...(view.upAxis === undefined ? {} : { upAxis: oneOf<UpAxis>(view.upAxis, ['y', 'z']) }),
-  };
-}
-
-function readCamera(numbers: number[]): NonNullable<ViewState['camera']> {
-  const camera = { position: point(numbers.slice(0, 3)), target: point(numbers.slice(3)) };
-  const apart = camera.position.some((x, axis) => x !== camera.target[axis]);
-  if (!apart) throw damaged();
-  return camera;
-}
-
-function record(value: unknown): Record<string, unknown> {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged();
-  return value as Record<string, unknown>;
-}
-
-function list(value: unknown): unknown[] {
-  if (!Array.isArray(value)) throw damaged();
-  return value;
-}
-
-function text(value: unknown): string {
-  if (typeof value !== 'string') throw damaged();
-  return value;
-}
-
-function flag(value: unknown): boolean {
-  if (typeof value !== 'boolean') throw damaged();
-  return value;
-}
-
-function number(value: unknown): number {
-  if (typeof value !== 'number' || !Number.isFinite(value)) throw damaged();
-  return value;
-}
-
-function point([x, y, z, ...more]: number[]): Vec3 {
-  if (x === undefined || y === undefined || z === undefined || more.length > 0) throw damaged();
-  return [x, y, z];
-}
-
-function oneOf<T extends string>(value: unknown, choices: readonly T[]): T {
-  const choice = choices.find((name) => name === value);
-  if (choice === undefined) throw damaged();
-  return choice;
 }

@@ -1,51 +1,92 @@
-/** Undo and redo as whole states of what is being made: net, handles and positions. Solver options and the view are how
- *  one works and looks; they are not undone. */
-import type { HandleData, NetSource, Symmetry } from './document';
+/** The history: every state of what is being made, by the name of the change that led to it. How one looks at it, the
+ *  view, is not undone; all else of the document is. */
+import type { ChebnetDocument, NetSource } from './document';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. */
-export interface Snapshot {
-  readonly net: NetSource;
-  readonly handles: readonly HandleData[];
-  readonly symmetry?: Symmetry | undefined;
-  readonly positions: Float64Array;
-  /** Nothing was left to be solved. */
-  readonly settled: boolean;
+export type Snapshot = Readonly<Omit<ChebnetDocument, 'view'>>;
+
+export interface Entry {
+  /** What was done to get here. */
+  readonly name: string;
+  readonly state: Snapshot;
 }
 
-/** Most numbers kept in positions, all entries together: 100 MB. */
-const LARGEST = 100e6 / Float64Array.BYTES_PER_ELEMENT;
+/** What a panel shows of it. */
+export interface HistoryView {
+  readonly names: readonly string[];
+  readonly present: number;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** Counts up with whatever happens to it. */
+  readonly revision: number;
+}
+
+/** Most bytes kept of the past, all entries together. */
+const LARGEST = 100e6;
 
 /**
- * The history of one session. A state is recorded before it is changed; undo and redo swap it for the state of the
- * moment. A gesture, e.g. a drag, is one entry however many changes it makes, and cannot be undone while it goes on.
+ * The history of one document. A state is recorded before it is changed, and again when one leaves it to go elsewhere in
+ * the history. A gesture, e.g. a drag, is one entry however many changes it makes; one goes nowhere while it goes on.
  */
-export class UndoHistory {
-  #past: Snapshot[] = [];
-  #future: Snapshot[] = [];
+export class UndoHistory implements HistoryView {
+  #names: string[] = [''];
+  /** The state of each entry; that of the present one is of the moment when it was last left. */
+  #states: (Snapshot | null)[] = [null];
+  #present = 0;
   #gesture: Snapshot | null = null;
   #lastKey: string | null = null;
+  #revision = 0;
+
+  get names(): readonly string[] {
+    return this.#names;
+  }
+
+  get present(): number {
+    return this.#present;
+  }
 
   get canUndo(): boolean {
-    return this.#gesture === null && this.#past.length > 0;
+    return this.#gesture === null && this.#present > 0;
   }
 
   get canRedo(): boolean {
-    return this.#gesture === null && this.#future.length > 0;
+    return this.#gesture === null && this.#present < this.#names.length - 1;
   }
 
   get inGesture(): boolean {
     return this.#gesture !== null;
   }
 
+  get revision(): number {
+    return this.#revision;
+  }
+
+  /** Forgets all; `entries` are the history from now on. */
+  begin(entries: readonly Entry[], present: number): void {
+    this.#names = entries.map(({ name }) => name);
+    this.#states = entries.map(({ state }) => state);
+    this.#present = present;
+    this.#gesture = null;
+    this.#lastKey = null;
+    this.#revision += 1;
+  }
+
+  /** All of it, with `now` as the present state. */
+  entries(now: Snapshot): Entry[] {
+    return this.#names.map((name, i) => ({ name, state: (i === this.#present ? null : this.#states[i]) ?? now }));
+  }
+
   /**
-   * Before a change. Changes one after another with the same `key` make one entry. Within a gesture a change is part of
-   * the gesture.
+   * A change called `name`, which began at the state `before`. Changes one after another with the same `key` make one
+   * entry, of the last name. Within a gesture a change is part of the gesture.
    */
-  record(before: Snapshot, key: string | null = null): void {
+  record(before: Snapshot, name: string, key: string | null = null): void {
     if (this.#gesture !== null) return;
     const joins = key !== null && key === this.#lastKey;
     this.#lastKey = key;
-    if (!joins) this.#push(before);
+    this.#revision += 1;
+    if (joins) this.#names[this.#present] = name;
+    else this.#push(before, name);
   }
 
   /** Before the first change of a gesture. */
@@ -53,12 +94,14 @@ export class UndoHistory {
     this.#gesture ??= before;
   }
 
-  /** After its last change; a gesture that changed nothing leaves no entry. */
-  endGesture(changed: boolean): void {
+  /** After its last change; a gesture without a name changed nothing and leaves no entry. */
+  endGesture(name: string | null): void {
     const before = this.#gesture;
     this.#gesture = null;
     this.#lastKey = null;
-    if (before !== null && changed) this.#push(before);
+    if (before === null || name === null) return;
+    this.#revision += 1;
+    this.#push(before, name);
   }
 
   /** Ends the gesture without a trace and returns the state to go back to, or null if there was none. */
@@ -70,31 +113,60 @@ export class UndoHistory {
 
   /** The state to go back to, or null. */
   undo(now: Snapshot): Snapshot | null {
-    return this.#swap(this.#past, this.#future, now);
+    return this.goTo(this.#present - 1, now);
   }
 
   /** The state to go forward to, or null. */
   redo(now: Snapshot): Snapshot | null {
-    return this.#swap(this.#future, this.#past, now);
+    return this.goTo(this.#present + 1, now);
   }
 
-  #swap(from: Snapshot[], to: Snapshot[], now: Snapshot): Snapshot | null {
-    if (this.#gesture !== null) return null;
-    const state = from.pop();
-    if (state === undefined) return null;
+  /** The state of entry `index`, which is the present one from now on; null if there is nowhere to go. */
+  goTo(index: number, now: Snapshot): Snapshot | null {
+    const state = this.#states[index];
+    if (this.#gesture !== null || index === this.#present || !state) return null;
     this.#lastKey = null;
-    to.push(now);
+    this.#revision += 1;
+    this.#states[this.#present] = now;
+    this.#present = index;
     return state;
   }
 
-  #push(before: Snapshot): void {
-    this.#past.push(before);
-    this.#future = [];
-    while (this.#past.length > 1 && numbers(this.#past) > LARGEST) this.#past.shift();
+  #push(before: Snapshot, name: string): void {
+    this.#states.splice(this.#present, Infinity, before, null);
+    this.#names.splice(this.#present + 1, Infinity, name);
+    this.#present += 1;
+    const forgotten = firstKept(this.#states, this.#present - 1);
+    this.#states.splice(0, forgotten);
+    this.#names.splice(0, forgotten);
+    this.#present -= forgotten;
   }
 }
 
-/** Numbers held by positions, shared ones counted once. */
-function numbers(entries: readonly Snapshot[]): number {
-  return [...new Set(entries.map(({ positions }) => positions))].reduce((sum, { length }) => sum + length, 0);
+/** Of the states up to `last` the first that is not too old to be kept; `last` always is. */
+function firstKept(states: readonly (Snapshot | null)[], last: number): number {
+  const measure = new Measure();
+  for (let i = last; i >= 0; --i) {
+    const state = states[i];
+    if (state) measure.add(state);
+    if (i < last && measure.bytes > LARGEST) return i + 1;
+  }
+  return 0;
+}
+
+/** Adds up the bytes of states; what they share counts once. */
+export class Measure {
+  bytes = 0;
+  readonly #seen = new Set<Float64Array | NetSource | null>([null]);
+
+  add({ positions, net }: Snapshot): void {
+    this.#add(positions, positions?.byteLength ?? 0);
+    this.#add(net, 'obj' in net ? net.obj.length : 0);
+  }
+
+  #add(part: Float64Array | NetSource | null, bytes: number): void {
+    if (this.#seen.has(part)) return;
+    this.#seen.add(part);
+    this.bytes += bytes;
+  }
 }

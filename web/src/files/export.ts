@@ -23,8 +23,12 @@ export function typeOf(kind: FileKind): string {
   return EXPORT_KINDS.find((each) => each.kind === kind)?.type ?? '';
 }
 
-/** After the shape of a recipe or the file that was opened. */
 export function fileNameOf(net: NetSource, kind: FileKind): string {
+  return `${baseNameOf(net)}.${kind}`;
+}
+
+/** After the shape of a recipe or the file that was opened. */
+export function baseNameOf(net: NetSource): string {
   const name = 'recipe' in net ? net.recipe.split(':')[0] : net.name.replace(/\.(obj|ply|off)$/i, '');
-  return `${name || 'net'}.${kind}`;
+  return name || 'net';
 }

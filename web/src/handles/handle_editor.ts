@@ -1,6 +1,7 @@
 /** The one place that changes handles: keeps document, history, solver and the mirror image in step. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { Opening } from '../app';
+import { handlesTitle, traitsChange } from '../document/changes';
 import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/document';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
@@ -34,7 +35,8 @@ export class HandleEditor implements HandleWishes {
   readonly #history: UndoHistory;
   #selection: Selection = [];
   #mode: GizmoMode = 'translate';
-  #dragMoved = false;
+  /** What the history will call the drag under way; null until it moves something. */
+  #dragName: string | null = null;
   #lines: { net: OpenedNet; lines: Lines } | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
@@ -81,8 +83,9 @@ export class HandleEditor implements HandleWishes {
 
   // --------------------------------------------------------------------------------------------------------- which ones
 
-  /** Replaces the handles. */
-  async set(handles: readonly HandleData[]): Promise<void> {
+  /** Replaces the handles.
+   *  @param name what the history calls it. */
+  async set(handles: readonly HandleData[], name = words.history.handles): Promise<void> {
     const before = this.#desk.snapshot();
     this.#desk.change({ handles: [...handles] });
     try {
@@ -91,7 +94,7 @@ export class HandleEditor implements HandleWishes {
       if (before) this.#desk.change({ handles: [...before.handles] });
       throw error;
     }
-    if (before) this.#history.record(before);
+    if (before) this.#history.record(before, name);
     this.#desk.show();
   }
 
@@ -118,7 +121,8 @@ export class HandleEditor implements HandleWishes {
     const leaving = this.#handles.filter(({ vertex, anchor }) => chosen.has(vertex) && !anchor);
     if (unlocked(vertices, this.#handles).length < vertices.length) this.#desk.say(words.handles.lockedStay);
     if (leaving.length === 0) return;
-    this.#desk.attempt(this.set(this.#handles.filter((handle) => !leaving.includes(handle))));
+    const name = words.history.remove(this.#titleOf(leaving));
+    this.#desk.attempt(this.set(this.#handles.filter((handle) => !leaving.includes(handle)), name));
   }
 
   removeSelected(): void {
@@ -130,7 +134,7 @@ export class HandleEditor implements HandleWishes {
     const present = new Set(this.#handles.map(({ vertex }) => vertex));
     const fresh = this.#mirrored(vertices).filter((vertex) => !present.has(vertex));
     const added = fresh.map((vertex): HandleData => ({ vertex, target: this.positionOf(vertex), anchor: false }));
-    if (added.length > 0) await this.set([...this.#handles, ...added]);
+    if (added.length > 0) await this.set([...this.#handles, ...added], words.history.add(this.#titleOf(added)));
     this.select(selection);
   }
 
@@ -141,17 +145,18 @@ export class HandleEditor implements HandleWishes {
     const chosen = new Set(vertices);
     const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? { ...handle, ...traits } : handle));
     // To the solver a lock, a name, or not to be seen are all one.
-    if ('weight' in traits) return this.#desk.attempt(this.set(handles));
-    this.#changeDocument({ handles });
+    const name = traitsChange(traits, this.#titleOf(this.#handles.filter(({ vertex }) => chosen.has(vertex))));
+    if ('weight' in traits) return this.#desk.attempt(this.set(handles, name));
+    this.#changeDocument({ handles }, name);
   }
 
   setSymmetry(symmetry: Symmetry | undefined): void {
-    this.#changeDocument({ symmetry });
+    this.#changeDocument({ symmetry }, symmetry ? words.history.symmetry : words.history.noSymmetry);
   }
 
-  #changeDocument(change: Partial<ChebnetDocument>): void {
+  #changeDocument(change: Partial<ChebnetDocument>, name: string): void {
     const before = this.#desk.snapshot();
-    if (before) this.#history.record(before);
+    if (before) this.#history.record(before, name);
     this.#desk.change(change);
     this.#desk.show();
   }
@@ -174,7 +179,7 @@ export class HandleEditor implements HandleWishes {
     const before = this.#desk.snapshot();
     const both = this.#onBothSides(targets);
     await this.#client.drag(both);
-    if (before) this.#history.record(before, key);
+    if (before) this.#history.record(before, words.history.move(this.#titleOf(targets)), key);
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.show();
   }
@@ -182,14 +187,14 @@ export class HandleEditor implements HandleWishes {
   beginDrag(): void {
     const before = this.#desk.snapshot();
     if (before === null) return;
-    this.#dragMoved = false;
+    this.#dragName = null;
     this.#history.beginGesture(before);
   }
 
   drag(targets: readonly Handle[]): void {
     if (!this.#history.inGesture) return;
     const both = this.#onBothSides(targets);
-    this.#dragMoved = true;
+    this.#dragName ??= words.history.move(this.#titleOf(targets));
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.showDrag();
     this.#desk.attempt(this.#client.drag(both));
@@ -197,8 +202,8 @@ export class HandleEditor implements HandleWishes {
 
   endDrag(cancelled: boolean): void {
     const before = cancelled ? this.#history.cancelGesture() : null;
-    if (before && this.#dragMoved) this.#desk.restore(before);
-    this.#history.endGesture(this.#dragMoved);
+    if (before && this.#dragName !== null) this.#desk.restore(before);
+    this.#history.endGesture(this.#dragName);
     this.#desk.show();
   }
 
@@ -212,6 +217,10 @@ export class HandleEditor implements HandleWishes {
 
   get #handles(): readonly HandleData[] {
     return this.#desk.opening()?.document.handles ?? [];
+  }
+
+  #titleOf(of: readonly { vertex: number }[]): string {
+    return handlesTitle(this.#handles, of);
   }
 
   #withTargets(targets: readonly Handle[]): HandleData[] {
@@ -250,6 +259,6 @@ export class HandleEditor implements HandleWishes {
 }
 
 /** What of them the solver wants to know. */
-export function targetsOf(handles: readonly HandleData[]): Handle[] {
+function targetsOf(handles: readonly HandleData[]): Handle[] {
   return handles.map(({ vertex, target }) => ({ vertex, target }));
 }

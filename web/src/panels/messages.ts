@@ -1,8 +1,11 @@
 /** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
 import { words } from '../language/language';
 import { make, makeButton } from './dom';
+import type { Action } from './panels';
 
 const INFO_MS = 6000;
+/** Whoever is offered something has to decide. */
+const OFFER_MS = 20_000;
 
 export class Messages {
   // Both must be in the page before anything is said, or screen readers miss the first line.
@@ -11,9 +14,9 @@ export class Messages {
   readonly element = make('div', { class: 'messages' }, this.infos, this.errors);
   private timer = 0;
 
-  say(message: string, kind: 'info' | 'error'): void {
+  say(message: string, kind: 'info' | 'error', action?: Action): void {
     if (kind === 'error') this.sayError(message);
-    else this.sayInfo(message);
+    else this.sayInfo(message, action);
   }
 
   /** A line that stays until the user accepts or dismisses it. */
@@ -23,10 +26,19 @@ export class Messages {
     this.errors.before(make('div', { role: 'status' }, line));
   }
 
-  private sayInfo(message: string): void {
-    this.infos.replaceChildren(make('p', { class: 'message' }, message));
+  private sayInfo(message: string, action?: Action): void {
+    const line = make('p', { class: 'message' }, make('span', {}, message));
+    const end = (): void => line.remove();
+    if (action) {
+      const act = (): void => {
+        end();
+        action.run();
+      };
+      line.append(makeButton(action.label, act, { class: 'plain link' }));
+    }
+    this.infos.replaceChildren(line);
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.infos.replaceChildren(), INFO_MS);
+    this.timer = window.setTimeout(end, action ? OFFER_MS : INFO_MS);
   }
 
   private sayError(message: string): void {

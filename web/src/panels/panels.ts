@@ -2,16 +2,22 @@
  *  intentions; they never change the document themselves. */
 import type { Comparison, ComparisonWish, Run } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
+import type { HistoryView } from '../document/undo';
 import type { FileKind } from '../files/export';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
-  /** The user wants to pick a file. */
+  /** The user wants to pick a file, a net or a project. */
   pickFile(): void;
   /** Give all edges of the net that is open one length. */
   equalize(): void;
+  /** The first net in place of the present one. */
+  newNet(): void;
+  saveProject(): void;
+  /** What was kept before the present net. */
+  restoreLast(): void;
   handles: HandleWishes;
   /** Show what a button would take; null: no longer. */
   previewLine(name: LineName | null): void;
@@ -22,7 +28,10 @@ export interface PanelEvents {
   setStepArrows(shown: boolean): void;
   cancel(): void;
   reset(): void;
-  undoDrag(): void;
+  undo(): void;
+  redo(): void;
+  /** Goes to an entry of the history. */
+  goTo(index: number): void;
   /** Run these methods side by side on the present edit. */
   compare(wish: ComparisonWish): void;
   cancelComparison(): void;
@@ -36,6 +45,12 @@ export interface PanelEvents {
   frameAll(): void;
 }
 
+/** What a message offers to do. */
+export interface Action {
+  label: string;
+  run(): void;
+}
+
 export interface Panels {
   /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
   showTables(
@@ -43,7 +58,9 @@ export interface Panels {
     thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
   ): void;
   /** After anything in the document changed. */
-  showDocument(document: ChebnetDocument, choice: Choice, canUndo: boolean): void;
+  showDocument(document: ChebnetDocument, choice: Choice): void;
+  /** After anything was done, undone or redone. */
+  showHistory(history: HistoryView): void;
   showNet(net: OpenedNet): void;
   /** Live numbers and the plot. `solving`: the worker is busy. */
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
@@ -53,7 +70,7 @@ export interface Panels {
   /** The run whose net is in the view (null: one's own is), and the one beside it, if any. */
   showRuns(run: Run | null, beside: Run | null): void;
   /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
-  say(message: string, kind: 'info' | 'error'): void;
+  say(message: string, kind: 'info' | 'error', action?: Action): void;
   /** A line with a button; it stays until that is pressed or the line is dismissed. */
   offer(message: string, button: string, accept: () => void): void;
 }

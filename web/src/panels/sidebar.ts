@@ -2,6 +2,7 @@
  *  sections that fold. */
 import type { ShapeInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, HandleData } from '../document/document';
+import type { HistoryView } from '../document/undo';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 import type { Comparison, Run } from '../compare/run';
 import { words } from '../language/language';
@@ -14,12 +15,13 @@ import { make, makeButton, makeSection, setSummary, setText } from './dom';
 import { ExperimentsPanel } from './experiments_panel';
 import { Gallery } from './gallery';
 import { HandleList } from './handle_list';
+import { HistoryPanel } from './history_panel';
 import { Idle } from './idle';
 import { makeLanguageChoice } from './language_choice';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
-import type { PanelEvents, Panels } from './panels';
+import type { Action, PanelEvents, Panels } from './panels';
 import { SelectionBar } from './selection_bar';
 import { RunNotice } from './run_notice';
 import { ShapeParameters } from './shape_parameters';
@@ -47,6 +49,7 @@ class Sidebar implements Panels {
   private readonly solver: SolverPanel;
   private readonly step: StepPanel;
   private readonly experiments: ExperimentsPanel;
+  private readonly history: HistoryPanel;
   private readonly comparison: ComparisonForm;
   private readonly results: ComparisonResults;
   private readonly runNotice: RunNotice;
@@ -88,6 +91,7 @@ class Sidebar implements Panels {
       events.showRun(null);
       events.showBeside(null);
     });
+    this.history = new HistoryPanel((index) => events.goTo(index));
     this.toolbar = new Toolbar(events);
     this.bar = new SelectionBar(events);
     this.handleSection = makeSection(words.handles.title(0), false, ...this.handles.content);
@@ -102,6 +106,7 @@ class Sidebar implements Panels {
       this.handleSection,
       makeSection(words.sections.appearance, false, ...this.appearance.content),
       makeSection(words.sections.solver, false, ...this.solver.content),
+      this.history.section,
       makeSection(words.sections.experiments, false, ...this.experiments.content),
       makeSection(words.sections.compare, false, ...this.comparison.content),
     );
@@ -123,7 +128,7 @@ class Sidebar implements Panels {
         this.messages.element,
         this.runNotice.element,
       ),
-      this.toolbar.menu,
+      ...this.toolbar.menus,
       this.results.element,
       make('aside', { class: 'sidebar', 'aria-label': words.page.controls }, this.statusRow(), this.sections, makeLanguageChoice()),
     );
@@ -140,7 +145,7 @@ class Sidebar implements Panels {
     this.results.showTable(tables.methods);
   }
 
-  showDocument(document: ChebnetDocument, choice: Choice, canUndo: boolean): void {
+  showDocument(document: ChebnetDocument, choice: Choice): void {
     const { net, view, options } = document;
     const recipe = 'recipe' in net ? net.recipe : null;
     this.gallery.showCurrent(recipe?.split(':')[0] ?? null);
@@ -151,11 +156,16 @@ class Sidebar implements Panels {
     this.comparison.propose(document.compare);
     this.appearance.show(view);
     this.legend.show(view);
-    this.solver.showDocument(document, canUndo);
-    this.toolbar.showUndo(canUndo);
+    this.solver.showDocument(document);
     this.plot.setThreshold(Number(options.threshold ?? this.usualThreshold));
     this.handles.showSymmetry(document.symmetry);
     this.showHandles(document.handles, choice);
+  }
+
+  showHistory(history: HistoryView): void {
+    this.toolbar.showHistory(history);
+    this.solver.showUndo(history.canUndo);
+    this.history.show(history);
   }
 
   showNet(net: OpenedNet): void {
@@ -196,8 +206,8 @@ class Sidebar implements Panels {
     this.runNotice.show(run, beside);
   }
 
-  say(message: string, kind: 'info' | 'error'): void {
-    this.messages.say(message, kind);
+  say(message: string, kind: 'info' | 'error', action?: Action): void {
+    this.messages.say(message, kind, action);
   }
 
   offer(message: string, button: string, accept: () => void): void {

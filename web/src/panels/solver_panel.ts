@@ -30,7 +30,7 @@ export class SolverPanel {
   constructor(private readonly events: PanelEvents) {
     this.buttons = {
       cancel: makeButton(words.solver.cancel, () => events.cancel(), { disabled: true }),
-      undo: makeButton(words.solver.undo, () => events.undoDrag(), { disabled: true }),
+      undo: makeButton(words.solver.undo, () => events.undo(), { disabled: true }),
     };
     this.defaults = makeButton(words.solver.defaults, () => this.set({}), { class: 'plain link' });
     this.content = [
@@ -59,12 +59,15 @@ export class SolverPanel {
     this.seldom.replaceChildren(...this.settings.filter((each) => !isUsual(each)).map(({ row }) => row));
   }
 
-  showDocument({ method, initialisation, options }: ChebnetDocument, canUndo: boolean): void {
+  showDocument({ method, initialisation, options }: ChebnetDocument): void {
     this.options = options;
     this.method.show(method);
     this.initialisation.show(initialisation);
     for (const { option, input } of this.settings) this.showSetting(option, input, options[option.name] ?? option.value);
     this.defaults.hidden = Object.keys(options).length === 0;
+  }
+
+  showUndo(canUndo: boolean): void {
     this.buttons.undo.disabled = !canUndo;
   }
 

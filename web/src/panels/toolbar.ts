@@ -1,11 +1,14 @@
-/** What is wanted often, over the picture: undo, the whole net in sight, the link, the files. */
+/** What is wanted often, over the picture: the project, undo, the whole net in sight, the link, the files. */
+import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from './dom';
-import { ExportMenu } from './export_menu';
+import { createExportMenu } from './export_menu';
 import type { PanelEvents } from './panels';
+import { createProjectMenu } from './project_menu';
 
 const ICONS = {
   undo: 'M5.5 3 2.5 6l3 3M2.5 6h7a4 4 0 0 1 0 8h-3',
+  redo: 'M10.5 3l3 3-3 3M13.5 6h-7a4 4 0 0 0 0 8h3',
   reset: 'M3 8a5 5 0 1 0 1.6-3.7M3 2.5v3h3',
   frame: 'M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3',
   link: 'M6.5 9.5l3-3M7.5 5l1.7-1.7a2.5 2.5 0 0 1 3.5 3.5L11 8.5M8.5 11l-1.7 1.7a2.5 2.5 0 0 1-3.5-3.5L5 7.5',
@@ -13,9 +16,10 @@ const ICONS = {
 
 export class Toolbar {
   readonly element: HTMLElement;
-  /** Belongs outside the toolbar. */
-  readonly menu: HTMLElement;
+  /** Belong outside the toolbar. */
+  readonly menus: HTMLElement[];
   private readonly undo: HTMLButtonElement;
+  private readonly redo: HTMLButtonElement;
 
   constructor(events: PanelEvents) {
     const tool = (name: keyof typeof ICONS, click: () => void) => {
@@ -24,13 +28,17 @@ export class Toolbar {
       button.append(make('span', {}, label));
       return button;
     };
-    const exports = new ExportMenu((kind) => events.exportFile(kind));
-    this.menu = exports.menu;
-    this.undo = tool('undo', () => events.undoDrag());
+    const projects = createProjectMenu(events);
+    const exports = createExportMenu((kind) => events.exportFile(kind));
+    this.menus = [projects.menu, exports.menu];
+    this.undo = tool('undo', () => events.undo());
+    this.redo = tool('redo', () => events.redo());
     this.element = make(
       'div',
       { class: 'toolbar', role: 'group', 'aria-label': words.toolbar.actions },
+      projects.button,
       this.undo,
+      this.redo,
       tool('reset', () => events.reset()),
       tool('frame', () => events.frameAll()),
       tool('link', () => events.copyLink()),
@@ -38,7 +46,8 @@ export class Toolbar {
     );
   }
 
-  showUndo(canUndo: boolean): void {
+  showHistory({ canUndo, canRedo }: HistoryView): void {
     this.undo.disabled = !canUndo;
+    this.redo.disabled = !canRedo;
   }
 }

@@ -135,9 +135,10 @@ export class Client {
     if (this.#scene) this.#scene = { ...this.#scene, ...settings };
   }
 
-  async restore(positions: Float64Array, handles: Handle[], settled: boolean): Promise<void> {
-    await this.#tell({ type: 'restore', positions, handles, settled });
-    this.#remember(handles, positions);
+  /** Puts the net that is open to a state of before. */
+  async restore(scene: Omit<OpenScene, 'net'>): Promise<void> {
+    await this.#tell({ type: 'restore', scene });
+    if (this.#scene) this.#scene = { ...this.#scene, ...scene };
   }
 
   solve(): Promise<void> {

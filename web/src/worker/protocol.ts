@@ -37,8 +37,8 @@ export type Request = { id: number } & (
   | { type: 'cancel' }
   /** Back to the rest positions, handles too. */
   | { type: 'reset' }
-  /** Put positions and handles back, e.g. by undo. Unless `settled`, solve on from there. */
-  | { type: 'restore'; positions: Float64Array; handles: Handle[]; settled: boolean }
+  /** Put the net that is open to a state of before, e.g. by undo. Unless `settled`, solve on from there. */
+  | { type: 'restore'; scene: Omit<Scene, 'view' | 'net'> }
   /** The page has taken the last frame; until it says so, no other is sent. Has no answer. */
   | { type: 'seen' }
   | { type: 'export'; format: ExportFormat }

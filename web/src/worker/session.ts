@@ -90,7 +90,7 @@ export class Session {
         return this.#accept(request, false);
       case 'restore':
         this.#restore(request);
-        return this.#accept(request, !request.settled);
+        return this.#accept(request, !request.scene.settled);
       case 'seen':
         this.#frameSeen = true;
         return;
@@ -151,9 +151,9 @@ export class Session {
     this.#stepFrom = report.trace.length > 0 ? from : null;
   }
 
-  #restore({ positions, handles }: Extract<Request, { type: 'restore' }>): void {
-    this.#net().setHandles(handles);
-    this.#net().setPositions(positions);
+  #restore({ scene }: Extract<Request, { type: 'restore' }>): void {
+    const editor = this.#net();
+    prepare(this.#core, editor, { ...scene, positions: scene.positions ?? editor.restPositions });
     this.#judge();
   }
 
@@ -322,7 +322,7 @@ function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
   return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
 }
 
-function prepare(core: Editors, editor: Editor, scene: OpenScene): void {
+function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): void {
   applySettings(core, editor, scene);
   const rest = editor.restPositions;
   const seeds =

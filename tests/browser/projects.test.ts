@@ -1,0 +1,209 @@
+/** Nothing is lost: undo and redo of everything, a reload, a project saved and opened again. */
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { dragBy } from './geometry';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const SHAPE = 'vault:vertices=600';
+
+declare global {
+  interface Window {
+    /** Writes that failed. */
+    refused: number;
+  }
+}
+
+const { arrive } = visits();
+
+const historyOf = ({ page }: Visit) => page.locator('.history');
+const names = (visit: Visit) => historyOf(visit).getByRole('button').allTextContents();
+const present = (visit: Visit) => historyOf(visit).locator('[aria-current]').textContent();
+const said = ({ page }: Visit) => page.locator('[role=status]').allInnerTexts();
+const press = ({ page }: Visit, name: string) => page.getByRole('button', { name, exact: true }).click();
+
+interface Standing {
+  positions: Float64Array;
+  method: string;
+  handles: number;
+}
+
+async function standing(script: Script): Promise<Standing> {
+  await script.settled();
+  const { method, handles } = await script.stats();
+  return { positions: await script.positions(), method, handles };
+}
+
+async function openSection({ page }: Visit, name: string) {
+  await page.locator('summary', { hasText: name }).click();
+}
+
+/** A vault, a drag, another method, one handle less; and how the net stood after each. */
+async function edit(visit: Visit): Promise<Standing[]> {
+  const { page, script } = visit;
+  await script.open({ recipe: SHAPE });
+  const stood = [await standing(script)];
+  const handles = await page.evaluate(() => window.chebnet.handles().map(({ vertex }) => vertex));
+  await dragBy(script, handles.at(-1)!, [-60, -40]);
+  stood.push(await standing(script));
+  await openSection(visit, 'Solver');
+  await page.getByRole('combobox', { name: /^Method/ }).selectOption('li2022');
+  stood.push(await standing(script));
+  await page.locator('canvas').first().focus();
+  await dragBy(script, handles.at(-1)!, [30, -30]);
+  stood.push(await standing(script));
+  return stood;
+}
+
+/** What the browser keeps of this tab, as the names of the history. */
+function kept({ page }: Visit): Promise<string[]> {
+  return page.evaluate(async () => {
+    const done = <T>(request: IDBRequest<T>) =>
+      new Promise<T>((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    const tab = sessionStorage.getItem('chebnet.tab');
+    if (tab === null) return [];
+    const database = await done(indexedDB.open('chebnet'));
+    const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as { states: { name: string }[] };
+    database.close();
+    return states.map(({ name }) => name);
+  });
+}
+
+test('everything done is listed, undone, done again, kept over a reload, saved as a project and opened again', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await openSection(visit, 'History');
+  const stood = await edit(visit);
+  const list = await names(visit);
+  expect(list.slice(1)).toEqual(['Open vault', expect.stringMatching(/^Move handle \d+$/), 'Method: Li et al. 2022', list[2]]);
+  expect(await present(visit)).toBe(list[4]);
+
+  for (let i = 3; i >= 1; --i) {
+    await page.keyboard.press('Control+z');
+    expect(await standing(script)).toEqual(stood[i - 1]);
+    expect(await present(visit)).toBe(list[i]);
+  }
+  await page.keyboard.press('Control+Shift+z');
+  expect(await standing(script)).toEqual(stood[1]);
+  await page.keyboard.press('Control+y');
+  expect(await standing(script)).toEqual(stood[2]);
+  await historyOf(visit).getByRole('button').last().click();
+  await expect.poll(() => present(visit)).toBe(list[4]);
+  expect(await standing(script)).toEqual(stood[3]);
+
+  await historyOf(visit).locator('[aria-current]').focus();
+  for (const key of ['Home', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
+  await expect.poll(() => present(visit)).toBe('Open vault');
+  expect(await standing(script)).toEqual(stood[0]);
+  for (const key of ['End', 'Enter']) await page.keyboard.press(key);
+  expect(await standing(script)).toEqual(stood[3]);
+  await page.screenshot({ path: join(OUTPUT, 'history-desktop.png') });
+
+  await expect.poll(() => kept(visit)).toEqual(list);
+  await page.reload();
+  await script.waitForNet();
+  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/as you left it/));
+  expect(await standing(script)).toEqual(stood[3]);
+  await page.screenshot({ path: join(OUTPUT, 'restored-desktop.png') });
+  await page.keyboard.press('Control+z');
+  expect(await standing(script)).toEqual(stood[2]);
+  await page.keyboard.press('Control+y');
+  expect(await standing(script)).toEqual(stood[3]);
+
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  const file = await download;
+  expect(file.suggestedFilename()).toBe('vault.chebnet.json');
+  const path = await file.path();
+
+  await press(visit, 'File');
+  await page.screenshot({ path: join(OUTPUT, 'project-menu-desktop.png') });
+  await page.getByRole('button', { name: /^New/ }).click();
+  await expect.poll(async () => (await script.stats()).vertices).toBeGreaterThan(1000);
+
+  const chooser = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  await (await chooser).setFiles({ name: 'vault.chebnet.json', mimeType: 'application/json', buffer: await readFile(path) });
+  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/project is open/));
+  expect(await standing(script)).toEqual(stood[3]);
+  await openSection(visit, 'History');
+  expect(await names(visit)).toEqual(list);
+  await historyOf(visit).getByRole('button', { name: 'Open vault' }).click();
+  await expect.poll(() => present(visit)).toBe('Open vault');
+  expect(await standing(script)).toEqual(stood[0]);
+
+  await press(visit, 'File');
+  await page.getByRole('button', { name: /^Restore my last net/ }).click();
+  await expect.poll(async () => (await script.stats()).vertices).toBeGreaterThan(1000);
+});
+
+test('a broken project is refused with what is wrong, and the net stays', async () => {
+  const { page, script } = await arrive();
+  const before = await standing(script);
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    const text = '{"chebnet":1,"nets":[{"recipe":"vault"}],"positions":["????"],"states":[]}';
+    dataTransfer.items.add(new File([text], 'net.chebnet.json'));
+    document.getElementById('view')?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/net\.chebnet\.json: positions\[0\] must be/);
+  expect(await standing(script)).toEqual(before);
+});
+
+test('a link wins, and what was kept stays within reach', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await script.open({ recipe: SHAPE });
+  const before = await standing(script);
+  await expect.poll(() => kept(visit)).toHaveLength(2);
+  const link = new URL('#experiment=long-edges', page.url()).href;
+  await page.goto('about:blank');
+  await page.goto(link);
+  await script.waitForNet();
+  await expect.poll(async () => (await script.stats()).vertices).toBe(1505);
+  await press(visit, 'Restore my last net');
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(1505);
+  expect(await standing(script)).toEqual(before);
+});
+
+test('what the page died of is offered, not opened', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await script.open({ recipe: SHAPE });
+  const before = await standing(script);
+  await expect.poll(() => kept(visit)).toHaveLength(2);
+  // As if the page had died while it opened what it kept.
+  await page.evaluate(() => localStorage.setItem('chebnet.opening', sessionStorage.getItem('chebnet.tab')!));
+  await page.reload();
+  await script.waitForNet();
+  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/not opened again by itself/));
+  expect((await script.stats()).vertices).toBeGreaterThan(1000);
+  await page.screenshot({ path: join(OUTPUT, 'died-desktop.png') });
+  await press(visit, 'Open it');
+  await expect.poll(async () => (await script.stats()).vertices).toBeLessThan(1000);
+  expect(await standing(script)).toEqual(before);
+  expect(await page.evaluate(() => localStorage.getItem('chebnet.opening'))).toBeNull();
+});
+
+test('a browser that keeps nothing says so once', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await page.evaluate(() => {
+    window.refused = 0;
+    IDBObjectStore.prototype.put = () => {
+      window.refused += 1;
+      throw new DOMException('full', 'QuotaExceededError');
+    };
+  });
+  await script.open({ recipe: SHAPE });
+  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/does not let the page keep/));
+  await page.evaluate(() => document.querySelector('[role=status]')?.replaceChildren());
+  const refused = await page.evaluate(() => window.refused);
+  await script.open({ recipe: 'dome:vertices=600' });
+  await expect.poll(() => page.evaluate(() => window.refused)).toBeGreaterThan(refused);
+  expect(await said(visit)).not.toContainEqual(expect.stringMatching(/keep/));
+});

@@ -1,0 +1,166 @@
+/** Projects: what goes in comes out to the last bit, and nothing else does. */
+import { describe, expect, test } from 'vitest';
+import type { HandleData, NetSource } from '../../web/src/document/document';
+import { parseProject, projectText, readProject, writeProject } from '../../web/src/document/project';
+import type { Project } from '../../web/src/document/project';
+import type { Entry, Snapshot } from '../../web/src/document/undo';
+import { documentAt } from './nets';
+import { printedSeed, random } from './random';
+
+const NETS: NetSource[] = [
+  { recipe: 'vault:vertices=1000' },
+  { obj: 'v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# größer 网\n', name: 'small.obj', restLengths: 'own' },
+];
+
+function projectOf(states: Snapshot[], present = states.length - 1): Project {
+  const { view } = documentAt(null);
+  return { entries: states.map((state, i) => ({ name: `step ${i}`, state })), present, view };
+}
+
+function stateAt(positions: Float64Array): Snapshot {
+  const { view: _, ...state } = documentAt(positions);
+  return state;
+}
+
+describe('a project comes back', () => {
+  const next = random(printedSeed('projects'));
+  const pick = <T>(choices: readonly T[]): T => choices[Math.floor(next() * choices.length)]!;
+  /** Any finite number: all 64 bits of it are random. */
+  const anyNumber = (): number => {
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setUint32(0, next() * 2 ** 32);
+    bits.setUint32(4, next() * 2 ** 32);
+    const value = bits.getFloat64(0);
+    return Number.isFinite(value) ? value : anyNumber();
+  };
+
+  function anyHandle(): HandleData {
+    const handle: HandleData = { vertex: Math.floor(next() * 1e4), target: [anyNumber(), anyNumber(), anyNumber()], anchor: next() < 0.5 };
+    if (next() < 0.3) handle.name = pick(['crown', '顶点', '"\\"', '']);
+    if (next() < 0.3) handle.hidden = next() < 0.5;
+    if (next() < 0.3) handle.weight = next() + 1e-9;
+    return handle;
+  }
+
+  function anyState(earlier: Snapshot[]): Snapshot {
+    const positions = Float64Array.from({ length: 3 * Math.floor(10 * next()) }, anyNumber);
+    return {
+      net: pick(NETS),
+      handles: Array.from({ length: Math.floor(4 * next()) }, anyHandle),
+      positions: next() < 0.3 ? (earlier.at(-1)?.positions ?? null) : positions,
+      method: pick(['li2022', 'projection']),
+      initialisation: pick(['naive', 'arap:5']),
+      options: next() < 0.5 ? {} : { threshold: next(), adaptive_p: next() < 0.5 },
+      settled: next() < 0.5,
+      ...(next() < 0.3 ? { symmetry: { axis: pick(['x', 'y', 'z']), through: pick(['centre', 'origin']) } } : {}),
+      ...(next() < 0.3 ? { experiment: 'long-edges', compare: ['li2022', 'dp4'] } : {}),
+    };
+  }
+
+  function anyProject(): Project {
+    const states: Snapshot[] = [];
+    for (let count = 1 + Math.floor(6 * next()); count > 0; --count) states.push(anyState(states));
+    return projectOf(states, Math.floor(next() * states.length));
+  }
+
+  /** Bits rather than numbers: 0 and −0 differ. */
+  const bits = ({ entries }: Project) => entries.map(({ state }) => state.positions && new BigUint64Array(state.positions.slice().buffer));
+
+  test.each(Array.from({ length: 40 }, (_, i) => i))('whole, from a file: %i', () => {
+    const project = anyProject();
+    const back = parseProject(projectText(project));
+    expect(back).toEqual(project);
+    expect(bits(back)).toEqual(bits(project));
+  });
+
+  test('whole, from the browser, where positions are not copied', () => {
+    const project = anyProject();
+    const back = readProject(writeProject(project, Infinity));
+    expect(back).toEqual(project);
+    back.entries.forEach(({ state }, i) => expect(state.positions).toBe(project.entries[i]!.state.positions));
+  });
+
+  test('with what its states share', () => {
+    const positions = Float64Array.of(1, 2, 3);
+    const net = { recipe: 'vault' };
+    const states = [0, 1, 2].map(() => ({ ...stateAt(positions), net }));
+    const { entries } = parseProject(projectText(projectOf(states)));
+    expect(new Set(entries.map(({ state }) => state.net)).size).toBe(1);
+    expect(new Set(entries.map(({ state }) => state.positions)).size).toBe(1);
+  });
+
+  test('as far as it fits: the present state always, then the past, then what was undone', () => {
+    const states = Array.from({ length: 9 }, () => stateAt(new Float64Array(300)));
+    const names = (largest: number) => {
+      const { entries, present } = readProject(writeProject(projectOf(states, 4), largest));
+      return [entries.map(({ name }) => name.slice(5)).join(''), entries[present]!.name];
+    };
+    expect(names(1)).toEqual(['4', 'step 4']);
+    expect(names(3 * 2400)).toEqual(['234', 'step 4']);
+    expect(names(7 * 2400)).toEqual(['0123456', 'step 4']);
+    expect(names(Infinity)).toEqual(['012345678', 'step 4']);
+  });
+});
+
+describe('a hostile project is refused, and it is said where', () => {
+  const entry: Entry = { name: 'open', state: { ...stateAt(Float64Array.of(1, 2, 3)), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] } };
+  const text = projectText({ ...projectOf([entry.state]), entries: [entry] });
+
+  test.each([
+    ['', /no chebnet project/],
+    ['{', /no chebnet project/],
+    ['null', /no chebnet project/],
+    ['[]', /no chebnet project/],
+    ['{"v":1}', /no chebnet project/],
+    ['{"chebnet":2}', /another version/],
+    ['{"chebnet":1}', /^nets must be a list/],
+  ])('%s', (foreign, said) => expect(() => parseProject(foreign)).toThrow(said));
+
+  test.each([
+    ['"present":0', '"present":1', /^present must be/],
+    ['"present":0', '"present":-1', /^present must be/],
+    ['"present":0', '"present":"0"', /^present must be/],
+    ['"name":"open"', '"name":7', /^states\[0\]\.name must be/],
+    ['"net":0', '"net":1', /^states\[0\]\.net must be/],
+    ['"net":0', '"net":0.5', /^states\[0\]\.net must be/],
+    ['"positions":0', '"positions":1', /^states\[0\]\.positions must be/],
+    ['[3,0,1,2,3]', '[3,0]', /^states\[0\]\.handles must be/],
+    ['[3,0,1,2,3]', '[3,0,1,2]', /^states\[0\]\.handles\[0\] must be/],
+    ['[3,0,1,2,3]', '[3,2,1,2,3]', /^states\[0\]\.handles\[0\]\[1\] must be/],
+    ['[3,0,1,2,3]', '[3,0,1,2,1e999]', /^states\[0\]\.handles\[0\]\[4\] must be/],
+    ['[3,0,1,2,3]', '[3,0,1,2,3,{"weight":-1}]', /^states\[0\]\.handles\[0\]\[5\]\.weight must be/],
+    ['"options":{}', '"options":{"threshold":null}', /^states\[0\]\.options\.threshold must be/],
+    ['"options":{}', '"options":{"__proto__":"x"}', /^states\[0\]\.options\.__proto__ must be/],
+    ['"settled":true', '"settled":"yes"', /^states\[0\]\.settled must be/],
+    ['{"recipe":"vault:vertices=1000"}', '{"obj":"v"}', /^nets\[0\]\.name must be/],
+    ['{"recipe":"vault:vertices=1000"}', '"vault"', /^nets\[0\] must be/],
+    ['"camera":null', '"camera":[1,2,3,1,2,3]', /^view\.camera must be/],
+    ['"field":"deviation"', '"field":"__proto__"', /^view\.field must be one of/],
+    ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', 'AAAAAAAA8D8AAAAAAAAAQA==', /^positions\[0\] must be/],
+    ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', 'AAAAAAAA8D8AAAAAAAAAQAAAAAAAA', /^positions\[0\] must be/],
+    ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', 'AAAAAAAA8H8AAAAAAAAAQAAAAAAAAAhA', /^positions\[0\] must be/],
+    ['AAAAAAAA8D8AAAAAAAAAQAAAAAAAAAhA', '!!!!', /^positions\[0\] must be/],
+  ])('%s as %s', (part, instead, said) => {
+    expect(text).toContain(part);
+    expect(() => parseProject(text.replace(part, instead))).toThrow(said);
+  });
+
+  test('without any of its fields', () => {
+    for (const [field] of text.matchAll(/"(view|present|states|nets|positions|name|handles|method|options|settled|net|recipe|camera)":/g)) {
+      expect(() => parseProject(text.replace(field, '"else":')), field).toThrow();
+    }
+  });
+
+  test('noise', () => {
+    const next = random(printedSeed('noise in projects'));
+    for (let round = 0; round < 300; ++round) {
+      const bytes = Buffer.from(text);
+      for (let hit = 0; hit < 3; ++hit) bytes[Math.floor(next() * bytes.length)] = Math.floor(256 * next());
+      try {
+        expect(parseProject(bytes.toString()).entries).toHaveLength(1);
+      } catch (error) {
+        expect((error as Error).message).toMatch(/must be|project/);
+      }
+    }
+  });
+});

@@ -1,0 +1,118 @@
+/**
+ * The parts of a document as JSON and back; links, project files and what the browser keeps are made of them. A field
+ * that is new needs one line here, where it is read: writing takes whatever there is.
+ */
+import type { RestLengths } from '../../../wasm/chebnet';
+import { LONGEST_NAME } from './document';
+import type { HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
+import { DEFAULT_INITIALISATION } from './defaults';
+import type { Field } from './field';
+import { words } from '../language/language';
+import type { Snapshot } from './undo';
+
+/** Everything that is undone, but for the net and its positions, which are large and often shared. */
+export type State<Handle> = Omit<Snapshot, 'net' | 'positions' | 'handles'> & { handles: Handle[] };
+
+// ------------------------------------------------------------------------------------------------------------- writing
+
+/** @param rest targets that are the rest positions need no place; null: all are written. */
+export function writeState({ net, positions, handles, ...settings }: Snapshot, rest: Float64Array | null): object {
+  return { ...settings, handles: handles.map((handle) => writeHandle(handle, rest)) };
+}
+
+/** `[vertex, anchor]`, the target unless the handle is at rest, and what else is said of it, if anything. */
+function writeHandle({ vertex, anchor, target, ...more }: HandleData, rest: Float64Array | null): unknown[] {
+  const atRest = rest !== null && target.every((x, axis) => x === rest[3 * vertex + axis]);
+  const said = given(more);
+  return [vertex, anchor ? 1 : 0, ...(atRest ? [] : target), ...(Object.keys(said).length > 0 ? [said] : [])];
+}
+
+export function writeView(view: ViewState): object {
+  return { ...view, camera: view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7))) };
+}
+
+// ------------------------------------------------------------------------------------------------------------- reading
+
+/** All these throw FieldError. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
+export function readState(state: Field): State<HandleSeed> {
+  return {
+    handles: state.at('handles').list().map(readHandle),
+    method: state.at('method').text(),
+    // Links made before there was a choice have none.
+    initialisation: state.at('initialisation').maybe((each) => each.text()) ?? DEFAULT_INITIALISATION,
+    options: readOptions(state.at('options')),
+    settled: state.at('settled').flag(),
+    ...given({
+      symmetry: state.at('symmetry').maybe(readSymmetry),
+      experiment: state.at('experiment').maybe((each) => each.text()),
+      compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
+    }),
+  };
+}
+
+export function readNet(net: Field): NetSource {
+  const recipe = net.at('recipe').maybe((each) => each.text());
+  if (recipe !== undefined) return { recipe };
+  return {
+    obj: net.at('obj').text(),
+    name: net.at('name').text(),
+    // Links made before there was a choice have none.
+    ...given({ restLengths: net.at('restLengths').maybe((each) => each.oneOf<RestLengths>(['automatic', 'equal', 'own'])) }),
+  };
+}
+
+function readHandle(row: Field): HandleSeed {
+  const [vertex, anchor, ...others] = row.list();
+  if (vertex === undefined || anchor === undefined) row.fail(words.fields.handle);
+  const more = others.at(-1)?.isRecord ? others.pop() : undefined;
+  if (others.length !== 0 && others.length !== 3) row.fail(words.fields.handle);
+  const [x, y, z] = others.map((each) => each.number());
+  return {
+    vertex: vertex.index(2 ** 31),
+    anchor: anchor.index(2) === 1,
+    target: x === undefined || y === undefined || z === undefined ? null : [x, y, z],
+    ...(more ? readMore(more) : {}),
+  };
+}
+
+function readMore(more: Field): Partial<HandleSeed> {
+  return given({
+    name: more.at('name').maybe((each) => each.text(LONGEST_NAME)),
+    hidden: more.at('hidden').maybe((each) => each.flag()),
+    weight: more.at('weight').maybe((each) => (each.number() > 0 ? each.number() : each.fail(words.fields.positive))),
+  });
+}
+
+function readSymmetry(symmetry: Field): Symmetry {
+  return {
+    axis: symmetry.at('axis').oneOf<Symmetry['axis']>(['x', 'y', 'z']),
+    through: symmetry.at('through').oneOf<Symmetry['through']>(['centre', 'origin']),
+  };
+}
+
+function readOptions(options: Field): SolverOptions {
+  const read = (each: Field): number | boolean => (typeof each.value === 'boolean' ? each.value : each.number());
+  return Object.fromEntries(options.fields().map(([name, each]) => [name, read(each)]));
+}
+
+export function readView(view: Field): Scene['view'] {
+  return {
+    camera: view.at('camera').value === null ? null : readCamera(view.at('camera')),
+    field: view.at('field').oneOf(['deviation', 'angle']),
+    colourMap: view.at('colourMap').oneOf(['paper', 'log']),
+    showFaces: view.at('showFaces').flag(),
+    ...given({ upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])) }),
+  };
+}
+
+function readCamera(camera: Field): NonNullable<ViewState['camera']> {
+  const [x, y, z, u, v, w, ...more] = camera.list().map((each) => each.number());
+  const complete = x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
+  if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(words.fields.camera);
+  return { position: [x, y, z], target: [u, v, w] };
+}
+
+/** Those fields that have a value. */
+function given<T extends object>(fields: T): { [Name in keyof T]?: Exclude<T[Name], undefined> } {
+  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined)) as never;
+}

@@ -1,0 +1,87 @@
+/** Reading foreign data field by field: what is not as it must be is an error that says what and where. */
+import { words } from '../language/language';
+import type { Vec3 } from './document';
+
+/** `path`: where, e.g. `states[3].handles[0]`. */
+export class FieldError extends Error {
+  constructor(
+    readonly path: string,
+    expected: string,
+  ) {
+    super(words.fields.must(path, expected));
+  }
+}
+
+/** A value from outside and where it was found. Every method but `at` and `maybe` throws FieldError if it is no such thing. */
+export class Field {
+  constructor(
+    readonly value: unknown,
+    readonly path = '',
+  ) {}
+
+  /** A field of a record; if it is missing, its value is undefined. */
+  at(name: string): Field {
+    const path = this.path === '' ? name : `${this.path}.${name}`;
+    const fields = this.record();
+    return new Field(Object.hasOwn(fields, name) ? fields[name] : undefined, path);
+  }
+
+  /** What `read` makes of it, or undefined if it is missing. */
+  maybe<T>(read: (field: Field) => T): T | undefined {
+    return this.value === undefined ? undefined : read(this);
+  }
+
+  get isRecord(): boolean {
+    return typeof this.value === 'object' && this.value !== null && !Array.isArray(this.value);
+  }
+
+  record(): Record<string, unknown> {
+    if (!this.isRecord) this.fail(words.fields.record);
+    return this.value as Record<string, unknown>;
+  }
+
+  fields(): [name: string, field: Field][] {
+    return Object.keys(this.record()).map((name) => [name, this.at(name)]);
+  }
+
+  list(): Field[] {
+    if (!Array.isArray(this.value)) this.fail(words.fields.list);
+    return this.value.map((each: unknown, i) => new Field(each, `${this.path}[${i}]`));
+  }
+
+  text(longest = Infinity): string {
+    if (typeof this.value !== 'string' || this.value.length > longest) this.fail(words.fields.text);
+    return this.value;
+  }
+
+  flag(): boolean {
+    if (typeof this.value !== 'boolean') this.fail(words.fields.flag);
+    return this.value;
+  }
+
+  number(): number {
+    if (typeof this.value !== 'number' || !Number.isFinite(this.value)) this.fail(words.fields.number);
+    return this.value;
+  }
+
+  /** A whole number from 0 up to below `end`. */
+  index(end: number): number {
+    const value = this.number();
+    if (!Number.isInteger(value) || value < 0 || value >= end) this.fail(words.fields.index(end));
+    return value;
+  }
+
+  point(): Vec3 {
+    const [x, y, z, ...more] = this.list();
+    if (x === undefined || y === undefined || z === undefined || more.length > 0) this.fail(words.fields.point);
+    return [x.number(), y.number(), z.number()];
+  }
+
+  oneOf<T extends string>(choices: readonly T[]): T {
+    return choices.find((name) => name === this.value) ?? this.fail(words.fields.oneOf(choices));
+  }
+
+  fail(expected: string): never {
+    throw new FieldError(this.path, expected);
+  }
+}

@@ -1,0 +1,151 @@
+/**
+ * Projects: a document with its history, exact to the last bit. As a record they are what the browser keeps; as text,
+ * one JSON file, where positions are the base64 of their 64-bit floats. Nets and positions that states share are
+ * written once.
+ */
+import { words } from '../language/language';
+import { fromBase64, toBase64 } from './base64';
+import { readNet, readState, readView, writeState, writeView } from './codec';
+import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
+import { Field } from './field';
+import { Measure } from './undo';
+import type { Entry, Snapshot } from './undo';
+
+export const PROJECT_ENDING = '.chebnet.json';
+/** Larger files are not read. */
+export const LARGEST_PROJECT = 64e6;
+const VERSION = 1;
+/** Bytes of nets and positions in a file; as base64 positions take a third more. */
+const LARGEST_STATES = 36e6;
+const MOST_STATES = 10_000;
+const LONGEST_NAME = 500;
+
+export interface Project {
+  /** Of the history; `entries[present]` is the document. */
+  entries: Entry[];
+  present: number;
+  view: ViewState;
+}
+
+/** A project as plain data. Its positions are not copied. */
+type ProjectRecord = { chebnet: number; positions: (Float64Array | string)[] } & Record<string, unknown>;
+
+// ------------------------------------------------------------------------------------------------------------- writing
+
+/** @param largest bytes of nets and positions; of the history as much is written as fits, the document always. */
+export function writeProject(project: Project, largest: number): ProjectRecord {
+  const { entries, present } = cut(project, largest);
+  const nets = new Numbered<NetSource>();
+  const positions = new Numbered<Float64Array>();
+  const states = entries.map(({ name, state }) => ({
+    name,
+    ...writeState(state, null),
+    net: nets.numberOf(state.net),
+    positions: state.positions && positions.numberOf(state.positions),
+  }));
+  return { chebnet: VERSION, view: writeView(project.view), present, states, nets: nets.values, positions: positions.values };
+}
+
+/** The text of a file. */
+export function projectText(project: Project): string {
+  const written = writeProject(project, LARGEST_STATES);
+  const positions = written.positions.map((each) => (typeof each === 'string' ? each : toBase64(bytesOf(each))));
+  return JSON.stringify({ ...written, positions });
+}
+
+/** The entries around the present one that fit: first those before it, then those after it. */
+function cut({ entries, present }: Project, largest: number): { entries: Entry[]; present: number } {
+  const measure = new Measure();
+  const fits = (entry: Entry | undefined): boolean => {
+    if (entry === undefined) return false;
+    measure.add(entry.state);
+    return measure.bytes <= largest;
+  };
+  let [first, last] = [present, present];
+  fits(entries[present]);
+  while (fits(entries[first - 1])) first -= 1;
+  while (fits(entries[last + 1])) last += 1;
+  return { entries: entries.slice(first, last + 1), present: present - first };
+}
+
+/** A list in which each value stands once. */
+class Numbered<T> {
+  readonly #numbers = new Map<T, number>();
+
+  get values(): T[] {
+    return [...this.#numbers.keys()];
+  }
+
+  numberOf(value: T): number {
+    const number = this.#numbers.get(value) ?? this.#numbers.size;
+    this.#numbers.set(value, number);
+    return number;
+  }
+}
+
+function bytesOf({ buffer, byteOffset, byteLength }: Float64Array): Uint8Array {
+  return new Uint8Array(buffer, byteOffset, byteLength);
+}
+
+// ------------------------------------------------------------------------------------------------------------- reading
+
+/** The project of a file. Throws an Error that says what is wrong with it, and where. */
+export function parseProject(text: string): Project {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new Error(words.projects.noJson);
+  }
+  return readProject(value);
+}
+
+/** The project of a record. Throws FieldError. */
+export function readProject(value: unknown): Project {
+  const project = new Field(value);
+  checkVersion(project);
+  const nets = project.at('nets').list().map(readNet);
+  const positions = project.at('positions').list().map(readPositions);
+  const states = project.at('states').list();
+  if (states.length === 0 || states.length > MOST_STATES) project.at('states').fail(words.fields.states(MOST_STATES));
+  const entries = states.map((state) => readEntry(state, nets, positions));
+  return { entries, present: project.at('present').index(entries.length), view: readView(project.at('view')) };
+}
+
+function checkVersion(project: Field): void {
+  const version = project.isRecord ? project.at('chebnet').value : undefined;
+  if (version === undefined) throw new Error(words.projects.foreign);
+  if (version !== VERSION) throw new Error(words.projects.otherVersion);
+}
+
+function readEntry(field: Field, nets: readonly NetSource[], positions: readonly Float64Array[]): Entry {
+  const net = nets[field.at('net').index(nets.length)]!;
+  const place = field.at('positions');
+  const { handles, ...settings } = readState(field);
+  const state: Snapshot = {
+    ...settings,
+    handles: handles.map((handle) => withTarget(handle, field.at('handles'))),
+    net,
+    positions: place.value === null ? null : positions[place.index(positions.length)]!,
+  };
+  return { name: field.at('name').text(LONGEST_NAME), state };
+}
+
+function withTarget({ target, ...handle }: HandleSeed, handles: Field): HandleData {
+  return { ...handle, target: target ?? handles.fail(words.fields.targets) };
+}
+
+function readPositions(field: Field): Float64Array {
+  const positions = field.value instanceof Float64Array ? field.value : decode(field);
+  if (positions.length % 3 !== 0 || !positions.every(Number.isFinite)) field.fail(words.fields.positions);
+  return positions;
+}
+
+function decode(field: Field): Float64Array {
+  const text = field.text();
+  try {
+    return new Float64Array(fromBase64(text).buffer);
+  } catch {
+    return field.fail(words.fields.positions);
+  }
+}

@@ -1,0 +1,62 @@
+/** What was done, as a list: the present entry is marked, and a click on another goes there. */
+import type { HistoryView } from '../document/undo';
+import { words } from '../language/language';
+import { make, makeButton, makeSection, setText } from './dom';
+
+export class HistoryPanel {
+  readonly section: HTMLDetailsElement;
+  private readonly list = make('ol', { class: 'history' });
+  private buttons: HTMLButtonElement[] = [];
+  private history: HistoryView | null = null;
+
+  constructor(private readonly goTo: (index: number) => void) {
+    this.section = makeSection(words.history.title, false, this.list, make('p', { class: 'quiet' }, words.history.hint));
+    this.section.addEventListener('toggle', () => this.refresh());
+    this.list.addEventListener('keydown', (event) => this.pressKey(event));
+  }
+
+  show(history: HistoryView): void {
+    this.history = history;
+    this.refresh();
+  }
+
+  /** Only what is seen is kept up to date, and only what is new is made. */
+  private refresh(): void {
+    if (!this.section.open || this.history === null) return;
+    const { names, present } = this.history;
+    for (const button of this.buttons.splice(names.length)) button.parentElement?.remove();
+    while (this.buttons.length < names.length) this.append();
+    this.buttons.forEach((button, i) => {
+      setText(button, names[i] ?? '');
+      button.classList.toggle('undone', i > present);
+      button.tabIndex = i === present ? 0 : -1;
+    });
+    this.mark(present);
+  }
+
+  private append(): void {
+    const index = this.buttons.length;
+    const button = makeButton('', () => this.goTo(index), { class: 'plain' });
+    this.buttons.push(button);
+    this.list.append(make('li', {}, button));
+  }
+
+  private mark(present: number): void {
+    const marked = this.list.querySelector('[aria-current]');
+    const button = this.buttons[present];
+    if (marked === button) return;
+    marked?.removeAttribute('aria-current');
+    button?.setAttribute('aria-current', 'step');
+    if (button) this.list.scrollTop = button.offsetTop - this.list.clientHeight / 2;
+  }
+
+  /** The list is one stop of the tab key; the arrows go through it. */
+  private pressKey(event: KeyboardEvent): void {
+    const at = this.buttons.indexOf(document.activeElement as HTMLButtonElement);
+    const last = this.buttons.length - 1;
+    const next = { ArrowUp: at - 1, ArrowDown: at + 1, Home: 0, End: last }[event.key];
+    if (next === undefined || at === -1) return;
+    event.preventDefault();
+    this.buttons[Math.min(last, Math.max(0, next))]?.focus();
+  }
+}

@@ -1,0 +1,57 @@
+/** Projects kept in this browser, the newest few. Each tab has one of its own; of two tabs that share one, as after
+ *  duplicating a tab, the last to write wins: every write is whole. */
+import { createStore, delMany, get, set, update } from 'idb-keyval';
+
+/** Reading is checked by whoever reads: what is kept may be of another version of the page. */
+export interface KeptProject {
+  id: string;
+  project: unknown;
+}
+
+const MOST = 6;
+/** Holds the ids, newest first. */
+const INDEX = 'index';
+/** In the tab's own storage, which outlives a reload. */
+const TAB = 'chebnet.tab';
+
+const store = createStore('chebnet', 'projects');
+
+export function newId(): string {
+  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+}
+
+/** That of this tab before the reload, else the newest; undefined: there is none. */
+export async function findLast(): Promise<KeptProject | undefined> {
+  const own = sessionStorage.getItem(TAB);
+  return (own === null ? undefined : await read(own)) ?? findNewest(null);
+}
+
+/** Whether it is this tab that kept it. */
+export function isOwn(id: string): boolean {
+  return sessionStorage.getItem(TAB) === id;
+}
+
+/** The newest but for one. */
+export async function findNewest(except: string | null): Promise<KeptProject | undefined> {
+  const ids = (await get<string[]>(INDEX, store)) ?? [];
+  const newest = ids.find((id) => id !== except);
+  return newest === undefined ? undefined : read(newest);
+}
+
+export async function keep(id: string, project: unknown): Promise<void> {
+  let forgotten: string[] = [];
+  const note = (ids: string[] = []): string[] => {
+    const all = [id, ...ids.filter((other) => other !== id)];
+    forgotten = all.slice(MOST);
+    return all.slice(0, MOST);
+  };
+  await set(id, project, store);
+  await update(INDEX, note, store);
+  await delMany(forgotten, store);
+  sessionStorage.setItem(TAB, id);
+}
+
+async function read(id: string): Promise<KeptProject | undefined> {
+  const project: unknown = await get(id, store);
+  return project === undefined ? undefined : { id, project };
+}

@@ -1,0 +1,174 @@
+/** What the page opens with, and projects: kept by the browser, saved as files, opened again. */
+import type { App } from '../app';
+import { defaultScene } from '../document/defaults';
+import type { Scene } from '../document/document';
+import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
+import { decodeScene } from '../document/share';
+import { experimentScene, isExperimentLink } from '../experiments/experiment';
+import { download } from '../files/download';
+import { baseNameOf } from '../files/export';
+import { FileError } from '../files/file_error';
+import { words } from '../language/language';
+import { Autosave } from './autosave';
+import { findLast, findNewest, isOwn, newId } from './kept';
+import type { KeptProject } from './kept';
+import { clearMark, isMarked, setMark } from './mark';
+
+export class Projects {
+  readonly #app: App;
+  readonly #autosave: Autosave;
+  /** Sought while the solver loads. */
+  readonly #last: Promise<KeptProject | undefined>;
+  #saidNotKept = false;
+  /** The revision of the history at which the worker was lost; null: it was not, or not by this document. */
+  #lostAt: number | null = null;
+
+  constructor(app: App) {
+    this.#app = app;
+    this.#autosave = new Autosave(app, () => this.#sayNotKept());
+    this.#last = findLast().catch(() => undefined);
+    app.on('restarted', () => this.#markLoss());
+    app.on('settled', () => this.#forgetLoss());
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ the start
+
+  /** Opens what the address asks for, else what was kept, else the first net. What cannot be opened is said to be so. */
+  async start(): Promise<void> {
+    const hash = location.hash.length > 1 ? location.hash : null;
+    let after = (): void => {};
+    try {
+      await this.#app.start();
+      const last = await this.#last;
+      after = hash === null ? await this.#startWithLast(last) : await this.#startWithLink(hash, last);
+    } catch (error) {
+      this.#app.report(error);
+    }
+    if (this.#app.opening === null) await this.#openFirst().catch((error: unknown) => this.#app.report(error));
+    after();
+  }
+
+  /** These return what there is to say once a net is open. */
+  async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
+    const open = (): Promise<void> => this.#openMarked(hash, () => this.#openLink(hash));
+    if (isMarked(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
+    await open();
+    return () => {
+      if (last) this.#offer(words.projects.linkOpened, words.projects.restoreLast, () => this.#restore(last));
+    };
+  }
+
+  async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
+    if (last === undefined) return () => {};
+    if (isMarked(last.id)) return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
+    await this.#restore(last);
+    return () => this.#offer(words.projects.restored, words.projects.startAfresh, () => this.newNet());
+  }
+
+  #offer(message: string, label: string, doing: () => Promise<void>): void {
+    const run = (): void => void doing().catch((error: unknown) => this.#app.report(error));
+    this.#app.say(message, { label, run });
+  }
+
+  // ----------------------------------------------------------------------------------------------------------- what is open
+
+  async newNet(): Promise<void> {
+    await this.#app.openScene(defaultScene(), words.history.newNet);
+  }
+
+  async followLink(): Promise<void> {
+    await this.#openMarked(location.hash, () => this.#openLink(location.hash));
+    this.#app.say(words.projects.linkFollowed);
+  }
+
+  /** What was kept before the present net. */
+  async restoreLast(): Promise<void> {
+    await this.#autosave.save();
+    const last = await findNewest(this.#autosave.id).catch(() => undefined);
+    if (last === undefined) return this.#app.say(words.projects.noOther);
+    await this.#restore(last);
+    this.#app.say(words.projects.lastRestored);
+  }
+
+  save(): void {
+    const project = this.#app.project();
+    if (project === null) return;
+    const { net } = project.entries[project.present]!.state;
+    download(baseNameOf(net) + PROJECT_ENDING, projectText(project), 'application/json');
+  }
+
+  /** Whether a file is to be opened as a project, by its name. */
+  isProject({ name }: File): boolean {
+    return /\.json$/i.test(name);
+  }
+
+  async openFile(file: File): Promise<void> {
+    await this.#autosave.save();
+    try {
+      await this.#app.openProject(parseProject(await textOf(file)));
+    } catch (error) {
+      throw new FileError('bad_project', words.projects.fault(file.name, error instanceof Error ? error.message : String(error)));
+    }
+    this.#autosave.begin(newId(), true);
+    this.#app.say(words.projects.opened);
+  }
+
+  async #openFirst(): Promise<void> {
+    await this.#app.openScene(defaultScene());
+    this.#autosave.begin(newId(), false);
+  }
+
+  async #openLink(hash: string): Promise<void> {
+    const isFirst = this.#app.opening === null;
+    await this.#app.openScene(sceneOf(hash), words.history.link);
+    if (isFirst) this.#autosave.begin(newId(), false);
+  }
+
+  /** At the start of a tab of its own there is nothing new to keep; in place of another net there is. */
+  async #restore({ id, project }: KeptProject): Promise<void> {
+    const isFirst = this.#app.opening === null;
+    await this.#openMarked(id, () => this.#app.openProject(readProject(project)));
+    this.#autosave.begin(isFirst && isOwn(id) ? id : newId(), !isFirst);
+  }
+
+  // ------------------------------------------------------------------------------------------------------------- misfortunes
+
+  /** Marked until it has settled. One that was refused in good order will be so again: no need to ask the user first. */
+  async #openMarked(mark: string, open: () => Promise<void>): Promise<void> {
+    setMark(mark);
+    try {
+      await open();
+    } catch (error) {
+      if ((error as { code?: unknown }).code !== 'worker_lost') clearMark();
+      throw error;
+    }
+    void this.#app.settled().then(() => this.#lostAt === null && clearMark());
+  }
+
+  #markLoss(): void {
+    this.#lostAt = this.#app.history.revision;
+    setMark(location.hash.length > 1 ? location.hash : this.#autosave.id);
+  }
+
+  /** It has gone on well since. */
+  #forgetLoss(): void {
+    if (this.#lostAt === null || this.#lostAt === this.#app.history.revision) return;
+    this.#lostAt = null;
+    clearMark();
+  }
+
+  #sayNotKept(): void {
+    if (!this.#saidNotKept) this.#app.say(words.projects.notKept);
+    this.#saidNotKept = true;
+  }
+}
+
+function sceneOf(hash: string): Scene {
+  return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
+}
+
+async function textOf(file: File): Promise<string> {
+  const [megabytes, largest] = [file.size, LARGEST_PROJECT].map((bytes) => Math.ceil(bytes / 1e6));
+  if (file.size > LARGEST_PROJECT) throw new Error(words.projects.tooLarge(megabytes!, largest!));
+  return file.text();
+}
