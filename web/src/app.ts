@@ -4,7 +4,8 @@ import type { Handle, OptionInfo } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
 import type { ComparisonWish, Run } from './compare/run';
-import { netTitle, settingsChange } from './document/changes';
+import { netChange, netTitle, settingsChange } from './document/changes';
+import type { NamedChange } from './document/changes';
 import { freshScene } from './document/defaults';
 import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from './document/document';
 import type { Project } from './document/project';
@@ -153,14 +154,14 @@ export class App {
   // ------------------------------------------------------------------------------------------------------ whole scenes
 
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
-   *  @param name what the history calls it. */
-  async openScene(scene: Scene, name = words.history.open(netTitle(scene.net))): Promise<void> {
+   *  @param change what the history calls it. */
+  async openScene(scene: Scene, change: NamedChange = { name: words.history.open(netTitle(scene.net)), key: null }): Promise<void> {
     const opened = await this.#await(this.#client.open(scene));
     this.handles.endDrag(false);
     const before = this.#snapshot();
     this.#showOpened(scene, opened);
-    if (before) this.#history.record(before, name);
-    else this.#history.begin([{ name, state: this.#snapshot()! }], 0);
+    if (before) this.#history.record(before, change.name, change.key);
+    else this.#history.begin([{ name: change.name, state: this.#snapshot()! }], 0);
     this.#showDocument();
     if (opened.frame.handles.length === 0) this.say(words.intro.noHandles);
   }
@@ -186,7 +187,8 @@ export class App {
     const fresh = freshScene(net);
     if (this.#opening === null) return this.openScene(fresh);
     const { method, initialisation, options, view } = this.#opening.document;
-    return this.openScene({ ...fresh, method, initialisation, options, view: { ...view, camera: null } });
+    const change = netChange(this.#opening.document.net, net);
+    return this.openScene({ ...fresh, method, initialisation, options, view: { ...view, camera: null } }, change);
   }
 
   /** The present scene as the hash of a link. */

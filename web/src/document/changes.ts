@@ -28,6 +28,13 @@ export interface NamedChange {
   key: string | null;
 }
 
+/** Another net; or the same shape with other parameters, as a slider gives one after another. */
+export function netChange(before: NetSource, after: NetSource): NamedChange {
+  const name = netTitle(after);
+  const same = 'recipe' in before && 'recipe' in after && netTitle(before) === name;
+  return same ? { name: words.history.shape(name), key: `shape ${name}` } : { name: words.history.open(name), key: null };
+}
+
 /** How settings differ; null: not at all. */
 export function settingsChange(before: SolverSettings, after: SolverSettings): NamedChange | null {
   if (after.method !== before.method) return { name: words.history.method(words.core.method(after.method)), key: null };

@@ -363,6 +363,7 @@ export const en = {
     title: 'History',
     hint: 'A click on a line goes back or forward to it; the arrow keys move along the list.',
     open: (net: string) => `Open ${net}`,
+    shape: (net: string) => `Shape of ${net}`,
     newNet: 'New',
     link: 'Open link',
     one: (handle: string) => `handle ${handle}`,

@@ -353,6 +353,7 @@ export const zh: Words = {
     title: '历史记录',
     hint: '点击任一行即可回到或前进到该步骤；方向键可在列表中移动。',
     open: (net) => `打开 ${net}`,
+    shape: (net) => `调整 ${net} 的形状`,
     newNet: '新建',
     link: '打开链接',
     one: (handle) => `手柄 ${handle}`,

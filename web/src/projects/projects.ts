@@ -73,7 +73,7 @@ export class Projects {
   // ----------------------------------------------------------------------------------------------------------- what is open
 
   async newNet(): Promise<void> {
-    await this.#app.openScene(defaultScene(), words.history.newNet);
+    await this.#app.openScene(defaultScene(), { name: words.history.newNet, key: null });
   }
 
   async followLink(): Promise<void> {
@@ -120,7 +120,7 @@ export class Projects {
 
   async #openLink(hash: string): Promise<void> {
     const isFirst = this.#app.opening === null;
-    await this.#app.openScene(sceneOf(hash), words.history.link);
+    await this.#app.openScene(sceneOf(hash), { name: words.history.link, key: null });
     if (isFirst) this.#autosave.begin(newId(), false);
   }
 
