@@ -7,6 +7,8 @@ import type { Script, Visit } from './page';
 import { OUTPUT, visits } from './page';
 
 const SHAPE = 'vault:vertices=600';
+/** Milliseconds that a busy machine may take. */
+const PATIENCE = { timeout: 15_000 };
 
 declare global {
   interface Window {
@@ -92,21 +94,21 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await page.keyboard.press('Control+y');
   expect(await standing(script)).toEqual(stood[2]);
   await historyOf(visit).getByRole('button').last().click();
-  await expect.poll(() => present(visit)).toBe(list[4]);
+  await expect.poll(() => present(visit), PATIENCE).toBe(list[4]);
   expect(await standing(script)).toEqual(stood[3]);
 
   await historyOf(visit).locator('[aria-current]').focus();
   for (const key of ['Home', 'ArrowDown', 'Enter']) await page.keyboard.press(key);
-  await expect.poll(() => present(visit)).toBe('Open vault');
+  await expect.poll(() => present(visit), PATIENCE).toBe('Open vault');
   expect(await standing(script)).toEqual(stood[0]);
   for (const key of ['End', 'Enter']) await page.keyboard.press(key);
   expect(await standing(script)).toEqual(stood[3]);
   await page.screenshot({ path: join(OUTPUT, 'history-desktop.png') });
 
-  await expect.poll(() => kept(visit)).toEqual(list);
+  await expect.poll(() => kept(visit), PATIENCE).toEqual(list);
   await page.reload();
   await script.waitForNet();
-  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/as you left it/));
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/as you left it/));
   expect(await standing(script)).toEqual(stood[3]);
   await page.screenshot({ path: join(OUTPUT, 'restored-desktop.png') });
   await page.keyboard.press('Control+z');
@@ -123,22 +125,22 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await press(visit, 'File');
   await page.screenshot({ path: join(OUTPUT, 'project-menu-desktop.png') });
   await page.getByRole('button', { name: /^New/ }).click();
-  await expect.poll(async () => (await script.stats()).vertices).toBeGreaterThan(1000);
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
 
   const chooser = page.waitForEvent('filechooser');
   await page.keyboard.press('Control+o');
   await (await chooser).setFiles({ name: 'vault.chebnet.json', mimeType: 'application/json', buffer: await readFile(path) });
-  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/project is open/));
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/project is open/));
   expect(await standing(script)).toEqual(stood[3]);
   await openSection(visit, 'History');
   expect(await names(visit)).toEqual(list);
   await historyOf(visit).getByRole('button', { name: 'Open vault' }).click();
-  await expect.poll(() => present(visit)).toBe('Open vault');
+  await expect.poll(() => present(visit), PATIENCE).toBe('Open vault');
   expect(await standing(script)).toEqual(stood[0]);
 
   await press(visit, 'File');
   await page.getByRole('button', { name: /^Restore my last net/ }).click();
-  await expect.poll(async () => (await script.stats()).vertices).toBeGreaterThan(1000);
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
 });
 
 test('a broken project is refused with what is wrong, and the net stays', async () => {
@@ -159,14 +161,14 @@ test('a link wins, and what was kept stays within reach', async () => {
   const { page, script } = visit;
   await script.open({ recipe: SHAPE });
   const before = await standing(script);
-  await expect.poll(() => kept(visit)).toHaveLength(2);
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
   const link = new URL('#experiment=long-edges', page.url()).href;
   await page.goto('about:blank');
   await page.goto(link);
   await script.waitForNet();
-  await expect.poll(async () => (await script.stats()).vertices).toBe(1505);
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBe(1505);
   await press(visit, 'Restore my last net');
-  await expect.poll(async () => (await script.stats()).vertices).not.toBe(1505);
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).not.toBe(1505);
   expect(await standing(script)).toEqual(before);
 });
 
@@ -175,16 +177,16 @@ test('what the page died of is offered, not opened', async () => {
   const { page, script } = visit;
   await script.open({ recipe: SHAPE });
   const before = await standing(script);
-  await expect.poll(() => kept(visit)).toHaveLength(2);
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
   // As if the page had died while it opened what it kept.
   await page.evaluate(() => localStorage.setItem('chebnet.opening', sessionStorage.getItem('chebnet.tab')!));
   await page.reload();
   await script.waitForNet();
-  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/not opened again by itself/));
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/not opened again by itself/));
   expect((await script.stats()).vertices).toBeGreaterThan(1000);
   await page.screenshot({ path: join(OUTPUT, 'died-desktop.png') });
   await press(visit, 'Open it');
-  await expect.poll(async () => (await script.stats()).vertices).toBeLessThan(1000);
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeLessThan(1000);
   expect(await standing(script)).toEqual(before);
   expect(await page.evaluate(() => localStorage.getItem('chebnet.opening'))).toBeNull();
 });
@@ -200,7 +202,7 @@ test('a browser that keeps nothing says so once', async () => {
     };
   });
   await script.open({ recipe: SHAPE });
-  await expect.poll(() => said(visit)).toContainEqual(expect.stringMatching(/does not let the page keep/));
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/does not let the page keep/));
   await page.evaluate(() => document.querySelector('[role=status]')?.replaceChildren());
   const refused = await page.evaluate(() => window.refused);
   await script.open({ recipe: 'dome:vertices=600' });
