@@ -9,7 +9,7 @@ const CHINESE = { locale: 'zh-CN' };
 
 /** Names, keys, units and formulas, the other language by its own name, and in parentheses what the core says. */
 const NAMES =
-  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl\+Z|Home|F2|Delete|OBJ|PLY|OFF|STL|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||ms|MB|1\.obj|（[ -~]+）/g;
+  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl|Shift|Home|F2|Delete|OBJ|PLY|OFF|STL|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||ms|MB|1\.obj|（[ -~]+）/g;
 
 /** What the page says in Latin letters beyond names: texts, and what a pointer or a screen reader learns besides. */
 async function foreignWords(page: Page): Promise<string[]> {

@@ -123,3 +123,11 @@ test('no text stands outside of language/', () => {
   });
   expect(found).toEqual([]);
 });
+
+test('the installed page is the same in both languages but for its words', () => {
+  const manifest = (name: string): object => JSON.parse(readFileSync(new URL(`web/public/${name}`, ROOT), 'utf8'));
+  const { name, description, ...others } = manifest('manifest.webmanifest') as Record<string, unknown>;
+  const inChinese = manifest('manifest.zh.webmanifest') as Record<string, unknown>;
+  expect(inChinese).toMatchObject({ ...others, lang: zh.locale, name: zh.page.title, description: expect.stringMatching(HAN) });
+  expect([name, description]).toEqual([en.page.title, expect.any(String)]);
+});
