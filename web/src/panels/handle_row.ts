@@ -3,9 +3,10 @@ import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeButton, makeIcon, makeSwitch, setText, setValue } from './dom';
+import { make, makeButton, makeIcon, setText, setValue } from './dom';
 import { ICONS } from './icons';
-import { coordinate, small } from './words';
+import { Softness } from './softness';
+import { coordinate } from './words';
 
 export interface RowEvents {
   /** `adds`: beside what is selected already. */
@@ -15,9 +16,6 @@ export interface RowEvents {
   remove(): void;
 }
 
-/** Weights of soft handles, as powers of ten, and the one a handle begins with. */
-const WEIGHTS = { smallest: -2, largest: 2, usual: 1 };
-
 export class HandleRow {
   readonly element: HTMLLIElement;
   private readonly title = make('span');
@@ -26,10 +24,7 @@ export class HandleRow {
   private readonly lock: Toggle;
   private readonly name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': words.handles.name });
   private readonly inputs: HTMLInputElement[];
-  private readonly soft: ReturnType<typeof makeSwitch>;
-  private readonly weight = make('input', { type: 'range', min: WEIGHTS.smallest, max: WEIGHTS.largest, step: 0.1 });
-  private readonly weightRow: HTMLLabelElement;
-  private readonly weightValue = make('output');
+  private readonly softness: Softness;
   private readonly fields: HTMLDivElement;
   private handle: HandleData | null = null;
   private shown = '';
@@ -55,12 +50,9 @@ export class HandleRow {
     this.name.placeholder = words.handles.vertex(vertex);
     this.name.addEventListener('change', () => events.change({ name: this.name.value.trim() || undefined }));
     this.inputs = AXES.map((_, axis) => this.makeCoordinate(axis));
-    this.soft = makeSwitch(words.handles.soft, (on) => events.change({ weight: on ? WEIGHTS.usual : undefined }));
-    this.weight.addEventListener('input', () => setText(this.weightValue, small(this.weightChosen())));
-    this.weight.addEventListener('change', () => events.change({ weight: this.weightChosen() }));
-    this.weightRow = make('label', { class: 'slider' }, make('span', {}, words.handles.weight), this.weight, this.weightValue);
+    this.softness = new Softness(events.change);
     const nameRow = make('label', { class: 'row' }, make('span', {}, words.handles.name), this.name);
-    this.fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.inputs), this.soft.row, this.weightRow);
+    this.fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.inputs), ...this.softness.rows);
     const line = make('div', { class: 'line' }, this.select, this.eye.button, this.lock.button, remove);
     this.element = make('li', {}, line, this.fields);
   }
@@ -88,11 +80,7 @@ export class HandleRow {
       input.disabled = anchor;
       setValue(input, coordinate(target[axis]!, edgeLength));
     });
-    this.soft.box.checked = weight !== undefined;
-    this.weightRow.hidden = weight === undefined;
-    if (weight === undefined) return;
-    setValue(this.weight, String(Math.log10(weight)));
-    setText(this.weightValue, small(weight));
+    this.softness.show(weight);
   }
 
   private clicked(event: MouseEvent): void {
@@ -104,10 +92,6 @@ export class HandleRow {
     if (this.fields.hidden) this.events.select(false);
     this.name.focus();
     this.name.select();
-  }
-
-  private weightChosen(): number {
-    return Number((10 ** this.weight.valueAsNumber).toPrecision(2));
   }
 
   private makeCoordinate(axis: number): HTMLInputElement {

@@ -1,12 +1,13 @@
 /** Several selected handles by numbers: where their centre is, and how far to move, turn or scale them. */
 import type { HandleData, Vec3 } from '../document/document';
-import { unlocked } from '../handles/selection';
+import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
 import { make, setText, setValue } from './dom';
 import { makeCoordinates } from './handle_row';
 import type { PanelEvents } from './panels';
+import { Softness } from './softness';
 import { coordinate } from './words';
 
 export class SelectionForm {
@@ -18,7 +19,9 @@ export class SelectionForm {
   private readonly degrees = numberField('90', words.handles.degrees);
   private readonly factor = numberField('1.1', words.handles.factor);
   private readonly motions: HTMLFieldSetElement;
+  private readonly softness: Softness;
   private place: Vec3 = [0, 0, 0];
+  private selection: Selection = [];
 
   constructor(private readonly events: PanelEvents) {
     this.axis.value = 'z';
@@ -35,12 +38,15 @@ export class SelectionForm {
       ),
       this.motion(words.handles.scale, () => ({ kind: 'scale', factor: this.factor.valueAsNumber }), this.factor),
     );
-    this.element = make('section', { class: 'selection', 'aria-label': words.handles.selection }, this.count, this.motions);
+    this.softness = new Softness((traits) => events.handles.change(this.selection, traits));
+    this.element = make('section', { class: 'selection', 'aria-label': words.handles.selection }, this.count, this.motions, ...this.softness.rows);
   }
 
   show(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
     this.element.hidden = selected.length < 2;
     if (this.element.hidden) return;
+    this.selection = selection;
+    this.softness.show(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
     setText(this.count, words.handles.selected(selected.length));
     const moving = unlocked(selection, selected);
     this.motions.disabled = moving.length === 0;

@@ -1,0 +1,124 @@
+/** The editor of handles over a document on the desk and a solver that takes everything. */
+import { beforeEach, describe, expect, test } from 'vitest';
+import type { Handle } from '../../wasm/chebnet';
+import type { Opening } from '../../web/src/app';
+import type { HandleData, Vec3 } from '../../web/src/document/document';
+import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
+import { HandleEditor } from '../../web/src/handles/handle_editor';
+import type { Client } from '../../web/src/worker/client';
+import { documentAt, grid } from './nets';
+
+const net = grid(5, 3);
+let opening: Opening;
+let history: UndoHistory;
+let editor: HandleEditor;
+let asked: Handle[][];
+let said: string[];
+
+const at = (vertex: number): Vec3 => [vertex % 5, Math.floor(vertex / 5), 0];
+const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({ vertex, target: at(vertex), anchor: false, ...rest });
+const handles = () => opening.document.handles;
+const vertices = () => handles().map(({ vertex }) => vertex);
+const tick = () => new Promise((resolve) => setTimeout(resolve));
+
+function snapshot(): Snapshot {
+  const { view: _, ...state } = opening.document;
+  return state;
+}
+
+function undo() {
+  const state = history.undo(snapshot());
+  if (state) opening = { ...opening, document: { view: opening.document.view, ...state } };
+}
+
+beforeEach(() => {
+  [asked, said, history] = [[], [], new UndoHistory()];
+  const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
+  opening = { net: { ...net, info: { meanLength: 1 } }, frame: { positions: net.restPositions }, document } as unknown as Opening;
+  const take = async (targets: Handle[]) => void asked.push(targets);
+  const client = { drag: take, setHandles: take } as unknown as Client;
+  const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
+  editor = new HandleEditor(
+    {
+      opening: () => opening,
+      snapshot,
+      change,
+      restore: ({ handles: before }) => change({ handles: [...before] }),
+      show: () => {},
+      showDrag: () => {},
+      say: (message) => said.push(message),
+      attempt: (doing) => void doing.catch((error) => expect.fail(String(error))),
+    },
+    client,
+    history,
+  );
+});
+
+test('locked handles are neither turned nor removed, and this is said', async () => {
+  editor.select([0, 2, 7]);
+  editor.transform({ kind: 'move', by: [0, 0, 1] });
+  await tick();
+  expect(asked).toEqual([[{ vertex: 7, target: [2, 1, 1] }, { vertex: 0, target: [0, 0, 1] }]]);
+  editor.remove([0, 2]);
+  await tick();
+  expect(vertices()).toEqual([2, 7]);
+  expect(said).toHaveLength(1);
+});
+
+test('a gesture of many moves is one entry, and cancelled it is none', () => {
+  editor.beginDrag();
+  for (const z of [1, 2, 3]) editor.drag([{ vertex: 0, target: [0, 0, z] }, { vertex: 7, target: [2, 1, z] }]);
+  editor.endDrag(false);
+  expect(handles()[2]!.target).toEqual([2, 1, 3]);
+  editor.beginDrag();
+  editor.drag([{ vertex: 0, target: [9, 9, 9] }]);
+  editor.endDrag(true);
+  expect(handles()[0]!.target).toEqual([0, 0, 3]);
+  undo();
+  expect(handles().map(({ target }) => target[2])).toEqual([0, 0, 0]);
+  expect(history.canUndo).toBe(false);
+});
+
+test('a line of vertices is taken whole, its first vertex leads', async () => {
+  editor.select([0]);
+  expect(editor.choice).toMatchObject({ onBoundary: true, lines: 2 });
+  editor.takeLine('boundary');
+  await tick();
+  expect(vertices()).toHaveLength(13);
+  expect(editor.choice.selection).toHaveLength(12);
+  expect(editor.choice.selection.at(-1)).toBe(0);
+});
+
+test('traits are undone; only softness concerns the solver', async () => {
+  editor.change([0, 7], { name: 'Rim', hidden: true });
+  expect(asked).toEqual([]);
+  editor.change([0], { weight: 2 });
+  await tick();
+  expect(asked).toHaveLength(1);
+  expect(handles()[0]).toMatchObject({ name: 'Rim', hidden: true, weight: 2 });
+  undo();
+  undo();
+  expect(handles()[0]).toEqual(handle(0));
+});
+
+describe('with symmetry', () => {
+  beforeEach(() => editor.setSymmetry({ axis: 'x', through: 'centre' }));
+
+  test('a handle comes with its mirror image, moves with it and goes with it', async () => {
+    editor.add(5);
+    await tick();
+    expect(vertices()).toEqual([0, 2, 7, 5, 9]);
+    editor.beginDrag();
+    editor.drag([{ vertex: 5, target: [-1, 1, 2] }]);
+    editor.endDrag(false);
+    expect(asked.at(-1)).toEqual([{ vertex: 5, target: [-1, 1, 2] }, { vertex: 9, target: [5, 1, 2] }]);
+    editor.remove([9]);
+    await tick();
+    expect(vertices()).toEqual([0, 2, 7]);
+  });
+
+  test('is itself undone', () => {
+    undo();
+    expect(opening.document.symmetry).toBeUndefined();
+  });
+});
