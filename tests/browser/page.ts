@@ -116,10 +116,15 @@ export function visits(root = () => DIST) {
     address: () => site.address,
     /** Opens the page, or a link into it, and waits for the net. */
     async arrive(link = '', options: BrowserContextOptions = {}): Promise<Visit> {
+      const visit = await this.open(link, options);
+      await visit.script.waitForNet();
+      return visit;
+    },
+    /** Opens any page of the site. */
+    async open(link: string, options: BrowserContextOptions = {}): Promise<Visit> {
       const visit = await newVisit(browser, options);
       going.push(visit);
       await visit.page.goto(new URL(link, site.address).href);
-      await visit.script.waitForNet();
       return visit;
     },
   };

@@ -3,6 +3,7 @@ import { App } from './app';
 import { linkAdvice } from './document/share';
 import { equalizedScene, subjectOfNet } from './equalize/subject';
 import type { Subject } from './equalize/subject';
+import { embed, isEmbedded } from './embed/embed';
 import { download } from './files/download';
 import { fileNameOf, typeOf } from './files/export';
 import type { FileKind } from './files/export';
@@ -39,7 +40,8 @@ const app = new App(
     exportFile: (kind) => attempt(() => exportFile(kind)),
   },
 );
-const projects = new Projects(app);
+// What is done inside of another page is no work of the visitor's own.
+const projects = new Projects(app, !isEmbedded());
 const opener = new FileOpener({
   spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
   createDialog: (name) => new FileDialog(element('panels'), name),
@@ -48,8 +50,9 @@ const opener = new FileOpener({
 });
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
+if (isEmbedded()) embed(element('view'), app, window.chebnet);
 // Once the first net is there: until then the network is busy enough.
-void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
+else void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);

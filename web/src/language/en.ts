@@ -48,6 +48,7 @@ export const en = {
     save: { label: 'Save', hint: 'Save the net as a file' },
   },
   messages: { dismiss: 'Dismiss' },
+  embed: { activate: 'Click to drag the net', open: 'Open in chebnet' },
   offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
   legend: {
     label: 'Legend',

@@ -48,6 +48,7 @@ export const zh: Words = {
     save: { label: '保存', hint: '将网保存为文件' },
   },
   messages: { dismiss: '关闭' },
+  embed: { activate: '点击后即可拖动网', open: '在 chebnet 中打开' },
   offline: { newVersion: '此页面有新版本。', reload: '重新加载' },
   legend: {
     label: '图例',

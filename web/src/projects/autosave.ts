@@ -15,11 +15,16 @@ export class Autosave {
   #view: ViewState | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param failed called when the browser refuses. */
+  /**
+   * @param failed called when the browser refuses.
+   * @param keeps false: it never keeps anything.
+   */
   constructor(
     private readonly app: App,
     private readonly failed: () => void,
+    private readonly keeps: boolean,
   ) {
+    if (!keeps) return;
     app.on('changed', () => this.#soon());
     document.addEventListener('visibilitychange', () => void this.save());
     addEventListener('pagehide', () => void this.save());
@@ -41,7 +46,7 @@ export class Autosave {
   async save(): Promise<void> {
     clearTimeout(this.#timer);
     const { revision } = this.app.history;
-    const project = this.app.isQuiet ? this.app.project() : null;
+    const project = this.keeps && this.app.isQuiet ? this.app.project() : null;
     if (project === null) return;
     const seenAnew = this.#view !== null && this.#view !== project.view;
     if (revision === this.#revision && !seenAnew) return;

@@ -23,10 +23,11 @@ export class Projects {
   /** The revision of the history at which the worker was lost; null: it was not, or not by this document. */
   #lostAt: number | null = null;
 
-  constructor(app: App) {
+  /** @param keeps whether the browser keeps what is done here, and opens with what it kept. */
+  constructor(app: App, keeps: boolean) {
     this.#app = app;
-    this.#autosave = new Autosave(app, () => this.#sayNotKept());
-    this.#last = findLast().catch(() => undefined);
+    this.#autosave = new Autosave(app, () => this.#sayNotKept(), keeps);
+    this.#last = keeps ? findLast().catch(() => undefined) : Promise.resolve(undefined);
     app.on('restarted', () => this.#markLoss());
     app.on('settled', () => this.#forgetLoss());
   }

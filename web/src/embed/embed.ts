@@ -1,0 +1,57 @@
+/** The editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
+import type { App } from '../app';
+import { words } from '../language/language';
+import { make, makeButton } from '../panels/dom';
+import type { Scripting } from '../scripting';
+import { Host } from './host';
+import type { Answer, News } from './protocol';
+
+export function isEmbedded(): boolean {
+  return new URLSearchParams(location.search).has('embed');
+}
+
+/** @param view the element that holds the picture. */
+export function embed(view: HTMLElement, app: App, script: Scripting): void {
+  document.documentElement.classList.add('embed');
+  document.body.append(makeShield(view), makeWayOut(app));
+  if (parent !== window) listenToHost(script);
+}
+
+/** Lies over the picture until it is clicked, and again after Escape or a click outside of the frame. */
+function makeShield(view: HTMLElement): HTMLElement {
+  const shield = makeButton(make('span', {}, words.embed.activate), () => setActive(true), { class: 'shield' });
+  const setActive = (active: boolean): void => {
+    view.inert = !active;
+    shield.hidden = active;
+    document.documentElement.classList.toggle('active', active);
+    if (active) view.querySelector('canvas')?.focus();
+  };
+  addEventListener('blur', () => setActive(false));
+  addEventListener('keydown', ({ key, defaultPrevented }) => {
+    if (key !== 'Escape' || defaultPrevented || shield.hidden === false) return;
+    setActive(false);
+    shield.focus();
+  });
+  setActive(false);
+  return shield;
+}
+
+/** Leads to the editor as a page of its own, with the scene as it is at that moment. */
+function makeWayOut(app: App): HTMLElement {
+  const link = make('a', { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' }, words.embed.open);
+  link.addEventListener('click', () => (link.href = location.pathname + (app.share().hash ?? '')));
+  return link;
+}
+
+function listenToHost(script: Scripting): void {
+  let origin = '*';
+  const post = (message: Answer | News): void => parent.postMessage(message, origin);
+  const host = new Host(script, post);
+  addEventListener('message', (event) => {
+    if (event.source !== parent) return;
+    // A frame without an origin, as from a file, can be reached by the star only.
+    origin = event.origin === 'null' ? '*' : event.origin;
+    void host.receive(event.data);
+  });
+  post({ chebnet: 1, event: 'ready' });
+}

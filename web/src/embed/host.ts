@@ -1,0 +1,90 @@
+/** Answers the page that embeds this one; see protocol.ts. */
+import type { Scripting } from '../scripting';
+import { readEvent, readHandles, readNet, readOptions, readPoint, readVertex } from './arguments';
+import type { Answer, CallName, EmbedEvent, Failure, HostCall, News } from './protocol';
+
+/** Calls of a host that have no answer yet. */
+const MOST_UNANSWERED = 100;
+const LONGEST_ID = 64;
+
+type Post = (message: Answer | News) => void;
+
+export class Host {
+  readonly #calls: Record<CallName, (args: readonly unknown[]) => unknown>;
+  readonly #post: Post;
+  readonly #subscriptions = new Map<EmbedEvent, () => void>();
+  #unanswered = 0;
+
+  constructor(script: Scripting, post: Post) {
+    this.#post = post;
+    this.#calls = {
+      open: ([net]) => script.open(readNet(net)),
+      setHandles: ([handles]) => script.setHandles(readHandles(handles)),
+      move: ([vertex, target]) => script.move(readVertex(vertex), readPoint(target)),
+      settled: () => script.settled(),
+      positions: () => script.positions(),
+      edges: () => script.edges(),
+      handles: () => script.handles(),
+      stats: () => script.stats(),
+      setOptions: ([options]) => script.setOptions(readOptions(options)),
+      screenPosition: ([vertex]) => script.screenPosition(readVertex(vertex)),
+      link: () => script.link(),
+      on: ([event]) => this.#subscribe(script, readEvent(event)),
+      off: ([event]) => this.#unsubscribe(readEvent(event)),
+    };
+  }
+
+  /** What is no call is none of our business: other parts of the page may send messages, too. */
+  async receive(data: unknown): Promise<void> {
+    const call = readCall(data);
+    if (call === null) return;
+    const { id } = call;
+    try {
+      this.#post({ chebnet: 1, id, result: await this.#run(call) });
+    } catch (error) {
+      this.#post({ chebnet: 1, id, error: failureOf(error) });
+    }
+  }
+
+  async #run({ call, args = [] }: HostCall): Promise<unknown> {
+    if (!Object.hasOwn(this.#calls, call)) throw failure('unknown_call', 'there is no such call');
+    if (!Array.isArray(args)) throw failure('bad_arguments', 'args must be a list');
+    if (this.#unanswered >= MOST_UNANSWERED) throw failure('busy', `${MOST_UNANSWERED} calls wait for their answers`);
+    this.#unanswered += 1;
+    try {
+      return await this.#calls[call](args);
+    } finally {
+      this.#unanswered -= 1;
+    }
+  }
+
+  #subscribe(script: Scripting, event: EmbedEvent): void {
+    if (this.#subscriptions.has(event)) return;
+    const stop =
+      event === 'error'
+        ? script.on(event, (error) => this.#post({ chebnet: 1, event, error: failureOf(error) }))
+        : script.on(event, () => this.#post({ chebnet: 1, event, stats: script.stats() }));
+    this.#subscriptions.set(event, stop);
+  }
+
+  #unsubscribe(event: EmbedEvent): void {
+    this.#subscriptions.get(event)?.();
+    this.#subscriptions.delete(event);
+  }
+}
+
+function readCall(data: unknown): HostCall | null {
+  if (typeof data !== 'object' || data === null) return null;
+  const { chebnet, id, call } = data as Partial<HostCall>;
+  const named = Number.isFinite(id) || (typeof id === 'string' && id.length <= LONGEST_ID);
+  return chebnet === 1 && named && typeof call === 'string' ? (data as HostCall) : null;
+}
+
+function failure(code: string, message: string): Error {
+  return Object.assign(new Error(message), { code });
+}
+
+function failureOf(error: unknown): Failure {
+  const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
+  return { code, message: error instanceof Error ? error.message : String(error) };
+}
