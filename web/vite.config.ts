@@ -1,6 +1,7 @@
 import { defineConfig } from 'vite';
 import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
+import { rhino3dmWithoutEval } from './rhino3dm_without_eval.ts';
 
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
@@ -8,7 +9,9 @@ export default defineConfig({
   plugins: [leanThree(), plasma(), offline()],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
-  worker: { format: 'es' },
+  // Its main file is no module.
+  resolve: { alias: [{ find: /^rhino3dm$/, replacement: 'rhino3dm/rhino3dm.module.js' }] },
+  worker: { format: 'es', plugins: () => [rhino3dmWithoutEval()] },
   // three.js alone is above the usual limit, and the page shows nothing without it.
   build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000 },
 });

@@ -2,9 +2,9 @@
 import { describe, expect, test } from 'vitest';
 import type { NetSource } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
-import { edgesCsv } from '../../web/src/files/edges_csv';
+import { edgesCsv } from '../../web/src/export/edges_csv';
 import { edgeLengths, spreadOf } from '../../web/src/files/edge_lengths';
-import { fileNameOf, typeOf } from '../../web/src/files/export';
+import { fileNameOf, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, Stage } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';

@@ -67,6 +67,20 @@ describe('on nets of the gallery', async () => {
     net.dispose();
   });
 
+  test.each(core.shapes().map(({ name }) => name))('all lines of a %s together hold every edge once', (name) => {
+    const net = core.openRecipe(name);
+    const steps = new Lines(net).all().flatMap((line) => line.slice(1).map((b, k) => ascending([line[k]!, b]).join()));
+    const edges = Array.from({ length: net.info.edges }, (_, e) => `${net.edges[2 * e]},${net.edges[2 * e + 1]}`);
+    expect(steps.sort()).toEqual(edges.sort());
+    net.dispose();
+  });
+
+  test('a closed line ends where it begins', () => {
+    const net = core.openRecipe('torus:vertices=300');
+    expect(new Lines(net).all().every((line) => line[0] === line.at(-1))).toBe(true);
+    net.dispose();
+  });
+
   test('lines end at a singular vertex, one for each of its edges', () => {
     const net = core.openRecipe('jack:vertices=600');
     const valence = new Map<number, number>();

@@ -93,6 +93,12 @@ describe('what is too large', () => {
     expect(linkAdvice(shared)).toMatch(/too large/);
   });
 
+  test('for a QR code is left out likewise', () => {
+    const shared = encodeScene(documentAt(shaken), large, 1e-6, 1000);
+    expect(shared).toMatchObject({ positions: false });
+    expect(shared.hash!.length).toBeLessThanOrEqual(1000);
+  });
+
   test('is a file: there is no link, and this is said', () => {
     const obj = Array.from({ length: 20_000 }, () => `v ${next()} ${next()} ${next()}`).join('\n');
     const shared = encodeScene({ ...documentAt(null), net: { obj, name: 'large.obj' } }, net, 1e-6);

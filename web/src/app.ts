@@ -13,6 +13,7 @@ import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { HistoryView, Snapshot } from './document/undo';
+import type { Film } from './export/recording';
 import { type HandleDesk, HandleEditor } from './handles/handle_editor';
 import { words } from './language/language';
 import type { Action, PanelEvents, Panels } from './panels/panels';
@@ -33,7 +34,7 @@ export interface AppParts {
 /** What a user wishes that is not about the net itself. */
 export type AppServices = Pick<
   PanelEvents,
-  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'copyLink' | 'exportFile'
+  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'share' | 'save' | 'record'
 >;
 
 /** A net that is open, and all that belongs to it. */
@@ -191,12 +192,12 @@ export class App {
     return this.openScene({ ...fresh, method, initialisation, options, view: { ...view, camera: null } }, change);
   }
 
-  /** The present scene as the hash of a link. */
-  share(): Shared {
+  /** The present scene as the hash of a link of at most so many characters. */
+  share(largest?: number): Shared {
     if (this.#opening === null) return { hash: null };
     const { net } = this.#opening;
     const document = { ...this.#opening.document, settled: this.#isSettled() };
-    return encodeScene(document, net, this.#threshold());
+    return encodeScene(document, net, this.#threshold(), largest);
   }
 
   /** The present net as the bytes of a file. */
@@ -204,9 +205,14 @@ export class App {
     return this.#client.exportFile(format);
   }
 
-  /** What the view shows, as PNG without a background. */
-  picture(): Promise<Blob> {
-    return this.#view.picture();
+  /** What the view shows, as PNG without a background, with so many times the pixels of the screen. */
+  picture(magnification: number): Promise<Blob> {
+    return this.#view.picture(magnification);
+  }
+
+  /** What the view shows from now on. */
+  film(): Film {
+    return this.#view.film();
   }
 
   // ----------------------------------------------------------------------------------------------------------- solving

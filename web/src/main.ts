@@ -4,19 +4,25 @@ import { linkAdvice } from './document/share';
 import { equalizedScene, subjectOfNet } from './equalize/subject';
 import type { Subject } from './equalize/subject';
 import { embed, isEmbedded } from './embed/embed';
+import { copyText } from './files/clipboard';
 import { download } from './files/download';
-import { fileNameOf, typeOf } from './files/export';
-import type { FileKind } from './files/export';
+import { fileNameOf } from './export/kinds';
+import type { SaveWish } from './export/kinds';
+import { filmExtension, filmType, Recording } from './export/recording';
+import { save } from './export/save';
 import { FileOpener, pickFile } from './files/import';
 import { translateDocument, words } from './language/language';
 import { keepOffline } from './offline/offline';
 import type { GizmoMode } from './handles/wishes';
 import { EqualizeDialog } from './panels/equalize_dialog';
 import { FileDialog } from './panels/file_dialog';
+import { RecordingNotice } from './panels/recording_notice';
+import { ShareDialog } from './panels/share_dialog';
 import { createPanels } from './panels/sidebar';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
 import { createView } from './view/scene';
+import { readTheme } from './view/theme';
 
 translateDocument(document);
 
@@ -36,8 +42,9 @@ const app = new App(
     saveProject: () => projects.save(),
     restoreLast: () => attempt(() => projects.restoreLast()),
     equalize: () => attempt(equalizeNet),
-    copyLink: () => attempt(copyLink),
-    exportFile: (kind) => attempt(() => exportFile(kind)),
+    share: () => attempt(share),
+    save: (wish) => attempt(() => saveAs(wish)),
+    record: () => attempt(record),
   },
 );
 // What is done inside of another page is no work of the visitor's own.
@@ -78,25 +85,52 @@ async function followLink(): Promise<void> {
   await projects.followLink();
 }
 
-async function copyLink(): Promise<void> {
+async function share(): Promise<void> {
   const shared = app.share();
   const advice = linkAdvice(shared) ?? '';
   if (shared.hash === null) return app.say(advice);
-  const link = new URL(shared.hash, location.href).href;
-  try {
-    await navigator.clipboard.writeText(link);
-    app.say(words.link.copied(advice));
-  } catch {
-    history.replaceState(null, '', link);
-    app.say(words.link.inAddressBar(advice));
-  }
+  const link = linkOf(shared.hash);
+  new ShareDialog(element('panels'), {
+    linkWithin: (characters) => {
+      const short = app.share(characters - linkOf('').length);
+      return short.hash === null ? null : { link: linkOf(short.hash), positions: short.positions };
+    },
+    embedded: linkOf(shared.hash, '?embed'),
+    copyLink: () => copyLink(link, advice),
+  });
 }
 
-async function exportFile(kind: FileKind): Promise<void> {
+function linkOf(hash: string, query = ''): string {
+  return new URL(`${location.pathname}${query}${hash}`, location.href).href;
+}
+
+/** Says how it went. */
+async function copyLink(link: string, advice: string): Promise<string> {
+  if (await copyText(link)) return words.link.copied(advice);
+  history.replaceState(null, '', link);
+  return words.link.inAddressBar(advice);
+}
+
+function saveAs(wish: SaveWish): Promise<void> {
+  return save(wish, {
+    app,
+    theme: () => readTheme(document.body),
+    spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),
+  });
+}
+
+/** Of what happens in the view, until it is stopped. */
+async function record(): Promise<void> {
   const net = app.opening?.document.net;
-  if (net === undefined) return;
-  const content = kind === 'png' ? await app.picture() : await app.exported(kind);
-  download(fileNameOf(net, kind), content, typeOf(kind));
+  const type = filmType();
+  if (net === undefined || type === null || document.querySelector('.recording')) return;
+  const recording = new Recording(app.film(), type, (seconds) => notice.show(seconds));
+  const notice = new RecordingNotice(element('panels'), () => recording.stop());
+  try {
+    download(fileNameOf(net, filmExtension(type)), await recording.done, type);
+  } finally {
+    notice.remove();
+  }
 }
 
 async function pickAndOpen(): Promise<void> {

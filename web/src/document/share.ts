@@ -36,16 +36,16 @@ export type Shared = { hash: string; positions: boolean } | { hash: null };
 
 /**
  * The hash of a scene, `#` and all. Positions at rest need no place; others are left out if the link would be longer
- * than LARGEST_LINK, and whoever opens it solves for them.
+ * than `largest`, and whoever opens it solves for them.
  * @param threshold dL below which edges are in order; see packPositions.
  */
-export function encodeScene(document: ChebnetDocument, net: PackingNet, threshold: number): Shared {
+export function encodeScene(document: ChebnetDocument, net: PackingNet, threshold: number, largest = LARGEST_LINK): Shared {
   const atRest = document.positions === null || document.positions.every((x, i) => x === net.restPositions[i]);
   const packed = atRest || document.positions === null ? null : packPositions(document.positions, net, threshold);
   const whole = toHash(header(document, net, document.settled), packed);
-  if (whole.length <= LARGEST_LINK) return { hash: whole, positions: true };
+  if (whole.length <= largest) return { hash: whole, positions: true };
   const small = toHash(header(document, net, false), null);
-  return small.length <= LARGEST_LINK ? { hash: small, positions: false } : { hash: null };
+  return small.length <= largest ? { hash: small, positions: false } : { hash: null };
 }
 
 /** The scene of a hash (with or without its `#`). Throws LinkError. */

@@ -1,6 +1,6 @@
 /** What is equalised, and what becomes of the net that was open. */
 import type { ChebnetDocument, Scene } from '../document/document';
-import { fileNameOf } from '../files/export';
+import { fileNameOf } from '../export/kinds';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface Subject {

@@ -46,12 +46,30 @@ export class Lines {
   /** The net lines through a vertex, each from end to end; a closed one begins anywhere. A line goes straight on: a regular
    *  vertex has two of them; a singular one, where lines end, has one for each of its edges. */
   through(vertex: number): number[][] {
-    return this.#directions(vertex).map(([next, across]) => {
-      const onward = this.#walk(vertex, next);
-      if (onward.at(-1) === vertex) return onward;
-      const back = across === undefined ? [] : this.#walk(vertex, across);
-      return [...back.reverse(), vertex, ...onward];
-    });
+    return this.#directions(vertex).map(([next, across]) => this.#line(vertex, next, across));
+  }
+
+  /** All net lines, each once, from end to end; a closed one ends with the vertex it begins with. */
+  all(): number[][] {
+    const lines: number[][] = [];
+    const walked = new Set<string>();
+    for (let vertex = 0; vertex + 1 < this.#start.length; ++vertex) {
+      for (const [next, across] of this.#directions(vertex)) {
+        if (walked.has(edgeName(vertex, next))) continue;
+        const line = this.#line(vertex, next, across);
+        if (line.at(-1) === vertex) line.unshift(vertex);
+        for (let k = 1; k < line.length; ++k) walked.add(edgeName(line[k - 1]!, line[k]!));
+        lines.push(line);
+      }
+    }
+    return lines;
+  }
+
+  #line(vertex: number, next: number, across: number | undefined): number[] {
+    const onward = this.#walk(vertex, next);
+    if (onward.at(-1) === vertex) return onward;
+    const back = across === undefined ? [] : this.#walk(vertex, across);
+    return [...back.reverse(), vertex, ...onward];
   }
 
   /** How many of them there are. */
@@ -107,4 +125,8 @@ export class Lines {
   #around(vertex: number): number[] {
     return Array.from(this.#corners.subarray(2 * this.#start[vertex]!, 2 * this.#start[vertex + 1]!));
   }
+}
+
+function edgeName(a: number, b: number): string {
+  return a < b ? `${a} ${b}` : `${b} ${a}`;
 }

@@ -61,14 +61,18 @@ export function setValue(field: HTMLInputElement | HTMLSelectElement, value: str
 
 const SVG = 'http://www.w3.org/2000/svg';
 
+export function makeSvg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string>,
+  ...children: Node[]
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
 /** A line drawing on a 16 by 16 grid. */
 export function makeIcon(path: string): SVGSVGElement {
-  const icon = document.createElementNS(SVG, 'svg');
-  icon.setAttribute('viewBox', '0 0 16 16');
-  icon.setAttribute('class', 'icon');
-  icon.setAttribute('aria-hidden', 'true');
-  const line = document.createElementNS(SVG, 'path');
-  line.setAttribute('d', path);
-  icon.append(line);
-  return icon;
+  return makeSvg('svg', { viewBox: '0 0 16 16', class: 'icon', 'aria-hidden': 'true' }, makeSvg('path', { d: path }));
 }

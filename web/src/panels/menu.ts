@@ -8,6 +8,15 @@ export interface MenuItem {
   title: string;
   hint: string;
   choose(): void;
+  disabled?: boolean;
+  /** How it is to be done: controls at the end of the line. */
+  beside?: readonly HTMLElement[];
+}
+
+/** Lines that belong together, below a heading. */
+export interface MenuGroup {
+  title: string;
+  items: readonly MenuItem[];
 }
 
 export interface MenuLook {
@@ -24,15 +33,17 @@ export class Menu {
   readonly button: HTMLButtonElement;
   readonly menu: HTMLElement;
 
-  constructor({ id, icon, label, hint, title }: MenuLook, items: readonly MenuItem[]) {
+  constructor({ id, icon, label, hint, title }: MenuLook, content: readonly (MenuItem | MenuGroup)[]) {
     this.button = make(
       'button',
       { type: 'button', title: hint, 'aria-label': label, popovertarget: id, 'aria-haspopup': 'true' },
       makeIcon(icon),
       make('span', {}, label),
     );
-    const lines = items.map((each, i) => this.makeLine(each, i === 0));
-    this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title }, ...lines);
+    const parts = content.map((each) => ('items' in each ? this.makeGroup(each) : this.makeLine(each)));
+    this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title }, ...parts);
+    // Whoever opens the menu by key goes on from its first entry.
+    this.menu.querySelector('button')!.autofocus = true;
     this.menu.addEventListener('toggle', () => this.place());
     // Escape is for the menu alone.
     this.menu.addEventListener('keydown', (event) => {
@@ -40,15 +51,18 @@ export class Menu {
     });
   }
 
-  private makeLine({ title, hint, choose }: MenuItem, first: boolean): HTMLButtonElement {
+  private makeGroup({ title, items }: MenuGroup): HTMLElement {
+    return make('section', {}, make('h3', {}, title), ...items.map((each) => this.makeLine(each)));
+  }
+
+  private makeLine({ title, hint, choose, disabled = false, beside = [] }: MenuItem): HTMLElement {
     const chosen = (): void => {
       this.menu.hidePopover();
       choose();
     };
-    // Whoever opens the menu by key goes on from its first entry.
-    const line = makeButton(make('strong', {}, title), chosen, { class: 'plain', autofocus: first });
-    line.append(make('span', {}, hint));
-    return line;
+    const item = makeButton(make('strong', {}, title), chosen, { class: 'plain', disabled });
+    item.append(make('span', {}, hint));
+    return make('div', { class: 'line' }, item, ...beside);
   }
 
   /** Below the button, or above it where there is more room; in sight in any case. */

@@ -3,7 +3,7 @@
 import type { Comparison, ComparisonWish, Run } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
 import type { HistoryView } from '../document/undo';
-import type { FileKind } from '../files/export';
+import type { SaveWish } from '../export/kinds';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
@@ -39,9 +39,12 @@ export interface PanelEvents {
   showRun(run: Run | null): void;
   /** Show the net of a run beside the other; null: no longer. */
   showBeside(run: Run | null): void;
-  copyLink(): void;
+  /** Pass on a link to what is seen. */
+  share(): void;
   /** Save the net as a file. */
-  exportFile(kind: FileKind): void;
+  save(wish: SaveWish): void;
+  /** Record what is seen. */
+  record(): void;
   frameAll(): void;
 }
 

@@ -29,7 +29,7 @@ export class Toolbar {
       return button;
     };
     const projects = createProjectMenu(events);
-    const exports = createExportMenu((kind) => events.exportFile(kind));
+    const exports = createExportMenu(events);
     this.menus = [projects.menu, exports.menu];
     this.undo = tool('undo', () => events.undo());
     this.redo = tool('redo', () => events.redo());
@@ -41,7 +41,7 @@ export class Toolbar {
       this.redo,
       tool('reset', () => events.reset()),
       tool('frame', () => events.frameAll()),
-      tool('link', () => events.copyLink()),
+      tool('link', () => events.share()),
       exports.button,
     );
   }

@@ -6,7 +6,7 @@ import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject
 import { decodeScene } from '../document/share';
 import { experimentScene, isExperimentLink } from '../experiments/experiment';
 import { download } from '../files/download';
-import { baseNameOf } from '../files/export';
+import { baseNameOf } from '../export/kinds';
 import { FileError } from '../files/file_error';
 import { words } from '../language/language';
 import { Autosave } from './autosave';

@@ -46,6 +46,9 @@ export function createBlankView(container: HTMLElement): View {
     camera: () => nowhere,
     setCamera() {},
     picture: () => Promise.reject(new Error(words.view.noPicture)),
+    film: () => {
+      throw new Error(words.view.noPicture);
+    },
     framesPerSecond: () => 0,
     screenPosition: () => ({ x: 0, y: 0 }),
     dispose: () => notice.remove(),

@@ -1,6 +1,7 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
-import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { Color, DirectionalLight, HemisphereLight, Matrix4, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import type { Film } from '../export/recording';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import type { Choice } from '../handles/wishes';
@@ -32,6 +33,8 @@ type Appearance = Omit<ViewState, 'camera'>;
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 /** A label keeps so far from the edges of the canvas, in pixels. */
 const LABEL_ROOM = { side: 140, top: 120, bottom: 120 };
+/** Pictures a second in a film. */
+const FILM_RATE = 30;
 /** So many unreachable pairs are drawn, the worst first. */
 const SHOWN_STRAINS = 3;
 
@@ -198,13 +201,32 @@ class SceneView implements View {
     return { position: space.toNet(this.rig.camera.position), target: space.toNet(this.rig.orbit.target) };
   }
 
-  picture(): Promise<Blob> {
-    // The canvas can be read only in the task that has drawn it.
+  picture(magnification: number): Promise<Blob> {
+    const { renderer, size } = this;
+    const ratio = renderer.getPixelRatio();
+    const largest = renderer.capabilities.maxTextureSize / Math.max(size.x, size.y);
+    renderer.setPixelRatio(Math.min(magnification * ratio, largest));
+    // The canvas can be read only in the task that has drawn it; and the screen shows only what the task leaves on it.
     this.draw();
-    return new Promise((resolve, reject) => {
+    const picture = new Promise<Blob>((resolve, reject) => {
       const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error(words.view.pictureFailed)));
-      this.renderer.domElement.toBlob(take, 'image/png');
+      renderer.domElement.toBlob(take, 'image/png');
     });
+    renderer.setPixelRatio(ratio);
+    this.draw();
+    return picture;
+  }
+
+  film(): Film {
+    const stream = this.renderer.domElement.captureStream(FILM_RATE);
+    this.scene.background = new Color().setRGB(...this.theme.fade, SRGBColorSpace);
+    this.requestDraw();
+    const end = (): void => {
+      for (const track of stream.getTracks()) track.stop();
+      this.scene.background = null;
+      this.requestDraw();
+    };
+    return { stream, end };
   }
 
   setCamera(camera: CameraPlace): void {

@@ -2,6 +2,7 @@
  *  it never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import type { Film } from '../export/recording';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/wishes';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -55,8 +56,10 @@ export interface View {
   camera(): { position: Vec3; target: Vec3 };
   /** Looks from there at once, as another view does. */
   setCamera(camera: { position: Vec3; target: Vec3 }): void;
-  /** What is seen, as PNG; where there is nothing it is transparent. */
-  picture(): Promise<Blob>;
+  /** What is seen, as PNG, with so many times the pixels of the screen; where there is nothing it is transparent. */
+  picture(magnification: number): Promise<Blob>;
+  /** What is seen from now on until its end, before a plain background. */
+  film(): Film;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
   /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */

@@ -2,7 +2,7 @@
 import type { Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { unpackPositions } from '../document/packing';
 import type { SolverOptions, SolverSettings } from '../document/document';
-import { edgesCsv } from '../files/edges_csv';
+import { edgesCsv } from '../export/edges_csv';
 import { describe } from './opened_net';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';

@@ -1,0 +1,172 @@
+/** What leaves the page: each file is saved by hand, read back, and holds the net that is shown. */
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import rhino3dm from 'rhino3dm';
+import { beforeEach, expect, test } from 'vitest';
+import { glbParts } from '../web/glb_parts';
+import { load } from '../wasm/load';
+import { dragBy, largestDeviation, largestError } from './geometry';
+import type { Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const chebnet = await load();
+const reference = chebnet.openRecipe('vault:vertices=300');
+const { edges, faceVertices, info } = reference;
+
+const { arrive, address } = visits();
+let visit: Visit;
+beforeEach(async () => {
+  visit = await arrive();
+});
+
+const press = (name: string | RegExp) => visit.page.getByRole('button', { name, exact: true }).click();
+const menu = () => visit.page.getByRole('group', { name: 'Save as' });
+
+async function save(format: string): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
+  if (!(await menu().isVisible())) await press('Save');
+  const download = visit.page.waitForEvent('download');
+  await menu().getByRole('button', { name: format }).click();
+  const saved = await download;
+  return { name: saved.suggestedFilename(), bytes: Uint8Array.from(await readFile(await saved.path())) };
+}
+
+/** A vault that was dragged, and where it stands. */
+async function draggedVault(): Promise<Float64Array> {
+  await visit.script.open({ recipe: 'vault:vertices=300' });
+  await dragBy(visit.script, reference.suggestedHandles.at(-1)!, [-50, -40]);
+  await visit.script.settled();
+  return visit.script.positions();
+}
+
+test('3DM and GLB hold the net as it was dragged', async () => {
+  const positions = await draggedVault();
+  const model = await save('3DM');
+  expect(model.name).toBe('vault.3dm');
+  const rhino = await rhino3dm();
+  const objects = rhino.File3dm.fromByteArray(model.bytes).objects();
+  const mesh = objects.get(0).geometry() as InstanceType<typeof rhino.Mesh>;
+  expect(Array.from({ length: info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
+  const places = Float64Array.from(Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat());
+  expect(largestError(places, positions)).toBe(0);
+  expect(objects.count).toBeGreaterThan(30);
+
+  const { name, bytes } = await save('GLB');
+  expect(name).toBe('vault.glb');
+  const { faces, lines } = glbParts(bytes);
+  expect(faces.positions).toEqual(Float32Array.from(positions));
+  expect([...lines.indices]).toEqual([...edges]);
+  expect(largestDeviation(Float64Array.from(faces.positions), edges, info.meanLength)).toBeLessThan(1.001e-6);
+  // The colour of a good edge, nearly everywhere.
+  const [red, , blue] = faces.colours!;
+  expect(blue).toBeGreaterThan(red!);
+});
+
+test('a vault has a flat pattern of the size asked for, a torus has none', async () => {
+  await visit.script.open({ recipe: 'vault:vertices=300' });
+  await press('Save');
+  await menu().getByLabel('Length of an edge on the pattern in millimetres').fill('25');
+  const { name, bytes } = await save('SVG');
+  expect(name).toBe('vault.svg');
+  const drawing = await visit.page.evaluate((text) => {
+    const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+    const count = (selector: string): number => root.querySelectorAll(selector).length;
+    return { tag: root.tagName, width: root.getAttribute('width'), height: root.getAttribute('height'), marks: count('circle') };
+  }, new TextDecoder().decode(bytes));
+  const { handles } = await visit.script.stats();
+  expect(drawing).toEqual({ tag: 'svg', width: expect.stringMatching(/^\d+mm$/), height: expect.stringMatching(/^\d+mm$/), marks: handles });
+  const cells = (length: string | null, margins: number): number => parseInt(length!) / 25 - margins;
+  expect(cells(drawing.width, 2) * cells(drawing.height, 3)).toBe(info.faces);
+
+  await visit.script.open({ recipe: 'torus:vertices=300' });
+  await press('Save');
+  await menu().getByRole('button', { name: 'SVG' }).click();
+  await visit.page.getByRole('alert').getByText(/no flat pattern: the net closes on itself/).waitFor();
+});
+
+test('a picture can have more pixels than the screen, which stays as it is', async () => {
+  const size = (): Promise<number[]> =>
+    visit.page.locator('#view canvas').evaluate(({ width, height, style }: HTMLCanvasElement) => [width, height, parseInt(style.width)]);
+  const before = await size();
+  const widthOf = (png: Uint8Array): number => new DataView(png.buffer).getUint32(16);
+  expect(widthOf((await save('PNG')).bytes)).toBe(before[0]);
+  await press('Save');
+  await menu().getByLabel('Size of the picture').selectOption('2');
+  expect(widthOf((await save('PNG')).bytes)).toBe(2 * before[0]!);
+  expect(await size()).toEqual(before);
+});
+
+test('a drag is recorded as a video that plays', async () => {
+  await visit.script.open({ recipe: 'vault:vertices=300' });
+  await press('Save');
+  await menu().getByRole('button', { name: 'Video' }).click();
+  const notice = visit.page.getByRole('group', { name: 'Recording' });
+  await dragBy(visit.script, reference.suggestedHandles.at(-1)!, [-50, -40]);
+  await notice.getByText(/0:\d[1-9] \/ 1:00/).waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'recording.png') });
+  const download = visit.page.waitForEvent('download');
+  await notice.getByRole('button', { name: 'Stop and save' }).click();
+  const saved = await download;
+  await notice.waitFor({ state: 'detached' });
+  expect(saved.suggestedFilename()).toMatch(/^vault\.(webm|mp4)$/);
+  const bytes = await readFile(await saved.path());
+  // A Matroska file says so; and an empty one has a few hundred bytes.
+  if (saved.suggestedFilename().endsWith('webm')) expect(bytes.readUInt32BE(0)).toBe(0x1a45dfa3);
+  expect(bytes.length).toBeGreaterThan(5000);
+});
+
+test('the link comes as a QR code, and as a frame for another page', async () => {
+  await press('Share');
+  const dialog = visit.page.getByRole('dialog', { name: 'Share' });
+  await dialog.getByText('The link is copied.').waitFor();
+  const clipboard = (): Promise<string> => visit.page.evaluate(() => navigator.clipboard.readText());
+  const link = await clipboard();
+  expect(link).toMatch(new RegExp(`^${address()}#v1=`));
+  await dialog.getByRole('img', { name: 'QR code' }).waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'share.png') });
+  expect(await dialog.getByRole('textbox').inputValue()).toContain(`<iframe src="${link.replace('#', '?embed#')}"`);
+  await dialog.getByRole('button', { name: 'Copy code' }).click();
+  await dialog.getByText('The code is copied.').waitFor();
+  expect(await clipboard()).toMatch(/^<iframe /);
+  await dialog.getByRole('button', { name: 'Copy link' }).click();
+  await dialog.getByText('The link is copied.').waitFor();
+  expect(await clipboard()).toBe(link);
+  await visit.page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+
+  const [x, y, z] = await visit.script.position(0);
+  await visit.script.move(0, [x, y, z - 5]);
+  await visit.script.settled();
+  await press('Share');
+  await dialog.getByText('The code leaves out the shape of the moment').waitFor();
+  await dialog.getByRole('img', { name: 'QR code' }).waitFor();
+  await visit.page.keyboard.press('Escape');
+
+  await visit.script.open({ obj: reference.toObj() });
+  await press('Share');
+  await dialog.getByText('The link is too long for a QR code.').waitFor();
+});
+
+test.each([
+  ['light', 390],
+  ['dark', 1280],
+] as const)('menu and link fit a %s screen of %d pixels', async (colorScheme, width) => {
+  await visit.page.emulateMedia({ colorScheme });
+  await visit.page.setViewportSize({ width, height: width === 390 ? 844 : 800 });
+  await press('Save');
+  await expectInside(menu());
+  await visit.page.screenshot({ path: join(OUTPUT, `save-${colorScheme}-${width}.png`) });
+  await visit.page.keyboard.press('Escape');
+  await press('Share');
+  await visit.page.getByRole('img', { name: 'QR code' }).waitFor();
+  await expectInside(visit.page.getByRole('dialog'));
+  await visit.page.screenshot({ path: join(OUTPUT, `share-${colorScheme}-${width}.png`) });
+});
+
+async function expectInside(part: ReturnType<typeof menu>) {
+  const { width, height } = visit.page.viewportSize()!;
+  const box = (await part.boundingBox())!;
+  expect(box.x).toBeGreaterThanOrEqual(0);
+  expect(box.y).toBeGreaterThanOrEqual(0);
+  expect(box.x + box.width).toBeLessThanOrEqual(width);
+  expect(box.y + box.height).toBeLessThanOrEqual(height);
+}

@@ -1,0 +1,200 @@
+/** What leaves the page beside the core's own formats: flat patterns, 3DM, glTF, QR codes. */
+import rhino3dm from 'rhino3dm';
+import { describe, expect, test, vi } from 'vitest';
+import { flatten } from '../../web/src/export/flat_pattern';
+import type { FlatPattern, LengthNet } from '../../web/src/export/flat_pattern';
+import { glbOf } from '../../web/src/export/glb';
+import { incidenceOf, onBoundary } from '../../web/src/export/incidence';
+import { vertexColours } from '../../web/src/export/paint';
+import { patternSvg } from '../../web/src/export/pattern_svg';
+import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
+import { rhinoFileOf } from '../../web/src/export/rhino_file';
+import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { Lines } from '../../web/src/handles/lines';
+import { scaleOf } from '../../web/src/view/colour_map';
+import { fanTriangles } from '../../web/src/worker/triangles';
+import type { FrameData } from '../../web/src/worker/protocol';
+import { load } from '../wasm/load';
+import { glbParts } from './glb_parts';
+import { grid } from './nets';
+
+const chebnet = await load();
+const vault = chebnet.openRecipe('vault:vertices=300');
+
+function patternOf(net: LengthNet) {
+  return flatten(net, incidenceOf(net));
+}
+
+describe('a flat pattern', () => {
+  test('is the square grid the vault was bent from', () => {
+    const { places, columns, rows } = patternOf(vault) as FlatPattern;
+    expect((columns + 1) * (rows + 1)).toBe(vault.info.vertices);
+    const taken = new Set<string>();
+    for (let v = 0; v < places.length; v += 2) taken.add(`${places[v]},${places[v + 1]}`);
+    expect(taken.size).toBe(vault.info.vertices);
+    const steps = Array.from({ length: vault.info.edges }, (_, e) => {
+      const [a, b] = [2 * vault.edges[2 * e]!, 2 * vault.edges[2 * e + 1]!];
+      return Math.abs(places[a]! - places[b]!) + Math.abs(places[a + 1]! - places[b + 1]!);
+    });
+    expect(new Set(steps)).toEqual(new Set([1]));
+  });
+
+  test('shows the front of the faces', () => {
+    const net = grid(3, 2);
+    const { places } = patternOf(net) as FlatPattern;
+    const [a, b, d] = [net.faceVertices[0]!, net.faceVertices[1]!, net.faceVertices[3]!];
+    const along = (from: number, to: number, axis: number): number => places[2 * to + axis]! - places[2 * from + axis]!;
+    expect(along(a, b, 0) * along(a, d, 1) - along(a, b, 1) * along(a, d, 0)).toBe(1);
+  });
+
+  test.each([
+    ['a jack', () => chebnet.openRecipe('jack'), { reason: 'singular', valence: 3 }],
+    ['a torus', () => chebnet.openRecipe('torus'), { reason: 'closed' }],
+    ['a tube', () => chebnet.openRecipe('tube'), { reason: 'closed' }],
+    ['cut squares', () => grid(3, 3, () => true), { reason: 'not_quads', face: 0 }],
+    ['unequal edges', () => chebnet.openObj('v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n'), { reason: 'unequal' }],
+    ['two pieces', () => chebnet.openObj(SQUARE + 'v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 5 6 7 8\n'), { reason: 'pieces' }],
+    ['a winding stair', stair, { reason: 'overlap' }],
+  ])('of %s there is none, for a reason', (_, net, fault) => {
+    expect(patternOf(net())).toMatchObject(fault);
+  });
+});
+
+const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
+
+/** Five squares around one boundary vertex: the fifth would lie upon the first. */
+function stair(): LengthNet {
+  const faces = Array.from({ length: 5 }, (_, i) => [0, 1 + 2 * i, 2 + 2 * i, 3 + 2 * i]).flat();
+  const pairs = new Map<string, [number, number]>();
+  for (let corner = 0; corner < faces.length; corner++) {
+    const [a, b] = [faces[corner]!, faces[corner % 4 === 3 ? corner - 3 : corner + 1]!].sort((x, y) => x - y) as [number, number];
+    pairs.set(`${a},${b}`, [a, b]);
+  }
+  return {
+    edges: Int32Array.from([...pairs.values()].flat()),
+    faceStart: Int32Array.from({ length: 6 }, (_, i) => 4 * i),
+    faceVertices: Int32Array.from(faces),
+    restLengths: new Float64Array(pairs.size).fill(1),
+  };
+}
+
+test('a pattern is drawn to scale, with its boundary and handles', () => {
+  const net = grid(4, 3);
+  const handles = [
+    { vertex: 0, target: [0, 0, 0] as [number, number, number], anchor: true },
+    { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
+  ];
+  const lines = new Lines(net).all();
+  const isBoundary = ([a, b]: number[]): boolean => onBoundary(a!, b!, net, incidenceOf(net));
+  const [inner, boundary] = [lines.filter((line) => !isBoundary(line)), lines.filter(isBoundary)];
+  const svg = patternSvg({ pattern: patternOf(net) as FlatPattern, inner, boundary, handles, name: 'grid', edgeMm: 12.5 });
+  expect(svg).toContain('width="62.5mm" height="62.5mm" viewBox="0 0 62.5 62.5"');
+  const strokes = (id: string): string[] => new RegExp(`id="${id}"[^>]* d="([^"]*)"`).exec(svg)![1]!.split(/(?=M)/);
+  expect(strokes('net')).toHaveLength(3);
+  expect(strokes('net')).toContainEqual(expect.stringMatching(/^M(12.5 25L50 25|50 25L12.5 25)$/));
+  expect(strokes('boundary')).toHaveLength(4);
+  expect(svg.match(/<circle/g)).toHaveLength(2);
+  expect(svg).toContain('cx="12.5" cy="37.5"');
+  expect(svg).toContain('>0</text>');
+  expect(svg).toContain('>a&lt;b&gt;&amp; </text>');
+});
+
+const LAYERS = { mesh: 'Mesh', lines: 'Net lines' };
+
+test('a 3DM holds the quads and the net lines, to the last digit', async () => {
+  const { faceVertices, restPositions } = vault;
+  const lines = new Lines(vault).all();
+  const bytes = await rhinoFileOf({ mesh: vault, positions: restPositions, lines, name: 'vault', layers: LAYERS });
+  const rhino = await rhino3dm();
+  const file = rhino.File3dm.fromByteArray(bytes);
+  expect([0, 1].map((layer) => file.layers().get(layer).name)).toEqual(['Mesh', 'Net lines']);
+
+  const mesh = file.objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
+  expect(file.objects().get(0).attributes().layerIndex).toBe(0);
+  expect(mesh.faces().quadCount).toBe(vault.info.faces);
+  expect(Array.from({ length: vault.info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
+  expect(Array.from({ length: vault.info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat()).toEqual([...restPositions]);
+
+  expect(file.objects().count).toBe(1 + lines.length);
+  lines.forEach((vertices, i) => {
+    const object = file.objects().get(1 + i);
+    const line = object.geometry() as InstanceType<typeof rhino.PolylineCurve>;
+    expect(object.attributes().layerIndex).toBe(1);
+    expect(Array.from({ length: line.pointCount }, (_, k) => line.point(k)).flat()).toEqual(vertices.flatMap((v) => [...restPositions.subarray(3 * v, 3 * v + 3)]));
+  });
+});
+
+test('faces of other sizes become triangles in a 3DM', async () => {
+  const pentagon = chebnet.openObj('v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nf 1 2 3 4 5\n');
+  const bytes = await rhinoFileOf({ mesh: pentagon, positions: pentagon.restPositions, lines: [], name: 'pentagon', layers: LAYERS });
+  const rhino = await rhino3dm();
+  const mesh = rhino.File3dm.fromByteArray(bytes).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
+  expect([0, 1, 2].map((f) => mesh.faces().get(f).slice(0, 3))).toEqual([[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+});
+
+describe('glTF', () => {
+  // All of it that the exporter uses, which Node has not.
+  vi.stubGlobal(
+    'FileReader',
+    class {
+      result: ArrayBuffer | null = null;
+      onloadend: () => void = () => {};
+      async readAsArrayBuffer(blob: Blob): Promise<void> {
+        this.result = await blob.arrayBuffer();
+        this.onloadend();
+      }
+    },
+  );
+  const { faceStart, faceVertices, edges, restPositions: positions } = vault;
+  const painted = {
+    positions,
+    triangles: fanTriangles(faceStart, faceVertices),
+    edges,
+    colours: Uint8Array.from({ length: positions.length }, (_, i) => [255, 128, 0][i % 3]!),
+    ink: [0, 0, 0] as const,
+    up: 'z' as const,
+    name: 'vault',
+  };
+
+  test('holds positions, linear colours, triangles and edges', async () => {
+    const { faces, lines, root } = glbParts(await glbOf(painted));
+    expect(faces.positions).toEqual(Float32Array.from(positions));
+    expect(lines.positions).toEqual(faces.positions);
+    expect([...faces.indices]).toEqual([...painted.triangles]);
+    expect([...lines.indices]).toEqual([...edges]);
+    expect(faces.colours!.length).toBe(positions.length);
+    // 128 of 255 is a fifth of the light.
+    expect([...faces.colours!.subarray(0, 3)]).toEqual([1, expect.closeTo(0.216, 3), 0]);
+    const lengths = edgeLengths(Float64Array.from(faces.positions), edges);
+    expect(Math.max(...lengths) / Math.min(...lengths)).toBeCloseTo(1, 4);
+    expect(root.rotation).toEqual([expect.closeTo(-Math.SQRT1_2), 0, 0, expect.closeTo(Math.SQRT1_2)]);
+  });
+
+  test('stands as it is where y is up', async () => {
+    const { root } = glbParts(await glbOf({ ...painted, up: 'y' }));
+    expect(root.rotation).toBeUndefined();
+  });
+});
+
+test('a vertex takes the colour of its worst edge, or of its angle', () => {
+  const colours = { good: [0, 0, 1], bad: [1, 0, 0], narrow: [0, 1, 0], right: [0, 0, 0], wide: [1, 1, 0], dark: false } as const;
+  const frame = {
+    positions: new Float64Array(9),
+    deviations: Float32Array.of(1e-9, 1),
+    cornerAngles: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
+  } as FrameData;
+  const edges = Int32Array.of(0, 1, 1, 2);
+  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, edges)]).toEqual([0, 0, 255, 255, 0, 0, 255, 0, 0]);
+  const [, green, , ...others] = vertexColours(scaleOf('angle', 'paper', colours), 'angle', frame, edges);
+  expect(green).toBe(255);
+  expect(Math.max(...others.slice(0, 3))).toBeLessThan(3);
+  expect(others.slice(3)).toEqual([255, 255, 0]);
+});
+
+test('a QR code has room for links of its capacity and no more', () => {
+  const { size, path } = qrCode('https://example.org/#v1=abc');
+  expect(path.startsWith('M4 4h1v1h-1z')).toBe(true);
+  expect(size).toBeGreaterThan(28);
+  expect(qrCode('x'.repeat(QR_CAPACITY)).size).toBe(177 + 8);
+  expect(() => qrCode('x'.repeat(QR_CAPACITY + 1))).toThrow();
+});

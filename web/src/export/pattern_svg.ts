@@ -1,0 +1,89 @@
+/** A flat pattern as a drawing to cut or weave by, in millimetres. */
+import type { HandleData } from '../document/document';
+import type { FlatPattern } from './flat_pattern';
+
+export interface Drawing {
+  pattern: FlatPattern;
+  /** Net lines: vertices from end to end. */
+  inner: readonly number[][];
+  boundary: readonly number[][];
+  handles: readonly HandleData[];
+  name: string;
+  /** Length of an edge on the drawing. */
+  edgeMm: number;
+}
+
+/** Sizes as shares of an edge. */
+const MARGIN = 1;
+const MARK_RADIUS = 0.16;
+const LETTER = 0.45;
+const THIN = 0.02;
+const BOLD = 0.08;
+
+/** One stroke a net line, the boundary bold; a mark with its name at each handle; below, a bar of one edge. */
+export function patternSvg(drawing: Drawing): string {
+  const { pattern, inner, boundary, handles, name, edgeMm } = drawing;
+  const width = (pattern.columns + 2 * MARGIN) * edgeMm;
+  const height = (pattern.rows + 3 * MARGIN) * edgeMm;
+  const strokes = (lines: readonly number[][]): string => lines.map((line) => stroke(line, drawing)).join('');
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${mm(width)}mm" height="${mm(height)}mm" viewBox="0 0 ${mm(width)} ${mm(height)}">`,
+    `<title>${escape(name)}</title>`,
+    '<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">',
+    `<path id="net" stroke-width="${mm(THIN * edgeMm)}" d="${strokes(inner)}"/>`,
+    `<path id="boundary" stroke-width="${mm(BOLD * edgeMm)}" d="${strokes(boundary)}"/>`,
+    '</g>',
+    `<g id="handles" fill="#c0271f" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">`,
+    ...handles.map((handle) => mark(handle, drawing)),
+    '</g>',
+    scaleBar(height, edgeMm),
+    '</svg>',
+    '',
+  ].join('\n');
+}
+
+function stroke(vertices: readonly number[], drawing: Drawing): string {
+  const points = corners(vertices, drawing.pattern).map((vertex) => place(vertex, drawing).join(' '));
+  return `M${points.join('L')}`;
+}
+
+/** Where a line turns, and its ends. */
+function corners(vertices: readonly number[], { places }: FlatPattern): number[] {
+  const isStraight = (a: number, b: number, c: number): boolean =>
+    places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! && places[2 * a + 1]! + places[2 * c + 1]! === 2 * places[2 * b + 1]!;
+  return vertices.filter((vertex, i) => {
+    const [before, after] = [vertices[i - 1], vertices[i + 1]];
+    return before === undefined || after === undefined || !isStraight(before, vertex, after);
+  });
+}
+
+/** On the drawing rows count downwards. */
+function place(vertex: number, { pattern: { places, rows }, edgeMm }: Drawing): [string, string] {
+  return [mm((MARGIN + places[2 * vertex]!) * edgeMm), mm((MARGIN + rows - places[2 * vertex + 1]!) * edgeMm)];
+}
+
+function mark({ vertex, name }: HandleData, drawing: Drawing): string {
+  const [x, y] = place(vertex, drawing);
+  const { edgeMm } = drawing;
+  const shift = mm(0.22 * edgeMm);
+  return `<circle cx="${x}" cy="${y}" r="${mm(MARK_RADIUS * edgeMm)}"/><text x="${x}" y="${y}" dx="${shift}" dy="-${shift}">${escape(name ?? String(vertex))}</text>`;
+}
+
+function scaleBar(height: number, edgeMm: number): string {
+  const [left, y] = [mm(MARGIN * edgeMm), mm(height - 0.8 * MARGIN * edgeMm)];
+  return (
+    `<g id="scale"><path d="M${left} ${y}h${mm(edgeMm)}" stroke="#000" stroke-width="${mm(BOLD * edgeMm)}"/>` +
+    `<text x="${mm((MARGIN + 1.3) * edgeMm)}" y="${y}" dy="0.35em" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">${mm(edgeMm)} mm</text></g>`
+  );
+}
+
+/** To a thousandth. */
+function mm(length: number): string {
+  return String(Number(length.toFixed(3)));
+}
+
+/** A name may hold anything; XML may not. */
+function escape(text: string): string {
+  const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;' };
+  return text.replace(/[&<>\p{Cc}]/gu, (sign) => entities[sign] ?? ' ');
+}

@@ -1,0 +1,19 @@
+/** A QR code as one path, a square of side 1 for each dark module. Loaded when it is asked for. */
+import { encode } from 'uqr';
+
+/** So many characters of a link the largest code holds. */
+export const QR_CAPACITY = 2953;
+/** Light modules around the code, as its standard wants. */
+const QUIET_ZONE = 4;
+
+export interface QrCode {
+  /** Modules on each side. */
+  size: number;
+  path: string;
+}
+
+export function qrCode(text: string): QrCode {
+  const { size, data } = encode(text, { ecc: 'L', border: QUIET_ZONE });
+  const path = data.flatMap((row, y) => row.flatMap((dark, x) => (dark ? [`M${x} ${y}h1v1h-1z`] : []))).join('');
+  return { size, path };
+}

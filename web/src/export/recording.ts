@@ -1,0 +1,60 @@
+/** A film of the view, as the browser can make one. */
+import { words } from '../language/language';
+
+/** A film runs no longer, in seconds. */
+export const LONGEST = 60;
+
+/** The first that the browser can make. */
+const TYPES = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'] as const;
+
+/** null: this browser makes no films. */
+export function filmType(): string | null {
+  if (typeof MediaRecorder === 'undefined' || !('captureStream' in HTMLCanvasElement.prototype)) return null;
+  return TYPES.find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
+}
+
+export function filmExtension(type: string): 'webm' | 'mp4' {
+  return type.startsWith('video/mp4') ? 'mp4' : 'webm';
+}
+
+/** The picture as it goes on. */
+export interface Film {
+  stream: MediaStream;
+  end(): void;
+}
+
+/** Records until it is stopped or the film is as long as it may be. */
+export class Recording {
+  /** The film; rejected if it could not be made. */
+  readonly done: Promise<Blob>;
+  readonly #recorder: MediaRecorder;
+
+  /** @param passed is told every second how many have passed. */
+  constructor(film: Film, type: string, passed: (seconds: number) => void) {
+    this.#recorder = new MediaRecorder(film.stream, { mimeType: type });
+    const began = performance.now();
+    const clock = setInterval(() => {
+      const seconds = Math.round((performance.now() - began) / 1000);
+      passed(seconds);
+      if (seconds >= LONGEST) this.stop();
+    }, 1000);
+    this.done = this.#record(type).finally(() => {
+      clearInterval(clock);
+      film.end();
+    });
+  }
+
+  stop(): void {
+    if (this.#recorder.state !== 'inactive') this.#recorder.stop();
+  }
+
+  #record(type: string): Promise<Blob> {
+    const pieces: Blob[] = [];
+    return new Promise((resolve, reject) => {
+      this.#recorder.ondataavailable = ({ data }) => pieces.push(data);
+      this.#recorder.onstop = () => resolve(new Blob(pieces, { type }));
+      this.#recorder.onerror = () => reject(new Error(words.recording.broken));
+      this.#recorder.start();
+    });
+  }
+}

@@ -1,0 +1,79 @@
+/** Saves the net that is open as a file of some kind. */
+import type { App, Opening } from '../app';
+import { download } from '../files/download';
+import { words } from '../language/language';
+import { scaleOf } from '../view/colour_map';
+import type { Theme } from '../view/theme';
+import type { PatternFault } from './flat_pattern';
+import type { ExportAnswer, ExportJob } from './job';
+import { baseNameOf, fileNameOf, typeOf } from './kinds';
+import type { MadeKind, SaveWish } from './kinds';
+import { vertexColours } from './paint';
+
+export interface SaveParts {
+  app: App;
+  theme(): Theme;
+  spawnWorker(): Worker;
+}
+
+export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
+  const { opening } = parts.app;
+  if (opening === null) return;
+  const content = await contentOf(wish, opening, parts);
+  download(fileNameOf(opening.document.net, wish.kind), content, typeOf(wish.kind));
+}
+
+function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
+  switch (wish.kind) {
+    case 'png':
+      return app.picture(wish.magnification);
+    case '3dm':
+    case 'glb':
+    case 'svg':
+      return made(jobOf(wish.kind, wish, opening, theme()), spawnWorker());
+    default:
+      return app.exported(wish.kind);
+  }
+}
+
+function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: Opening, theme: Theme): ExportJob {
+  const name = baseNameOf(document.net);
+  const { edges, faceStart, faceVertices, restLengths, triangles } = net;
+  const { positions } = frame;
+  if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, name, layers: words.save.layers };
+  if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, handles: document.handles, name, edgeMm };
+  const { field, colourMap, upAxis: up = 'z' } = document.view;
+  const colours = vertexColours(scaleOf(field, colourMap, theme), field, frame, edges);
+  return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
+}
+
+/** Away from the page, which goes on meanwhile. */
+function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> {
+  const answered = new Promise<ExportAnswer>((resolve) => {
+    worker.onmessage = ({ data }: MessageEvent<ExportAnswer>) => resolve(data);
+    worker.onerror = ({ message }) => resolve({ message });
+    worker.postMessage(job);
+  });
+  return answered.then(bytesOf).finally(() => worker.terminate());
+}
+
+function bytesOf(answer: ExportAnswer): Uint8Array<ArrayBuffer> {
+  if ('bytes' in answer) return answer.bytes;
+  throw new Error('fault' in answer ? patternFaultWords(answer.fault) : words.save.failed(answer.message));
+}
+
+function patternFaultWords(fault: PatternFault): string {
+  const { pattern } = words.save;
+  switch (fault.reason) {
+    case 'singular':
+      return pattern.singular(fault.vertex, fault.valence);
+    case 'closed':
+      return pattern.closed(fault.vertex);
+    case 'not_quads':
+    case 'overlap':
+      return pattern[fault.reason](fault.face);
+    case 'unequal':
+    case 'pieces':
+      return pattern[fault.reason];
+  }
+}

@@ -1,0 +1,34 @@
+/** Says over the picture that it is being recorded, and for how long. */
+import { LONGEST } from '../export/recording';
+import { words } from '../language/language';
+import { make, makeButton, setText } from './dom';
+
+export class RecordingNotice {
+  private readonly time = make('span', { class: 'time' });
+  private readonly element: HTMLElement;
+
+  constructor(root: HTMLElement, stop: () => void) {
+    this.element = make(
+      'div',
+      { class: 'recording', role: 'group', 'aria-label': words.recording.title },
+      make('i', { class: 'dot' }),
+      this.time,
+      makeButton(words.recording.stop, stop),
+    );
+    this.show(0);
+    root.append(this.element);
+    this.element.querySelector('button')!.focus();
+  }
+
+  show(seconds: number): void {
+    setText(this.time, `${clock(seconds)} / ${clock(LONGEST)}`);
+  }
+
+  remove(): void {
+    this.element.remove();
+  }
+}
+
+function clock(seconds: number): string {
+  return `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`;
+}

@@ -1,0 +1,72 @@
+/** The link that was just copied: to copy again, as a QR code, or as code for a page. */
+import { frameCode } from '../export/frame_code';
+import type { QrCode } from '../export/qr_code';
+import { copyText } from '../files/clipboard';
+import { words } from '../language/language';
+import { make, makeButton, makeSvg, setText } from './dom';
+
+export interface ShareParts {
+  /** For a QR code: the link in so many characters, without the positions if need be; null: it takes more. */
+  linkWithin(characters: number): { link: string; positions: boolean } | null;
+  /** The same for a frame in another page. */
+  embedded: string;
+  /** Copies the link and says how that went. */
+  copyLink(): Promise<string>;
+}
+
+export class ShareDialog {
+  private readonly dialog: HTMLDialogElement;
+  private readonly said = make('p', { role: 'status' });
+  private readonly code = make('figure', { class: 'qr' });
+
+  constructor(root: HTMLElement, parts: ShareParts) {
+    const { linkWithin, embedded, copyLink } = parts;
+    const heading = make('h2', { id: 'share-title' }, words.toolbar.link.label);
+    const copy = async (): Promise<void> => setText(this.said, await copyLink());
+    const snippet = make('textarea', { readonly: true, rows: 3, 'aria-label': words.share.embed, spellcheck: 'false' }, frameCode(embedded));
+    snippet.addEventListener('focus', () => snippet.select());
+    const copySnippet = async (): Promise<void> => {
+      setText(this.said, (await copyText(snippet.value)) ? words.share.embedCopied : words.share.clipboardClosed);
+    };
+    this.dialog = make(
+      'dialog',
+      { class: 'file share', 'aria-labelledby': heading.id },
+      heading,
+      make(
+        'div',
+        { class: 'body' },
+        this.said,
+        this.code,
+        make('div', { class: 'embed' }, make('h3', {}, words.share.embed), makeButton(words.share.copyEmbed, copySnippet)),
+        snippet,
+      ),
+      make(
+        'div',
+        { class: 'buttons' },
+        makeButton(words.share.copy, copy, { class: 'primary', autofocus: true }),
+        makeButton(words.share.close, () => this.dialog.close()),
+      ),
+    );
+    // Keys are for the dialog alone while it is open.
+    this.dialog.addEventListener('keydown', (event) => event.stopPropagation());
+    this.dialog.addEventListener('close', () => this.dialog.remove());
+    root.append(this.dialog);
+    this.dialog.showModal();
+    void copy();
+    void this.showCode(linkWithin);
+  }
+
+  private async showCode(linkWithin: ShareParts['linkWithin']): Promise<void> {
+    const { qrCode, QR_CAPACITY } = await import('../export/qr_code');
+    const short = linkWithin(QR_CAPACITY);
+    if (short) this.code.append(drawn(qrCode(short.link)));
+    if (!short?.positions) this.code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
+  }
+}
+
+/** Dark on light in any theme: not every reader takes the reverse. */
+function drawn({ size, path }: QrCode): SVGSVGElement {
+  const paper = makeSvg('path', { d: `M0 0h${size}v${size}H0z`, class: 'paper' });
+  const picture = { viewBox: `0 0 ${size} ${size}`, 'shape-rendering': 'crispEdges', role: 'img', 'aria-label': words.share.qr };
+  return makeSvg('svg', picture, paper, makeSvg('path', { d: path }));
+}
