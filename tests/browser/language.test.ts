@@ -92,13 +92,17 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   await page.screenshot({ path: join(OUTPUT, 'chinese-phone-controls.png') });
 });
 
-test('the choice of a language is remembered', async () => {
-  const { page, script } = await arrive();
+test('the choice of a language is remembered, and the net stays', async () => {
+  const { page, script } = await arrive('#experiment=exponent');
   expect(await page.locator('html').getAttribute('lang')).toBe('en-US');
+  await script.open({ recipe: 'tube:vertices=300' });
+  await script.settled();
+  const { vertices } = await script.stats();
   await page.getByRole('button', { name: '中文' }).click();
   await page.locator('html[lang=zh-CN]').waitFor();
   await script.waitForNet();
   expect(await page.title()).toContain('切比雪夫网');
+  expect((await script.stats()).vertices).toBe(vertices);
   await page.reload();
   await script.waitForNet();
   await page.getByRole('button', { name: 'English' }).click();

@@ -34,7 +34,7 @@ export interface AppParts {
 /** What a user wishes that is not about the net itself. */
 export type AppServices = Pick<
   PanelEvents,
-  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'share' | 'save' | 'record'
+  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'share' | 'save' | 'record' | 'chooseLanguage'
 >;
 
 /** A net that is open, and all that belongs to it. */

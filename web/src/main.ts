@@ -11,7 +11,7 @@ import type { SaveWish } from './export/kinds';
 import { filmExtension, filmType, Recording } from './export/recording';
 import { save } from './export/save';
 import { FileOpener, pickFile } from './files/import';
-import { translateDocument, words } from './language/language';
+import { chooseLanguage, translateDocument, words } from './language/language';
 import { keepOffline } from './offline/offline';
 import type { GizmoMode } from './handles/wishes';
 import { EqualizeDialog } from './panels/equalize_dialog';
@@ -45,6 +45,10 @@ const app = new App(
     share: () => attempt(share),
     save: (wish) => attempt(() => saveAs(wish)),
     record: () => attempt(record),
+    chooseLanguage: (language) => {
+      chooseLanguage(language);
+      attempt(() => projects.reload());
+    },
   },
 );
 // What is done inside of another page is no work of the visitor's own.

@@ -4,7 +4,7 @@ import type { HandleData, NetSource, SolverSettings } from './document';
 
 /** A file by its name, a recipe by that of its shape. */
 export function netTitle(net: NetSource): string {
-  return 'recipe' in net ? (net.recipe.split(':')[0] ?? '').replaceAll('_', ' ') : net.name;
+  return 'recipe' in net ? words.core.shape(net.recipe.split(':')[0] ?? '') : net.name;
 }
 
 /** One of the handles by its name or vertex, several by their number. */
@@ -39,7 +39,7 @@ export function netChange(before: NetSource, after: NetSource): NamedChange {
 export function settingsChange(before: SolverSettings, after: SolverSettings): NamedChange | null {
   if (after.method !== before.method) return { name: words.history.method(words.core.method(after.method)), key: null };
   if (after.initialisation !== before.initialisation) {
-    return { name: words.history.initialisation(words.core.method(after.initialisation)), key: 'initialisation' };
+    return { name: words.history.initialisation(words.core.method(after.initialisation.split(':')[0] ?? '')), key: 'initialisation' };
   }
   const names = Object.keys({ ...before.options, ...after.options });
   const [first, ...more] = names.filter((name) => before.options[name] !== after.options[name]);

@@ -287,7 +287,6 @@ export const en = {
     notStarted: 'The file reader could not be started.',
   },
   link: {
-    open: 'The link is open. Undo brings back what was here before.',
     copied: (advice: string) => `The link is copied. ${advice}`.trim(),
     inAddressBar: (advice: string) => `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
     otherVersion: 'This link was made by another version of chebnet.',

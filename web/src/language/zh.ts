@@ -279,7 +279,6 @@ export const zh: Words = {
     notStarted: '无法启动文件读取程序。',
   },
   link: {
-    open: '链接已打开。撤销即可恢复先前的内容。',
     copied: (advice) => `链接已复制。${advice}`,
     inAddressBar: (advice) => `此页面无法使用剪贴板，链接已放入地址栏。${advice}`,
     otherVersion: '此链接由另一版本的 chebnet 生成。',
@@ -344,8 +343,8 @@ export const zh: Words = {
   history: {
     title: '历史记录',
     hint: '点击任一行即可回到或前进到该步骤；方向键可在列表中移动。',
-    open: (net) => `打开 ${net}`,
-    shape: (net) => `调整 ${net} 的形状`,
+    open: (net) => `打开${spaced(net)}`.trimEnd(),
+    shape: (net) => `调整${spaced(net)}的形状`,
     newNet: '新建',
     link: '打开链接',
     one: (handle) => `手柄 ${handle}`,

@@ -1,5 +1,5 @@
-/** The languages, each by its own name; another one counts when the page has loaded again, which it does at once. */
-import { chooseLanguage, language, words } from '../language/language';
+/** The languages, each by its own name. */
+import { language, words } from '../language/language';
 import type { Language } from '../language/language';
 import { make, makeButton } from './dom';
 
@@ -8,15 +8,10 @@ const NAMES: readonly [Language, string][] = [
   ['zh', '中文'],
 ];
 
-export function makeLanguageChoice(): HTMLElement {
+/** `choose` is called with another language than the present one. */
+export function makeLanguageChoice(choose: (language: Language) => void): HTMLElement {
   const buttons = NAMES.map(([each, name]) =>
-    makeButton(name, () => choose(each), { class: 'plain', lang: each, 'aria-pressed': String(each === language) }),
+    makeButton(name, () => each !== language && choose(each), { class: 'plain', lang: each, 'aria-pressed': String(each === language) }),
   );
   return make('footer', { class: 'languages', role: 'group', 'aria-label': words.page.language }, ...buttons);
-}
-
-function choose(wanted: Language): void {
-  if (wanted === language) return;
-  chooseLanguage(wanted);
-  location.reload();
 }

@@ -4,6 +4,7 @@ import type { Comparison, ComparisonWish, Run } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { SaveWish } from '../export/kinds';
+import type { Language } from '../language/language';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
@@ -18,6 +19,7 @@ export interface PanelEvents {
   saveProject(): void;
   /** What was kept before the present net. */
   restoreLast(): void;
+  chooseLanguage(language: Language): void;
   handles: HandleWishes;
   /** Show what a button would take; null: no longer. */
   previewLine(name: LineName | null): void;

@@ -91,6 +91,13 @@ export class Projects {
     this.#app.say(words.projects.lastRestored);
   }
 
+  /** Loads the page again. What was done to the net comes back, rather than the link it came from. */
+  async reload(): Promise<void> {
+    await this.#autosave.save();
+    if (isOwn(this.#autosave.id)) location.replace(location.pathname + location.search);
+    else location.reload();
+  }
+
   save(): void {
     const project = this.#app.project();
     if (project === null) return;

@@ -19,6 +19,8 @@ export const core = {
   tables: (tables: Tables) => tables,
   /** A parameter, an option or a defect. */
   name: (name: string) => readable(name),
+  /** A shape within a sentence. */
+  shape: (name: string) => name.replaceAll('_', ' '),
   /** A method or an initialisation. */
   method: (name: string) => METHODS[name] ?? readable(name),
   finding: ({ sentence }: Finding) => sentence,

@@ -174,6 +174,7 @@ export const core = {
     options: options.map((each) => ({ ...each, sentence: OPTIONS[each.name] ?? each.sentence })),
   }),
   name: (name: string) => NAMES[name] ?? name,
+  shape: (name: string) => SHAPES[name]?.title ?? name,
   method: (name: string) => METHODS[name]?.title ?? INITIALISATIONS[name]?.title ?? name,
   finding: ({ defect, repaired, count, examples }: Finding) => {
     const { found, repair } = DEFECTS[defect];
