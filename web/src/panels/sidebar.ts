@@ -130,7 +130,13 @@ class Sidebar implements Panels {
       ),
       ...this.toolbar.menus,
       this.results.element,
-      make('aside', { class: 'sidebar', 'aria-label': words.page.controls }, this.statusRow(), this.sections, makeLanguageChoice((language) => events.chooseLanguage(language))),
+      make(
+        'aside',
+        { class: 'sidebar', 'aria-label': words.page.controls },
+        this.statusRow(),
+        this.sections,
+        makeLanguageChoice((language) => events.chooseLanguage(language)),
+      ),
     );
   }
 
