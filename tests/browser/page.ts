@@ -111,23 +111,22 @@ export function visits(root = () => DIST) {
     site.close();
   });
 
-  return {
-    browser: () => browser,
-    address: () => site.address,
-    /** Opens the page, or a link into it, and waits for the net. */
-    async arrive(link = '', options: BrowserContextOptions = {}): Promise<Visit> {
-      const visit = await this.open(link, options);
-      await visit.script.waitForNet();
-      return visit;
-    },
-    /** Opens any page of the site. */
-    async open(link: string, options: BrowserContextOptions = {}): Promise<Visit> {
-      const visit = await newVisit(browser, options);
-      going.push(visit);
-      await visit.page.goto(new URL(link, site.address).href);
-      return visit;
-    },
-  };
+  /** Opens any page of the site. */
+  async function open(link: string, options: BrowserContextOptions = {}): Promise<Visit> {
+    const visit = await newVisit(browser, options);
+    going.push(visit);
+    await visit.page.goto(new URL(link, site.address).href);
+    return visit;
+  }
+
+  /** Opens the page, or a link into it, and waits for the net. */
+  async function arrive(link = '', options: BrowserContextOptions = {}): Promise<Visit> {
+    const visit = await open(link, options);
+    await visit.script.waitForNet();
+    return visit;
+  }
+
+  return { browser: () => browser, address: () => site.address, open, arrive };
 }
 
 async function newVisit(browser: Browser, options: BrowserContextOptions): Promise<Visit> {
