@@ -131,10 +131,15 @@ class Toggle {
   ) {
     this.faces = [makeIcon(off), makeIcon(on)];
     this.button = makeButton(this.faces[0], () => turned(!this.on), { class: 'plain tool' });
-    this.show(false);
+    this.turn(false);
   }
 
   show(on: boolean): void {
+    if (on === this.on) return;
+    this.turn(on);
+  }
+
+  private turn(on: boolean): void {
     this.on = on;
     this.button.replaceChildren(this.faces[Number(on)]!);
     this.button.setAttribute('aria-pressed', String(on));

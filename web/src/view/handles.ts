@@ -44,10 +44,11 @@ export class HandleMarks {
   readonly object = new Group();
   private marks = new Map<number, Mark>();
   private radius = SMALLEST;
-  private readonly spheres = new Shape(new SphereGeometry(1, 32, 20));
+  // Round enough at their size: there may be hundreds, and not everybody has a graphics card.
+  private readonly spheres = new Shape(new SphereGeometry(1, 20, 12));
   private readonly cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
-  private readonly hollow = new Shape(new RingGeometry(0.5, 1, 40), true);
-  private readonly rings = new Shape(new RingGeometry(1.3, 1.55, 48), true);
+  private readonly hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
+  private readonly rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
 
   constructor() {
     for (const { group } of [this.spheres, this.cubes, this.hollow, this.rings]) this.object.add(group);
