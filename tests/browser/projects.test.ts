@@ -3,8 +3,8 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { dragBy } from './geometry';
-import type { Script, Visit } from './page';
-import { OUTPUT, visits } from './page';
+import type { Visit } from './page';
+import { OUTPUT, Script, visits } from './page';
 
 const SHAPE = 'vault:vertices=600';
 /** Milliseconds that a busy machine may take. */
@@ -14,6 +14,7 @@ declare global {
   interface Window {
     /** Writes that failed. */
     refused: number;
+    workers: Worker[];
   }
 }
 
@@ -133,7 +134,7 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/project is open/));
   expect(await standing(script)).toEqual(stood[3]);
   await openSection(visit, 'History');
-  expect(await names(visit)).toEqual(list);
+  await expect.poll(() => names(visit), PATIENCE).toEqual(list);
   await historyOf(visit).getByRole('button', { name: 'Open vault' }).click();
   await expect.poll(() => present(visit), PATIENCE).toBe('Open vault');
   expect(await standing(script)).toEqual(stood[0]);
@@ -189,6 +190,56 @@ test('what the page died of is offered, not opened', async () => {
   await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeLessThan(1000);
   expect(await standing(script)).toEqual(before);
   expect(await page.evaluate(() => localStorage.getItem('chebnet.opening'))).toBeNull();
+});
+
+test('a net at which the solver broke is offered, not opened, until it has gone on well', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await page.addInitScript(() => {
+    window.workers = [];
+    window.Worker = class extends Worker {
+      constructor(address: string | URL, options?: WorkerOptions) {
+        super(address, options);
+        window.workers.push(this);
+      }
+    };
+  });
+  await script.open({ recipe: SHAPE });
+  const before = await standing(script);
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
+  await page.reload();
+  await script.waitForNet();
+  expect(await standing(script)).toEqual(before);
+
+  await page.evaluate(() => window.workers[0]!.dispatchEvent(new ErrorEvent('error', { message: 'out of memory' })));
+  await expect.poll(() => page.getByRole('alert').innerText(), PATIENCE).toMatch(/started again.*out of memory/i);
+  expect(await standing(script)).toEqual(before);
+  await page.reload();
+  await script.waitForNet();
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/not opened again by itself/));
+  await press(visit, 'Open it');
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeLessThan(1000);
+  await script.settled();
+  await expect.poll(() => page.evaluate(() => localStorage.getItem('chebnet.opening')), PATIENCE).toBeNull();
+});
+
+test('two tabs keep a net each', async () => {
+  const first = await arrive();
+  await first.script.open({ recipe: SHAPE });
+  const before = await standing(first.script);
+  await expect.poll(() => kept(first), PATIENCE).toHaveLength(2);
+
+  const page = await first.page.context().newPage();
+  const second = { ...first, page, script: new Script(page) };
+  await page.goto(first.page.url());
+  await second.script.waitForNet();
+  expect(await standing(second.script)).toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => kept(second), PATIENCE).toHaveLength(2);
+  await Promise.all([first.page.reload(), page.reload()]);
+  await Promise.all([first.script.waitForNet(), second.script.waitForNet()]);
+  expect(await standing(first.script)).toEqual(before);
+  expect((await second.script.stats()).vertices).toBeGreaterThan(1000);
 });
 
 test('a browser that keeps nothing says so once', async () => {

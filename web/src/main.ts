@@ -39,7 +39,7 @@ const app = new App(
   {
     pickFile: () => attempt(pickAndOpen),
     newNet: () => attempt(() => projects.newNet()),
-    saveProject: () => projects.save(),
+    saveProject,
     restoreLast: () => attempt(() => projects.restoreLast()),
     equalize: () => attempt(equalizeNet),
     share: () => attempt(share),
@@ -137,6 +137,10 @@ async function record(): Promise<void> {
   }
 }
 
+function saveProject(): void {
+  attempt(async () => projects.save());
+}
+
 async function pickAndOpen(): Promise<void> {
   await openFile(await pickFile());
 }
@@ -175,7 +179,7 @@ function pressKey(event: KeyboardEvent): void {
 function fileCommandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
   if (!(ctrlKey || metaKey) || shiftKey || altKey) return null;
   const letter = key.toLowerCase();
-  if (letter === 's') return () => projects.save();
+  if (letter === 's') return saveProject;
   return letter === 'o' ? () => attempt(pickAndOpen) : null;
 }
 

@@ -2,11 +2,13 @@
 import type { App } from '../app';
 import type { ViewState } from '../document/document';
 import { writeProject } from '../document/project';
+import { Measure } from '../document/undo';
 import { keep, newId } from './kept';
 
 const PAUSE_MS = 400;
-/** Bytes of nets and positions; the history is kept as far as it fits. Writing them takes some milliseconds. */
-const LARGEST = 8e6;
+/** Bytes of nets and positions beyond those of the present state: as much of the history is kept. Writing takes some
+ *  milliseconds. */
+const LARGEST_HISTORY = 8e6;
 
 export class Autosave {
   #id = newId();
@@ -52,7 +54,9 @@ export class Autosave {
     if (revision === this.#revision && !seenAnew) return;
     this.#revision = revision;
     this.#view = project.view;
-    await keep(this.#id, writeProject(project, LARGEST)).catch(this.failed);
+    const present = new Measure();
+    present.add(project.entries[project.present]!.state);
+    await keep(this.#id, writeProject(project, present.bytes + LARGEST_HISTORY)).catch(this.failed);
   }
 
   #soon(): void {

@@ -79,7 +79,7 @@ export class Projects {
 
   async followLink(): Promise<void> {
     await this.#openMarked(location.hash, () => this.#openLink(location.hash));
-    this.#app.say(words.projects.linkFollowed);
+    this.#app.say(words.link.open);
   }
 
   /** What was kept before the present net. */
@@ -98,11 +98,15 @@ export class Projects {
     else location.reload();
   }
 
+  /** Throws FileError if it is too large. */
   save(): void {
     const project = this.#app.project();
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
-    download(baseNameOf(net) + PROJECT_ENDING, projectText(project), 'application/json');
+    const name = baseNameOf(net) + PROJECT_ENDING;
+    const text = projectText(project);
+    checkSize(name, text.length);
+    download(name, text, 'application/json');
   }
 
   /** Whether a file is to be opened as a project, by its name. */
@@ -112,8 +116,9 @@ export class Projects {
 
   async openFile(file: File): Promise<void> {
     await this.#autosave.save();
+    checkSize(file.name, file.size);
     try {
-      await this.#app.openProject(parseProject(await textOf(file)));
+      await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
       throw new FileError('bad_project', words.projects.fault(file.name, error instanceof Error ? error.message : String(error)));
     }
@@ -175,8 +180,7 @@ function sceneOf(hash: string): Scene {
   return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
 }
 
-async function textOf(file: File): Promise<string> {
-  const [megabytes, largest] = [file.size, LARGEST_PROJECT].map((bytes) => Math.ceil(bytes / 1e6));
-  if (file.size > LARGEST_PROJECT) throw new Error(words.projects.tooLarge(megabytes!, largest!));
-  return file.text();
+function checkSize(name: string, bytes: number): void {
+  if (bytes <= LARGEST_PROJECT) return;
+  throw new FileError('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), LARGEST_PROJECT / 1e6));
 }
