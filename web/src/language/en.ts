@@ -396,6 +396,7 @@ export const en = {
     lastRestored: 'Your last net is back.',
     opened: 'The project is open.',
     linkOpened: 'The link is open.',
+    linkFollowed: 'The link is open. Undo brings back what was here before.',
     diedKept: 'The page stopped while your last net was open, so it was not opened again by itself.',
     diedLink: 'The page stopped while this link was open, so it was not opened again by itself.',
     openAnyway: 'Open it',

@@ -386,6 +386,7 @@ export const zh: Words = {
     lastRestored: '上次的网已恢复。',
     opened: '项目已打开。',
     linkOpened: '链接已打开。',
+    linkFollowed: '链接已打开。撤销即可恢复之前的内容。',
     diedKept: '上次的网打开时页面意外停止，因此没有自动重新打开。',
     diedLink: '打开此链接时页面意外停止，因此没有自动重新打开。',
     openAnyway: '仍然打开',

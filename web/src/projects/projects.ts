@@ -79,7 +79,7 @@ export class Projects {
 
   async followLink(): Promise<void> {
     await this.#openMarked(location.hash, () => this.#openLink(location.hash));
-    this.#app.say(words.link.open);
+    this.#app.say(words.projects.linkFollowed);
   }
 
   /** What was kept before the present net. */
