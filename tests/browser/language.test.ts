@@ -15,7 +15,7 @@ const NAMES =
 async function foreignWords(page: Page): Promise<string[]> {
   const texts = await page.evaluate(() => {
     const said: string[] = [document.title];
-    const visible = (element: Element): boolean => element.checkVisibility() && element.closest('cite, kbd') === null;
+    const visible = (element: Element): boolean => element.checkVisibility() && element.closest('cite, kbd, textarea') === null;
     for (const element of document.querySelectorAll('body *')) {
       if (!visible(element)) continue;
       for (const name of ['aria-label', 'title', 'placeholder', 'aria-valuetext', 'alt']) said.push(element.getAttribute(name) ?? '');
@@ -48,6 +48,11 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-selection.png') });
   await page.getByRole('button', { name: '保存', exact: true }).click();
+  expect(await foreignWords(page)).toEqual([]);
+  await page.screenshot({ path: join(OUTPUT, 'chinese-save.png') });
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: '分享' }).click();
+  await page.getByRole('img', { name: '链接的二维码' }).waitFor();
   expect(await foreignWords(page)).toEqual([]);
   await page.keyboard.press('Escape');
 
