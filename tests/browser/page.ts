@@ -111,17 +111,18 @@ export function visits(root = () => DIST) {
     site.close();
   });
 
-  /** Opens any page of the site. */
-  async function open(link: string, options: BrowserContextOptions = {}): Promise<Visit> {
+  /** Opens any page of the site. Hints are for the tests that want them. */
+  async function open(link: string, options: BrowserContextOptions = {}, { hints = false } = {}): Promise<Visit> {
     const visit = await newVisit(browser, options);
+    if (!hints) await visit.page.addInitScript(() => localStorage.setItem('chebnet.hints', 'drag add share'));
     going.push(visit);
     await visit.page.goto(new URL(link, site.address).href);
     return visit;
   }
 
   /** Opens the page, or a link into it, and waits for the net. */
-  async function arrive(link = '', options: BrowserContextOptions = {}): Promise<Visit> {
-    const visit = await open(link, options);
+  async function arrive(link = '', options: BrowserContextOptions = {}, wish: { hints?: boolean } = {}): Promise<Visit> {
+    const visit = await open(link, options, wish);
     await visit.script.waitForNet();
     return visit;
   }

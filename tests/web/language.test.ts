@@ -108,6 +108,11 @@ test('no text stands outside of language/', () => {
     'linear-gradient(to right, …)',
     'swatch dashed',
     'squares and triangles.obj',
+    // Keys.
+    'Backspace',
+    'Delete',
+    'Esc',
+    'Home',
   ];
   const COMMENT_OR_LITERAL = /\/\*[^]*?\*\/|\/\/.*|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g;
   /** Two words side by side, or one with a capital. */

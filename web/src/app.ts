@@ -34,7 +34,17 @@ export interface AppParts {
 /** What a user wishes that is not about the net itself. */
 export type AppServices = Pick<
   PanelEvents,
-  'pickFile' | 'newNet' | 'saveProject' | 'restoreLast' | 'equalize' | 'share' | 'save' | 'record' | 'chooseLanguage'
+  | 'pickFile'
+  | 'newNet'
+  | 'saveProject'
+  | 'restoreLast'
+  | 'equalize'
+  | 'share'
+  | 'save'
+  | 'record'
+  | 'chooseLanguage'
+  | 'showKeys'
+  | 'showLesson'
 >;
 
 /** A net that is open, and all that belongs to it. */
@@ -77,7 +87,10 @@ export class App {
   #runBeside: Run | null = null;
   #saidUnreachable = false;
 
-  constructor({ createView, createBeside, createPanels, spawnWorker }: AppParts, services: AppServices) {
+  constructor(
+    { createView, createBeside, createPanels, spawnWorker }: AppParts,
+    services: AppServices,
+  ) {
     this.#client = new Client(spawnWorker, {
       frame: (frame, settled) => this.#showFrame(frame, settled),
       restarted: (reason, opened) => this.#restarted(reason, opened),
@@ -85,7 +98,7 @@ export class App {
     this.#comparer = new Comparer(spawnWorker, (comparison) => this.#panels.showComparison(comparison));
     this.#beside = new Beside(createBeside, (camera) => {
       this.#view.setCamera(camera);
-      this.#changeView({ camera });
+      this.setView({ camera });
     });
     this.handles = this.#createHandleEditor();
     // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
@@ -229,6 +242,11 @@ export class App {
     this.#showDocument();
   }
 
+  /** One iteration, then stop. */
+  step(): Promise<void> {
+    return this.#client.step();
+  }
+
   /** Back to rest, handles too. */
   async reset(): Promise<void> {
     const before = this.#snapshot();
@@ -358,7 +376,7 @@ export class App {
       },
       dragMove: (targets) => this.handles.drag(targets),
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),
-      cameraChanged: (camera) => this.#changeView({ camera }),
+      cameraChanged: (camera) => this.setView({ camera }),
       cameraMoved: (camera) => this.#beside.setCamera(camera),
     };
   }
@@ -370,9 +388,9 @@ export class App {
       handles: this.handles,
       previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#try(this.setOptions(settings)),
-      setView: (change) => this.#changeView(change),
+      setView: (change) => this.setView(change),
       solve: () => this.#try(this.#client.solve()),
-      step: () => this.#try(this.#client.step()),
+      step: () => this.#try(this.step()),
       setStepArrows: (shown) => this.#view.setStepArrows(shown),
       cancel: () => this.#try(this.#client.cancel()),
       reset: () => this.#try(this.reset()),
@@ -402,7 +420,7 @@ export class App {
     return new HandleEditor(desk, this.#client, this.#history);
   }
 
-  #changeView(change: Partial<ViewState>): void {
+  setView(change: Partial<ViewState>): void {
     if (this.#opening === null) return;
     const view = { ...this.#opening.document.view, ...change };
     this.#change({ view });

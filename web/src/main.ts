@@ -1,5 +1,6 @@
 /** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app';
+import type { AppServices } from './app';
 import { linkAdvice } from './document/share';
 import { equalizedScene, subjectOfNet } from './equalize/subject';
 import type { Subject } from './equalize/subject';
@@ -11,24 +12,42 @@ import type { SaveWish } from './export/kinds';
 import { filmExtension, filmType, Recording } from './export/recording';
 import { save } from './export/save';
 import { FileOpener, pickFile } from './files/import';
+import { commandOf, PAGE_KEYS } from './keys';
 import { chooseLanguage, translateDocument, words } from './language/language';
+import { Hints } from './learn/hints';
+import { Teacher } from './learn/teacher';
 import { keepOffline } from './offline/offline';
-import type { GizmoMode } from './handles/wishes';
 import { EqualizeDialog } from './panels/equalize_dialog';
 import { FileDialog } from './panels/file_dialog';
+import { ROW_KEYS } from './panels/handle_row';
+import { showKeySheet } from './panels/key_sheet';
 import { RecordingNotice } from './panels/recording_notice';
 import { ShareDialog } from './panels/share_dialog';
 import { createPanels } from './panels/sidebar';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
+import { SELECTION_KEYS, VIEW_KEYS } from './view/gestures';
 import { createView } from './view/scene';
 import { readTheme } from './view/theme';
 
 translateDocument(document);
 
-/** As in other programs for shapes: grab, rotate, scale. */
-const MODE_KEYS: Record<string, GizmoMode> = { g: 'translate', r: 'rotate', s: 'scale' };
-
+const services: AppServices = {
+  pickFile: () => attempt(pickAndOpen),
+  newNet: () => attempt(() => projects.newNet()),
+  saveProject,
+  restoreLast: () => attempt(() => projects.restoreLast()),
+  equalize: () => attempt(equalizeNet),
+  share: () => attempt(share),
+  save: (wish) => attempt(() => saveAs(wish)),
+  record: () => attempt(record),
+  chooseLanguage: (language) => {
+    chooseLanguage(language);
+    attempt(() => projects.reload());
+  },
+  showKeys,
+  showLesson: (lesson) => attempt(() => teacher.show(lesson)),
+};
 const app = new App(
   {
     createView: (events) => createView(element('view'), events),
@@ -36,23 +55,12 @@ const app = new App(
     createPanels: (events) => createPanels(element('panels'), events),
     spawnWorker: () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' }),
   },
-  {
-    pickFile: () => attempt(pickAndOpen),
-    newNet: () => attempt(() => projects.newNet()),
-    saveProject,
-    restoreLast: () => attempt(() => projects.restoreLast()),
-    equalize: () => attempt(equalizeNet),
-    share: () => attempt(share),
-    save: (wish) => attempt(() => saveAs(wish)),
-    record: () => attempt(record),
-    chooseLanguage: (language) => {
-      chooseLanguage(language);
-      attempt(() => projects.reload());
-    },
-  },
+  services,
 );
 // What is done inside of another page is no work of the visitor's own.
 const projects = new Projects(app, !isEmbedded());
+const teacher = new Teacher(app);
+const hints = isEmbedded() ? null : new Hints(app, element('panels'));
 const opener = new FileOpener({
   spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
   createDialog: (name) => new FileDialog(element('panels'), name),
@@ -90,6 +98,7 @@ async function followLink(): Promise<void> {
 }
 
 async function share(): Promise<void> {
+  hints?.done('share');
   const shared = app.share();
   const advice = linkAdvice(shared) ?? '';
   if (shared.hash === null) return app.say(advice);
@@ -116,6 +125,7 @@ async function copyLink(link: string, advice: string): Promise<string> {
 }
 
 function saveAs(wish: SaveWish): Promise<void> {
+  hints?.done('share');
   return save(wish, {
     app,
     theme: () => readTheme(document.body),
@@ -167,38 +177,17 @@ async function equalizeNet(): Promise<void> {
 }
 
 function pressKey(event: KeyboardEvent): void {
-  // Keys are for a dialog alone while it is open, wherever the focus is.
-  const busy = document.querySelector('dialog:modal') !== null;
-  if (event.defaultPrevented || busy) return;
-  const command = fileCommandOf(event) ?? (isTyping(event) ? null : commandOf(event));
+  const command = commandOf(event);
   if (command === null) return;
   event.preventDefault();
-  command();
+  command(app, services);
 }
 
-function fileCommandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
-  if (!(ctrlKey || metaKey) || shiftKey || altKey) return null;
-  const letter = key.toLowerCase();
-  if (letter === 's') return saveProject;
-  return letter === 'o' ? () => attempt(pickAndOpen) : null;
-}
-
-function commandOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): (() => void) | null {
-  const letter = key.toLowerCase();
-  if (altKey) return null;
-  if (ctrlKey || metaKey) {
-    if (letter === 'a' && !shiftKey) return () => app.handles.selectAll();
-    if (letter === 'z') return () => (shiftKey ? app.redo() : app.undo());
-    return letter === 'y' && ctrlKey ? () => app.redo() : null;
-  }
-  if (key === 'Delete' || key === 'Backspace') return () => app.handles.removeSelected();
-  if (key === 'Escape') return () => app.handles.select([]);
-  const mode = shiftKey ? undefined : MODE_KEYS[letter];
-  return mode ? () => app.handles.setMode(mode) : null;
-}
-
-/** In a field for text the keys belong to the text, in a list of choices those without Ctrl do. */
-function isTyping({ target, ctrlKey, metaKey }: KeyboardEvent): boolean {
-  if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'range', 'button'].includes(target.type);
-  return target instanceof HTMLTextAreaElement || (target instanceof HTMLSelectElement && !ctrlKey && !metaKey);
+function showKeys(): void {
+  showKeySheet(element('panels'), [
+    { where: 'page', rows: PAGE_KEYS },
+    { where: 'picture', rows: VIEW_KEYS },
+    { where: 'selection', rows: SELECTION_KEYS },
+    { where: 'list', rows: ROW_KEYS },
+  ]);
 }

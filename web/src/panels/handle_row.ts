@@ -3,6 +3,7 @@ import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/wishes';
 import { words } from '../language/language';
+import type { KeyRow } from '../keys';
 import { make, makeButton, makeIcon, setText, setValue } from './dom';
 import { ICONS } from './icons';
 import { Softness } from './softness';
@@ -15,6 +16,8 @@ export interface RowEvents {
   place(target: Vec3): void;
   remove(): void;
 }
+
+export const ROW_KEYS: readonly KeyRow[] = [{ keys: ['F2'], does: 'rename' }];
 
 export class HandleRow {
   readonly element: HTMLLIElement;

@@ -6,12 +6,16 @@ import type { HistoryView } from '../document/undo';
 import type { SaveWish } from '../export/kinds';
 import type { Language } from '../language/language';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
+import type { Lesson } from '../learn/lessons';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
   /** The user wants to pick a file, a net or a project. */
   pickFile(): void;
+  showKeys(): void;
+  /** Let the net show what a paragraph says. */
+  showLesson(lesson: Lesson): void;
   /** Give all edges of the net that is open one length. */
   equalize(): void;
   /** The first net in place of the present one. */

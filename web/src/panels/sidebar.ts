@@ -18,6 +18,7 @@ import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
 import { Idle } from './idle';
 import { makeLanguageChoice } from './language_choice';
+import { LearnPanel } from './learn_panel';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
@@ -48,6 +49,7 @@ class Sidebar implements Panels {
   private readonly appearance: Appearance;
   private readonly solver: SolverPanel;
   private readonly step: StepPanel;
+  private readonly learn: LearnPanel;
   private readonly experiments: ExperimentsPanel;
   private readonly history: HistoryPanel;
   private readonly comparison: ComparisonForm;
@@ -81,6 +83,7 @@ class Sidebar implements Panels {
     this.appearance = new Appearance(events);
     this.solver = new SolverPanel(events);
     this.step = new StepPanel(events);
+    this.learn = new LearnPanel(events);
     this.experiments = new ExperimentsPanel(events);
     this.comparison = new ComparisonForm((wish) => {
       this.unfold(false); // a phone has no room for the results beside it
@@ -102,6 +105,7 @@ class Sidebar implements Panels {
       { class: 'sections', id: 'sections' },
       makeSection(words.sections.shape, true, this.gallery.element, this.fileName, this.parameters.element, command),
       makeSection(words.sections.convergence, true, this.numbers.element, this.plot.element),
+      this.learn.element,
       makeSection(words.sections.step, false, ...this.step.content),
       this.handleSection,
       makeSection(words.sections.appearance, false, ...this.appearance.content),
@@ -133,7 +137,7 @@ class Sidebar implements Panels {
       make(
         'aside',
         { class: 'sidebar', 'aria-label': words.page.controls },
-        this.statusRow(),
+        this.statusRow(events),
         this.sections,
         makeLanguageChoice((language) => events.chooseLanguage(language)),
       ),
@@ -178,6 +182,7 @@ class Sidebar implements Panels {
     this.numbers.showNet(net);
     this.results.netChanged();
     this.step.showNet(net);
+    this.learn.showNet(net);
     this.handles.showNet(net.info.vertices, net.info.meanLength);
     this.plot.clear();
   }
@@ -185,6 +190,7 @@ class Sidebar implements Panels {
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
     this.idle.touch();
     this.plot.add(frame.trace);
+    this.learn.take(frame);
     const stage = this.step.take(frame);
     if (stage !== null) this.say(stage, 'info');
     this.pending = { frame, framesPerSecond, solving };
@@ -226,6 +232,7 @@ class Sidebar implements Panels {
     this.numbers.showFrame(frame, framesPerSecond);
     this.plot.refresh();
     this.step.refresh();
+    this.learn.refresh();
     this.legend.showFrame(frame);
     this.solver.showSolving(solving);
     this.light.dataset.status = frame.status === 'running' && !solving ? 'stalled' : frame.status;
@@ -233,11 +240,12 @@ class Sidebar implements Panels {
   }
 
   /** On a phone the row is all that is left of the sidebar until its button unfolds it. */
-  private statusRow(): HTMLElement {
+  private statusRow(events: PanelEvents): HTMLElement {
     this.fold.classList.add('fold');
     this.fold.setAttribute('aria-controls', this.sections.id);
     this.unfold(false);
-    return make('div', { class: 'status' }, this.light, this.status, this.fold);
+    const keys = makeButton('?', () => events.showKeys(), { class: 'keys-button', 'aria-label': words.keys.title, title: words.keys.hint });
+    return make('div', { class: 'status' }, this.light, this.status, keys, this.fold);
   }
 
   private unfold(open: boolean): void {

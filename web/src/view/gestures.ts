@@ -3,6 +3,8 @@
 import { Matrix4, Vector2, Vector3, type PerspectiveCamera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
+import { words } from '../language/language';
+import type { KeyRow } from '../keys';
 import { type DragReport, ViewPlane } from './drag';
 import type { Gizmo } from './gizmo';
 import type { HandleMarks } from './handles';
@@ -66,6 +68,21 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
+
+/** What `key`, `escape` and the pointer with Shift do below. */
+export const VIEW_KEYS: readonly KeyRow[] = [
+  { keys: ['← → ↑ ↓'], does: 'turn' },
+  { keys: ['Shift+← → ↑ ↓'], does: 'pan' },
+  { keys: ['+', '−'], does: 'zoom' },
+  { keys: ['Home'], does: 'frame' },
+];
+export const SELECTION_KEYS: readonly KeyRow[] = [
+  { keys: ['← → ↑ ↓'], does: 'nudge' },
+  { keys: ['Shift+← → ↑ ↓'], does: 'bigNudge' },
+  { keys: [`Shift+${words.keys.click}`], does: 'toggle' },
+  { keys: [`Shift+${words.keys.drag}`], does: 'box' },
+  { keys: ['Esc'], does: 'cancel' },
+];
 
 export class Gestures {
   private press: Press | null = null;

@@ -1,0 +1,117 @@
+/** Learning: the sheet of keys, the lessons that act on the net, the hints of a first visit. */
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { dragBy, largestError } from './geometry';
+import type { Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const { arrive } = visits();
+
+test('a key and a button show all keys, and the keys do what the sheet says', async () => {
+  const { page, script } = await arrive();
+  const sheet = page.getByRole('dialog', { name: 'Keys' });
+  await page.keyboard.press('?');
+  await sheet.waitFor();
+  const text = await sheet.innerText();
+  for (const line of [/Undo\s+Ctrl \+ Z/, /Redo\s+Ctrl \+ Shift \+ Z or Ctrl \+ Y/, /Rename a handle\s+F2/, /See the whole net\s+Home/]) {
+    expect(text).toMatch(line);
+  }
+  await page.screenshot({ path: join(OUTPUT, 'keys.png') });
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('?');
+  await sheet.waitFor({ state: 'detached' });
+  expect(await page.getByTitle('5 handles selected').isVisible()).toBe(false);
+  await page.keyboard.press('Control+a');
+  await page.getByTitle('5 handles selected').waitFor();
+  await page.getByRole('button', { name: 'Keys' }).click();
+  await sheet.waitFor();
+  await page.keyboard.press('Escape');
+  await sheet.waitFor({ state: 'detached' });
+  expect((await script.stats()).handles).toBe(5);
+});
+
+const showMe = ({ page }: Visit, what: RegExp) => page.getByRole('button', { name: what }).click();
+
+test('each paragraph is shown by the net', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const before = await script.positions();
+  await page.getByText('Learn', { exact: true }).click();
+  const now = page.getByText(/^Now: p = /);
+  expect(await now.innerText()).toMatch(/p = 2;.* r = 1\.0000$/);
+  await page.screenshot({ path: join(OUTPUT, 'learn.png') });
+
+  // A handle goes a little way and comes back.
+  await showMe(visit, /gives way/);
+  await expect.poll(async () => largestError(await script.positions(), before)).toBeGreaterThan(0.1);
+  await expect.poll(async () => largestError(await script.positions(), before), { timeout: 5000 }).toBe(0);
+  expect(await page.getByRole('button', { name: 'Undo', exact: true }).isDisabled()).toBe(true);
+
+  await showMe(visit, /power of ten/);
+  expect(await page.getByLabel('Colours').inputValue()).toBe('log');
+
+  // The worst edge climbs a wall, then stage by stage comes down.
+  await showMe(visit, /climbing/);
+  await expect.poll(async () => Number(/r = (.*)$/.exec(await now.innerText())![1])).toSatisfy((r: number) => Math.abs(r - 1) > 0.02);
+  await page.screenshot({ path: join(OUTPUT, 'learn-energy.png') });
+  const stage = page.locator('.lesson [aria-current=step]');
+  expect(await stage.innerText()).toMatch(/p = 2/);
+  await showMe(visit, /one stage/);
+  await stage.getByText(/p = 50/).waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'learn-stages.png') });
+  const done = page.getByText(/^All stages are done/);
+  await showMe(visit, /one stage/);
+  await stage.getByText(/^Only the vertices/).or(done).waitFor();
+  if (!(await done.isVisible())) await showMe(visit, /one stage/);
+  await done.waitFor();
+  await script.settled();
+  expect(await script.stats()).toMatchObject({ status: 'converged' });
+  // The usual method, the move, the method of the paper.
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Control+z');
+  await script.settled();
+  expect(largestError(await script.positions(), before)).toBe(0);
+});
+
+test('a first visit is given three hints, one after another, each until it is done or dismissed, and never again', async () => {
+  const visit = await arrive('', {}, { hints: true });
+  const { page, script } = visit;
+  const hint = page.locator('.hint');
+  await hint.getByText('Drag this sphere').waitFor();
+  const sphere = await script.screenPosition((await page.evaluate(() => window.chebnet.handles().at(-1)!)).vertex);
+  const box = (await hint.boundingBox())!;
+  expect(Math.abs(box.x + box.width / 2 - sphere.x)).toBeLessThan(box.width / 2);
+  await page.screenshot({ path: join(OUTPUT, 'hint-drag.png') });
+  // Where the picture is turned, the hint goes along.
+  await page.locator('#view canvas').focus();
+  for (let i = 0; i < 4; ++i) await page.keyboard.press('ArrowRight');
+  await expect.poll(async () => (await hint.boundingBox())!.x).not.toBe(box.x);
+
+  await dragBy(script, (await page.evaluate(() => window.chebnet.handles().at(-1)!)).vertex, [0, 40]);
+  await hint.getByText('Click the net').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'hint-add.png') });
+  await page.reload();
+  await script.waitForNet();
+  await hint.getByText('Click the net').waitFor();
+  await hint.getByRole('button', { name: 'Got it' }).focus();
+  await page.keyboard.press('Enter');
+  await hint.getByText('a link to what you see').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'hint-share.png') });
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const narrow = (await hint.boundingBox())!;
+  expect(narrow.x).toBeGreaterThanOrEqual(0);
+  expect(narrow.x + narrow.width).toBeLessThanOrEqual(390);
+  await page.screenshot({ path: join(OUTPUT, 'hint-share-phone.png') });
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await hint.waitFor({ state: 'detached' });
+  await page.reload();
+  await script.waitForNet();
+  await script.settled();
+  expect(await hint.count()).toBe(0);
+});
+
+test('an embedded page gives no hints', async () => {
+  const { page, script } = await arrive('?embed', {}, { hints: true });
+  await script.settled();
+  expect(await page.locator('.hint').count()).toBe(0);
+});

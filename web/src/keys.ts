@@ -1,0 +1,54 @@
+/** The keys that work wherever the focus is, but in a field for text or a dialog. The sheet of keys is made from this table. */
+import type { App, AppServices } from './app';
+import type { Words } from './language/language';
+
+/** What some keys do, each of them alone. Such tables stand beside the code that handles the keys. */
+export interface KeyRow {
+  /** Keys held together are joined by `+`. */
+  keys: readonly string[];
+  does: keyof Words['keys']['does'];
+}
+
+interface PageKey extends KeyRow {
+  /** In a field for text too. */
+  inFields?: true;
+  run(app: App, services: AppServices): void;
+}
+
+export const PAGE_KEYS: readonly PageKey[] = [
+  { keys: ['Ctrl+Z', '⌘+Z'], does: 'undo', run: (app) => app.undo() },
+  { keys: ['Ctrl+Shift+Z', '⌘+Shift+Z', 'Ctrl+Y'], does: 'redo', run: (app) => app.redo() },
+  { keys: ['Ctrl+S', '⌘+S'], does: 'save', inFields: true, run: (_, services) => services.saveProject() },
+  { keys: ['Ctrl+O', '⌘+O'], does: 'open', inFields: true, run: (_, services) => services.pickFile() },
+  { keys: ['Ctrl+A', '⌘+A'], does: 'selectAll', run: (app) => app.handles.selectAll() },
+  { keys: ['Esc'], does: 'deselect', run: (app) => app.handles.select([]) },
+  { keys: ['Delete', 'Backspace'], does: 'remove', run: (app) => app.handles.removeSelected() },
+  // As in other programs for shapes: grab, rotate, scale.
+  { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },
+  { keys: ['R'], does: 'rotate', run: (app) => app.handles.setMode('rotate') },
+  { keys: ['S'], does: 'scale', run: (app) => app.handles.setMode('scale') },
+  { keys: ['?'], does: 'keys', run: (_, services) => services.showKeys() },
+];
+
+/** What a key of the whole page does; null: nothing. */
+export function commandOf(event: KeyboardEvent): PageKey['run'] | null {
+  const isModal = document.querySelector('dialog:modal') !== null;
+  if (event.defaultPrevented || isModal) return null;
+  const chord = chordOf(event);
+  const row = PAGE_KEYS.find(({ keys, inFields }) => keys.includes(chord) && (inFields || !isTyping(event)));
+  return row?.run ?? null;
+}
+
+/** As the table writes it. Shift counts with letters only: other signs say themselves whether they need it. */
+export function chordOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): string {
+  const isLetter = /^\p{L}$/u.test(key);
+  const name = isLetter ? key.toUpperCase() : key === 'Escape' ? 'Esc' : key;
+  const held = [ctrlKey && 'Ctrl+', altKey && 'Alt+', metaKey && '⌘+', shiftKey && isLetter && 'Shift+'];
+  return [...held, name].filter(Boolean).join('');
+}
+
+/** In a field for text the keys belong to the text, in a list of choices those without Ctrl do. */
+function isTyping({ target, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  if (target instanceof HTMLInputElement) return !['checkbox', 'radio', 'range', 'button'].includes(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLSelectElement && !ctrlKey && !metaKey);
+}

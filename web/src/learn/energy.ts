@@ -1,0 +1,15 @@
+/** The energy of an edge, and the edge that has most of it. */
+import type { FrameData, OpenedNet } from '../worker/protocol';
+
+/** r^p + r^-p, with r = length / rest length; 2 at its least. */
+export function energy(r: number, p: number): number {
+  return r ** p + r ** -p;
+}
+
+/** r of the edge with the largest deviation. */
+export function worstRatio({ edges, restLengths }: OpenedNet, { positions, deviations }: FrameData): number {
+  const worst = deviations.reduce((worst, dL, e) => (dL > deviations[worst]! ? e : worst), 0);
+  const [a, b] = [3 * edges[2 * worst]!, 3 * edges[2 * worst + 1]!];
+  const along = (axis: number): number => positions[a + axis]! - positions[b + axis]!;
+  return Math.hypot(along(0), along(1), along(2)) / restLengths[worst]!;
+}
