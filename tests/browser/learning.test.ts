@@ -102,7 +102,7 @@ test('a first visit is given three hints, one after another, each until it is do
   expect(narrow.x).toBeGreaterThanOrEqual(0);
   expect(narrow.x + narrow.width).toBeLessThanOrEqual(390);
   await page.screenshot({ path: join(OUTPUT, 'hint-share-phone.png') });
-  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.getByRole('group', { name: 'Actions' }).getByRole('button', { name: 'Share' }).click();
   await hint.waitFor({ state: 'detached' });
   await page.reload();
   await script.waitForNet();
