@@ -104,6 +104,7 @@ test('a first visit is given three hints, one after another, each until it is do
   await page.screenshot({ path: join(OUTPUT, 'hint-share-phone.png') });
   await page.getByRole('group', { name: 'Actions' }).getByRole('button', { name: 'Share' }).click();
   await hint.waitFor({ state: 'detached' });
+  await page.locator('.qr svg').waitFor();
   await page.reload();
   await script.waitForNet();
   await script.settled();
