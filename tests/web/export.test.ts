@@ -82,6 +82,7 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   const net = grid(4, 3);
   const handles = [
     { vertex: 0, target: [0, 0, 0] as [number, number, number], anchor: true },
+    { vertex: 11, target: [3, 2, 0] as [number, number, number], anchor: true },
     { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
   ];
   const lines = new Lines(net).all();
@@ -93,9 +94,10 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   expect(strokes('net')).toHaveLength(3);
   expect(strokes('net')).toContainEqual(expect.stringMatching(/^M(12.5 25L50 25|50 25L12.5 25)$/));
   expect(strokes('boundary')).toHaveLength(4);
-  expect(svg.match(/<circle/g)).toHaveLength(2);
+  expect(svg.match(/<circle/g)).toHaveLength(3);
   expect(svg).toContain('cx="12.5" cy="37.5"');
-  expect(svg).toContain('>0</text>');
+  expect(svg).toMatch(/text-anchor="start"[^>]*>0<\/text>/);
+  expect(svg).toMatch(/text-anchor="end"[^>]*>11<\/text>/);
   expect(svg).toContain('>a&lt;b&gt;&amp; </text>');
 });
 

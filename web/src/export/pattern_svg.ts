@@ -16,6 +16,8 @@ export interface Drawing {
 /** Sizes as shares of an edge. */
 const MARGIN = 1;
 const MARK_RADIUS = 0.16;
+/** Of a name from its mark. */
+const SHIFT = 0.22;
 const LETTER = 0.45;
 const THIN = 0.02;
 const BOLD = 0.08;
@@ -62,11 +64,16 @@ function place(vertex: number, { pattern: { places, rows }, edgeMm }: Drawing): 
   return [mm((MARGIN + places[2 * vertex]!) * edgeMm), mm((MARGIN + rows - places[2 * vertex + 1]!) * edgeMm)];
 }
 
-function mark({ vertex, name }: HandleData, drawing: Drawing): string {
+/** The name stands on the side where there is more of the pattern, so that it stays on the drawing. */
+function mark({ vertex, name = String(vertex) }: HandleData, drawing: Drawing): string {
+  const { pattern, edgeMm } = drawing;
   const [x, y] = place(vertex, drawing);
-  const { edgeMm } = drawing;
-  const shift = mm(0.22 * edgeMm);
-  return `<circle cx="${x}" cy="${y}" r="${mm(MARK_RADIUS * edgeMm)}"/><text x="${x}" y="${y}" dx="${shift}" dy="-${shift}">${escape(name ?? String(vertex))}</text>`;
+  const onTheRight = 2 * pattern.places[2 * vertex]! > pattern.columns;
+  const [anchor, side] = onTheRight ? ['end', -1] : ['start', 1];
+  return (
+    `<circle cx="${x}" cy="${y}" r="${mm(MARK_RADIUS * edgeMm)}"/>` +
+    `<text x="${x}" y="${y}" text-anchor="${anchor}" dx="${mm(side * SHIFT * edgeMm)}" dy="${mm(-SHIFT * edgeMm)}">${escape(name)}</text>`
+  );
 }
 
 function scaleBar(height: number, edgeMm: number): string {
