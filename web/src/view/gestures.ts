@@ -129,9 +129,9 @@ export class Gestures {
     if (event.button !== 0) return;
     const at = this.place(event);
     const vertex = this.handleAt(at, event);
-    if (event.pointerType === 'touch' && vertex !== null) this.awaitLongTouch(vertex);
+    if (event.pointerType === 'touch' && vertex !== null) this.awaitLongTouch(event.pointerId, vertex);
     const handle = event.shiftKey ? null : this.grip(vertex);
-    const onGizmo = handle === null && gizmo.takes(this.toDevice(at));
+    const onGizmo = vertex === null && gizmo.takes(this.toDevice(at));
     const box = event.shiftKey && !onGizmo;
     this.press = { pointer: event.pointerId, at, handle, box, onGizmo, moved: false };
     if (!handle && !onGizmo && !box) return;
@@ -209,13 +209,16 @@ export class Gestures {
     events.select(united(this.stage.selection(), marks.inside(this.stage.projection(), from, to)));
   }
 
-  private awaitLongTouch(vertex: number): void {
-    this.longTouch = setTimeout(() => {
-      if (!this.press || this.press.moved) return;
-      // The finger has had its say: nothing follows from where it goes, or lifts.
-      this.press = { ...this.press, moved: true, handle: null };
-      this.stage.events.select(toggled(this.stage.selection(), vertex));
-    }, LONG_TOUCH_MS);
+  private awaitLongTouch(pointer: number, vertex: number): void {
+    // A frame later, for moves that a busy page has not heard of yet come before it.
+    this.longTouch = setTimeout(() => requestAnimationFrame(() => this.takeLongTouch(pointer, vertex)), LONG_TOUCH_MS);
+  }
+
+  private takeLongTouch(pointer: number, vertex: number): void {
+    if (this.press?.pointer !== pointer || this.press.moved) return;
+    // The finger has had its say: nothing follows from where it goes, or lifts.
+    this.press = { ...this.press, moved: true, handle: null };
+    this.stage.events.select(toggled(this.stage.selection(), vertex));
   }
 
   /** A handle as a hand takes it; null: there is none, or it is locked. */

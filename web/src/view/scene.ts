@@ -152,6 +152,7 @@ class SceneView implements View {
     this.choice = choice;
     this.marks.show(handles, this.shown.space, choice.selection, this.report.vertices);
     this.gizmo.setMode(choice.mode);
+    this.gizmo.show(this.gizmoPlace());
     if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
     this.requestDraw();
   }
