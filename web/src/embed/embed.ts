@@ -13,18 +13,19 @@ export function isEmbedded(): boolean {
 /** @param view the element that holds the picture. */
 export function embed(view: HTMLElement, app: App, script: Scripting): void {
   document.documentElement.classList.add('embed');
-  document.body.append(makeShield(view), makeWayOut(app));
+  view.append(makeShield(view), makeWayOut(app));
   if (parent !== window) listenToHost(script);
 }
 
 /** Lies over the picture until it is clicked, and again after Escape or a click outside of the frame. */
 function makeShield(view: HTMLElement): HTMLElement {
+  const canvas = view.querySelector('canvas');
   const shield = makeButton(make('span', {}, words.embed.activate), () => setActive(true), { class: 'shield' });
   const setActive = (active: boolean): void => {
-    view.inert = !active;
+    canvas?.toggleAttribute('inert', !active);
     shield.hidden = active;
     document.documentElement.classList.toggle('active', active);
-    if (active) view.querySelector('canvas')?.focus();
+    if (active) canvas?.focus();
   };
   addEventListener('blur', () => setActive(false));
   addEventListener('keydown', ({ key, defaultPrevented }) => {

@@ -131,8 +131,8 @@ class Sidebar implements Panels {
         this.bar.element,
         this.messages.element,
         this.runNotice.element,
+        ...this.toolbar.menus,
       ),
-      ...this.toolbar.menus,
       this.results.element,
       make(
         'aside',

@@ -1,0 +1,80 @@
+/** axe finds nothing to complain of, whatever is open, on light and dark, on a desktop and a phone. */
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import type { AxeResults } from 'axe-core';
+import type { Frame, Page } from 'playwright-core';
+import { describe, expect, test } from 'vitest';
+import { OUTPUT, visits } from './page';
+
+const AXE = readFileSync(createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'), 'utf8');
+const site = visits();
+
+/** What axe complains of in light and dark, with the elements. Evaluated, for the page's policy keeps out added scripts. */
+async function faults(page: Page, view: Page | Frame = page): Promise<string[]> {
+  await view.evaluate(AXE);
+  const run = (rules: string[] | null) =>
+    view.evaluate(async (only) => {
+      const { axe } = window as unknown as { axe: { run(options: object): Promise<AxeResults> } };
+      const { violations } = await axe.run(only === null ? {} : { runOnly: only });
+      return violations.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target.join(' ')}: ${any[0]?.message ?? ''}`));
+    }, rules);
+  const light = await run(null);
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  const dark = await run(['color-contrast']);
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  return [...light, ...dark.map((fault) => `dark: ${fault}`)];
+}
+
+/** Two faces with the same corners, a vertex of no face, edges of different lengths. */
+const BROKEN = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\nf 4 3 2 1\n';
+
+describe.each([
+  { name: 'desktop', viewport: { width: 1280, height: 800 } },
+  { name: 'phone', viewport: { width: 390, height: 844 } },
+])('$name', ({ name, viewport }) => {
+  const options = { viewport, colorScheme: 'light', reducedMotion: 'reduce' } as const;
+  const picture = (what: string) => ({ path: join(OUTPUT, `axe-${name}-${what}.png`) });
+
+  test('the editor', async () => {
+    const { page, script } = await site.arrive('', options);
+    await script.settled();
+    const found: Record<string, string[]> = { first: await faults(page) };
+
+    await page.getByRole('button', { name: 'Save', exact: true }).click();
+    found.menu = await faults(page);
+    await page.screenshot(picture('menu'));
+    await page.keyboard.press('Escape');
+
+    if (name === 'phone') await page.getByRole('button', { name: 'Controls' }).click();
+    await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
+    found.sections = await faults(page);
+    await page.screenshot(picture('sections'));
+
+    await page.getByRole('button', { name: 'Compare', exact: true }).click();
+    await page.locator('.comparison .uplot').nth(1).waitFor();
+    found.comparison = await faults(page);
+    await page.screenshot(picture('comparison'));
+    await page.getByRole('button', { name: 'Close the comparison' }).click();
+
+    await page.evaluate((obj) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([obj], 'broken.obj'));
+      document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    }, BROKEN);
+    await page.getByRole('dialog').getByText('Mean length').waitFor();
+    found.file = await faults(page);
+    await page.screenshot(picture('file'));
+
+    expect(found).toEqual({ first: [], menu: [], sections: [], comparison: [], file: [] });
+  });
+
+  test('a lesson with the editor in it', async () => {
+    const { page } = await site.open('lesson.html', options);
+    await page.getByText('The largest dL of its').waitFor();
+    const frame = page.frame({ url: /\?embed/ })!;
+    const [lesson, asleep] = [await faults(page), await faults(page, frame)];
+    await frame.getByRole('button', { name: 'Click to drag the net' }).click();
+    expect({ lesson, asleep, awake: await faults(page, frame) }).toEqual({ lesson: [], asleep: [], awake: [] });
+  });
+});
