@@ -95,7 +95,7 @@ test('a picture can have more pixels than the screen, which stays as it is', asy
   expect(await size()).toEqual(before);
 });
 
-test('a drag is recorded as a video that plays', async () => {
+test('a drag is recorded and saved as a video', async () => {
   await visit.script.open({ recipe: 'vault:vertices=300' });
   await press('Save');
   await menu().getByRole('button', { name: 'Video' }).click();
