@@ -32,6 +32,14 @@ test('a link opens an experiment, unsolved, and steps show where they lead', asy
   await expect.poll(async () => (await script.stats()).method).toBe('li2022');
   await note.getByRole('button', { name: 'Solve' }).click();
   await expect.poll(async () => (await script.stats()).status, { timeout: 20_000 }).toBe('converged');
+
+  const solved = await script.positions();
+  await page.keyboard.press('Control+z');
+  await script.settled();
+  expect(await script.positions()).not.toEqual(solved);
+  await page.keyboard.press('Control+y');
+  await script.settled();
+  expect(await script.positions()).toEqual(solved);
 });
 
 test('the list of experiments is links, and a link to the one that is open begins it again', async () => {

@@ -389,8 +389,8 @@ export class App {
       previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#try(this.setOptions(settings)),
       setView: (change) => this.setView(change),
-      solve: () => this.#try(this.#client.solve()),
-      step: () => this.#try(this.step()),
+      solve: () => this.#tryNamed(words.history.solve, () => this.#client.solve()),
+      step: () => this.#tryNamed(words.history.step, () => this.step()),
       setStepArrows: (shown) => this.#view.setStepArrows(shown),
       cancel: () => this.#try(this.#client.cancel()),
       reset: () => this.#try(this.reset()),
@@ -546,6 +546,14 @@ export class App {
   /** For what the user does: a failure is shown, not thrown. */
   #try(doing: Promise<unknown>): void {
     doing.catch((error: unknown) => this.report(error));
+  }
+
+  /** Likewise, as an entry of the history. */
+  #tryNamed(name: string, doing: () => Promise<unknown>): void {
+    const before = this.#snapshot();
+    if (before) this.#history.record(before, name);
+    this.#showDocument();
+    this.#try(doing());
   }
 }
 

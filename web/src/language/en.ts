@@ -450,6 +450,8 @@ export const en = {
     option: (name: string, value: string) => `${name}: ${value}`,
     optionBack: (name: string) => `${name}: default`,
     options: 'Settings',
+    solve: 'Solve',
+    step: 'One step',
     reset: 'Reset to rest',
   },
   projects: {

@@ -440,6 +440,8 @@ export const zh: Words = {
     option: (name, value) => `${name}：${value}`,
     optionBack: (name) => `${name}：默认值`,
     options: '求解设置',
+    solve: '求解',
+    step: '单步',
     reset: '恢复初始形状',
   },
   projects: {
