@@ -98,9 +98,10 @@ test('a first visit is given three hints, one after another, each until it is do
   await page.screenshot({ path: join(OUTPUT, 'hint-share.png') });
   await page.setViewportSize({ width: 390, height: 844 });
   await page.emulateMedia({ colorScheme: 'dark' });
-  const narrow = (await hint.boundingBox())!;
-  expect(narrow.x).toBeGreaterThanOrEqual(0);
-  expect(narrow.x + narrow.width).toBeLessThanOrEqual(390);
+  await expect.poll(async () => {
+    const narrow = (await hint.boundingBox())!;
+    return narrow.x >= 0 && narrow.x + narrow.width <= 390;
+  }).toBe(true);
   await page.screenshot({ path: join(OUTPUT, 'hint-share-phone.png') });
   await page.getByRole('group', { name: 'Actions' }).getByRole('button', { name: 'Share' }).click();
   await hint.waitFor({ state: 'detached' });
