@@ -2,27 +2,23 @@
 import { App } from './app';
 import type { AppServices } from './app';
 import { linkAdvice } from './document/share';
-import { equalizedScene, subjectOfNet } from './equalize/subject';
-import type { Subject } from './equalize/subject';
-import { embed, isEmbedded } from './embed/embed';
+import { embed } from './embed/embed';
 import { copyText } from './files/clipboard';
 import { download } from './files/download';
 import { fileNameOf } from './export/kinds';
 import type { SaveWish } from './export/kinds';
 import { filmExtension, filmType, Recording } from './export/recording';
 import { save } from './export/save';
-import { FileOpener, pickFile } from './files/import';
+import type { Openers } from './files/openers';
+import { pickFile } from './files/pick_file';
 import { commandOf, PAGE_KEYS } from './keys';
 import { chooseLanguage, translateDocument, words } from './language/language';
 import { Hints } from './learn/hints';
 import { Teacher } from './learn/teacher';
 import { keepOffline } from './offline/offline';
-import { EqualizeDialog } from './panels/equalize_dialog';
-import { FileDialog } from './panels/file_dialog';
 import { ROW_KEYS } from './panels/handle_row';
 import { showKeySheet } from './panels/key_sheet';
 import { RecordingNotice } from './panels/recording_notice';
-import { ShareDialog } from './panels/share_dialog';
 import { createPanels } from './panels/sidebar';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
@@ -32,12 +28,16 @@ import { readTheme } from './view/theme';
 
 translateDocument(document);
 
+/** Inside of another page; see embed/protocol.ts. */
+const embedded = new URLSearchParams(location.search).has('embed');
+document.documentElement.classList.toggle('embed', embedded);
+
 const services: AppServices = {
   pickFile: () => attempt(pickAndOpen),
   newNet: () => attempt(() => projects.newNet()),
   saveProject,
   restoreLast: () => attempt(() => projects.restoreLast()),
-  equalize: () => attempt(equalizeNet),
+  equalize: () => attempt(async () => (await openers()).equalizeNet()),
   share: () => attempt(share),
   save: (wish) => attempt(() => saveAs(wish)),
   record: () => attempt(record),
@@ -58,18 +58,14 @@ const app = new App(
   services,
 );
 // What is done inside of another page is no work of the visitor's own.
-const projects = new Projects(app, !isEmbedded());
+const projects = new Projects(app, !embedded);
 const teacher = new Teacher(app);
-const hints = isEmbedded() ? null : new Hints(app, element('panels'));
-const opener = new FileOpener({
-  spawnWorker: () => new Worker(new URL('./files/file_worker.ts', import.meta.url), { type: 'module' }),
-  createDialog: (name) => new FileDialog(element('panels'), name),
-  createEqualizer,
-  open: (net) => app.openNet(net),
-});
+const hints = embedded ? null : new Hints(app, element('panels'));
+let loadedOpeners: Promise<Openers> | null = null;
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
-if (isEmbedded()) embed(element('view'), app, window.chebnet);
+// Before keys are listened to here: Escape lets go of the picture, whatever else it does.
+if (embedded) embed(element('view'), app, window.chebnet);
 // Once the first net is there: until then the network is busy enough.
 else void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
 
@@ -103,6 +99,7 @@ async function share(): Promise<void> {
   const advice = linkAdvice(shared) ?? '';
   if (shared.hash === null) return app.say(advice);
   const link = linkOf(shared.hash);
+  const { ShareDialog } = await import('./panels/share_dialog');
   new ShareDialog(element('panels'), {
     linkWithin: (characters) => {
       const short = app.share(characters - linkOf('').length);
@@ -158,22 +155,13 @@ async function pickAndOpen(): Promise<void> {
 async function openFile(file: File | null): Promise<void> {
   if (file === null) return;
   if (projects.isProject(file)) await projects.openFile(file);
-  else await opener.open(file);
+  else await (await openers()).openFile(file);
 }
 
-function createEqualizer(subject: Subject): EqualizeDialog {
-  return new EqualizeDialog(element('panels'), subject, {
-    spawnWorker: () => new Worker(new URL('./equalize/equalize_worker.ts', import.meta.url), { type: 'module' }),
-    createView,
-    upAxis: app.opening?.document.view.upAxis,
-  });
-}
-
-async function equalizeNet(): Promise<void> {
-  if (app.opening === null) return;
-  const { document, net } = app.opening;
-  const obj = await createEqualizer(subjectOfNet(document, net)).result;
-  if (obj !== null) await app.openScene(equalizedScene(document, obj));
+/** Comes when it is first wanted. */
+function openers(): Promise<Openers> {
+  loadedOpeners ??= import('./files/openers').then((module) => new module.Openers(app, element('panels')));
+  return loadedOpeners;
 }
 
 function pressKey(event: KeyboardEvent): void {

@@ -6,13 +6,8 @@ import type { Scripting } from '../scripting';
 import { Host } from './host';
 import type { Answer, News } from './protocol';
 
-export function isEmbedded(): boolean {
-  return new URLSearchParams(location.search).has('embed');
-}
-
 /** @param view the element that holds the picture. */
 export function embed(view: HTMLElement, app: App, script: Scripting): void {
-  document.documentElement.classList.add('embed');
   view.append(makeShield(view), makeWayOut(app));
   if (parent !== window) listenToHost(script);
 }

@@ -94,15 +94,3 @@ function checkSize({ name, size }: File): void {
   const [megabytes = 0, largest = 0] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
   throw new FileError('too_large', words.file.tooLarge(name, megabytes, largest));
 }
-
-/** Lets the user choose a file, a mesh or a project; null if they think better of it. */
-export function pickFile(): Promise<File | null> {
-  const input = document.createElement('input');
-  input.type = 'file';
-  input.accept = '.obj,.ply,.off,.json';
-  return new Promise((resolve) => {
-    input.onchange = () => resolve(input.files?.[0] ?? null);
-    input.oncancel = () => resolve(null);
-    input.click();
-  });
-}
