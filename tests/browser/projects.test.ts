@@ -157,20 +157,25 @@ test('a broken project is refused with what is wrong, and the net stays', async 
   expect(await standing(script)).toEqual(before);
 });
 
+/** Another tab of the same visitor. */
+async function newTab(first: Visit): Promise<Visit> {
+  const page = await first.page.context().newPage();
+  return { ...first, page, script: new Script(page) };
+}
+
 test('a link wins, and what was kept stays within reach', async () => {
-  const visit = await arrive();
-  const { page, script } = visit;
-  await script.open({ recipe: SHAPE });
-  const before = await standing(script);
-  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
-  const link = new URL('#experiment=long-edges', page.url()).href;
-  await page.goto('about:blank');
-  await page.goto(link);
-  await script.waitForNet();
-  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBe(1505);
-  await press(visit, 'Restore my last net');
-  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).not.toBe(1505);
-  expect(await standing(script)).toEqual(before);
+  const first = await arrive();
+  await first.script.open({ recipe: SHAPE });
+  const before = await standing(first.script);
+  await expect.poll(() => kept(first), PATIENCE).toHaveLength(2);
+
+  const second = await newTab(first);
+  await second.page.goto(new URL('#experiment=long-edges', first.page.url()).href);
+  await second.script.waitForNet();
+  await expect.poll(async () => (await second.script.stats()).vertices, PATIENCE).toBe(1505);
+  await press(second, 'Restore my last net');
+  await expect.poll(async () => (await second.script.stats()).vertices, PATIENCE).not.toBe(1505);
+  expect(await standing(second.script)).toEqual(before);
 });
 
 test('what the page died of is offered, not opened', async () => {
@@ -229,8 +234,8 @@ test('two tabs keep a net each', async () => {
   const before = await standing(first.script);
   await expect.poll(() => kept(first), PATIENCE).toHaveLength(2);
 
-  const page = await first.page.context().newPage();
-  const second = { ...first, page, script: new Script(page) };
+  const second = await newTab(first);
+  const { page } = second;
   await page.goto(first.page.url());
   await second.script.waitForNet();
   expect(await standing(second.script)).toEqual(before);
