@@ -43,10 +43,18 @@ Eigen::Vector3d read_target(const json& value, const std::string& where) {
     return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
 
+double read_weight(const json& value, const std::string& where) {
+    if (!value.is_number() || !(value > 0)) throw Error(ErrorCode::bad_syntax, where + " is not a number above 0");
+    return value.get<double>();
+}
+
 Handle read_handle(const json& value, int vertex_count, const std::string& where) {
     if (!value.is_object()) throw Error(ErrorCode::bad_syntax, where + " is not an object");
-    return {read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
-            read_target(member(value, "target", where), where + ".target")};
+    Handle handle{read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
+                  read_target(member(value, "target", where), where + ".target")};
+    if (const auto weight = value.find("weight"); weight != value.end())
+        handle.weight = read_weight(*weight, where + ".weight");
+    return handle;
 }
 
 }  // namespace

@@ -28,7 +28,17 @@ void check_handles(const Net& net, const std::vector<Handle>& handles) {
             throw Error(ErrorCode::repeated_vertex, "two handles hold vertex " + std::to_string(handle.vertex));
         held[handle.vertex] = true;
         check_target(handle.vertex, handle.target);
+        if (!(handle.weight > 0))
+            throw Error(ErrorCode::bad_option,
+                        "the weight of handle " + std::to_string(handle.vertex) + " must be a number above 0");
     }
+}
+
+void check_softness(const std::vector<Handle>& handles, const Method& method, const std::string& name) {
+    const auto soft = std::ranges::find_if_not(handles, &Handle::is_exact);
+    if (soft != handles.end() && !method.knows_holds())
+        throw Error(ErrorCode::bad_option, "method " + name + " keeps every handle exactly, but handle " +
+                                               std::to_string(soft->vertex) + " is soft; projection can do that");
 }
 
 }  // namespace
@@ -42,31 +52,58 @@ Editor::Editor(Net net)
 
 void Editor::set_handles(std::vector<Handle> handles) {
     check_handles(*m_net, handles);
-    const auto same_vertex = [](const Handle& a, const Handle& b) { return a.vertex == b.vertex; };
-    const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_vertex);
+    check_softness(handles, *m_method, m_method_name);
+    const auto same_kind = [](const Handle& a, const Handle& b) {
+        return a.vertex == b.vertex && a.is_exact() == b.is_exact();
+    };
+    const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_kind);
     m_handles = std::move(handles);
     if (!same_set) {
         m_prepared = false;
         m_handle_distances.clear();
     }
+    leave_region();
     snap_handles();
     restart();
 }
 
 void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     check_target(vertex, target);
-    const auto handle =
-        std::find_if(m_handles.begin(), m_handles.end(), [&](const Handle& h) { return h.vertex == vertex; });
-    if (handle == m_handles.end())
-        throw Error(ErrorCode::index_out_of_range, "there is no handle at vertex " + std::to_string(vertex));
-    handle->target = target;
+    Handle& handle = m_handles[place_of_handle(vertex)];
+    if (std::isfinite(m_locality) && !(m_region && m_region->origin == vertex)) enter_region(vertex);
+    handle.target = target;
     snap_handles();
     restart();
+}
+
+std::size_t Editor::place_of_handle(int vertex) const {
+    const auto handle = std::ranges::find(m_handles, vertex, &Handle::vertex);
+    if (handle == m_handles.end())
+        throw Error(ErrorCode::index_out_of_range, "there is no handle at vertex " + std::to_string(vertex));
+    return static_cast<std::size_t>(handle - m_handles.begin());
+}
+
+void Editor::set_locality(double radius) {
+    if (!(radius > 0)) throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
+    m_locality = radius;
+    leave_region();
+    restart();
+}
+
+void Editor::enter_region(int origin) {
+    m_region = region_around(*m_net, *m_topology, m_positions, origin, m_locality);
+    m_prepared = false;
+}
+
+void Editor::leave_region() {
+    if (m_region) m_prepared = false;
+    m_region.reset();
 }
 
 void Editor::set_method(std::string_view name) { set_method(make_method(name), std::string(name)); }
 
 void Editor::set_method(std::unique_ptr<Method> method, std::string name) {
+    check_softness(m_handles, *method, name);
     m_method = std::move(method);
     m_method_name = std::move(name);
     m_prepared = false;
@@ -91,6 +128,7 @@ void Editor::set_positions(const Positions& positions) {
                                                        std::to_string(m_net->vertex_count()));
     if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
     m_positions = positions;
+    leave_region();
     snap_handles();
     restart();
 }
@@ -98,23 +136,60 @@ void Editor::set_positions(const Positions& positions) {
 void Editor::reset() {
     m_positions = m_net->rest_positions();
     for (Handle& handle : m_handles) handle.target = m_positions.col(handle.vertex);
+    leave_region();
     restart();
 }
 
 void Editor::snap_handles() {
-    for (const Handle& handle : m_handles) m_positions.col(handle.vertex) = handle.target;
+    for (const Handle& handle : m_handles)
+        if (handle.is_exact()) m_positions.col(handle.vertex) = handle.target;
+}
+
+/// Exact handles, and what lies outside the region that may move.
+std::vector<int> Editor::fixed_vertices() const {
+    std::vector<int> vertices;
+    for (const Handle& handle : m_handles)
+        if (handle.is_exact()) vertices.push_back(handle.vertex);
+    if (!m_region) return vertices;
+    vertices.insert(vertices.end(), m_region->outside.begin(), m_region->outside.end());
+    std::ranges::sort(vertices);
+    const auto repeated = std::ranges::unique(vertices);
+    vertices.erase(repeated.begin(), repeated.end());
+    return vertices;
+}
+
+/// Pulls at one vertex are joined into one; a fixed vertex cannot be pulled.
+void Editor::collect_holds() {
+    m_holds.clear();
+    const auto is_exact_handle = [&](int vertex) {
+        return std::ranges::any_of(m_handles, [&](const Handle& h) { return h.vertex == vertex && h.is_exact(); });
+    };
+    if (m_region)
+        for (const Hold& hold : m_region->holds)
+            if (!is_exact_handle(hold.vertex)) m_holds.push_back(hold);
+    for (const Handle& handle : m_handles) {
+        if (handle.is_exact() || (m_region && std::ranges::binary_search(m_region->outside, handle.vertex))) continue;
+        const auto other = std::ranges::find(m_holds, handle.vertex, &Hold::vertex);
+        if (other == m_holds.end()) {
+            m_holds.push_back({handle.vertex, handle.target, handle.weight});
+            continue;
+        }
+        other->weight += handle.weight;
+        other->target += handle.weight / other->weight * (handle.target - other->target);
+    }
 }
 
 void Editor::prepare() {
-    std::vector<int> vertices;
-    for (const Handle& handle : m_handles) vertices.push_back(handle.vertex);
-    m_method->prepare(*m_net, *m_topology, vertices);
-    m_initialisation.prepare(*m_net, vertices);
+    const std::vector<int> fixed = fixed_vertices();
+    m_method->prepare(*m_net, *m_topology, fixed);
+    m_initialisation.prepare(*m_net, fixed);
     m_prepared = true;
 }
 
 Status Editor::begin_solve() {
     if (!m_prepared) prepare();
+    collect_holds();
+    m_method->set_holds(m_holds);
     m_iterations = 0;
     m_elapsed_ms = 0;
     m_reachable = unreachable_pairs().empty();
@@ -162,17 +237,50 @@ std::vector<UnreachablePair> Editor::unreachable_pairs() const {
     std::vector<UnreachablePair> pairs;
     for (std::size_t i = 0; i < m_handles.size(); ++i)
         for (std::size_t j = i + 1; j < m_handles.size(); ++j) {
-            const double distance = (m_handles[i].target - m_handles[j].target).norm();
-            const double reach = m_handle_distances[i][j];
-            // A path pulled straight has the same ratio in all its edges, so this is the deviation nothing can avoid.
-            const bool off = !(deviation(distance / reach) < m_options.threshold);
-            if (off && (distance > reach || are_joined(m_handles[i].vertex, m_handles[j].vertex)))
-                pairs.push_back({m_handles[i].vertex, m_handles[j].vertex, distance, reach});
+            const Handle &a = m_handles[i], &b = m_handles[j];
+            if (!a.is_exact() || !b.is_exact()) continue;
+            const UnreachablePair pair{a.vertex, b.vertex, (a.target - b.target).norm(), m_handle_distances[i][j]};
+            if (is_out_of_reach(pair)) pairs.push_back(pair);
         }
+    if (m_region) add_worst_of_border(pairs);
     const auto strain = [](const UnreachablePair& pair) { return std::abs(std::log(pair.distance / pair.reach)); };
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const UnreachablePair& a, const UnreachablePair& b) { return strain(a) > strain(b); });
     return pairs;
+}
+
+void Editor::add_worst_of_border(std::vector<UnreachablePair>& pairs) const {
+    const Handle& moved = m_handles[place_of_handle(m_region->origin)];
+    if (!moved.is_exact()) return;
+    UnreachablePair worst{moved.vertex, moved.vertex, 0, 1};
+    for (const Region::BorderVertex& border : m_region->border) {
+        const double distance = (moved.target - m_positions.col(border.vertex)).norm();
+        if (distance * worst.reach > worst.distance * border.distance)
+            worst = {moved.vertex, border.vertex, distance, border.distance};
+    }
+    const auto is_worst = [&](const UnreachablePair& pair) {
+        return std::max(pair.vertex_a, pair.vertex_b) == std::max(worst.vertex_a, worst.vertex_b) &&
+               std::min(pair.vertex_a, pair.vertex_b) == std::min(worst.vertex_a, worst.vertex_b);
+    };
+    if (is_out_of_reach(worst) && std::ranges::none_of(pairs, is_worst)) pairs.push_back(worst);
+}
+
+bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
+    // A path pulled straight has the same ratio in all its edges, so this is the deviation nothing can avoid.
+    const bool off = !(deviation(pair.distance / pair.reach) < m_options.threshold);
+    return off && (pair.distance > pair.reach || are_joined(pair.vertex_a, pair.vertex_b));
+}
+
+std::vector<Ball> Editor::reach(int vertex) const {
+    const std::size_t place = place_of_handle(vertex);
+    measure_handle_distances();
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < m_handles.size(); ++i) {
+        const double radius = m_handle_distances[place][i];
+        if (i != place && m_handles[i].is_exact() && std::isfinite(radius))
+            balls.push_back({m_handles[i].target, radius});
+    }
+    return balls;
 }
 
 bool Editor::are_joined(int a, int b) const {
@@ -183,7 +291,7 @@ bool Editor::are_joined(int a, int b) const {
 double Editor::handle_error() const {
     double largest = 0;
     for (const Handle& handle : m_handles)
-        largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
+        if (handle.is_exact()) largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
     return largest;
 }
 

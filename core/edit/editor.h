@@ -3,12 +3,15 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "net/net.h"
 #include "net/topology.h"
+#include "edit/locality.h"
+#include "edit/reach.h"
 #include "solve/initialisation.h"
 #include "solve/method.h"
 #include "solve/options.h"
@@ -16,16 +19,20 @@
 
 namespace chebnet {
 
-/// A vertex that is held exactly at a point.
+/// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
+/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Hold).
 struct Handle {
     int vertex;
     Eigen::Vector3d target;
+    double weight = std::numeric_limits<double>::infinity();
+
+    bool is_exact() const { return weight == std::numeric_limits<double>::infinity(); }
 };
 
-/// Two handles that no net can hold: their targets are farther apart than the net between them is long.
+/// Two vertices that no net can hold: they are to stand farther apart than the net between them is long.
 struct UnreachablePair {
-    int vertex_a, vertex_b;
-    double distance;  ///< between the targets
+    int vertex_a, vertex_b;  ///< exact handles; b may also be a vertex outside the region that may move
+    double distance;  ///< between where they are to stand
     double reach;     ///< length of the shortest path along edges between the vertices
 };
 
@@ -44,30 +51,41 @@ public:
 
     const Net& net() const { return *m_net; }
     const Topology& topology() const { return *m_topology; }
-    /// 3×V, the positions held now. Handles stand exactly at their targets.
+    /// 3×V, the positions held now. Exact handles stand exactly at their targets.
     const Positions& positions() const { return m_positions; }
     const std::vector<Handle>& handles() const { return m_handles; }
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
     const std::string& initialisation() const { return m_initialisation.name(); }
 
-    /// Replaces the handles. Throws Error index_out_of_range, repeated_vertex or non_finite and then changes nothing.
+    /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite, or
+    /// bad_option for a weight out of range or one that the method does not know, and then changes nothing.
     void set_handles(std::vector<Handle> handles);
-    /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
+    /// Moves the handle at `vertex`; if there is a locality, only what is near it may move from then on. Throws Error
+    /// index_out_of_range if there is none, non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
-    /// Chooses the method by its name in method_table(). Throws Error bad_option.
+    /// How far from a handle being moved the net may move, in mean edge lengths along the net; infinity: everywhere. All
+    /// else stays exactly where it stands when the handle is moved for the first time after this call, and towards that
+    /// border the net becomes the harder to move (see Region; methods that know no holds have the border only).
+    /// Everything may move again until then. Throws Error bad_option unless radius > 0.
+    void set_locality(double radius);
+    double locality() const { return m_locality; }
+    /// Chooses the method by its name in method_table(). Throws Error bad_option, also if there are soft handles and the
+    /// method does not know any, and then changes nothing.
     void set_method(std::string_view name);
-    /// Uses a method of one's own; `name` is what method() then says.
+    /// Uses a method of one's own; `name` is what method() then says. Throws Error bad_option as above.
     void set_method(std::unique_ptr<Method> method, std::string name);
     /// Chooses what is done to the positions at the beginning of each solve, before the method starts: "naive",
     /// "arap:N" or "local_global:N" (see Initialisation). Throws Error bad_option and then changes nothing.
     void set_initialisation(std::string_view text);
     /// Throws Error bad_option and then changes nothing.
     void set_option(std::string_view key, std::string_view value);
-    /// Replaces the positions (3×V), e.g. by those of a shared scene; handles then snap to their targets.
+    /// Replaces the positions (3×V), e.g. by those of a shared scene; exact handles then snap to their targets, and
+    /// everything may move again.
     /// Throws Error index_out_of_range for a wrong size, non_finite.
     void set_positions(const Positions& positions);
-    /// Back to the rest positions; handles keep their vertices and take the rest positions as targets.
+    /// Back to the rest positions; handles keep their vertices and take the rest positions as targets. Everything may
+    /// move again.
     void reset();
 
     /// Goes on with the present solve until it ends or the budget runs out (status `running`; call again to go on).
@@ -77,19 +95,30 @@ public:
     /// the net is stretched as evenly as the first stage can and the status is `unreachable`.
     SolveReport solve(const Budget& budget = {});
 
-    /// Pairs of handles farther apart than the net allows, worst first. Necessary, not sufficient, for a net to exist.
-    /// Two handles joined by an edge whose targets are not exactly its length apart count too.
+    /// Pairs of exact handles farther apart than the net allows, worst first, and the handle being moved with the vertex
+    /// outside the region that holds it back most. Necessary, not sufficient, for no net to exist. Two handles joined by
+    /// an edge whose targets are not exactly its length apart count too.
     std::vector<UnreachablePair> unreachable_pairs() const;
-    /// Largest distance of a handle from its target at the present positions: 0 by construction.
+    /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls, one
+    /// for each other exact handle, as wide as the net between them is long. Throws Error index_out_of_range.
+    std::vector<Ball> reach(int vertex) const;
+    /// Largest distance of an exact handle from its target at the present positions: 0 by construction.
     double handle_error() const;
 
 private:
+    std::size_t place_of_handle(int vertex) const;
     void snap_handles();
     void restart() { m_running = false; }
+    void enter_region(int origin);
+    void leave_region();
+    std::vector<int> fixed_vertices() const;
+    void collect_holds();
     void prepare();
     Status begin_solve();
     void measure_handle_distances() const;
     bool are_joined(int a, int b) const;
+    bool is_out_of_reach(const UnreachablePair& pair) const;
+    void add_worst_of_border(std::vector<UnreachablePair>& pairs) const;
 
     // On the heap, so that references to them survive moving the editor.
     std::unique_ptr<const Net> m_net;
@@ -97,11 +126,14 @@ private:
     Positions m_positions;
     std::vector<Handle> m_handles;
     mutable std::vector<std::vector<double>> m_handle_distances;  // handles × handles along the net, made when needed
+    double m_locality = std::numeric_limits<double>::infinity();
+    std::optional<Region> m_region;  // none: everything may move
+    std::vector<Hold> m_holds;       // of soft handles and of the region, for the solve under way
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;
     Initialisation m_initialisation;
-    bool m_prepared = false;  // method and initialisation know the present set of handles
+    bool m_prepared = false;  // method and initialisation know which vertices are fixed
     bool m_running = false;   // a solve is under way
     bool m_reachable = true;  // as far as the handles' distances tell, for the solve under way
     int m_iterations = 0;     // of the solve under way

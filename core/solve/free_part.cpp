@@ -28,11 +28,11 @@ FreePart::FreePart(const Net& net, const std::vector<bool>& is_free)
         if (linked) m_links.col(link_count++) << a, b;
     }
     m_links.conservativeResize(2, link_count);
-    find_floating_nodes();
+    find_pieces();
 }
 
 /// By union–find over the links; a piece is held if an edge joins it to a fixed vertex.
-void FreePart::find_floating_nodes() {
+void FreePart::find_pieces() {
     std::vector<int> parent(m_vertices.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int node) {
@@ -45,6 +45,7 @@ void FreePart::find_floating_nodes() {
         if (edge.link < 0) is_held[root(std::max(edge.node_a, edge.node_b))] = true;
     for (int node = 0; node < size(); ++node)
         if (root(node) == node && !is_held[node]) m_floating_nodes.push_back(node);
+    for (int node = 0; node < size(); ++node) m_piece_of_node.push_back(root(node));
 }
 
 std::vector<int> FreePart::induced_order(const FreePart& whole, const std::vector<int>& rank_in_whole) const {

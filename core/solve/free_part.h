@@ -27,6 +27,7 @@ public:
     };
 
     const std::vector<int>& vertices() const { return m_vertices; }  ///< node → vertex
+    int node_of(int vertex) const { return m_node_of_vertex[vertex]; }  ///< −1: fixed
     int size() const { return static_cast<int>(m_vertices.size()); }
     std::span<const Edge> edges() const { return m_edges; }
     /// 2×K, the nodes of each link.
@@ -35,17 +36,19 @@ public:
     /// so that a system with anything positive added at this node is definite and has the same shape as solution, with
     /// this node at rest.
     const std::vector<int>& floating_nodes() const { return m_floating_nodes; }
+    /// The one node that stands for the piece of the net in which a node is; if the piece floats, its floating node.
+    int piece_of(int node) const { return m_piece_of_node[node]; }
     /// An order of elimination for this part (node → rank) from one for a part that contains it; saves finding one.
     std::vector<int> induced_order(const FreePart& whole, const std::vector<int>& rank_in_whole) const;
 
 private:
-    void find_floating_nodes();
+    void find_pieces();
 
     std::vector<int> m_vertices;
     std::vector<int> m_node_of_vertex;  // −1: fixed
     std::vector<Edge> m_edges;
     Eigen::Matrix2Xi m_links;
-    std::vector<int> m_floating_nodes;
+    std::vector<int> m_floating_nodes, m_piece_of_node;
 };
 
 }  // namespace chebnet

@@ -10,8 +10,8 @@
 namespace chebnet {
 
 /// Newton's method on the constraints c_e = ℓ_e / L_e − 1 = 0 by moves of least norm (Goldenthal et al. 2007, "fast
-/// projection"): d = −W Jᵀ λ with (J W Jᵀ) λ = c, where J is the Jacobian of c and W is 1 on free vertices and 0 on
-/// handles. The system has a row for each edge and couples edges that share a free vertex. Converges quadratically from
+/// projection"): d = −W Jᵀ λ with (J W Jᵀ) λ = c, where J is the Jacobian of c and W is 1 on free vertices, 0 on handles,
+/// and between on vertices that shall give way last. The system has a row for each edge and couples edges that share a free vertex. Converges quadratically from
 /// close by; from afar it crumples the net.
 ///
 /// The system is solved by conjugate gradients preconditioned with a factor of it in single precision, which is renewed
@@ -23,6 +23,8 @@ public:
 
     /// V: the vertices that may move. The old factor stays a preconditioner.
     void set_free(const std::vector<bool>& is_free);
+    /// W of one vertex that may move, 0 < mobility ≤ 1, until the next set_free().
+    void set_mobility(int vertex, double mobility) { m_weight[vertex] = mobility; }
 
     /// One projection of `positions`, 3×V. False if the system cannot be solved; then the positions stay.
     bool project(Positions& positions);
@@ -47,7 +49,7 @@ private:
     };
 
     const Net& m_net;
-    std::vector<double> m_weight;  // V: 1 free, 0 held
+    std::vector<double> m_weight;  // V: W
     std::vector<Coupling> m_couplings;
     std::vector<Entry> m_diagonal, m_off_diagonal;  // of J W Jᵀ, by edges and by couplings
     Eigen::Matrix3Xd m_jacobian;                    // column e: the gradient of c_e at its first vertex

@@ -7,6 +7,7 @@
 
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/hold.h"
 #include "solve/options.h"
 #include "solve/trace.h"
 
@@ -18,9 +19,14 @@ class Method {
 public:
     virtual ~Method() = default;
 
-    /// Does the symbolic work for a set of handle vertices (distinct, in range). Net and topology must outlive the
-    /// method.
+    /// Does the symbolic work for a set of vertices that stay where they are: exact handles, and what lies outside the
+    /// region that may move (distinct, in range). Net and topology must outlive the method.
     virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
+
+    /// Whether set_holds() is heeded.
+    virtual bool knows_holds() const { return false; }
+    /// Free vertices that the next solves pull (distinct), in place of those before. Edges come first: holds give way.
+    virtual void set_holds(std::span<const Hold>) {}
 
     /// Begins a solve at `positions` (3×V), with the handles already at their targets. May move free vertices off
     /// degenerate places. Returns `running`, or `converged` if nothing is to be done. `reachable` = false says that no

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "net/measures.h"
@@ -29,12 +30,19 @@ constexpr double k_forgetting = 0.05;
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.01;
 constexpr int k_most_spring_iterations = 150;
+// Where holds resist, they give way until they pull no more than a part of an edge's strength, each time by this factor.
+constexpr double k_yielding = 0.1;
+constexpr double k_least_pull = 1e-4;
 // Stage 3: this many projections must halve the smallest max dL so far.
 constexpr int k_patience = 2;
+
+constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
 class Projection : public Method {
 public:
     void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    bool knows_holds() const override { return true; }
+    void set_holds(std::span<const Hold> holds) override;
     Status start(Positions& positions, const Options& options, bool reachable) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
@@ -42,7 +50,12 @@ private:
     enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
     int rigid_iterations(const Positions& positions) const;
+    double largest_pull() const;
     void take_over_shape(const Positions& positions);
+    double strongest_pull() const;
+    bool can_yield() const { return strongest_pull() > k_least_pull; }
+    void yield(const Positions& positions);
+    void loosen_lengths();
     void enter(Stage stage, Positions& positions);
     Status move_rigidly(Positions& positions, TraceRow& row);
     Status relax_springs(Positions& positions, TraceRow& row);
@@ -56,12 +69,15 @@ private:
     const Topology* m_topology = nullptr;
     std::vector<int> m_handles;
     std::vector<bool> m_is_free;
+    std::vector<Hold> m_holds;
     std::unique_ptr<LaplacianPart> m_part;
     std::unique_ptr<ArapStep> m_arap;
     std::unique_ptr<SpringDescent> m_springs;
     std::unique_ptr<LengthProjection> m_lengths;  // for the net, whatever the handles
     std::unique_ptr<Method> m_newton;
     bool m_newton_prepared = false;
+    double m_yield = 1;      // part of their weights with which the holds pull in stages 2 and 3
+    double m_pulled = 0;     // how far the targets of holds have moved since stage 1 has heeded them
 
     Options m_options;
     bool m_reachable = true;
@@ -87,10 +103,20 @@ void Projection::prepare(const Net& net, const Topology& topology, std::span<con
     m_part = std::make_unique<LaplacianPart>(net, m_is_free);
     m_arap = std::make_unique<ArapStep>(*m_part);
     m_springs = std::make_unique<SpringDescent>(*m_part);
-    if (m_lengths) m_lengths->set_free(m_is_free);
     m_newton = make_gauss_newton();
     m_newton_prepared = false;
     m_shape.resize(3, 0);
+}
+
+void Projection::set_holds(std::span<const Hold> holds) {
+    const auto same = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
+    const std::span<const Hold> before = m_holds;
+    if (!std::equal(before.begin(), before.end(), holds.begin(), holds.end(), same))
+        m_pulled = k_unknown;
+    else
+        for (std::size_t i = 0; i < holds.size(); ++i)
+            m_pulled = std::max(m_pulled, (holds[i].target - before[i].target).norm());
+    m_holds.assign(holds.begin(), holds.end());
 }
 
 Status Projection::start(Positions& positions, const Options& options, bool reachable) {
@@ -99,12 +125,16 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
+    if (m_pulled == k_unknown) m_pulled = largest_pull();
     m_result = positions;
-    if (m_max_deviation < options.threshold) return Status::converged;
+    if (m_max_deviation < options.threshold && m_pulled == 0) return Status::converged;
     if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
     m_round = 0;
     m_springs_left = k_most_spring_iterations;
+    m_yield = 1;
+    m_part->scale_holds(1);
+    m_part->set_holds(m_holds);
     enter(rigid, positions);
     return Status::running;
 }
@@ -123,8 +153,15 @@ void Projection::take_over_shape(const Positions& positions) {
     for (int v : m_handles) m_shape.col(v) = positions.col(v);
 }
 
+double Projection::largest_pull() const {
+    double largest = 0;
+    for (const Hold& hold : m_holds)
+        largest = std::max(largest, (hold.target - m_shape_before.col(hold.vertex)).norm());
+    return largest;
+}
+
 int Projection::rigid_iterations(const Positions& positions) const {
-    double jump = 0;
+    double jump = m_pulled;
     for (int v : m_handles) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
     const double iterations = k_least_rigid_iterations + std::floor(jump / m_net->mean_length());
     return static_cast<int>(std::min<double>(iterations, k_most_rigid_iterations));
@@ -137,16 +174,13 @@ void Projection::enter(Stage stage, Positions& positions) {
             m_left = rigid_iterations(positions);
             break;
         case springs:
-            if (m_round == 0) m_springs->start(positions);
+            if (m_round == 0) m_springs->start(positions, m_shape);
             break;
         case exact:
             m_left = k_patience;
             m_smooth = positions;
             m_best = m_smooth_deviation = m_max_deviation;
-            if (!m_lengths) {
-                m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
-                m_lengths->set_free(m_is_free);
-            }
+            loosen_lengths();
             break;
         case newton:
             if (!m_newton_prepared) m_newton->prepare(*m_net, *m_topology, m_handles);
@@ -154,6 +188,27 @@ void Projection::enter(Stage stage, Positions& positions) {
             m_newton->start(positions, m_options, m_reachable);
             break;
     }
+}
+
+double Projection::strongest_pull() const {
+    double strongest = 0;
+    for (const Hold& hold : m_part->holds()) strongest = std::max(strongest, hold.weight);
+    return strongest;
+}
+
+/// Lets the holds pull less: what is left of them decides among nets with exact lengths, which is all they may.
+void Projection::yield(const Positions& positions) {
+    m_yield *= k_yielding / std::max(1.0, strongest_pull());
+    m_part->scale_holds(m_yield);
+    m_springs_left = k_most_spring_iterations;
+    m_springs->start(positions, m_shape);
+}
+
+/// Moves of stage 3 are measured in the metric 1 + w, so that holds give way last.
+void Projection::loosen_lengths() {
+    if (!m_lengths) m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
+    m_lengths->set_free(m_is_free);
+    for (const Hold& hold : m_part->holds()) m_lengths->set_mobility(hold.vertex, 1 / (1 + hold.weight));
 }
 
 Status Projection::iterate(Positions& positions, TraceRow& row) {
@@ -184,8 +239,12 @@ Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
         const Eigen::Vector3d moved = positions.col(v) + m_shape.col(v) - m_shape_before.col(v);
         positions.col(v) = moved + k_forgetting * (m_shape.col(v) - moved);
     }
-    if (measure(positions)) return Status::converged;
-    if (--m_left == 0) enter(springs, positions);
+    const bool done = measure(positions);
+    if (done && m_pulled == 0) return Status::converged;
+    if (--m_left > 0) return Status::running;
+    m_pulled = 0;
+    if (done) return Status::converged;
+    enter(springs, positions);
     return Status::running;
 }
 
@@ -197,10 +256,15 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
     row.energy = m_springs->energy() / (unit * unit);
     row.step = m_springs->step();
     if (measure(positions)) return Status::converged;
-    const bool settled = !moved || has_settled(m_options, m_reachable, energy_before, row.energy, row.gradient_norm);
+    const bool to_the_end = m_reachable && !can_yield();
+    const bool settled = !moved || has_settled(m_options, to_the_end, energy_before, row.energy, row.gradient_norm);
     if (!m_reachable) return settled ? Status::unreachable : Status::running;
+    const bool near = is_near();
     m_springs_left = settled ? 0 : m_springs_left - 1;
-    if (m_springs_left == 0 || is_near()) enter(exact, positions);
+    if (m_springs_left == 0 && !near && can_yield())
+        yield(positions);
+    else if (m_springs_left == 0 || near)
+        enter(exact, positions);
     return Status::running;
 }
 

@@ -16,8 +16,11 @@ namespace chebnet {
 ///      does not come closer, the net goes back and becomes smoother first, once by stage 2 and then by
 ///   4  Gauss–Newton steps (gauss_newton), each as costly as one of the paper's, which go on to the end if need be.
 ///
-/// Stages 1 to 3 use two systems of fixed pattern: the net's Laplacian, factored once for a set of handles, and the
-/// projection's, analysed once for a net. They allocate nothing once they have run.
+/// Holds pull the copy in stage 1, which so decides where they are to be; the net's are drawn there by springs of their
+/// own, which become weaker where lengths and holds cannot agree, and give way last in stage 3. Stage 4 ignores them.
+///
+/// Stages 1 to 3 use two systems of fixed pattern: the net's Laplacian, factored once for a set of handles and weights
+/// of holds, and the projection's, analysed once for a net. They allocate nothing once they have run.
 std::unique_ptr<Method> make_projection();
 
 }  // namespace chebnet

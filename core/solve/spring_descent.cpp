@@ -16,7 +16,8 @@ SpringDescent::SpringDescent(LaplacianPart& part)
       m_direction(4, part.part().size()),
       m_gradient_change(4, part.part().size()) {}
 
-void SpringDescent::start(const Positions& positions) {
+void SpringDescent::start(const Positions& positions, const Positions& centres) {
+    m_centres = &centres;
     m_history.clear();
     m_energy = evaluate(positions, m_gradient);
 }
@@ -63,6 +64,11 @@ double SpringDescent::evaluate(const Positions& positions, Eigen::Matrix4Xd& gra
         const Eigen::Vector3d force = 2 * off / length * d;
         if (edge.node_a >= 0) gradient.col(edge.node_a).head<3>() += force;
         if (edge.node_b >= 0) gradient.col(edge.node_b).head<3>() -= force;
+    }
+    for (const Hold& hold : m_part.holds()) {
+        const Eigen::Vector3d off = positions.col(hold.vertex) - m_centres->col(hold.vertex);
+        energy += hold.weight * off.squaredNorm();
+        gradient.col(m_part.part().node_of(hold.vertex)).head<3>() += 2 * hold.weight * off;
     }
     return energy;
 }

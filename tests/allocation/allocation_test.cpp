@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <span>
 
 #include "net/measures.h"
 #include "shapes/shapes.h"
@@ -52,8 +53,8 @@ struct Frames {
     bool converged = true;
 };
 
-/// Drags the last of a shape's handles to and fro on a circle that ends where it began.
-Frames drag(Method& method, const Shape& shape, Positions& positions, int count) {
+/// Drags the last of a shape's handles to and fro on a circle that ends where it began; a hold stays where it is.
+Frames drag(Method& method, const Shape& shape, Positions& positions, int count, std::span<const Hold> holds = {}) {
     Frames frames;
     const int dragged = shape.suggested_handles.back();
     const Eigen::Vector3d rest = shape.net.rest_positions().col(dragged);
@@ -62,6 +63,7 @@ Frames drag(Method& method, const Shape& shape, Positions& positions, int count)
     for (int frame = 1; frame <= count; ++frame) {
         const double angle = 6.283185307179586 * frame / count;
         positions.col(dragged) = rest + radius * Eigen::Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
+        method.set_holds(holds);
         Status status = method.start(positions, Options{}, true);
         for (int k = 0; k < 200 && status == Status::running; ++k) {
             TraceRow row;
@@ -97,5 +99,14 @@ int main() {
     check(again.stages_seen == 0b1110, "it goes through stages 1, 2 and 3");
     check(again.allocations == 0, "its " + std::to_string(again.iterations) + " iterations allocate nothing (counted " +
                                       std::to_string(again.allocations) + ")");
+
+    // Pulled to where the drag cannot let it stay, the hold gives way in each frame.
+    const int held = shape.net.vertex_count() / 2;
+    const Hold hold{held, positions.col(held) + 5 * shape.net.mean_length() * Eigen::Vector3d::UnitX(), 1};
+    drag(*method, shape, positions, 20, {&hold, 1});
+    const Frames soft = drag(*method, shape, positions, 40, {&hold, 1});
+    check(soft.converged, "every frame of a drag against a hold converges");
+    check(soft.allocations == 0, "its " + std::to_string(soft.iterations) + " iterations allocate nothing (counted " +
+                                     std::to_string(soft.allocations) + ")");
     return failures == 0 ? 0 : 1;
 }

@@ -94,7 +94,7 @@ TEST_CASE("The first step of the spring descent is a local-global iteration, and
     LaplacianPart part(net, free_vertices(net.vertex_count(), std::vector<int>{0, 7, 55}));
     Positions x = samples::shaken(net.rest_positions(), 0.2, random), y = x;
     SpringDescent springs(part);
-    springs.start(x);
+    springs.start(x, x);
     LocalGlobalStep local_global(part);
     const double start = springs.energy();
     REQUIRE(springs.iterate(x));

@@ -129,9 +129,9 @@ std::vector<Handle> more_handles(const Net& net, const std::vector<Handle>& few,
 }
 
 void shorten(const Net& net, std::vector<Handle>& handles, double amount) {
-    for (auto& [vertex, target] : handles) {
-        const Eigen::Vector3d rest = net.rest_positions().col(vertex);
-        target = rest + amount * (target - rest);
+    for (Handle& handle : handles) {
+        const Eigen::Vector3d rest = net.rest_positions().col(handle.vertex);
+        handle.target = rest + amount * (handle.target - rest);
     }
 }
 

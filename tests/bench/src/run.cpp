@@ -42,9 +42,9 @@ void drag(Editor& editor, const Variant& variant, Run& result) {
     editor.reset();
     for (int frame = 1; frame <= variant.frames; ++frame) {
         if (variant.frame_start == FrameStart::rest) editor.reset();
-        for (const auto& [vertex, target] : goal) {
-            const Eigen::Vector3d rest = editor.net().rest_positions().col(vertex);
-            editor.move_handle(vertex, rest + (target - rest) * frame / variant.frames);
+        for (const Handle& handle : goal) {
+            const Eigen::Vector3d rest = editor.net().rest_positions().col(handle.vertex);
+            editor.move_handle(handle.vertex, rest + (handle.target - rest) * frame / variant.frames);
         }
         add_frame(editor, editor.solve(), frame, result);
     }

@@ -39,9 +39,9 @@ Editor at_rest(const Task& task, const std::string& method) {
 }
 
 void move_handles(const Task& task, double part, Editor& editor) {
-    for (const auto& [vertex, target] : task.handles) {
-        const Eigen::Vector3d rest = editor.net().rest_positions().col(vertex);
-        editor.move_handle(vertex, rest + part * (target - rest));
+    for (const Handle& handle : task.handles) {
+        const Eigen::Vector3d rest = editor.net().rest_positions().col(handle.vertex);
+        editor.move_handle(handle.vertex, rest + part * (handle.target - rest));
     }
 }
 

@@ -77,8 +77,8 @@ std::vector<Wish> chosen_wishes(const PlanArguments& arguments) {
 
 Json handles_json(const std::vector<Handle>& handles) {
     Json list = Json::array();
-    for (const auto& [vertex, target] : handles)
-        list.push_back({{"vertex", vertex}, {"target", {target[0], target[1], target[2]}}});
+    for (const Handle& handle : handles)
+        list.push_back({{"vertex", handle.vertex}, {"target", {handle.target[0], handle.target[1], handle.target[2]}}});
     return list;
 }
 

@@ -1,0 +1,154 @@
+#include "edit/locality.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "edit/editor.h"
+#include "net/error.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "shapes/shapes.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr double k_everything = std::numeric_limits<double>::infinity();
+
+Editor elephant(double locality) {
+    Shape shape = make_shape("elephant:vertices=1500");
+    Editor editor(std::move(shape.net));
+    editor.set_handles(samples::handles_at_rest(editor.net(), shape.suggested_handles));
+    editor.set_locality(locality);
+    return editor;
+}
+
+/// Moves the last handle up by so many edge lengths in small steps; the worst status of all frames.
+Status lift(Editor& editor, double edge_lengths) {
+    const Handle handle = editor.handles().back();
+    Status worst = Status::converged;
+    for (int frame = 1; frame <= 10; ++frame) {
+        const double height = frame / 10.0 * edge_lengths * editor.net().mean_length();
+        editor.move_handle(handle.vertex, handle.target + height * Eigen::Vector3d::UnitZ());
+        const Status status = editor.solve().status;
+        if (status != Status::converged) worst = status;
+    }
+    return worst;
+}
+
+/// How far along the net from the last handle, in edge lengths, the farthest vertex is that is not where it was.
+double farthest_moved(const Editor& editor, const Positions& before) {
+    const std::vector<double> distance = editor.topology().distances_from(editor.handles().back().vertex);
+    double farthest = 0;
+    for (int v = 0; v < editor.net().vertex_count(); ++v)
+        if (editor.positions().col(v) != before.col(v)) farthest = std::max(farthest, distance[v]);
+    return farthest / editor.net().mean_length();
+}
+
+}  // namespace
+
+TEST_CASE("A region is what lies within its radius, held the more the closer to its border") {
+    const Net net = samples::patch(21, 21, 0);
+    const Topology topology(net);
+    const Region region = region_around(net, topology, net.rest_positions(), 220, 8);
+    const std::vector<double> distance = topology.distances_from(220);
+    CHECK(std::ranges::is_sorted(region.outside));
+    for (int v : region.outside) CHECK(distance[v] >= 8 - 1e-6);
+    CHECK(region.outside.size() == 21 * 21 - 113u);  // 1 + 4 · (1 + … + 7)
+    CHECK(region.border.size() == 32);
+    for (const Region::BorderVertex& border : region.border) CHECK(border.distance == Approx(8));
+
+    std::vector<double> weight_at(8, 0);
+    for (const Hold& hold : region.holds) {
+        CHECK(hold.target == net.rest_positions().col(hold.vertex));
+        weight_at[std::lround(distance[hold.vertex])] = hold.weight;
+    }
+    for (int d = 0; d <= 4; ++d) CHECK(weight_at[d] == 0);
+    for (int d = 5; d < 8; ++d) CHECK(weight_at[d] > weight_at[d - 1]);
+}
+
+TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and every edge keeps its length") {
+    const double radius = GENERATE(8.0, 16.0);
+    Editor editor = elephant(radius);
+    const Positions before = editor.positions();
+    CHECK(lift(editor, 1.5) == Status::converged);
+    CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
+    CHECK(farthest_moved(editor, before) < radius);
+    CHECK(farthest_moved(editor, before) > radius / 2);
+    // The border is no handle: it can be anywhere.
+    CHECK(editor.handle_error() == 0);
+}
+
+TEST_CASE("Without a limit, locality changes nothing") {
+    Editor plain = elephant(k_everything), wide = elephant(5);
+    wide.set_locality(k_everything);
+    CHECK(lift(plain, 2) == Status::converged);
+    CHECK(lift(wide, 2) == Status::converged);
+    CHECK(plain.positions() == wide.positions());
+}
+
+TEST_CASE("A region too small for the drag ends as an honest status, and only it has moved") {
+    Editor editor = elephant(4);
+    const Positions before = editor.positions();
+    CHECK(lift(editor, 6) == Status::unreachable);
+    CHECK(editor.positions().allFinite());
+    CHECK(editor.handle_error() == 0);
+    CHECK(farthest_moved(editor, before) < 4);
+    const std::vector<UnreachablePair> pairs = editor.unreachable_pairs();
+    REQUIRE_FALSE(pairs.empty());
+    CHECK(pairs.back().vertex_a == editor.handles().back().vertex);
+    CHECK(pairs.back().distance > pairs.back().reach);
+    CHECK(lift(editor, -6) == Status::unreachable);  // on its way
+    CHECK(editor.unreachable_pairs().empty());
+    CHECK(editor.solve().status == Status::converged);
+}
+
+TEST_CASE("Every method keeps to the locality") {
+    for (const MethodInfo& method : method_table()) {
+        CAPTURE(method.name);
+        Editor editor = elephant(8);
+        editor.set_method(method.name);
+        editor.set_option("max_iterations", "5");
+        const Positions before = editor.positions();
+        lift(editor, 1);
+        CHECK(editor.positions().allFinite());
+        CHECK(farthest_moved(editor, before) < 8);
+    }
+}
+
+TEST_CASE("The region is where the net stands when the handle is moved first; other edits end it") {
+    Editor editor = elephant(12);
+    CHECK(lift(editor, 1) == Status::converged);
+    const Positions once = editor.positions();
+    editor.set_locality(8);  // as a second drag begins
+    CHECK(lift(editor, 1) == Status::converged);
+    CHECK(farthest_moved(editor, once) < 8);
+
+    std::vector<Handle> handles = editor.handles();
+    handles.front().target += 0.5 * editor.net().mean_length() * Eigen::Vector3d::UnitX();
+    const Positions twice = editor.positions();
+    editor.set_handles(handles);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(farthest_moved(editor, twice) > 8);
+}
+
+TEST_CASE("Soft handles within a region pull, those beyond it stay") {
+    Editor editor = elephant(10);
+    std::vector<Handle> handles = editor.handles();
+    for (Handle& handle : handles) handle.weight = 1;
+    handles.back().weight = 50;
+    editor.set_handles(handles);
+    REQUIRE(editor.solve().status == Status::converged);
+    const Positions before = editor.positions();
+    CHECK(lift(editor, 1) == Status::converged);
+    CHECK(farthest_moved(editor, before) > 0);
+    CHECK(farthest_moved(editor, before) < 10);
+}
+
+TEST_CASE("A locality that is no length is refused") {
+    Editor editor = elephant(7);
+    for (const double radius : {0.0, -1.0, std::nan("")}) CHECK_THROWS_AS(editor.set_locality(radius), Error);
+    CHECK(editor.locality() == 7);
+}

@@ -1,0 +1,228 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "edit/editor.h"
+#include "net/error.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "shapes/shapes.h"
+#include "solve/laplacian_part.h"
+#include "solve/projection.h"
+#include "solve/spring_descent.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr double k_exact = std::numeric_limits<double>::infinity();
+const Eigen::Vector3d k_pull(-1.5, -1.0, 2.0);
+
+/// A patch held at three corners; its fourth, 179, pulls with a weight.
+Editor softly_held_patch(double weight) {
+    Editor editor(samples::patch(15, 12));
+    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 14, 165, 179});
+    handles.back().weight = weight;
+    editor.set_handles(handles);
+    return editor;
+}
+
+double distance_from_target(const Editor& editor, const Handle& handle) {
+    return (editor.positions().col(handle.vertex) - handle.target).norm();
+}
+
+/// Moves the last handle by `pull` in small steps.
+void drag(Editor& editor, const Eigen::Vector3d& pull) {
+    const int vertex = editor.handles().back().vertex;
+    const Eigen::Vector3d from = editor.handles().back().target;
+    for (int frame = 1; frame <= 20; ++frame) {
+        editor.move_handle(vertex, from + frame / 20.0 * pull);
+        REQUIRE(editor.solve().status == Status::converged);
+    }
+}
+
+ErrorCode code_of_weight(double weight) {
+    try {
+        softly_held_patch(weight);
+    } catch (const Error& error) {
+        return error.code();
+    }
+    FAIL("nothing was refused");
+    return {};
+}
+
+/// The projection method, counting how often the symbolic work is done.
+class CountingProjection : public Method {
+public:
+    explicit CountingProjection(int& prepared) : m_prepared(prepared) {}
+    void prepare(const Net& net, const Topology& topology, std::span<const int> fixed) override {
+        ++m_prepared;
+        m_method->prepare(net, topology, fixed);
+    }
+    bool knows_holds() const override { return true; }
+    void set_holds(std::span<const Hold> holds) override { m_method->set_holds(holds); }
+    Status start(Positions& x, const Options& options, bool reachable) override {
+        return m_method->start(x, options, reachable);
+    }
+    Status iterate(Positions& x, TraceRow& row) override { return m_method->iterate(x, row); }
+
+private:
+    int& m_prepared;
+    std::unique_ptr<Method> m_method = make_projection();
+};
+
+/// The norm of the gradient by central differences, over the free vertices.
+template <typename Energy>
+double differentiated(Energy energy, const Positions& at, const std::vector<int>& vertices) {
+    const double h = 1e-6;
+    double sum = 0;
+    for (int v : vertices)
+        for (int axis = 0; axis < 3; ++axis) {
+            Positions above = at, below = at;
+            above(axis, v) += h;
+            below(axis, v) -= h;
+            const double slope = (energy(above) - energy(below)) / (2 * h);
+            sum += slope * slope;
+        }
+    return std::sqrt(sum);
+}
+
+}  // namespace
+
+TEST_CASE("The heavier a soft handle, the closer it comes to its target, and every edge keeps its length") {
+    double last = k_pull.norm();
+    for (const double weight : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+        CAPTURE(weight);
+        Editor editor = softly_held_patch(weight);
+        drag(editor, k_pull);
+        const double distance = distance_from_target(editor, editor.handles().back());
+        CHECK(distance < last);
+        CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
+        CHECK(editor.handle_error() == 0);
+        last = distance;
+    }
+    CHECK(last < 0.01);
+}
+
+TEST_CASE("The limit of weights is the exact handle") {
+    Editor exact = softly_held_patch(k_exact), heavy = softly_held_patch(1e6);
+    drag(exact, k_pull);
+    drag(heavy, k_pull);
+    CHECK(distance_from_target(heavy, heavy.handles().back()) < 1e-4);
+    CHECK((heavy.positions() - exact.positions()).colwise().norm().maxCoeff() < 0.1 * k_pull.norm());
+    CHECK(bend(heavy.net(), heavy.topology(), heavy.positions()) ==
+          Approx(bend(exact.net(), exact.topology(), exact.positions())).epsilon(0.1));
+}
+
+TEST_CASE("A soft handle with hardly any weight does not move the net") {
+    Editor editor = softly_held_patch(1e-9);
+    editor.move_handle(179, editor.net().rest_positions().col(179) + k_pull);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - editor.net().rest_positions()).colwise().norm().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("Two soft handles that pull too far apart end balanced on a taut net") {
+    const double weight = GENERATE(1.0, 100.0, 1e6);
+    CAPTURE(weight);
+    Editor editor(samples::patch(15, 12));
+    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 179});
+    const Eigen::Vector3d apart = 15 * (handles[1].target - handles[0].target).normalized();
+    handles[0].target -= apart;
+    handles[1].target += apart;
+    for (Handle& handle : handles) handle.weight = weight;
+    editor.set_handles(handles);
+    CHECK(editor.unreachable_pairs().empty());
+    REQUIRE(editor.solve().status == Status::converged);
+    CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
+
+    const Eigen::Vector3d a = editor.positions().col(0), b = editor.positions().col(179);
+    const Eigen::Vector3d pull_a = handles[0].target - a, pull_b = handles[1].target - b;
+    CHECK((pull_a + pull_b).norm() < 1e-3 * pull_a.norm());
+    const double reach = editor.topology().distances_from(0)[179];
+    CHECK((a - b).norm() > 0.99 * reach);
+    CHECK((a - b).norm() <= (1 + 1e-3) * reach);
+}
+
+TEST_CASE("Where soft handles and exact ones disagree, the exact ones and the edges win") {
+    Editor editor = softly_held_patch(10);
+    editor.move_handle(179, {100, 0, 0});
+    CHECK(editor.unreachable_pairs().empty());
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(editor.handle_error() == 0);
+    editor.move_handle(179, editor.net().rest_positions().col(179));
+    CHECK(editor.solve().status == Status::converged);
+}
+
+TEST_CASE("A soft handle gives way to an exact one that is dragged, and every frame is exact") {
+    Shape shape = make_shape("dome:vertices=600");
+    Editor editor(std::move(shape.net));
+    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), shape.suggested_handles);
+    for (std::size_t i = 0; i + 1 < handles.size(); ++i) handles[i].weight = 1;
+    editor.set_handles(handles);
+    drag(editor, Eigen::Vector3d(0, 0, 10 * editor.net().mean_length()));
+    CHECK(distance_from_target(editor, handles.front()) > 0);
+}
+
+TEST_CASE("Weights and targets of soft handles keep the symbolic work; softening a handle renews it") {
+    int prepared = 0;
+    Editor editor = softly_held_patch(1);
+    editor.set_method(std::make_unique<CountingProjection>(prepared), "counted");
+    editor.solve();
+    std::vector<Handle> handles = editor.handles();
+    handles.back().weight = 5;
+    handles.back().target += k_pull;
+    editor.set_handles(handles);
+    CHECK(editor.solve().iterations > 0);
+    CHECK(prepared == 1);
+    handles.front().weight = 5;
+    editor.set_handles(handles);
+    editor.solve();
+    CHECK(prepared == 2);
+    CHECK(editor.solve().iterations == 0);
+}
+
+TEST_CASE("Weights out of range, and methods that know none, are refused by name") {
+    for (const double weight : {0.0, -1.0, std::nan("")}) CHECK(code_of_weight(weight) == ErrorCode::bad_option);
+    Editor soft = softly_held_patch(1);
+    CHECK_THROWS_WITH(soft.set_method("li2022"), Catch::Contains("li2022") && Catch::Contains("179"));
+    CHECK(soft.method() == k_default_method);
+    Editor exact = softly_held_patch(k_exact);
+    exact.set_method("li2022");
+    CHECK_THROWS_WITH(exact.set_handles(soft.handles()), Catch::Contains("li2022"));
+    CHECK(exact.handles().back().is_exact());
+}
+
+TEST_CASE("The gradients of holds are those of their energies, and a fit is the minimum") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = samples::patch(5, 4);
+    const bool floating = GENERATE(false, true);
+    LaplacianPart part(net, free_vertices(net.vertex_count(), floating ? std::vector<int>{} : std::vector<int>{0, 4}));
+    const std::vector<Hold> holds{{7, {1, 2, 3}, 0.5}, {12, {0, -1, 2}, 20}};
+    part.set_holds(holds);
+    Positions x = samples::shaken(net.rest_positions(), 0.2, random);
+    const Positions centres = samples::shaken(x, 1, random);
+
+    SpringDescent springs(part);
+    const auto springs_energy = [&](const Positions& at) {
+        springs.start(at, centres);
+        return springs.energy();
+    };
+    const double by_differences = differentiated(springs_energy, x, part.part().vertices());
+    springs_energy(x);
+    CHECK(springs.gradient_norm() == Approx(by_differences).epsilon(1e-5));
+
+    const Eigen::Matrix3Xd vectors = Eigen::Matrix3Xd::Random(3, net.edge_count());
+    const auto fit_energy = [&](const Positions& at) {
+        double sum = 0;
+        for (int e = 0; e < net.edge_count(); ++e)
+            sum += (at.col(net.edges()(0, e)) - at.col(net.edges()(1, e)) - vectors.col(e)).squaredNorm();
+        for (const Hold& hold : holds) sum += hold.weight * (at.col(hold.vertex) - hold.target).squaredNorm();
+        return sum;
+    };
+    const double slope = differentiated(fit_energy, x, part.part().vertices());
+    CHECK(part.fit(vectors, x) == Approx(slope).epsilon(1e-5));
+    CHECK(part.fit(vectors, x) < 1e-4 * slope);  // single precision
+}
