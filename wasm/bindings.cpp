@@ -168,14 +168,38 @@ val handle_targets(const Session& session) {
     return copy_out(targets);
 }
 
-/// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n.
-void set_handles(Session& session, val vertices, val targets) {
+val handle_weights(const Session& session) {
+    std::vector<double> weights;
+    for (const Handle& handle : session.editor.handles()) weights.push_back(handle.weight);
+    return copy_out(weights);
+}
+
+/// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n, `weights`: a Float64Array of n.
+void set_handles(Session& session, val vertices, val targets, val weights) {
     const auto vertex = emscripten::convertJSArrayToNumberVector<int>(vertices);
     const auto target = emscripten::convertJSArrayToNumberVector<double>(targets);
+    const auto weight = emscripten::convertJSArrayToNumberVector<double>(weights);
     std::vector<Handle> handles;
     for (std::size_t i = 0; i < vertex.size(); ++i)
-        handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2])});
+        handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2]), weight[i]});
     session.editor.set_handles(std::move(handles));
+}
+
+/// `origins`: an Int32Array.
+void set_locality(Session& session, double radius, val origins) {
+    session.editor.set_locality(radius, emscripten::convertJSArrayToNumberVector<int>(origins));
+}
+
+/// 4 numbers a ball: the centre, then the radius.
+val reach(const Session& session, int vertex) {
+    std::vector<double> numbers;
+    for (const Ball& ball : session.editor.reach(vertex))
+        numbers.insert(numbers.end(), {ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
+    return copy_out(numbers);
+}
+
+val distances(const Session& session, val origins) {
+    return copy_out(session.editor.distances_from(emscripten::convertJSArrayToNumberVector<int>(origins)));
 }
 
 void move_handle(Session& session, int vertex, double x, double y, double z) {
@@ -279,7 +303,11 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("setOption", guarded<&set_option>)
         .function("handleVertices", guarded<&handle_vertices>)
         .function("handleTargets", guarded<&handle_targets>)
+        .function("handleWeights", guarded<&handle_weights>)
         .function("setHandles", guarded<&set_handles>)
+        .function("setLocality", guarded<&set_locality>)
+        .function("reach", guarded<&reach>)
+        .function("distances", guarded<&distances>)
         .function("moveHandle", guarded<&move_handle>)
         .function("setPositions", guarded<&set_positions>)
         .function("solve", guarded<&solve>)

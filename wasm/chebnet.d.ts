@@ -69,6 +69,14 @@ export interface NetInfo {
 export interface Handle {
   vertex: number;
   target: [number, number, number];
+  /** Above 0: a soft handle, which pulls with this weight beside that of an edge; without one the target is kept exactly. */
+  weight?: number;
+}
+
+/** All points as near to a centre as this. */
+export interface Ball {
+  centre: [number, number, number];
+  radius: number;
 }
 
 export interface UnreachablePair {
@@ -181,6 +189,13 @@ export interface Editor {
   setHandles(handles: readonly Handle[]): void;
   moveHandle(vertex: number, target: readonly [number, number, number]): void;
 
+  /** From now on only what lies within `radius` edge lengths of the `origins`, along the net, may move; Infinity: everything. */
+  setLocality(radius: number, origins: readonly number[]): void;
+  /** Where the other exact handles let the handle at `vertex` be moved: the points in all these balls. */
+  reach(vertex: number): Ball[];
+  /** Length of the shortest path along edges from each vertex to the nearest of the `origins`; Infinity where there is none. */
+  distances(origins: readonly number[]): Float64Array;
+
   /** Goes on with the present solve until it ends or the budget runs out (`running`). */
   solve(budget?: Budget): SolveReport;
   /** Back to rest; handles keep their vertices and take the rest positions as targets. */
@@ -196,7 +211,7 @@ export interface Editor {
   bend(): number;
   /** The smallest angle at a face corner, in radians. */
   smallestAngle(): number;
-  /** Largest distance of a handle from its target: 0 by construction. */
+  /** Largest distance of an exact handle from its target: 0 by construction. */
   handleError(): number;
   /** Pairs of handles that no net can hold, worst first. */
   unreachablePairs(): UnreachablePair[];

@@ -39,7 +39,13 @@ export interface Session {
   setOption(name: string, value: string): void;
   handleVertices(): Int32Array;
   handleTargets(): Float64Array;
-  setHandles(vertices: Int32Array, targets: Float64Array): void;
+  /** Infinity: exact. */
+  handleWeights(): Float64Array;
+  setHandles(vertices: Int32Array, targets: Float64Array, weights: Float64Array): void;
+  setLocality(radius: number, origins: Int32Array): void;
+  /** 4 numbers a ball: the centre, then the radius. */
+  reach(vertex: number): Float64Array;
+  distances(origins: Int32Array): Float64Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
   setPositions(positions: Float64Array): void;
   solve(iterations: number, milliseconds: number): CoreReport;

@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Ball, Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -62,6 +62,12 @@ function integer(value, what, smallest, largest) {
   if (typeof value !== 'number' || !Number.isInteger(value) || value < smallest || value > largest) {
     throw failure('bad_option', `${what} must be an integer, ${smallest} … ${largest}, not ${shown(value)}`);
   }
+  return value;
+}
+
+/** @param {unknown} value @param {string} what @returns {number} */
+function size(value, what) {
+  if (typeof value !== 'number') throw failure('bad_option', `${what} must be a number above 0, not ${shown(value)}`);
   return value;
 }
 
@@ -174,9 +180,11 @@ class WasmEditor {
   handles() {
     const vertices = this.#open.handleVertices();
     const targets = this.#open.handleTargets();
+    const weights = this.#open.handleWeights();
     return Array.from(vertices, (vertex, i) => ({
       vertex,
       target: point(Array.from(targets.subarray(3 * i, 3 * i + 3)), vertex),
+      ...(weights[i] === Infinity ? {} : { weight: weights[i] ?? 0 }),
     }));
   }
 
@@ -185,7 +193,27 @@ class WasmEditor {
     if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
     const vertices = handles.map((handle) => vertexNumber(handle?.vertex));
     const targets = handles.flatMap((handle) => point(handle.target, handle.vertex));
-    this.#open.setHandles(Int32Array.from(vertices), Float64Array.from(targets));
+    const weights = handles.map(({ weight = Infinity }) => size(weight, 'the weight of a handle'));
+    this.#open.setHandles(Int32Array.from(vertices), Float64Array.from(targets), Float64Array.from(weights));
+  }
+
+  /** @param {number} radius @param {readonly number[]} origins */
+  setLocality(radius, origins) {
+    this.#open.setLocality(size(radius, 'a locality'), Int32Array.from(origins, vertexNumber));
+  }
+
+  /** @param {number} vertex @returns {Ball[]} */
+  reach(vertex) {
+    const flat = this.#open.reach(vertexNumber(vertex));
+    return Array.from({ length: flat.length / 4 }, (_, i) => ({
+      centre: point(Array.from(flat.subarray(4 * i, 4 * i + 3)), vertex),
+      radius: flat[4 * i + 3] ?? 0,
+    }));
+  }
+
+  /** @param {readonly number[]} origins */
+  distances(origins) {
+    return this.#open.distances(Int32Array.from(origins, vertexNumber));
   }
 
   /** @param {number} vertex @param {readonly [number, number, number]} target */

@@ -17,13 +17,17 @@ void check_target(int vertex, const Eigen::Vector3d& target) {
         throw Error(ErrorCode::non_finite, "the target of handle " + std::to_string(vertex) + " is not finite");
 }
 
+void check_vertex(const Net& net, int vertex, const char* what) {
+    if (vertex < 0 || vertex >= net.vertex_count())
+        throw Error(ErrorCode::index_out_of_range, std::string(what) + " names vertex " + std::to_string(vertex) +
+                                                       ", but vertices go from 0 to " +
+                                                       std::to_string(net.vertex_count() - 1));
+}
+
 void check_handles(const Net& net, const std::vector<Handle>& handles) {
     std::vector<bool> held(static_cast<std::size_t>(net.vertex_count()), false);
     for (const Handle& handle : handles) {
-        if (handle.vertex < 0 || handle.vertex >= net.vertex_count())
-            throw Error(ErrorCode::index_out_of_range, "a handle names vertex " + std::to_string(handle.vertex) +
-                                                           ", but vertices go from 0 to " +
-                                                           std::to_string(net.vertex_count() - 1));
+        check_vertex(net, handle.vertex, "a handle");
         if (held[handle.vertex])
             throw Error(ErrorCode::repeated_vertex, "two handles hold vertex " + std::to_string(handle.vertex));
         held[handle.vertex] = true;
@@ -35,7 +39,7 @@ void check_handles(const Net& net, const std::vector<Handle>& handles) {
 }
 
 void check_softness(const std::vector<Handle>& handles, const Method& method, const std::string& name) {
-    const auto soft = std::ranges::find_if_not(handles, &Handle::is_exact);
+    const auto soft = std::find_if(handles.begin(), handles.end(), [](const Handle& h) { return !h.is_exact(); });
     if (soft != handles.end() && !method.knows_holds())
         throw Error(ErrorCode::bad_option, "method " + name + " keeps every handle exactly, but handle " +
                                                std::to_string(soft->vertex) + " is soft; projection can do that");
@@ -70,28 +74,32 @@ void Editor::set_handles(std::vector<Handle> handles) {
 void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     check_target(vertex, target);
     Handle& handle = m_handles[place_of_handle(vertex)];
-    if (std::isfinite(m_locality) && !(m_region && m_region->origin == vertex)) enter_region(vertex);
+    if (m_region && m_region->is_outside(vertex)) leave_region();
     handle.target = target;
     snap_handles();
     restart();
 }
 
-std::size_t Editor::place_of_handle(int vertex) const {
-    const auto handle = std::ranges::find(m_handles, vertex, &Handle::vertex);
-    if (handle == m_handles.end())
-        throw Error(ErrorCode::index_out_of_range, "there is no handle at vertex " + std::to_string(vertex));
-    return static_cast<std::size_t>(handle - m_handles.begin());
+const Handle* Editor::find_handle(int vertex) const {
+    for (const Handle& handle : m_handles)
+        if (handle.vertex == vertex) return &handle;
+    return nullptr;
 }
 
-void Editor::set_locality(double radius) {
+std::size_t Editor::place_of_handle(int vertex) const {
+    const Handle* handle = find_handle(vertex);
+    if (handle == nullptr)
+        throw Error(ErrorCode::index_out_of_range, "there is no handle at vertex " + std::to_string(vertex));
+    return static_cast<std::size_t>(handle - m_handles.data());
+}
+
+void Editor::set_locality(double radius, std::span<const int> origins) {
     if (!(radius > 0)) throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
-    m_locality = radius;
+    for (int origin : origins) check_vertex(*m_net, origin, "the origin of a locality");
     leave_region();
     restart();
-}
-
-void Editor::enter_region(int origin) {
-    m_region = region_around(*m_net, *m_topology, m_positions, origin, m_locality);
+    if (!std::isfinite(radius) || origins.empty()) return;
+    m_region = region_around(*m_net, *m_topology, m_positions, origins, radius);
     m_prepared = false;
 }
 
@@ -152,24 +160,23 @@ std::vector<int> Editor::fixed_vertices() const {
         if (handle.is_exact()) vertices.push_back(handle.vertex);
     if (!m_region) return vertices;
     vertices.insert(vertices.end(), m_region->outside.begin(), m_region->outside.end());
-    std::ranges::sort(vertices);
-    const auto repeated = std::ranges::unique(vertices);
-    vertices.erase(repeated.begin(), repeated.end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
 }
 
 /// Pulls at one vertex are joined into one; a fixed vertex cannot be pulled.
 void Editor::collect_holds() {
     m_holds.clear();
-    const auto is_exact_handle = [&](int vertex) {
-        return std::ranges::any_of(m_handles, [&](const Handle& h) { return h.vertex == vertex && h.is_exact(); });
-    };
     if (m_region)
-        for (const Hold& hold : m_region->holds)
-            if (!is_exact_handle(hold.vertex)) m_holds.push_back(hold);
+        for (const Hold& hold : m_region->holds) {
+            const Handle* handle = find_handle(hold.vertex);
+            if (handle == nullptr || !handle->is_exact()) m_holds.push_back(hold);
+        }
     for (const Handle& handle : m_handles) {
-        if (handle.is_exact() || (m_region && std::ranges::binary_search(m_region->outside, handle.vertex))) continue;
-        const auto other = std::ranges::find(m_holds, handle.vertex, &Hold::vertex);
+        if (handle.is_exact() || (m_region && m_region->is_outside(handle.vertex))) continue;
+        const auto other = std::find_if(m_holds.begin(), m_holds.end(),
+                                        [&](const Hold& hold) { return hold.vertex == handle.vertex; });
         if (other == m_holds.end()) {
             m_holds.push_back({handle.vertex, handle.target, handle.weight});
             continue;
@@ -250,19 +257,18 @@ std::vector<UnreachablePair> Editor::unreachable_pairs() const {
 }
 
 void Editor::add_worst_of_border(std::vector<UnreachablePair>& pairs) const {
-    const Handle& moved = m_handles[place_of_handle(m_region->origin)];
-    if (!moved.is_exact()) return;
-    UnreachablePair worst{moved.vertex, moved.vertex, 0, 1};
-    for (const Region::BorderVertex& border : m_region->border) {
-        const double distance = (moved.target - m_positions.col(border.vertex)).norm();
-        if (distance * worst.reach > worst.distance * border.distance)
-            worst = {moved.vertex, border.vertex, distance, border.distance};
+    UnreachablePair worst{0, 0, 0, 1};
+    for (const auto& [vertex, origin, reach] : m_region->border) {
+        const Handle* handle = find_handle(origin);
+        if (handle == nullptr || !handle->is_exact()) continue;
+        const double distance = (handle->target - m_positions.col(vertex)).norm();
+        if (distance * worst.reach > worst.distance * reach) worst = {origin, vertex, distance, reach};
     }
     const auto is_worst = [&](const UnreachablePair& pair) {
         return std::max(pair.vertex_a, pair.vertex_b) == std::max(worst.vertex_a, worst.vertex_b) &&
                std::min(pair.vertex_a, pair.vertex_b) == std::min(worst.vertex_a, worst.vertex_b);
     };
-    if (is_out_of_reach(worst) && std::ranges::none_of(pairs, is_worst)) pairs.push_back(worst);
+    if (is_out_of_reach(worst) && std::none_of(pairs.begin(), pairs.end(), is_worst)) pairs.push_back(worst);
 }
 
 bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
@@ -281,6 +287,17 @@ std::vector<Ball> Editor::reach(int vertex) const {
             balls.push_back({m_handles[i].target, radius});
     }
     return balls;
+}
+
+std::vector<double> Editor::distances_from(std::span<const int> origins) const {
+    std::vector<double> nearest(static_cast<std::size_t>(m_net->vertex_count()),
+                                std::numeric_limits<double>::infinity());
+    for (int origin : origins) {
+        check_vertex(*m_net, origin, "the origin of distances");
+        const std::vector<double> distance = m_topology->distances_from(origin);
+        for (std::size_t v = 0; v < nearest.size(); ++v) nearest[v] = std::min(nearest[v], distance[v]);
+    }
+    return nearest;
 }
 
 bool Editor::are_joined(int a, int b) const {

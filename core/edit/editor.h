@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,15 +62,14 @@ public:
     /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite, or
     /// bad_option for a weight out of range or one that the method does not know, and then changes nothing.
     void set_handles(std::vector<Handle> handles);
-    /// Moves the handle at `vertex`; if there is a locality, only what is near it may move from then on. Throws Error
-    /// index_out_of_range if there is none, non_finite.
+    /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
-    /// How far from a handle being moved the net may move, in mean edge lengths along the net; infinity: everywhere. All
-    /// else stays exactly where it stands when the handle is moved for the first time after this call, and towards that
-    /// border the net becomes the harder to move (see Region; methods that know no holds have the border only).
-    /// Everything may move again until then. Throws Error bad_option unless radius > 0.
-    void set_locality(double radius);
-    double locality() const { return m_locality; }
+    /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and the
+    /// harder the closer to that border (see Region; methods that know no holds have the border only). All else stays
+    /// exactly where it stands, until the next call, or until other handles are moved or all set, positions are replaced
+    /// or reset. Infinity, or no origins: everything may move. Throws Error bad_option unless radius > 0,
+    /// index_out_of_range.
+    void set_locality(double radius, std::span<const int> origins);
     /// Chooses the method by its name in method_table(). Throws Error bad_option, also if there are soft handles and the
     /// method does not know any, and then changes nothing.
     void set_method(std::string_view name);
@@ -95,21 +95,24 @@ public:
     /// the net is stretched as evenly as the first stage can and the status is `unreachable`.
     SolveReport solve(const Budget& budget = {});
 
-    /// Pairs of exact handles farther apart than the net allows, worst first, and the handle being moved with the vertex
-    /// outside the region that holds it back most. Necessary, not sufficient, for no net to exist. Two handles joined by
+    /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
+    /// the region that may move which holds one back most. Necessary, not sufficient, for no net to exist. Two handles joined by
     /// an edge whose targets are not exactly its length apart count too.
     std::vector<UnreachablePair> unreachable_pairs() const;
     /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls, one
     /// for each other exact handle, as wide as the net between them is long. Throws Error index_out_of_range.
     std::vector<Ball> reach(int vertex) const;
+    /// V, length of the shortest path along edges to the nearest of the `origins`; infinity where there is none. Throws
+    /// Error index_out_of_range.
+    std::vector<double> distances_from(std::span<const int> origins) const;
     /// Largest distance of an exact handle from its target at the present positions: 0 by construction.
     double handle_error() const;
 
 private:
+    const Handle* find_handle(int vertex) const;
     std::size_t place_of_handle(int vertex) const;
     void snap_handles();
     void restart() { m_running = false; }
-    void enter_region(int origin);
     void leave_region();
     std::vector<int> fixed_vertices() const;
     void collect_holds();
@@ -126,7 +129,6 @@ private:
     Positions m_positions;
     std::vector<Handle> m_handles;
     mutable std::vector<std::vector<double>> m_handle_distances;  // handles × handles along the net, made when needed
-    double m_locality = std::numeric_limits<double>::infinity();
     std::optional<Region> m_region;  // none: everything may move
     std::vector<Hold> m_holds;       // of soft handles and of the region, for the solve under way
     Options m_options;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "net/net.h"
@@ -8,23 +10,26 @@
 
 namespace chebnet {
 
-/// The part of a net that may move with one vertex, by distance d along the net (Topology::distances_from) and the
-/// radius R: vertices with d ≥ R are fixed; the outer half of the others is held where it stands, with weights that rise
+/// The part of a net that may move with some vertices, by the distance d along the net (Topology::distances_from) from the
+/// nearest of them and the radius R: vertices with d ≥ R are fixed; the outer half of the others is held where it stands, with weights that rise
 /// smoothly from 0 at d = R/2.
 struct Region {
     /// A fixed vertex with a neighbour that may move.
     struct BorderVertex {
         int vertex;
-        double distance;  ///< along the net from the origin
+        int origin;       ///< the nearest
+        double distance;  ///< along the net from there
     };
 
-    int origin;
     std::vector<int> outside;  ///< the fixed vertices, ascending
     std::vector<BorderVertex> border;
-    std::vector<Hold> holds;  ///< ascending by vertex
+    std::vector<Hold> holds;
+
+    bool is_outside(int vertex) const { return std::binary_search(outside.begin(), outside.end(), vertex); }
 };
 
-/// `radius`: in mean edge lengths, above 0. `positions`: 3×V, where the net stands. The origin itself always may move.
-Region region_around(const Net& net, const Topology& topology, const Positions& positions, int origin, double radius);
+/// `radius`: in mean edge lengths, above 0. `positions`: 3×V, where the net stands. The origins themselves may move.
+Region region_around(const Net& net, const Topology& topology, const Positions& positions, std::span<const int> origins,
+                     double radius);
 
 }  // namespace chebnet

@@ -17,17 +17,18 @@ namespace {
 
 constexpr double k_everything = std::numeric_limits<double>::infinity();
 
-Editor elephant(double locality) {
+Editor elephant() {
     Shape shape = make_shape("elephant:vertices=1500");
     Editor editor(std::move(shape.net));
     editor.set_handles(samples::handles_at_rest(editor.net(), shape.suggested_handles));
-    editor.set_locality(locality);
     return editor;
 }
 
-/// Moves the last handle up by so many edge lengths in small steps; the worst status of all frames.
-Status lift(Editor& editor, double edge_lengths) {
+/// Moves the last handle up by so many edge lengths in small steps, the net within the locality; the worst status of all
+/// frames.
+Status lift(Editor& editor, double edge_lengths, double locality) {
     const Handle handle = editor.handles().back();
+    editor.set_locality(locality, std::vector{handle.vertex});
     Status worst = Status::converged;
     for (int frame = 1; frame <= 10; ++frame) {
         const double height = frame / 10.0 * edge_lengths * editor.net().mean_length();
@@ -52,13 +53,16 @@ double farthest_moved(const Editor& editor, const Positions& before) {
 TEST_CASE("A region is what lies within its radius, held the more the closer to its border") {
     const Net net = samples::patch(21, 21, 0);
     const Topology topology(net);
-    const Region region = region_around(net, topology, net.rest_positions(), 220, 8);
+    const Region region = region_around(net, topology, net.rest_positions(), std::vector{220}, 8);
     const std::vector<double> distance = topology.distances_from(220);
     CHECK(std::ranges::is_sorted(region.outside));
     for (int v : region.outside) CHECK(distance[v] >= 8 - 1e-6);
     CHECK(region.outside.size() == 21 * 21 - 113u);  // 1 + 4 · (1 + … + 7)
     CHECK(region.border.size() == 32);
-    for (const Region::BorderVertex& border : region.border) CHECK(border.distance == Approx(8));
+    for (const Region::BorderVertex& border : region.border) {
+        CHECK(border.origin == 220);
+        CHECK(border.distance == Approx(8));
+    }
 
     std::vector<double> weight_at(8, 0);
     for (const Hold& hold : region.holds) {
@@ -71,9 +75,9 @@ TEST_CASE("A region is what lies within its radius, held the more the closer to 
 
 TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and every edge keeps its length") {
     const double radius = GENERATE(8.0, 16.0);
-    Editor editor = elephant(radius);
+    Editor editor = elephant();
     const Positions before = editor.positions();
-    CHECK(lift(editor, 1.5) == Status::converged);
+    CHECK(lift(editor, 1.5, radius) == Status::converged);
     CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
     CHECK(farthest_moved(editor, before) < radius);
     CHECK(farthest_moved(editor, before) > radius / 2);
@@ -82,17 +86,17 @@ TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and eve
 }
 
 TEST_CASE("Without a limit, locality changes nothing") {
-    Editor plain = elephant(k_everything), wide = elephant(5);
-    wide.set_locality(k_everything);
-    CHECK(lift(plain, 2) == Status::converged);
-    CHECK(lift(wide, 2) == Status::converged);
-    CHECK(plain.positions() == wide.positions());
+    Editor plain = elephant(), narrowed = elephant();
+    narrowed.set_locality(5, std::vector{narrowed.handles().back().vertex});
+    CHECK(lift(plain, 2, k_everything) == Status::converged);
+    CHECK(lift(narrowed, 2, k_everything) == Status::converged);
+    CHECK(plain.positions() == narrowed.positions());
 }
 
 TEST_CASE("A region too small for the drag ends as an honest status, and only it has moved") {
-    Editor editor = elephant(4);
+    Editor editor = elephant();
     const Positions before = editor.positions();
-    CHECK(lift(editor, 6) == Status::unreachable);
+    CHECK(lift(editor, 6, 4) == Status::unreachable);
     CHECK(editor.positions().allFinite());
     CHECK(editor.handle_error() == 0);
     CHECK(farthest_moved(editor, before) < 4);
@@ -100,7 +104,7 @@ TEST_CASE("A region too small for the drag ends as an honest status, and only it
     REQUIRE_FALSE(pairs.empty());
     CHECK(pairs.back().vertex_a == editor.handles().back().vertex);
     CHECK(pairs.back().distance > pairs.back().reach);
-    CHECK(lift(editor, -6) == Status::unreachable);  // on its way
+    editor.move_handle(pairs.back().vertex_a, before.col(pairs.back().vertex_a));
     CHECK(editor.unreachable_pairs().empty());
     CHECK(editor.solve().status == Status::converged);
 }
@@ -108,47 +112,56 @@ TEST_CASE("A region too small for the drag ends as an honest status, and only it
 TEST_CASE("Every method keeps to the locality") {
     for (const MethodInfo& method : method_table()) {
         CAPTURE(method.name);
-        Editor editor = elephant(8);
+        Editor editor = elephant();
         editor.set_method(method.name);
         editor.set_option("max_iterations", "5");
         const Positions before = editor.positions();
-        lift(editor, 1);
+        lift(editor, 1, 8);
         CHECK(editor.positions().allFinite());
         CHECK(farthest_moved(editor, before) < 8);
     }
 }
 
-TEST_CASE("The region is where the net stands when the handle is moved first; other edits end it") {
-    Editor editor = elephant(12);
-    CHECK(lift(editor, 1) == Status::converged);
+TEST_CASE("Each drag begins where the net stands; other edits free everything") {
+    Editor editor = elephant();
+    CHECK(lift(editor, 1, 12) == Status::converged);
     const Positions once = editor.positions();
-    editor.set_locality(8);  // as a second drag begins
-    CHECK(lift(editor, 1) == Status::converged);
+    CHECK(lift(editor, 1, 8) == Status::converged);
     CHECK(farthest_moved(editor, once) < 8);
 
-    std::vector<Handle> handles = editor.handles();
-    handles.front().target += 0.5 * editor.net().mean_length() * Eigen::Vector3d::UnitX();
+    const Handle first = editor.handles().front();
     const Positions twice = editor.positions();
-    editor.set_handles(handles);
+    editor.move_handle(first.vertex, first.target + 0.5 * editor.net().mean_length() * Eigen::Vector3d::UnitX());
     CHECK(editor.solve().status == Status::converged);
     CHECK(farthest_moved(editor, twice) > 8);
 }
 
+TEST_CASE("Several handles move what is near any of them") {
+    const Net net = samples::patch(21, 21, 0);
+    const Topology topology(net);
+    const std::vector<int> both{22, 418};
+    const Region region = region_around(net, topology, net.rest_positions(), both, 3);
+    const Region one = region_around(net, topology, net.rest_positions(), std::vector{22}, 3);
+    const int moving_with_one = net.vertex_count() - static_cast<int>(one.outside.size());
+    CHECK(net.vertex_count() - static_cast<int>(region.outside.size()) == 2 * moving_with_one);
+    for (const Region::BorderVertex& border : region.border) CHECK(border.origin == (border.vertex < 220 ? 22 : 418));
+}
+
 TEST_CASE("Soft handles within a region pull, those beyond it stay") {
-    Editor editor = elephant(10);
+    Editor editor = elephant();
     std::vector<Handle> handles = editor.handles();
     for (Handle& handle : handles) handle.weight = 1;
     handles.back().weight = 50;
     editor.set_handles(handles);
     REQUIRE(editor.solve().status == Status::converged);
     const Positions before = editor.positions();
-    CHECK(lift(editor, 1) == Status::converged);
+    CHECK(lift(editor, 1, 10) == Status::converged);
     CHECK(farthest_moved(editor, before) > 0);
     CHECK(farthest_moved(editor, before) < 10);
 }
 
-TEST_CASE("A locality that is no length is refused") {
-    Editor editor = elephant(7);
-    for (const double radius : {0.0, -1.0, std::nan("")}) CHECK_THROWS_AS(editor.set_locality(radius), Error);
-    CHECK(editor.locality() == 7);
+TEST_CASE("A locality that is no length, or is nowhere, is refused") {
+    Editor editor = elephant();
+    for (const double radius : {0.0, -1.0, std::nan("")}) CHECK_THROWS_AS(editor.set_locality(radius, std::vector{3}), Error);
+    CHECK_THROWS_AS(editor.set_locality(3, std::vector{-1}), Error);
 }

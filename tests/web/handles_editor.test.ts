@@ -4,6 +4,7 @@ import type { Handle } from '../../wasm/chebnet';
 import type { Opening } from '../../web/src/app';
 import type { HandleData, Vec3 } from '../../web/src/document/document';
 import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
+import { DragGuide } from '../../web/src/handles/drag_guide';
 import { HandleEditor } from '../../web/src/handles/handle_editor';
 import type { Client } from '../../web/src/worker/client';
 import { documentAt, grid } from './nets';
@@ -36,7 +37,7 @@ beforeEach(() => {
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net: { ...net, info: { meanLength: 1 } }, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
-  const client = { drag: take, setHandles: take } as unknown as Client;
+  const client = { drag: take, setHandles: take, reach: async () => [], setLocality: async () => {} } as unknown as Client;
   const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
   editor = new HandleEditor(
     {
@@ -51,6 +52,7 @@ beforeEach(() => {
     },
     client,
     history,
+    new DragGuide(client, { setRegion: () => {}, setReach: () => {} }),
   );
 });
 

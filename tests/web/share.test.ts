@@ -33,6 +33,7 @@ describe('a scene comes back', () => {
       { vertex: 41, target: [1, 2, 3], anchor: false, name: 'Südspitze 南', hidden: true, weight: 0.25 },
     ],
     symmetry: { axis: 'y', through: 'origin' },
+    locality: 12,
     method: 'another',
     initialisation: 'arap:5',
     options: { threshold: 1e-8, adaptive_p: false },
@@ -41,8 +42,8 @@ describe('a scene comes back', () => {
 
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
-    const { net: source, symmetry, method, initialisation, options } = full;
-    expect(rest).toEqual({ net: source, symmetry, method, initialisation, options, view, settled: true });
+    const { net: source, symmetry, locality, method, initialisation, options } = full;
+    expect(rest).toEqual({ net: source, symmetry, locality, method, initialisation, options, view, settled: true });
     expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1], full.handles[2]]);
     expect(positions).toHaveProperty('packed');
     if (positions && 'packed' in positions) {
@@ -146,11 +147,12 @@ describe('hostile links are refused', () => {
 
   const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
-  test('not this one, made before links had an initialisation, an up axis, a symmetry, and names of handles', () => {
+  test('not this one, made before links had an initialisation, an up axis, a symmetry, a locality, and names of handles', () => {
     const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
     expect(scene).toMatchObject({ net: { recipe: 'vault' }, initialisation: 'naive' });
     expect(scene.view).not.toHaveProperty('upAxis');
     expect(scene).not.toHaveProperty('symmetry');
+    expect(scene).not.toHaveProperty('locality');
     expect(scene.handles).toEqual([{ vertex: 3, anchor: false, target: [1, 2, 3] }]);
   });
 
@@ -211,6 +213,8 @@ describe('hostile links are refused', () => {
     [point, '"handles":[[3,0,1,2,3,null]]'],
     ['"settled":true', '"settled":true,"symmetry":{"axis":"w","through":"centre"}'],
     ['"settled":true', '"settled":true,"symmetry":null'],
+    ['"settled":true', '"settled":true,"locality":0'],
+    ['"settled":true', '"settled":true,"locality":"near"'],
     ['"settled":true', '"settled":true,"experiment":7'],
     ['"settled":true', '"settled":true,"compare":"li2022"'],
     ['{"recipe":"vault"}', '{"recipe":7}'],

@@ -14,6 +14,7 @@ import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { HistoryView, Snapshot } from './document/undo';
 import type { Film } from './export/recording';
+import { DragGuide } from './handles/drag_guide';
 import { type HandleDesk, HandleEditor } from './handles/handle_editor';
 import { words } from './language/language';
 import type { Action, PanelEvents, Panels } from './panels/panels';
@@ -417,7 +418,11 @@ export class App {
       say: (message) => this.say(message),
       attempt: (doing) => this.#try(doing),
     };
-    return new HandleEditor(desk, this.#client, this.#history);
+    const guide = new DragGuide(this.#client, {
+      setRegion: (mobility) => this.#view.setRegion(mobility),
+      setReach: (balls) => this.#view.setReach(balls),
+    });
+    return new HandleEditor(desk, this.#client, this.#history, guide);
   }
 
   setView(change: Partial<ViewState>): void {
@@ -536,6 +541,7 @@ export class App {
     this.#saidUnreachable = worst !== undefined;
     if (worst === undefined || said) return;
     const { vertexA, vertexB, distance, reach } = worst;
+    if (!this.#handles().some(({ vertex }) => vertex === vertexB)) return this.say(words.drag.tooLocal);
     this.say(words.handles.unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3)));
   }
 

@@ -51,6 +51,8 @@ export interface Scripting {
   setHandles(handles: readonly ScriptHandle[]): Promise<void>;
   /** Moves a handle. Resolves when the solver has taken the target, or a newer one for the same vertex. */
   move(vertex: number, target: Vec3): Promise<void>;
+  /** How far from a handle being moved the net moves with it, in edge lengths along the net; null: everywhere. */
+  setLocality(radius: number | null): Promise<void>;
   /** Resolves when nothing is under way and the net is settled. */
   settled(): Promise<void>;
   /** Where the vertices stand, 3 numbers each; a copy. */
@@ -92,6 +94,11 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     move: async (vertex, target) => {
       await ready;
       await app.handles.move([{ vertex, target }], `move ${vertex}`);
+    },
+    setLocality: async (radius) => {
+      await ready;
+      if (radius !== null && !(radius > 0 && radius < Infinity)) throw failure('bad_option', 'a locality must be a number above 0, or null');
+      app.handles.setLocality(radius ?? undefined);
     },
     settled: async () => {
       await ready;

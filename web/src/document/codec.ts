@@ -44,6 +44,7 @@ export function readState(state: Field): State<HandleSeed> {
     settled: state.at('settled').flag(),
     ...given({
       symmetry: state.at('symmetry').maybe(readSymmetry),
+      locality: state.at('locality').maybe(readPositive),
       experiment: state.at('experiment').maybe((each) => each.text()),
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
     }),
@@ -79,8 +80,12 @@ function readMore(more: Field): Partial<HandleSeed> {
   return given({
     name: more.at('name').maybe((each) => each.text(LONGEST_NAME)),
     hidden: more.at('hidden').maybe((each) => each.flag()),
-    weight: more.at('weight').maybe((each) => (each.number() > 0 ? each.number() : each.fail(words.fields.positive))),
+    weight: more.at('weight').maybe(readPositive),
   });
+}
+
+function readPositive(size: Field): number {
+  return size.number() > 0 ? size.number() : size.fail(words.fields.positive);
 }
 
 function readSymmetry(symmetry: Field): Symmetry {

@@ -1,5 +1,5 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
-import type { RestLengths } from '../../../wasm/chebnet';
+import type { Handle, RestLengths } from '../../../wasm/chebnet';
 
 export type Vec3 = [number, number, number];
 
@@ -19,12 +19,17 @@ export interface HandleData {
   /** Not drawn, and not to be caught by a click; holds the net all the same. */
   hidden?: boolean;
   /** Above 0: a soft handle, which pulls with this weight beside that of an edge; without one the target is kept exactly. */
-  weight?: number;
+  weight?: number | undefined;
 }
 
 /** A handle of a scene that is yet to be opened; `target` null: where the vertex rests. */
 export interface HandleSeed extends Omit<HandleData, 'target'> {
   target: Vec3 | null;
+}
+
+/** What of handles the solver wants to know. */
+export function targetsOf(handles: readonly Pick<HandleData, 'vertex' | 'target' | 'weight'>[]): Handle[] {
+  return handles.map(({ vertex, target, weight }) => ({ vertex, target, ...(weight === undefined ? {} : { weight }) }));
 }
 
 /** A plane across an axis of the net; what is done to handles on one side of it is done on the other too. */
@@ -75,6 +80,8 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   net: NetSource;
   handles: HandleData[];
   symmetry?: Symmetry | undefined;
+  /** How far from handles being moved the net moves with them, in edge lengths along it; without one, everywhere. */
+  locality?: number | undefined;
   view: ViewState;
   /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
   positions: Float64Array | null;
@@ -88,6 +95,7 @@ export interface Scene extends SolverSettings, ExperimentPart {
   /** `suggested`: those that come with the recipe. */
   handles: HandleSeed[] | 'suggested';
   symmetry?: Symmetry | undefined;
+  locality?: number | undefined;
   view: ViewState;
   /** null: the rest positions. */
   positions: Float64Array | PackedPositions | null;

@@ -45,6 +45,11 @@ export function readPoint(value: unknown): Vec3 {
   return [x, y, z];
 }
 
+export function readLocality(value: unknown): number | null {
+  if (value === null || typeof value === 'number') return value;
+  throw new BadArguments('a locality must be a number, or null');
+}
+
 export function readOptions(value: unknown): Parameters<Scripting['setOptions']>[0] {
   const entries = Object.entries(readObject(value, 'the options'));
   if (entries.length > MOST_OPTIONS) throw new BadArguments(`at most ${MOST_OPTIONS} options`);

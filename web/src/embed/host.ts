@@ -1,6 +1,6 @@
 /** Answers the page that embeds this one; see protocol.ts. */
 import type { Scripting } from '../scripting';
-import { readEvent, readHandles, readNet, readOptions, readPoint, readVertex } from './arguments';
+import { readEvent, readHandles, readLocality, readNet, readOptions, readPoint, readVertex } from './arguments';
 import type { Answer, CallName, EmbedEvent, Failure, HostCall, News } from './protocol';
 
 /** Calls of a host that have no answer yet. */
@@ -21,6 +21,7 @@ export class Host {
       open: ([net]) => script.open(readNet(net)),
       setHandles: ([handles]) => script.setHandles(readHandles(handles)),
       move: ([vertex, target]) => script.move(readVertex(vertex), readPoint(target)),
+      setLocality: ([radius]) => script.setLocality(readLocality(radius)),
       settled: () => script.settled(),
       positions: () => script.positions(),
       edges: () => script.edges(),

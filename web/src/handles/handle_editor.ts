@@ -2,11 +2,13 @@
 import type { Handle } from '../../../wasm/chebnet';
 import type { Opening } from '../app';
 import { handlesTitle, traitsChange } from '../document/changes';
+import { targetsOf } from '../document/document';
 import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/document';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
 import type { Client } from '../worker/client';
 import type { OpenedNet } from '../worker/protocol';
+import type { DragGuide, Locality } from './drag_guide';
 import { Lines } from './lines';
 import { all, type Selection, unlocked, within } from './selection';
 import { Mirror } from './symmetry';
@@ -33,6 +35,7 @@ export class HandleEditor implements HandleWishes {
   readonly #desk: HandleDesk;
   readonly #client: Client;
   readonly #history: UndoHistory;
+  readonly #guide: DragGuide;
   #selection: Selection = [];
   #mode: GizmoMode = 'translate';
   /** What the history will call the drag under way; null until it moves something. */
@@ -40,10 +43,11 @@ export class HandleEditor implements HandleWishes {
   #lines: { net: OpenedNet; lines: Lines } | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
-  constructor(desk: HandleDesk, client: Client, history: UndoHistory) {
+  constructor(desk: HandleDesk, client: Client, history: UndoHistory, guide: DragGuide) {
     this.#desk = desk;
     this.#client = client;
     this.#history = history;
+    this.#guide = guide;
   }
 
   // --------------------------------------------------------------------------------------------------------- choosing
@@ -154,9 +158,41 @@ export class HandleEditor implements HandleWishes {
     this.#changeDocument({ symmetry }, symmetry ? words.history.symmetry : words.history.noSymmetry);
   }
 
-  #changeDocument(change: Partial<ChebnetDocument>, name: string): void {
+  // --------------------------------------------------------------------------------------------------- what limits drags
+
+  setLocality(locality: number | undefined): void {
+    const name = locality === undefined ? words.history.noLocality : words.history.locality(locality.toLocaleString(words.locale));
+    this.#changeDocument({ locality }, name, 'locality');
+  }
+
+  /** About the selection, or what is likely to be dragged. */
+  previewLocality(locality: number | undefined): void {
+    const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
+    const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
+    this.#desk.attempt(this.#guide.showRegion(this.#mirrored(origins), this.#localityOf(locality)));
+  }
+
+  setKeepWithin(on: boolean): void {
+    this.#guide.keepsWithin = on;
+  }
+
+  setShowReach(on: boolean): void {
+    this.#guide.alwaysShowsReach = on;
+  }
+
+  #localityOf(radius: number | undefined): Locality | null {
+    const net = this.#desk.opening()?.net;
+    return radius === undefined || net === undefined ? null : { radius, edgeLength: net.info.meanLength };
+  }
+
+  get #locality(): Locality | null {
+    return this.#localityOf(this.#desk.opening()?.document.locality);
+  }
+
+  /** Changes one after another with the same `key` are undone together. */
+  #changeDocument(change: Partial<ChebnetDocument>, name: string, key: string | null = null): void {
     const before = this.#desk.snapshot();
-    if (before) this.#history.record(before, name);
+    if (before) this.#history.record(before, name, key);
     this.#desk.change(change);
     this.#desk.show();
   }
@@ -178,6 +214,7 @@ export class HandleEditor implements HandleWishes {
   async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
     const before = this.#desk.snapshot();
     const both = this.#onBothSides(targets);
+    await this.#guide.limit(verticesOf(both), this.#locality);
     await this.#client.drag(both);
     if (before) this.#history.record(before, words.history.move(this.#titleOf(targets)), key);
     this.#desk.change({ handles: this.#withTargets(both) });
@@ -193,7 +230,9 @@ export class HandleEditor implements HandleWishes {
 
   drag(targets: readonly Handle[]): void {
     if (!this.#history.inGesture) return;
-    const both = this.#onBothSides(targets);
+    const wished = this.#onBothSides(targets);
+    if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(verticesOf(wished), this.#locality));
+    const both = this.#guide.within(wished);
     this.#dragName ??= words.history.move(this.#titleOf(targets));
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.showDrag();
@@ -204,6 +243,7 @@ export class HandleEditor implements HandleWishes {
     const before = cancelled ? this.#history.cancelGesture() : null;
     if (before && this.#dragName !== null) this.#desk.restore(before);
     this.#history.endGesture(this.#dragName);
+    this.#guide.end();
     this.#desk.show();
   }
 
@@ -258,7 +298,6 @@ export class HandleEditor implements HandleWishes {
   }
 }
 
-/** What of them the solver wants to know. */
-function targetsOf(handles: readonly HandleData[]): Handle[] {
-  return handles.map(({ vertex, target }) => ({ vertex, target }));
+function verticesOf(targets: readonly Handle[]): number[] {
+  return targets.map(({ vertex }) => vertex);
 }

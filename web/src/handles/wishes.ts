@@ -34,4 +34,12 @@ export interface HandleWishes {
   /** Of the selection. */
   transform(motion: Motion): void;
   setSymmetry(symmetry: Symmetry | undefined): void;
+  /** How far the net moves with what is dragged, in edge lengths; undefined: everywhere. */
+  setLocality(locality: number | undefined): void;
+  /** Shows what would stay; undefined: no longer. */
+  previewLocality(locality: number | undefined): void;
+  /** Whether a drag is held to where the net can follow. */
+  setKeepWithin(on: boolean): void;
+  /** Whether a drag always shows how far it can go. */
+  setShowReach(on: boolean): void;
 }

@@ -12,6 +12,7 @@ import { ComparisonForm } from './comparison_form';
 import { ComparisonResults } from './comparison_results';
 import { ConvergencePlot } from './convergence_plot';
 import { make, makeButton, makeSection, setSummary, setText } from './dom';
+import { DragPanel } from './drag_panel';
 import { ExperimentsPanel } from './experiments_panel';
 import { Gallery } from './gallery';
 import { HandleList } from './handle_list';
@@ -44,6 +45,7 @@ class Sidebar implements Panels {
   private readonly gallery: Gallery;
   private readonly parameters: ShapeParameters;
   private readonly handles: HandleList;
+  private readonly drag: DragPanel;
   private readonly numbers = new LiveNumbers();
   private readonly plot = new ConvergencePlot();
   private readonly appearance: Appearance;
@@ -80,6 +82,7 @@ class Sidebar implements Panels {
     );
     this.parameters = new ShapeParameters((recipe) => events.openRecipe(recipe));
     this.handles = new HandleList(events);
+    this.drag = new DragPanel(events.handles);
     this.appearance = new Appearance(events);
     this.solver = new SolverPanel(events);
     this.step = new StepPanel(events);
@@ -108,6 +111,7 @@ class Sidebar implements Panels {
       this.learn.element,
       makeSection(words.sections.step, false, ...this.step.content),
       this.handleSection,
+      makeSection(words.sections.drag, false, ...this.drag.content),
       makeSection(words.sections.appearance, false, ...this.appearance.content),
       makeSection(words.sections.solver, false, ...this.solver.content),
       this.history.section,
@@ -169,6 +173,7 @@ class Sidebar implements Panels {
     this.solver.showDocument(document);
     this.plot.setThreshold(Number(options.threshold ?? this.usualThreshold));
     this.handles.showSymmetry(document.symmetry);
+    this.drag.show(document.locality);
     this.showHandles(document.handles, choice);
   }
 
@@ -184,6 +189,7 @@ class Sidebar implements Panels {
     this.step.showNet(net);
     this.learn.showNet(net);
     this.handles.showNet(net.info.vertices, net.info.meanLength);
+    this.drag.showNet(net.info.vertices);
     this.plot.clear();
   }
 

@@ -23,12 +23,15 @@ const DEGREES = 180 / Math.PI;
 export const READ_NET = /* glsl */ `
 uniform highp sampler2D vertices;
 uniform highp sampler2D deviations;
+uniform highp sampler2D mobilities;
 uniform highp isampler2D ends;
 ivec2 place(int i, int width) { return ivec2(i % width, i / width); }
 /** Scene position, and the corner angle in degrees. */
 vec4 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0); }
 /** Both vertices of an edge. */
 ivec2 readEnds(int e) { return texelFetch(ends, place(e, textureSize(ends, 0).x), 0).rg; }
+/** How freely a vertex moves with a drag: 1, or less where a region is shown. */
+float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(mobilities, 0).x), 0).r; }
 float readDeviation(int e) { return texelFetch(deviations, place(e, textureSize(deviations, 0).x), 0).r; }
 `;
 
@@ -37,11 +40,12 @@ float readDeviation(int e) { return texelFetch(deviations, place(e, textureSize(
 export interface NetUniforms {
   vertices: { value: Texture | null };
   deviations: { value: Texture | null };
+  mobilities: { value: Texture | null };
   ends: { value: Texture | null };
 }
 
 export function netUniforms(): NetUniforms {
-  return { vertices: { value: null }, deviations: { value: null }, ends: { value: null } };
+  return { vertices: { value: null }, deviations: { value: null }, mobilities: { value: null }, ends: { value: null } };
 }
 
 export class NetData {
@@ -52,6 +56,8 @@ export class NetData {
   readonly edgeLength: number;
   private readonly vertices: DataTexture;
   private readonly deviations: DataTexture;
+  private readonly mobilities: DataTexture;
+  private readonly mobilityValues: Float32Array<ArrayBuffer>;
   private readonly ends: DataTexture;
   private readonly deviationValues: Float32Array<ArrayBuffer>;
 
@@ -68,6 +74,9 @@ export class NetData {
     ends.set(net.edges);
     this.vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
     this.deviations = table(this.deviationValues, edges, RedFormat, FloatType);
+    this.mobilityValues = new Float32Array(texels(this.vertexCount)).fill(1);
+    this.mobilities = table(this.mobilityValues, this.vertexCount, RedFormat, FloatType);
+    this.mobilities.needsUpdate = true;
     this.ends = table(ends, edges, RGIntegerFormat, IntType);
     this.ends.needsUpdate = true;
   }
@@ -88,14 +97,22 @@ export class NetData {
     this.deviations.needsUpdate = true;
   }
 
+  /** null: all vertices move freely. */
+  showRegion(mobility: Float32Array | null): void {
+    if (mobility) this.mobilityValues.set(mobility);
+    else this.mobilityValues.fill(1);
+    this.mobilities.needsUpdate = true;
+  }
+
   putInto(uniforms: NetUniforms): void {
+    uniforms.mobilities.value = this.mobilities;
     uniforms.vertices.value = this.vertices;
     uniforms.deviations.value = this.deviations;
     uniforms.ends.value = this.ends;
   }
 
   dispose(): void {
-    for (const texture of [this.vertices, this.deviations, this.ends]) texture.dispose();
+    for (const texture of [this.vertices, this.deviations, this.mobilities, this.ends]) texture.dispose();
   }
 }
 

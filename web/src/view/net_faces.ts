@@ -6,12 +6,14 @@ import type { Theme } from './theme';
 const VERTEX = /* glsl */ `
 out vec3 seen;
 out float angle;
+out float mobility;
 ${READ_NET}
 void main() {
   vec4 p = readVertex(gl_VertexID);
   vec4 inView = modelViewMatrix * vec4(p.xyz, 1.0);
   seen = inView.xyz;
   angle = p.w;
+  mobility = readMobility(gl_VertexID);
   gl_Position = projectionMatrix * inView;
 }`;
 
@@ -19,9 +21,10 @@ const FRAGMENT = /* glsl */ `
 uniform sampler2D colours;
 uniform float low, high;
 uniform bool byAngle;
-uniform vec3 front, back;
+uniform vec3 front, back, still;
 in vec3 seen;
 in float angle;
+in float mobility;
 out vec4 colour;
 void main() {
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
@@ -29,7 +32,7 @@ void main() {
   float light = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)));
   vec3 base = mix(back, front, light);
   if (byAngle) base = texture(colours, vec2((angle - low) / (high - low), 0.5)).rgb * (0.82 + 0.18 * light);
-  colour = vec4(base, 1.0);
+  colour = vec4(mix(still, base, 0.15 + 0.85 * mobility), 1.0);
 }`;
 
 export class NetFaces {
@@ -49,6 +52,7 @@ export class NetFaces {
         ...colours.uniforms,
         front: { value: new Color() },
         back: { value: new Color() },
+        still: { value: new Color() },
       },
     });
     this.object = new Mesh(new BufferGeometry(), material);
@@ -65,9 +69,10 @@ export class NetFaces {
   }
 
   setTheme(theme: Theme): void {
-    const { front, back } = this.object.material.uniforms;
+    const { front, back, still } = this.object.material.uniforms;
     front!.value.setRGB(...theme.faceLight);
     back!.value.setRGB(...theme.faceDark);
+    still!.value.setRGB(...theme.fade);
   }
 
   dispose(): void {

@@ -25,6 +25,7 @@ uniform bool byAngle;
 out float value;
 out float across;
 out float away;
+out float mobility;
 ${READ_NET}
 
 /** A line that leaves through the camera is cut at the near plane. */
@@ -52,6 +53,7 @@ void main() {
   across = side * reach;
   float dL = readDeviation(edge);
   value = byAngle ? (second ? b.w : a.w) : log(max(dL, 1e-30)) / log(10.0);
+  mobility = readMobility(second ? vertex.y : vertex.x);
   away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
 }`;
 
@@ -62,6 +64,7 @@ uniform vec3 fadeColour, ink;
 in float value;
 in float across;
 in float away;
+in float mobility;
 out vec4 colour;
 void main() {
   vec3 mapped = texture(colours, vec2((value - low) / (high - low), 0.5)).rgb;
@@ -69,7 +72,7 @@ void main() {
   // Lines thinner than a pixel are drawn one pixel wide and lighter.
   float rim = clamp(0.5 * max(width, 1.0) + 0.5 - abs(across), 0.0, 1.0) * min(width, 1.0);
   if (rim < 0.02) discard;
-  colour = vec4(mix(mapped, fadeColour, fade * away), rim);
+  colour = vec4(mix(mapped, fadeColour, max(fade * away, 0.8 * (1.0 - mobility))), rim);
 }`;
 
 const INK_SHARE = 0.55;

@@ -38,6 +38,8 @@ export function createBlankView(container: HTMLElement): View {
     showFrame() {},
     showHandles() {},
     setSymmetry() {},
+    setRegion() {},
+    setReach() {},
     setPreview() {},
     setAppearance() {},
     setWaiting() {},

@@ -3,6 +3,7 @@ import { Color, DirectionalLight, HemisphereLight, Matrix4, Scene, SRGBColorSpac
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Film } from '../export/recording';
 import { words } from '../language/language';
+import type { Ball } from '../../../wasm/chebnet';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import type { Choice } from '../handles/wishes';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
@@ -20,6 +21,7 @@ import { NetLines } from './net_lines';
 import { createBlankView, createNotice, probeGraphics } from './notice';
 import { Overlay, type Place, type Strain } from './overlay';
 import type { Projection } from './picking';
+import { ReachSurface } from './reach_surface';
 import { Space } from './space';
 import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
@@ -53,6 +55,7 @@ class SceneView implements View {
   private readonly ground = new Ground(this.uniforms);
   private readonly stepArrows = new StepArrows();
   private readonly sheet = new SymmetrySheet();
+  private readonly reach = new ReachSurface();
   private readonly colours = new ColourTexture();
   private readonly lines = new NetLines(this.uniforms, this.colours);
   private readonly faces = new NetFaces(this.uniforms, this.colours);
@@ -74,6 +77,7 @@ class SceneView implements View {
   private appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
   private choice: Pick<Choice, 'selection' | 'mode'> = { selection: [], mode: 'translate' };
   private symmetry: Symmetry | undefined;
+  private regionShown = false;
   private preview: readonly number[] = [];
   /** Where the handles in hand were taken. */
   private taken: { vertex: number; from: Vector3 }[] = [];
@@ -109,7 +113,7 @@ class SceneView implements View {
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
     });
-    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet]) this.scene.add(part.object);
+    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet, this.reach]) this.scene.add(part.object);
     this.scene.add(...this.gizmo.objects, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
@@ -161,6 +165,19 @@ class SceneView implements View {
     if (symmetry === this.symmetry) return;
     this.symmetry = symmetry;
     if (this.net && this.shown) this.sheet.show(symmetry, this.net.restPositions, this.shown.space);
+    this.requestDraw();
+  }
+
+  setRegion(mobility: Float32Array | null): void {
+    if (!this.shown || (mobility === null && !this.regionShown)) return;
+    this.regionShown = mobility !== null;
+    this.shown.showRegion(mobility);
+    this.requestDraw();
+  }
+
+  setReach(balls: readonly Ball[] | null): void {
+    if (!this.shown || (balls === null && !this.reach.object.visible)) return;
+    this.reach.show(balls, this.shown.space);
     this.requestDraw();
   }
 
@@ -255,8 +272,8 @@ class SceneView implements View {
     this.stopThemes();
     this.gestures.dispose();
     this.removeNet();
-    const { gizmo, stepArrows, sheet, rig, marks, ground, lines, faces, colours, renderer } = this;
-    for (const thing of [gizmo, stepArrows, sheet, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
+    const { gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer } = this;
+    for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
@@ -342,6 +359,8 @@ class SceneView implements View {
     this.shown?.dispose();
     this.shown = null;
     this.found = null;
+    this.regionShown = false;
+    this.reach.object.visible = false;
   }
 
   /** Another axis is up: everything stands elsewhere in the scene. */
@@ -358,7 +377,7 @@ class SceneView implements View {
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet]) part.setTheme(this.theme);
+    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet, this.reach]) part.setTheme(this.theme);
     this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.setAppearance(this.appearance);
   }

@@ -1,6 +1,6 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
  *  it never changes the document itself. */
-import type { Handle } from '../../../wasm/chebnet';
+import type { Ball, Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Film } from '../export/recording';
 import type { Selection } from '../handles/selection';
@@ -44,6 +44,10 @@ export interface View {
   showHandles(handles: readonly HandleData[], choice: Pick<Choice, 'selection' | 'mode'>): void;
   /** The plane of symmetry, if there is one. */
   setSymmetry(symmetry: Symmetry | undefined): void;
+  /** Shades what moves less or not at all, 1 … 0 for each vertex; null: nothing. */
+  setRegion(mobility: Float32Array | null): void;
+  /** The points in all these balls, as a surface; null: none. */
+  setReach(balls: readonly Ball[] | null): void;
   /** Marks vertices that a button would take. */
   setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;

@@ -1,6 +1,6 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
  *  old one is lost. */
-import type { Handle } from '../../../wasm/chebnet';
+import type { Ball, Handle } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
@@ -130,6 +130,11 @@ export class Client {
     return pending.promise;
   }
 
+  /** What may move from now on: `radius` in edge lengths, null: everything. */
+  setLocality(radius: number | null, origins: readonly number[]): Promise<void> {
+    return this.#tell({ type: 'locality', radius, origins: [...origins] });
+  }
+
   async setOptions(settings: SolverSettings): Promise<void> {
     await this.#tell({ type: 'options', settings });
     if (this.#scene) this.#scene = { ...this.#scene, ...settings };
@@ -161,6 +166,14 @@ export class Client {
   async exportFile(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
     this.#sendDrag();
     return (await this.#ask({ type: 'export', format }, 'exported')).bytes;
+  }
+
+  async reach(vertex: number): Promise<Ball[]> {
+    return (await this.#ask({ type: 'reach', vertex }, 'reach')).balls;
+  }
+
+  async distances(origins: readonly number[]): Promise<Float64Array> {
+    return (await this.#ask({ type: 'distances', origins: [...origins] }, 'distances')).distances;
   }
 
   thumbnail(recipe: string): Promise<{ edges: Int32Array; positions: Float32Array }> {
@@ -203,7 +216,7 @@ export class Client {
 
   #remember(handles: readonly Handle[], positions: Float64Array | null): void {
     if (this.#scene === null) return;
-    const seeds = handles.map(({ vertex, target }) => ({ vertex, target, anchor: false }));
+    const seeds = handles.map((handle) => ({ ...handle, anchor: false }));
     this.#scene = { ...this.#scene, handles: seeds, positions: positions ?? this.#scene.positions };
   }
 

@@ -1,4 +1,5 @@
 import type {
+  Ball,
   FileFormat,
   Handle,
   InitialisationInfo,
@@ -13,7 +14,7 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 4;
+export const PROTOCOL_VERSION = 5;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
@@ -27,6 +28,9 @@ export type Request = { id: number } & (
   /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
    *  solve for those before has had its share of time. */
   | { type: 'drag'; targets: Handle[] }
+  /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;
+   *  null: everything. */
+  | { type: 'locality'; radius: number | null; origins: number[] }
   /** Begins no solve; one under way goes on with them. */
   | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */
@@ -44,6 +48,10 @@ export type Request = { id: number } & (
   | { type: 'export'; format: ExportFormat }
   /** What is too dear to come with every frame. */
   | { type: 'measure' }
+  /** Where the other exact handles let one be moved. */
+  | { type: 'reach'; vertex: number }
+  /** How far each vertex is from the nearest of the origins, along the net. */
+  | { type: 'distances'; origins: number[] }
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
 );
@@ -61,7 +69,7 @@ export interface Measures {
   bend: number;
   /** At a face corner, radians. */
   smallestAngle: number;
-  /** Largest distance of a handle from its target. */
+  /** Largest distance of an exact handle from its target. */
   handleError: number;
 }
 
@@ -116,6 +124,8 @@ export type Response = { id: number } & (
   /** The bytes of a file. */
   | { type: 'exported'; bytes: Uint8Array<ArrayBuffer> }
   | { type: 'measured'; measures: Measures }
+  | { type: 'reach'; balls: Ball[] }
+  | { type: 'distances'; distances: Float64Array }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }

@@ -1,7 +1,8 @@
 /** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
 import type { Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { unpackPositions } from '../document/packing';
-import type { SolverOptions, SolverSettings } from '../document/document';
+import { targetsOf } from '../document/document';
+import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
 import { edgesCsv } from '../export/edges_csv';
 import { describe } from './opened_net';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
@@ -323,13 +324,16 @@ function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
 }
 
 function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): void {
+  // Soft handles of before would stand in the way of a method that knows none.
+  if (editor.handles().some(({ weight }) => weight !== undefined)) editor.setHandles([]);
   applySettings(core, editor, scene);
   const rest = editor.restPositions;
   const seeds =
     scene.handles === 'suggested' ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null })) : scene.handles;
   // A vertex that is out of range gets a target all the same: the core says what is wrong with it.
   const at = (vertex: number): [number, number, number] => [rest[3 * vertex] ?? 0, rest[3 * vertex + 1] ?? 0, rest[3 * vertex + 2] ?? 0];
-  editor.setHandles(seeds.map(({ vertex, target }) => ({ vertex, target: target ?? at(vertex) })));
+  const handles = seeds.map(({ vertex, target, weight }: Omit<HandleSeed, 'anchor'>) => ({ vertex, target: target ?? at(vertex), weight }));
+  editor.setHandles(targetsOf(handles));
   const { positions } = scene;
   if (positions !== null) editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
 }

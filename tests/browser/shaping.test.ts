@@ -1,0 +1,96 @@
+/** Soft handles, locality and reach under real hands. */
+import { join } from 'node:path';
+import { beforeEach, expect, test } from 'vitest';
+import { OUTPUT, type Script, type Visit, visits } from './page';
+
+const site = visits();
+let visit: Visit;
+let script: Script;
+
+beforeEach(async () => {
+  visit = await site.arrive();
+  ({ script } = visit);
+  await script.open({ recipe: 'elephant:vertices=1200' });
+  await script.settled();
+});
+
+const dragged = (): Promise<number> => visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+
+/** Takes the last handle and moves it by so many pixels; `held` while it is still in hand. */
+async function drag(by: [number, number], held?: () => Promise<void>): Promise<void> {
+  const { mouse } = visit.page;
+  const { x, y } = await script.screenPosition(await dragged());
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + by[0] / 10, y + by[1] / 10, { steps: 3 });
+  await visit.page.waitForTimeout(200); // the limits of a drag come with an answer of the solver
+  await mouse.move(x + by[0], y + by[1], { steps: 8 });
+  await held?.();
+  await mouse.up();
+  await script.settled();
+}
+
+function movedVertices(before: Float64Array, after: Float64Array): number {
+  let moved = 0;
+  for (let i = 0; i < before.length; i += 3) moved += [0, 1, 2].some((axis) => before[i + axis] !== after[i + axis]) ? 1 : 0;
+  return moved;
+}
+
+test('a drag stops where the net can follow no farther, unless it is told not to', async () => {
+  await drag([0, -2000], async () => {
+    await script.settled();
+    await visit.page.screenshot({ path: join(OUTPUT, 'reach.png') });
+  });
+  expect((await script.stats()).status).not.toBe('unreachable');
+  await visit.page.keyboard.press('Control+z'); // brings the handle back into the picture
+  await script.settled();
+  await visit.page.getByText('Dragging', { exact: true }).click();
+  await visit.page.getByLabel('Keep within reach').uncheck();
+  await drag([0, -2000]);
+  expect((await script.stats()).status).toBe('unreachable');
+});
+
+test('with a locality only what is near the hand moves; undo takes the choice back; a link carries it', async () => {
+  await visit.page.getByText('Dragging', { exact: true }).click();
+  const slider = visit.page.getByLabel('Locality');
+  await slider.focus();
+  await slider.press('End');
+  for (let i = 0; i < 14; i++) await slider.press('ArrowLeft');
+  const edges = Number.parseInt((await slider.getAttribute('aria-valuetext'))!, 10);
+  expect(edges).toBeGreaterThan(3);
+  await visit.page.screenshot({ path: join(OUTPUT, 'locality.png') });
+  const link = await visit.page.evaluate(() => window.chebnet.link());
+
+  const before = await script.positions();
+  await drag([6, -12], async () => {
+    await visit.page.screenshot({ path: join(OUTPUT, 'locality-drag.png') });
+  });
+  const moved = movedVertices(before, await script.positions());
+  expect(moved).toBeGreaterThan(0);
+  expect(moved).toBeLessThan(before.length / 3 / 2);
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(movedVertices(before, await script.positions())).toBe(0);
+  await visit.page.keyboard.press('Control+z');
+  await visit.page.waitForFunction(() => document.querySelector('.locality output')?.textContent === 'everything');
+
+  const other = await site.arrive(link);
+  expect(await other.page.getByLabel('Locality').getAttribute('aria-valuetext')).toBe(`${edges} edges`);
+});
+
+test('a soft handle follows its target as far as its weight pulls, and every edge keeps its length', async () => {
+  const vertex = await dragged();
+  const [x, y, z] = await script.position(vertex);
+  const off = async (weight: number): Promise<number> => {
+    await visit.page.evaluate(
+      ([each, target, w]) => window.chebnet.setHandles(window.chebnet.handles().map((h) => (h.vertex === each ? { ...h, target, weight: w } : h))),
+      [vertex, [x, y, z + 3] as [number, number, number], weight] as const,
+    );
+    await script.settled();
+    expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+    return z + 3 - (await script.position(vertex))[2];
+  };
+  const light = await off(0.02);
+  expect(await off(50)).toBeLessThan(0.5 * light);
+});

@@ -1,0 +1,89 @@
+/** Soft handles, locality and reach, across the border. */
+import { afterEach, beforeEach, describe, expect, test } from 'vitest';
+import type { Editor, Handle } from '../../wasm/chebnet';
+import { nearestInAll } from '../../web/src/handles/reach';
+import { failure, firstEdit, load } from './load';
+
+const chebnet = await load();
+
+let editor: Editor;
+let handles: Handle[];
+let dragged: Handle;
+beforeEach(() => {
+  editor = chebnet.openRecipe('elephant:vertices=900');
+  handles = firstEdit(editor);
+  dragged = handles.at(-1)!;
+});
+afterEach(() => editor.dispose());
+
+const offTarget = ({ vertex, target }: Handle): number =>
+  Math.hypot(...editor.positions().subarray(3 * vertex, 3 * vertex + 3).map((x, axis) => x - target[axis]!));
+
+describe('soft handles', () => {
+  test('come back with their weights; exact ones have none', () => {
+    editor.setHandles([...handles.slice(0, -1), { ...dragged, weight: 0.5 }]);
+    expect(editor.handles().at(-1)).toEqual({ ...dragged, weight: 0.5 });
+    expect(editor.handles()[0]).toEqual(handles[0]);
+  });
+
+  test('pull the closer to their targets the heavier they are, and edges stay exact', () => {
+    const distances = [0.01, 1, 100].map((weight) => {
+      editor.reset();
+      editor.setHandles([...handles.slice(0, -1), { ...dragged, weight }]);
+      expect(editor.solve()).toMatchObject({ status: 'converged' });
+      expect(Math.max(...editor.deviations())).toBeLessThan(1e-6);
+      return offTarget(dragged);
+    });
+    expect(distances[0]).toBeGreaterThan(distances[1]!);
+    expect(distances[1]).toBeGreaterThan(distances[2]!);
+    expect(editor.handleError()).toBe(0);
+  });
+
+  test('are refused with a weight that is none, or by a method that knows none', () => {
+    for (const weight of [0, -1, NaN, '1' as unknown as number]) {
+      expect(failure(() => editor.setHandles([{ ...dragged, weight }])).code).toBe('bad_option');
+    }
+    editor.setMethod('li2022');
+    expect(failure(() => editor.setHandles([{ ...dragged, weight: 1 }]))).toMatchObject({
+      code: 'bad_option',
+      message: expect.stringContaining('li2022'),
+    });
+  });
+});
+
+describe('locality', () => {
+  test('keeps what lies beyond exactly where it is', () => {
+    const before = editor.positions();
+    const distances = editor.distances([dragged.vertex]);
+    const radius = 9;
+    editor.setHandles(handles.map(({ vertex }) => ({ vertex, target: [...before.subarray(3 * vertex, 3 * vertex + 3)] as Handle['target'] })));
+    editor.setLocality(radius, [dragged.vertex]);
+    const [x, y, z] = before.subarray(3 * dragged.vertex, 3 * dragged.vertex + 3);
+    editor.moveHandle(dragged.vertex, [x!, y!, z! + editor.info.meanLength]);
+    expect(editor.solve()).toMatchObject({ status: 'converged' });
+    const after = editor.positions();
+    let moved = 0;
+    for (let v = 0; v < distances.length; v++) {
+      const stays = [0, 1, 2].every((axis) => before[3 * v + axis] === after[3 * v + axis]);
+      if (distances[v]! >= (radius - 1e-6) * editor.info.meanLength) expect(stays).toBe(true);
+      else if (!stays) moved += 1;
+    }
+    expect(moved).toBeGreaterThan(20);
+  });
+
+  test('is refused if it is no length or nowhere', () => {
+    expect(failure(() => editor.setLocality(0, [1])).code).toBe('bad_option');
+    expect(failure(() => editor.setLocality(5, [1e6])).code).toBe('index_out_of_range');
+  });
+});
+
+test('the reach of a handle ends where the core calls others unreachable', () => {
+  editor.setHandles(handles);
+  const balls = editor.reach(dragged.vertex);
+  expect(balls.map(({ centre }) => centre)).toEqual(handles.slice(0, -1).map(({ target }) => target));
+  const far: Handle['target'] = [dragged.target[0] + 1e3, dragged.target[1], dragged.target[2] + 500];
+  editor.moveHandle(dragged.vertex, far);
+  expect(editor.unreachablePairs()).not.toEqual([]);
+  editor.moveHandle(dragged.vertex, nearestInAll(balls, far));
+  expect(editor.unreachablePairs()).toEqual([]);
+});

@@ -1,0 +1,111 @@
+/** Where a handle may be moved, as the faint surface of what balls have in common: of each sphere only what lies within all
+ *  the others. */
+import {
+  BackSide,
+  Color,
+  GLSL3,
+  InstancedBufferGeometry,
+  Mesh,
+  NormalBlending,
+  ShaderMaterial,
+  SphereGeometry,
+  Vector3,
+  Vector4,
+} from 'three';
+import type { Ball } from '../../../wasm/chebnet';
+import type { Space } from './space';
+import type { Theme } from './theme';
+
+/** The smallest balls bound the region; of many more nothing would be seen. */
+const MOST_BALLS = 16;
+
+const VERTEX = /* glsl */ `
+uniform vec4 balls[${MOST_BALLS}];
+flat out int own;
+out vec3 place;
+out vec3 seen;
+out vec3 outward;
+void main() {
+  own = gl_InstanceID;
+  vec4 ball = balls[gl_InstanceID];
+  place = ball.xyz + ball.w * position;
+  vec4 inView = modelViewMatrix * vec4(place, 1.0);
+  seen = inView.xyz;
+  outward = normalMatrix * position;
+  gl_Position = projectionMatrix * inView;
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform vec4 balls[${MOST_BALLS}];
+uniform int count;
+uniform vec3 tint;
+flat in int own;
+in vec3 place;
+in vec3 seen;
+in vec3 outward;
+out vec4 colour;
+void main() {
+  float rim = 1.0;
+  for (int i = 0; i < count; i++) {
+    if (i == own) continue;
+    float inside = balls[i].w - distance(place, balls[i].xyz);
+    if (inside < 0.0) discard;
+    // Where two spheres cut each other there is an edge.
+    rim = min(rim, inside / max(fwidth(inside), 1e-6) / 1.5);
+  }
+  float grazing = 1.0 - abs(dot(normalize(outward), normalize(seen)));
+  colour = vec4(tint, mix(0.75, 0.08 + 0.3 * pow(grazing, 3.0), clamp(rim, 0.0, 1.0)));
+}`;
+
+export class ReachSurface {
+  readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+
+  constructor() {
+    const sphere = new SphereGeometry(1, 64, 40);
+    const geometry = new InstancedBufferGeometry();
+    geometry.index = sphere.index;
+    geometry.setAttribute('position', sphere.getAttribute('position'));
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      transparent: true,
+      blending: NormalBlending,
+      depthWrite: false,
+      // The far side: the near one would lie over the net.
+      side: BackSide,
+      uniforms: {
+        balls: { value: Array.from({ length: MOST_BALLS }, () => new Vector4()) },
+        count: { value: 0 },
+        tint: { value: new Color() },
+      },
+    });
+    this.object = new Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = 3;
+    this.object.visible = false;
+  }
+
+  show(balls: readonly Ball[] | null, space: Space): void {
+    this.object.visible = balls !== null;
+    if (balls === null) return;
+    const drawn = [...balls].sort((a, b) => a.radius - b.radius).slice(0, MOST_BALLS);
+    const { balls: places, count } = this.object.material.uniforms;
+    const centre = new Vector3();
+    drawn.forEach((ball, i) => {
+      space.toScene(centre, ball.centre);
+      places!.value[i].set(centre.x, centre.y, centre.z, ball.radius * space.scale);
+    });
+    count!.value = drawn.length;
+    this.object.geometry.instanceCount = drawn.length;
+  }
+
+  setTheme({ accent }: Theme): void {
+    this.object.material.uniforms.tint!.value.setRGB(...accent);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}
