@@ -308,6 +308,23 @@ describe('by hand', () => {
     expect(settled().frame.status).toBe('converged');
   });
 
+  test('a locality holds what lies beyond it until the net is set anew; reach and distances are told', () => {
+    ask({ type: 'locality', radius: 3, origins: [dragged] });
+    expect(said.at(-1)).toMatchObject({ type: 'done' });
+    ask({ type: 'distances', origins: [dragged] });
+    const { distances } = said.at(-1) as { distances: Float64Array };
+    expect(distances[dragged]).toBe(0);
+    ask({ type: 'reach', vertex: dragged });
+    const { balls } = said.at(-1) as { balls: { radius: number }[] };
+    expect(balls.length).toBe(reference.suggestedHandles.length - 1);
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    run();
+    const { positions } = settled().frame;
+    const beyond = [...distances.keys()].filter((v) => distances[v]! > 3.5 * reference.info.meanLength);
+    expect(beyond.length).toBeGreaterThan(0);
+    expect(beyond.every((v) => positions[3 * v] === reference.restPositions[3 * v])).toBe(true);
+  });
+
   test('options are all or none', () => {
     setOptions({ p_end: 30 });
     setOptions({ p_start: 3, threshold: NaN });

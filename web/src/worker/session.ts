@@ -74,6 +74,9 @@ export class Session {
         if (this.#solving && !this.#hadItsShare()) this.#nextDrag = request;
         else this.#drag(request);
         return;
+      case 'locality':
+        this.#net().setLocality(request.radius ?? Infinity, request.origins);
+        return this.#reply(request, { type: 'done' });
       case 'options':
         applySettings(this.#core, this.#net(), request.settings);
         if (!this.#solving) this.#judge();
@@ -99,6 +102,10 @@ export class Session {
         return this.#export(request.id, request.format);
       case 'measure':
         return this.#reply(request, this.#measured());
+      case 'reach':
+        return this.#reply(request, { type: 'reach', balls: this.#net().reach(request.vertex) });
+      case 'distances':
+        return this.#distances(request);
       case 'thumbnail':
         return this.#reply(request, this.#thumbnail(request.recipe));
     }
@@ -161,6 +168,11 @@ export class Session {
   #export(id: number, format: ExportFormat): void {
     const bytes = fileOf(this.#net(), format);
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
+  }
+
+  #distances({ id, origins }: Extract<Request, { type: 'distances' }>): void {
+    const distances = this.#net().distances(origins);
+    this.#post({ id, type: 'distances', distances }, [distances.buffer as ArrayBuffer]);
   }
 
   #measured(): Answer {
