@@ -28,8 +28,7 @@ std::vector<Handle> at_rest(std::vector<Handle> handles, const Net& net) {
 
 void move_handles(Editor& editor, const std::vector<Handle>& goal, double t) {
     for (const Handle& handle : goal)
-        editor.move_handle(handle.vertex,
-                           between(editor.net().rest_positions().col(handle.vertex), handle.target, t));
+        editor.move_handle(handle.vertex, between(editor.net().rest_positions().col(handle.vertex), handle.target, t));
 }
 
 /// One solve for each frame. The handles stand at rest before the first, as when a user takes hold of one.

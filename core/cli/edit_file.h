@@ -7,9 +7,9 @@
 
 namespace chebnet {
 
-/// Reads an edit, `{"handles": [{"vertex": i from 0, "target": [x, y, z]}, …]}`, for a net of `vertex_count` vertices. A
-/// handle with a "weight" is soft. Other keys are passed over. Throws Error file_access, too_large, bad_syntax, index_out_of_range, repeated_vertex;
-/// each message names the file and the handle, from 0.
+/// Reads an edit, `{"handles": [{"vertex": i from 0, "target": [x, y, z]}, …]}`, for a net of `vertex_count` vertices.
+/// A handle with a "weight" is soft. Other keys are passed over. Throws Error file_access, too_large, bad_syntax,
+/// index_out_of_range, repeated_vertex; each message names the file and the handle, from 0.
 std::vector<Handle> read_edit(const std::string& path, int vertex_count);
 
 }  // namespace chebnet

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "net/net.h"
-#include "net/topology.h"
 #include "edit/locality.h"
 #include "edit/reach.h"
+#include "net/net.h"
+#include "net/topology.h"
 #include "solve/initialisation.h"
 #include "solve/method.h"
 #include "solve/options.h"
@@ -33,8 +33,8 @@ struct Handle {
 /// Two vertices that no net can hold: they are to stand farther apart than the net between them is long.
 struct UnreachablePair {
     int vertex_a, vertex_b;  ///< exact handles; b may also be a vertex outside the region that may move
-    double distance;  ///< between where they are to stand
-    double reach;     ///< length of the shortest path along edges between the vertices
+    double distance;         ///< between where they are to stand
+    double reach;            ///< length of the shortest path along edges between the vertices
 };
 
 /// How much one call of Editor::solve may do.
@@ -59,19 +59,19 @@ public:
     const std::string& method() const { return m_method_name; }
     const std::string& initialisation() const { return m_initialisation.name(); }
 
-    /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite, or
-    /// bad_option for a weight out of range or one that the method does not know, and then changes nothing.
+    /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite,
+    /// or bad_option for a weight out of range or one that the method does not know, and then changes nothing.
     void set_handles(std::vector<Handle> handles);
     /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
-    /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and the
-    /// harder the closer to that border (see Region; methods that know no holds have the border only). All else stays
-    /// exactly where it stands, until the next call, or until other handles are moved or all set, positions are replaced
-    /// or reset. Infinity, or no origins: everything may move. Throws Error bad_option unless radius > 0,
+    /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and
+    /// the harder the closer to that border (see Region; methods that know no holds have the border only). All else
+    /// stays exactly where it stands, until the next call, or until other handles are moved or all set, positions are
+    /// replaced or reset. Infinity, or no origins: everything may move. Throws Error bad_option unless radius > 0,
     /// index_out_of_range.
     void set_locality(double radius, std::span<const int> origins);
-    /// Chooses the method by its name in method_table(). Throws Error bad_option, also if there are soft handles and the
-    /// method does not know any, and then changes nothing.
+    /// Chooses the method by its name in method_table(). Throws Error bad_option, also if there are soft handles and
+    /// the method does not know any, and then changes nothing.
     void set_method(std::string_view name);
     /// Uses a method of one's own; `name` is what method() then says. Throws Error bad_option as above.
     void set_method(std::unique_ptr<Method> method, std::string name);
@@ -96,11 +96,11 @@ public:
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
-    /// the region that may move which holds one back most. Necessary, not sufficient, for no net to exist. Two handles joined by
-    /// an edge whose targets are not exactly its length apart count too.
+    /// the region that may move which holds one back most. Necessary, not sufficient, for no net to exist. Two handles
+    /// joined by an edge whose targets are not exactly its length apart count too.
     std::vector<UnreachablePair> unreachable_pairs() const;
-    /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls, one
-    /// for each other exact handle, as wide as the net between them is long. Throws Error index_out_of_range.
+    /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls,
+    /// one for each other exact handle, as wide as the net between them is long. Throws Error index_out_of_range.
     std::vector<Ball> reach(int vertex) const;
     /// V, length of the shortest path along edges to the nearest of the `origins`; infinity where there is none. Throws
     /// Error index_out_of_range.
@@ -129,8 +129,8 @@ private:
     Positions m_positions;
     std::vector<Handle> m_handles;
     mutable std::vector<std::vector<double>> m_handle_distances;  // handles × handles along the net, made when needed
-    std::optional<Region> m_region;  // none: everything may move
-    std::vector<Hold> m_holds;       // of soft handles and of the region, for the solve under way
+    std::optional<Region> m_region;                               // none: everything may move
+    std::vector<Hold> m_holds;  // of soft handles and of the region, for the solve under way
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;

@@ -10,9 +10,9 @@
 
 namespace chebnet {
 
-/// The part of a net that may move with some vertices, by the distance d along the net (Topology::distances_from) from the
-/// nearest of them and the radius R: vertices with d ≥ R are fixed; the outer half of the others is held where it stands, with weights that rise
-/// smoothly from 0 at d = R/2.
+/// The part of a net that may move with some vertices, by the distance d along the net (Topology::distances_from) from
+/// the nearest of them and the radius R: vertices with d ≥ R are fixed; the outer half of the others is held where it
+/// stands, with weights that rise smoothly from 0 at d = R/2.
 struct Region {
     /// A fixed vertex with a neighbour that may move.
     struct BorderVertex {

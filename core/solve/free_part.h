@@ -26,7 +26,7 @@ public:
         int link;
     };
 
-    const std::vector<int>& vertices() const { return m_vertices; }  ///< node → vertex
+    const std::vector<int>& vertices() const { return m_vertices; }     ///< node → vertex
     int node_of(int vertex) const { return m_node_of_vertex[vertex]; }  ///< −1: fixed
     int size() const { return static_cast<int>(m_vertices.size()); }
     std::span<const Edge> edges() const { return m_edges; }

@@ -25,9 +25,9 @@ LaplacianPart::LaplacianPart(const Net& net, const std::vector<bool>& is_free)
 
 void LaplacianPart::set_holds(std::span<const Hold> holds) {
     const auto scaled = [&](const Hold& hold) { return m_scale * std::min(hold.weight, k_most_weight); };
-    const bool same = std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), [&](auto& now, auto& next) {
-        return now.vertex == next.vertex && now.weight == scaled(next);
-    });
+    const bool same =
+        std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(),
+                   [&](auto& now, auto& next) { return now.vertex == next.vertex && now.weight == scaled(next); });
     m_holds.assign(holds.begin(), holds.end());
     for (Hold& hold : m_holds) hold.weight = scaled(hold);
     if (!same) factorize();

@@ -33,9 +33,10 @@ public:
     ///
     ///     F = Σ_e ‖(x_a − x_b) − t_e‖² + Σ_h w_h ‖x_h − t_h‖²,
     ///
-    /// where t_e is column e of `vectors` (3×E), (a, b) are the ends of edge e, and h are the holds. One call takes them
-    /// there, but for a piece of the net that no fixed vertex keeps in place: without a hold it leaves one vertex where it
-    /// is, and with weak ones it goes there in small steps. Returns ‖∇F‖ over the free vertices before the move.
+    /// where t_e is column e of `vectors` (3×E), (a, b) are the ends of edge e, and h are the holds. One call takes
+    /// them there, but for a piece of the net that no fixed vertex keeps in place: without a hold it leaves one vertex
+    /// where it is, and with weak ones it goes there in small steps. Returns ‖∇F‖ over the free vertices before the
+    /// move.
     double fit(const Eigen::Matrix3Xd& vectors, Positions& positions);
 
     /// Replaces a right-hand side, 4×nodes, by the solution of the Laplacian's system, without allocation.

@@ -10,9 +10,9 @@
 namespace chebnet {
 
 /// Newton's method on the constraints c_e = ℓ_e / L_e − 1 = 0 by moves of least norm (Goldenthal et al. 2007, "fast
-/// projection"): d = −W Jᵀ λ with (J W Jᵀ) λ = c, where J is the Jacobian of c and W is 1 on free vertices, 0 on handles,
-/// and between on vertices that shall give way last. The system has a row for each edge and couples edges that share a free vertex. Converges quadratically from
-/// close by; from afar it crumples the net.
+/// projection"): d = −W Jᵀ λ with (J W Jᵀ) λ = c, where J is the Jacobian of c and W is 1 on free vertices, 0 on
+/// handles, and between on vertices that shall give way last. The system has a row for each edge and couples edges that
+/// share a free vertex. Converges quadratically from close by; from afar it crumples the net.
 ///
 /// The system is solved by conjugate gradients preconditioned with a factor of it in single precision, which is renewed
 /// when it has become too old to pay. Nothing is allocated after construction. Keeps a reference to the net.

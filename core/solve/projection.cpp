@@ -30,7 +30,8 @@ constexpr double k_forgetting = 0.05;
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.01;
 constexpr int k_most_spring_iterations = 150;
-// Where holds resist, they give way until they pull no more than a part of an edge's strength, each time by this factor.
+// Where holds resist, they give way until they pull no more than a part of an edge's strength, each time by this
+// factor.
 constexpr double k_yielding = 0.1;
 constexpr double k_least_pull = 1e-4;
 // Stage 3: this many projections must halve the smallest max dL so far.
@@ -76,8 +77,8 @@ private:
     std::unique_ptr<LengthProjection> m_lengths;  // for the net, whatever the handles
     std::unique_ptr<Method> m_newton;
     bool m_newton_prepared = false;
-    double m_yield = 1;      // part of their weights with which the holds pull in stages 2 and 3
-    double m_pulled = 0;     // how far the targets of holds have moved since stage 1 has heeded them
+    double m_yield = 1;   // part of their weights with which the holds pull in stages 2 and 3
+    double m_pulled = 0;  // how far the targets of holds have moved since stage 1 has heeded them
 
     Options m_options;
     bool m_reachable = true;

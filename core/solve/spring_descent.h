@@ -13,9 +13,9 @@ namespace chebnet {
 ///     E = Σ_e (ℓ_e − L_e)² + Σ_h w_h ‖x_h − c_h‖²
 ///
 /// with the uniform Laplacian as the first guess of its Hessian (Liu, Bouaziz, Kavan 2017): the local–global iteration
-/// is its first step, and what the steps teach about the curvature makes the following ones many times longer. Steps are
-/// as smooth as the Laplacian's. h are the part's holds, which pull to where the solve has brought them rather than to
-/// their targets. Nothing is allocated once the history is full. Keeps a reference to the part.
+/// is its first step, and what the steps teach about the curvature makes the following ones many times longer. Steps
+/// are as smooth as the Laplacian's. h are the part's holds, which pull to where the solve has brought them rather than
+/// to their targets. Nothing is allocated once the history is full. Keeps a reference to the part.
 class SpringDescent {
 public:
     explicit SpringDescent(LaplacianPart& part);

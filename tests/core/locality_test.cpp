@@ -24,8 +24,8 @@ Editor elephant() {
     return editor;
 }
 
-/// Moves the last handle up by so many edge lengths in small steps, the net within the locality; the worst status of all
-/// frames.
+/// Moves the last handle up by so many edge lengths in small steps, the net within the locality; the worst status of
+/// all frames.
 Status lift(Editor& editor, double edge_lengths, double locality) {
     const Handle handle = editor.handles().back();
     editor.set_locality(locality, std::vector{handle.vertex});
@@ -162,6 +162,7 @@ TEST_CASE("Soft handles within a region pull, those beyond it stay") {
 
 TEST_CASE("A locality that is no length, or is nowhere, is refused") {
     Editor editor = elephant();
-    for (const double radius : {0.0, -1.0, std::nan("")}) CHECK_THROWS_AS(editor.set_locality(radius, std::vector{3}), Error);
+    for (const double radius : {0.0, -1.0, std::nan("")})
+        CHECK_THROWS_AS(editor.set_locality(radius, std::vector{3}), Error);
     CHECK_THROWS_AS(editor.set_locality(3, std::vector{-1}), Error);
 }
