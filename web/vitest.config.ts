@@ -11,6 +11,8 @@ const tests = (folder: string, timeout: number) => ({
     environment: 'node',
     testTimeout: timeout,
     hookTimeout: timeout,
+    // What is waited for comes late on a machine that others use too.
+    expect: { poll: { timeout: timeout / 6 } },
   },
 });
 

@@ -13,7 +13,8 @@ namespace chebnet {
 ///      step would (Sorkine & Alexa 2007);
 ///   2  quasi-Newton descent on springs, smooth and cheap, until max dL is small (Liu et al. 2017, SpringDescent);
 ///   3  projection onto the lengths, which converges quadratically (Goldenthal et al. 2007, LengthProjection); where it
-///      does not come closer, the net goes back and becomes smoother first, once by stage 2 and then by
+///      does not come closer, the net goes back and becomes smoother first, by stage 2, which goes on where it was, and
+///      when that has had its share of iterations by
 ///   4  Gauss–Newton steps (gauss_newton), each as costly as one of the paper's, which go on to the end if need be.
 ///
 /// Holds pull the copy in stage 1, which so decides where they are to be; the net's are drawn there by springs of their

@@ -184,6 +184,7 @@ describe('several handles', () => {
     await click(left);
     await button('Net line 1').click();
     await expect.poll(async () => (await handles()).length).toBeGreaterThan(count + 10);
+    await visit.page.getByTitle(/^\d\d handles selected$/).waitFor();
     await press('Delete');
     await expect.poll(async () => (await handles()).length).toBeLessThanOrEqual(count);
   });

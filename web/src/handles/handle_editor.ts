@@ -214,8 +214,9 @@ export class HandleEditor implements HandleWishes {
   async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
     const before = this.#desk.snapshot();
     const both = this.#onBothSides(targets);
-    await this.#guide.limit(verticesOf(both), this.#locality);
-    await this.#client.drag(both);
+    // Asked for at once, in this order: what a caller asks for next comes after both.
+    const limited = this.#guide.limit(verticesOf(both), this.#locality);
+    await Promise.all([limited, this.#client.drag(both)]);
     if (before) this.#history.record(before, words.history.move(this.#titleOf(targets)), key);
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.show();
