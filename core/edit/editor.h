@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "edit/locality.h"
-#include "edit/reach.h"
 #include "net/net.h"
 #include "net/topology.h"
 #include "solve/initialisation.h"
@@ -35,6 +34,12 @@ struct UnreachablePair {
     int vertex_a, vertex_b;  ///< exact handles; b may also be a vertex outside the region that may move
     double distance;         ///< between where they are to stand
     double reach;            ///< length of the shortest path along edges between the vertices
+};
+
+/// The points no farther than `radius` from `centre`.
+struct Ball {
+    Eigen::Vector3d centre;
+    double radius;
 };
 
 /// How much one call of Editor::solve may do.

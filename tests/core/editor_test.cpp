@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "counting_method.h"
 #include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
@@ -11,24 +12,6 @@
 using namespace chebnet;
 
 namespace {
-
-/// The paper's method, counting how often the symbolic work is done.
-class CountingMethod : public Method {
-public:
-    explicit CountingMethod(int& prepared) : m_prepared(prepared) {}
-    void prepare(const Net& net, const Topology& topology, std::span<const int> handles) override {
-        ++m_prepared;
-        m_method->prepare(net, topology, handles);
-    }
-    Status start(Positions& x, const Options& options, bool reachable) override {
-        return m_method->start(x, options, reachable);
-    }
-    Status iterate(Positions& x, TraceRow& row) override { return m_method->iterate(x, row); }
-
-private:
-    int& m_prepared;
-    std::unique_ptr<Method> m_method = make_li2022();
-};
 
 Editor held_patch() {
     Editor editor(samples::patch(9, 8));
@@ -72,7 +55,7 @@ TEST_CASE("Handles are refused by name and then nothing changes") {
 TEST_CASE("Moving handles keeps the symbolic factorisation; changing the set renews it") {
     int prepared = 0;
     Editor editor = held_patch();
-    editor.set_method(std::make_unique<CountingMethod>(prepared), "counted");
+    editor.set_method(std::make_unique<samples::CountingMethod>(make_li2022(), prepared), "counted");
     for (int frame = 1; frame <= 5; ++frame) {
         editor.move_handle(71, editor.net().rest_positions().col(71) + 0.1 * frame * k_pull);
         CHECK(editor.solve().status == Status::converged);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <random>
 
+#include "counting_method.h"
 #include "edit/editor.h"
 #include "net/error.h"
 #include "net/measures.h"
@@ -51,26 +52,6 @@ ErrorCode code_of_weight(double weight) {
     FAIL("nothing was refused");
     return {};
 }
-
-/// The projection method, counting how often the symbolic work is done.
-class CountingProjection : public Method {
-public:
-    explicit CountingProjection(int& prepared) : m_prepared(prepared) {}
-    void prepare(const Net& net, const Topology& topology, std::span<const int> fixed) override {
-        ++m_prepared;
-        m_method->prepare(net, topology, fixed);
-    }
-    bool knows_holds() const override { return true; }
-    void set_holds(std::span<const Hold> holds) override { m_method->set_holds(holds); }
-    Status start(Positions& x, const Options& options, bool reachable) override {
-        return m_method->start(x, options, reachable);
-    }
-    Status iterate(Positions& x, TraceRow& row) override { return m_method->iterate(x, row); }
-
-private:
-    int& m_prepared;
-    std::unique_ptr<Method> m_method = make_projection();
-};
 
 /// The norm of the gradient by central differences, over the free vertices.
 template <typename Energy>
@@ -167,7 +148,7 @@ TEST_CASE("A soft handle gives way to an exact one that is dragged, and every fr
 TEST_CASE("Weights and targets of soft handles keep the symbolic work; softening a handle renews it") {
     int prepared = 0;
     Editor editor = softly_held_patch(1);
-    editor.set_method(std::make_unique<CountingProjection>(prepared), "counted");
+    editor.set_method(std::make_unique<samples::CountingMethod>(make_projection(), prepared), "counted");
     editor.solve();
     std::vector<Handle> handles = editor.handles();
     handles.back().weight = 5;

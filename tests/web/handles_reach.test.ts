@@ -35,6 +35,14 @@ describe('the nearest point in all balls', () => {
     expect(nearestInAll(balls, [1, 1, 1])).toEqual([1, 1, 1]);
     expect(isNearBorder(balls, [1, 0, 0])).toBe(false);
     expect(isNearBorder(balls, [1.95, 0, 0])).toBe(true);
+    expect(nearestInAll([], [9, 9, 9])).toEqual([9, 9, 9]);
+  });
+
+  test('is finite and between the balls where they do not meet', () => {
+    const balls: Ball[] = [-3, 3].map((x) => ({ centre: [x, 0, 0], radius: 1 }));
+    const [x, y, z] = nearestInAll(balls, [0, 5, 0]);
+    expect(Math.abs(x)).toBeLessThan(2.001);
+    expect([y, z].every(Number.isFinite)).toBe(true);
   });
 });
 

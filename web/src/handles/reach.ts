@@ -8,7 +8,9 @@ const TOLERANCE = 1e-9;
 /** Of a radius: closer to a border than this is near it. */
 const NEAR = 0.05;
 
-/** The point nearest to `wish` that lies in all balls, as core/edit/reach.h finds it (Dykstra's algorithm). */
+/** The point nearest to `wish` that lies in all balls, by Dykstra's algorithm of alternating projections (Boyle & Dykstra
+ *  1986). Here rather than in the core: the pointer's next place cannot wait for the worker. Where the balls meet in hardly a
+ *  point or not at all, it comes as close as many rounds bring it. */
 export function nearestInAll(balls: readonly Ball[], wish: Vec3): Vec3 {
   let point = wish;
   const corrections = balls.map((): Vec3 => [0, 0, 0]);
