@@ -136,6 +136,8 @@ async function newVisit(browser: Browser, options: BrowserContextOptions): Promi
     permissions: ['clipboard-read', 'clipboard-write'],
     // Downloading the page a second time would disturb what is measured.
     serviceWorkers: 'block',
+    // What moves is drawn in software, which takes longer than the tests themselves.
+    reducedMotion: 'reduce',
     ...options,
   });
   const page = await context.newPage();
