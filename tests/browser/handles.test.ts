@@ -80,6 +80,20 @@ async function boxAround(...vertices: number[]) {
   await keyboard.up('Shift');
 }
 
+/** With the pointer, an outline of six corners. */
+async function drawAround(vertex: number) {
+  const corners = hexagon(await script.screenPosition(vertex), 30);
+  const { mouse } = visit.page;
+  await mouse.move(corners[0]!.x, corners[0]!.y);
+  await mouse.down();
+  for (const { x, y } of corners) await mouse.move(x, y);
+  await mouse.up();
+}
+
+function hexagon({ x, y }: { x: number; y: number }, radius: number) {
+  return [0, 1, 2, 3, 4, 5].map((i) => ({ x: x + radius * Math.cos(i * (Math.PI / 3)), y: y + radius * Math.sin(i * (Math.PI / 3)) }));
+}
+
 const [left, right] = [vertexAt(0.35, 0.35), vertexAt(0.65, 0.35)];
 const openSection = () => visit.page.getByText(/^Handles \(/).click();
 const isSelected = (vertex: number) => visit.page.getByRole('button', { name: `Vertex ${vertex}`, exact: true, pressed: true });
@@ -110,7 +124,7 @@ describe('several handles', () => {
     expect(await handles()).toHaveLength(net.suggestedHandles.length + 2);
   });
 
-  test('are selected by Shift and clicks, all by Ctrl+A, none by Escape; arrow keys nudge them; Escape takes a drag back', async () => {
+  test('are selected by Shift and clicks, all by Ctrl+A, none by Escape, by a lasso; arrow keys nudge them; Escape takes a drag back', async () => {
     await addHandles(left, right);
     await openSection();
     await click(left);
@@ -125,8 +139,12 @@ describe('several handles', () => {
     await press('Escape');
     await isSelected(right).waitFor({ state: 'detached' });
 
-    await click(left);
-    await click(right, ['Shift']);
+    await press('l');
+    await drawAround(left);
+    await click(right);
+    for (const vertex of [left, right]) await isSelected(vertex).waitFor();
+    await press('Escape');
+    expect(await button('Select').getAttribute('aria-pressed')).toBe('false');
     await press('ArrowUp');
     await script.settled();
     const [movedA, movedB] = [(await targetOf(left)).map((x, i) => x - rest(left)[i]!), (await targetOf(right)).map((x, i) => x - rest(right)[i]!)];
@@ -251,7 +269,7 @@ describe('a handle', () => {
   });
 });
 
-test('a finger drags a handle; held still, it selects; beside handles it turns the view', async () => {
+test('a finger drags a handle; held still, it selects; beside handles it turns the view, or draws a lasso; two fingers zoom', async () => {
   await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await addHandles(left);
   const session = await visit.page.context().newCDPSession(visit.page);
@@ -283,6 +301,48 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
   await swipe({ x: 30, y: 600 }, 120, 0);
   const after = await script.screenPosition(corner);
   expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+
+  /** How much larger the net is after two fingers, of which the first moved a little before the second came, went apart. */
+  const pinch = async ({ x, y }: { x: number; y: number }) => {
+    const apart = async () => {
+      const [a, b] = [await script.screenPosition(corner), await script.screenPosition(dragged)];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    const size = await apart();
+    const second = { x: x + 60, y: y + 60 };
+    await touch('touchStart', [{ x, y }]);
+    await touch('touchMove', [{ x: x - 12, y }]);
+    await touch('touchStart', [{ x: x - 12, y }, second]);
+    for (const i of [1, 2, 3]) await touch('touchMove', [{ x: x - 12 - 5 * i, y }, { x: second.x + 5 * i, y: second.y }]);
+    await touch('touchEnd', []);
+    await script.settled();
+    return (await apart()) / size;
+  };
+  const target = await targetOf(dragged);
+  expect(await pinch(await script.screenPosition(dragged))).toBeGreaterThan(1.1);
+  expect(await targetOf(dragged)).toEqual(target);
+
+  const select = button('Select');
+  const chosen = () => visit.page.getByRole('status').filter({ hasText: 'selected' }).innerText();
+  await select.tap();
+  const { x, y } = await script.screenPosition(left);
+  await visit.page.touchscreen.tap(x, y);
+  expect(await chosen()).toMatch(/^1 selected/);
+  const corners = hexagon(await script.screenPosition(left), 40);
+  await touch('touchStart', [corners[0]!]);
+  for (const place of corners.slice(1)) await touch('touchMove', [place]);
+  await visit.page.screenshot({ path: join(OUTPUT, 'lasso-phone.png') });
+  await touch('touchEnd', []);
+  expect(await chosen()).toMatch(/^2 selected/);
+  expect(await pinch({ x: 60, y: 560 })).toBeGreaterThan(1.1);
+  expect(await chosen()).toMatch(/^2 selected/);
+  await select.tap();
+  expect(await select.getAttribute('aria-pressed')).toBe('false');
+
+  // Neither the pinch nor selecting left anything to undo: what the first finger did is the last.
+  await button('Undo').tap();
+  await script.settled();
+  expect(distance(await targetOf(dragged), rest(dragged))).toBeLessThan(1e-9);
 });
 
 /** Takes the outer ring of the gizmo, to the right of the centre, and pulls it along. */

@@ -67,6 +67,16 @@ test('locked handles are neither turned nor removed, and this is said', async ()
   expect(said).toHaveLength(1);
 });
 
+test('Escape ends selecting several, and only then the selection', () => {
+  editor.select([0]);
+  editor.toggleSelecting();
+  expect(editor.choice.selecting).toBe(true);
+  editor.escape();
+  expect(editor.choice).toMatchObject({ selecting: false, selection: [0] });
+  editor.escape();
+  expect(editor.choice.selection).toEqual([]);
+});
+
 test('a gesture of many moves is one entry, and cancelled it is none', () => {
   editor.beginDrag();
   for (const z of [1, 2, 3]) editor.drag([{ vertex: 0, target: [0, 0, z] }, { vertex: 7, target: [2, 1, z] }]);

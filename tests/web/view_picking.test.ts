@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import { describe, expect, test } from 'vitest';
 import { fitCamera } from '../../web/src/view/camera_fit';
 import { fanTriangles } from '../../web/src/worker/triangles';
-import { nearestMark, nearestVertex, project } from '../../web/src/view/picking';
+import { isInside, nearestMark, nearestVertex, project } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
 import { random } from './random';
 
@@ -130,4 +130,29 @@ test('a net whose y is up stands upright in the scene, right-handed as before', 
 test('faces of any arity become fans', () => {
   const triangles = fanTriangles(Int32Array.from([0, 3, 7, 12]), Int32Array.from([0, 1, 2, 2, 3, 4, 5, 5, 6, 7, 8, 9]));
   expect([...triangles]).toEqual([0, 1, 2, 2, 3, 4, 2, 4, 5, 5, 6, 7, 5, 7, 8, 5, 8, 9]);
+});
+
+describe('an outline', () => {
+  const places = (...all: [number, number][]) => all.map(([x, y]) => ({ x, y }));
+
+  test('holds what lies within it, whichever way round it was drawn, and nothing in its bays', () => {
+    const bay = places([0, 0], [10, 0], [10, 10], [5, 2], [0, 10]);
+    for (const outline of [bay, [...bay].reverse()]) {
+      expect(isInside(outline, 1, 3)).toBe(true);
+      expect(isInside(outline, 9, 3)).toBe(true);
+      expect(isInside(outline, 5, 6)).toBe(false);
+      expect(isInside(outline, 11, 1)).toBe(false);
+    }
+  });
+
+  test('that goes round twice holds what it went round twice', () => {
+    const twice = places([0, 0], [10, 0], [10, 10], [0, 10], [2, 2], [8, 2], [8, 8], [2, 8]);
+    expect(isInside(twice, 5, 5)).toBe(true);
+    expect(isInside(twice, 5, 12)).toBe(false);
+  });
+
+  test('of a point or a line holds nothing', () => {
+    expect(isInside(places([1, 1]), 1, 1)).toBe(false);
+    expect(isInside(places([0, 0], [2, 2]), 1, 0.5)).toBe(false);
+  });
 });

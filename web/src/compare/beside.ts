@@ -20,7 +20,7 @@ export class Beside {
     this.#view.showFrame(frame);
     // Locked all: no hand takes hold of them here.
     const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
-    this.#view.showHandles(handles, { selection: [], mode: 'translate' });
+    this.#view.showHandles(handles, { selection: [], mode: 'translate', selecting: false });
   }
 
   hide(): void {

@@ -37,6 +37,7 @@ export class HandleEditor implements HandleWishes {
   readonly #history: UndoHistory;
   readonly #guide: DragGuide;
   #selection: Selection = [];
+  #selecting = false;
   #mode: GizmoMode = 'translate';
   /** What the history will call the drag under way; null until it moves something. */
   #dragName: string | null = null;
@@ -59,6 +60,7 @@ export class HandleEditor implements HandleWishes {
     const lines = leading === undefined ? null : this.#linesOf();
     return {
       selection: this.#selection,
+      selecting: this.#selecting,
       mode: unlocked(this.#selection, this.#handles).length > 1 ? this.#mode : 'translate',
       onBoundary: lines?.isBoundary(leading!) ?? false,
       lines: lines?.count(leading!) ?? 0,
@@ -74,6 +76,17 @@ export class HandleEditor implements HandleWishes {
     this.select(all(this.#handles));
   }
 
+  toggleSelecting(): void {
+    this.#selecting = !this.#selecting;
+    this.#desk.show();
+  }
+
+  /** Ends selecting several; if that is not going on, nothing is selected any more. */
+  escape(): void {
+    if (this.#selecting) this.toggleSelecting();
+    else this.select([]);
+  }
+
   setMode(mode: GizmoMode): void {
     this.#mode = mode;
     this.#desk.show();
@@ -82,6 +95,7 @@ export class HandleEditor implements HandleWishes {
   /** Another net is open. */
   netChanged(): void {
     this.#selection = [];
+    this.#selecting = false;
     this.#mode = 'translate';
   }
 

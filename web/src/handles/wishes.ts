@@ -15,6 +15,8 @@ export type HandleTraits = { [K in 'name' | 'hidden' | 'weight' | 'anchor']?: Ha
 
 export interface Choice {
   selection: Selection;
+  /** Several are being selected: clicks and outlines add to the selection. */
+  selecting: boolean;
   mode: GizmoMode;
   /** Of the leading handle: whether it lies on the boundary, and how many net lines go through it. */
   onBoundary: boolean;
@@ -23,6 +25,8 @@ export interface Choice {
 
 export interface HandleWishes {
   select(selection: Selection): void;
+  /** Begins to select several, or ends it. */
+  toggleSelecting(): void;
   setMode(mode: GizmoMode): void;
   /** Makes a vertex a handle and selects it, and `also` others with it. */
   add(vertex: number, also?: Selection): void;

@@ -66,6 +66,7 @@ class Sidebar implements Panels {
   private readonly fileName = make('p', { class: 'quiet', hidden: true });
   private readonly toDrag = makeDragLine();
   private readonly toClick = make('p', { hidden: true }, words.intro.click);
+  private readonly toSelect = make('p', { class: 'to-select', role: 'status' });
   private readonly handleSection: HTMLDetailsElement;
   private readonly sections: HTMLElement;
   private readonly fold = makeButton(words.page.controls, () => this.unfold(!this.sections.classList.contains('open')));
@@ -128,6 +129,7 @@ class Sidebar implements Panels {
           make('h1', {}, 'chebnet'),
           this.toDrag,
           this.toClick,
+          this.toSelect,
           this.experiments.note,
         ),
         this.toolbar.element,
@@ -206,9 +208,12 @@ class Sidebar implements Panels {
   showHandles(handles: readonly HandleData[], choice: Choice): void {
     setSummary(this.handleSection, words.handles.title(handles.length));
     this.numbers.showHandles(handles.length);
+    const { selecting, selection } = choice;
     const draggable = handles.some(({ anchor }) => !anchor);
-    this.toDrag.hidden = !draggable;
-    this.toClick.hidden = draggable;
+    this.toDrag.hidden = selecting || !draggable;
+    this.toClick.hidden = selecting || draggable;
+    setText(this.toSelect, selecting ? words.intro.select(selection.length) : '');
+    this.toolbar.showSelecting(selecting);
     this.handles.show(handles, choice);
     this.bar.show(handles, choice);
   }

@@ -1,4 +1,4 @@
-/** What is wanted often, over the picture: the project, undo, the whole net in sight, the link, the files. */
+/** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from './dom';
@@ -7,6 +7,7 @@ import type { PanelEvents } from './panels';
 import { createProjectMenu } from './project_menu';
 
 const ICONS = {
+  select: 'M5.6 10.2C3.5 9.6 2 8.2 2 6.4c0-2.2 2.7-3.9 6-3.9s6 1.7 6 3.9-2.7 3.9-6 3.9c-.8 0-1.7 0-2.4-.1M5.6 10.2A1.4 1.4 0 1 0 3.4 11c.2 1 .9 1.8 2.1 2.5',
   undo: 'M5.5 3 2.5 6l3 3M2.5 6h7a4 4 0 0 1 0 8h-3',
   redo: 'M10.5 3l3 3-3 3M13.5 6h-7a4 4 0 0 0 0 8h3',
   reset: 'M3 8a5 5 0 1 0 1.6-3.7M3 2.5v3h3',
@@ -20,6 +21,7 @@ export class Toolbar {
   readonly menus: HTMLElement[];
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
+  private readonly select: HTMLButtonElement;
 
   constructor(events: PanelEvents) {
     const tool = (name: keyof typeof ICONS, click: () => void) => {
@@ -33,6 +35,7 @@ export class Toolbar {
     this.menus = [projects.menu, exports.menu];
     this.undo = tool('undo', () => events.undo());
     this.redo = tool('redo', () => events.redo());
+    this.select = tool('select', () => events.handles.toggleSelecting());
     this.element = make(
       'div',
       { class: 'toolbar', role: 'group', 'aria-label': words.toolbar.actions },
@@ -40,10 +43,15 @@ export class Toolbar {
       this.undo,
       this.redo,
       tool('reset', () => events.reset()),
+      this.select,
       tool('frame', () => events.frameAll()),
       tool('link', () => events.share()),
       exports.button,
     );
+  }
+
+  showSelecting(on: boolean): void {
+    this.select.setAttribute('aria-pressed', String(on));
   }
 
   showHistory({ canUndo, canRedo }: HistoryView): void {

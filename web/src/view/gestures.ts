@@ -1,6 +1,8 @@
 /** What hands mean: a click picks, with Shift it adds; a drag on a handle moves it and what is selected with it, with Shift it
- *  draws a box around handles; a drag elsewhere is the camera's. A long touch on a handle does what Shift and a click do. */
-import { Matrix4, Vector2, Vector3, type PerspectiveCamera } from 'three';
+ *  draws a box around handles; a drag elsewhere is the camera's. A long touch on a handle does what Shift and a click do.
+ *  While several are being selected, each click adds, and a drag beside what is selected draws a lasso. Two fingers are the
+ *  camera's, also if the first has just taken hold of something. */
+import { Matrix4, TOUCH, Vector2, Vector3, type PerspectiveCamera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
 import { words } from '../language/language';
@@ -9,6 +11,7 @@ import { type DragReport, ViewPlane } from './drag';
 import type { Gizmo } from './gizmo';
 import type { HandleMarks } from './handles';
 import type { NetData } from './net_data';
+import { Outline } from './outline';
 import type { Place } from './overlay';
 import { nearestVertex, type Projection } from './picking';
 import type { ViewEvents } from './view';
@@ -24,6 +27,8 @@ export interface GestureStage {
   events: ViewEvents;
   data(): NetData | null;
   selection(): Selection;
+  /** Whether several are being selected. */
+  selecting(): boolean;
   /** Those that move with a handle, itself first; without one, those of the selection. */
   moving(handle?: number): readonly number[];
   projection(): Projection;
@@ -31,7 +36,7 @@ export interface GestureStage {
   grab(vertices: readonly number[]): void;
   /** Where those in hand are now, from where they were taken. */
   carry(motion: Matrix4): void;
-  box(corners: { from: Place; to: Place } | null): void;
+  outline(corners: readonly Place[] | null): void;
   /** What lies under a resting pointer; null: nothing. */
   hovered(found: Found | null): void;
   frameAll(): void;
@@ -45,10 +50,12 @@ export interface Found {
 interface Press {
   pointer: number;
   at: Place;
-  /** What the pointer does if it moves: drag this handle from this point, draw a box, or neither. */
+  /** What the pointer does if it moves: drag this handle from this point, draw an outline, or neither. */
   handle: { vertex: number; from: Vector3 } | null;
-  box: boolean;
+  outline: Outline | null;
   onGizmo: boolean;
+  /** How far it has been from where it went down, in pixels. */
+  gone: number;
   /** It is no click any more. */
   moved: boolean;
 }
@@ -58,6 +65,8 @@ const REACH = { mouse: 12, touch: 24 };
 const HANDLE_SLACK = { mouse: 4, touch: 16 };
 const STILL = { mouse: 3, touch: 8 };
 const LONG_TOUCH_MS = 450;
+/** A finger that has dragged something no farther than this may still turn out to be the first of a pinch. */
+const FAR = 24;
 /** How far behind the nearest vertex the front layer of the net ends, in edge lengths. */
 const LAYER = 3;
 /** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. */
@@ -120,26 +129,32 @@ export class Gestures {
     const { canvas, orbit, gizmo } = this.stage;
     if (event.target !== canvas) return;
     this.setHover(null);
-    if (this.press) {
-      // A second finger: the camera's business, no click any more.
-      this.press.moved = true;
-      clearTimeout(this.longTouch);
-      return;
-    }
-    if (event.button !== 0) return;
+    if (this.press) return this.downToo(event, this.press);
+    if (event.button !== 0 || !event.isPrimary) return;
+    const isTouch = event.pointerType === 'touch';
     const at = this.place(event);
     const vertex = this.handleAt(at, event);
-    if (event.pointerType === 'touch' && vertex !== null) this.awaitLongTouch(event.pointerId, vertex);
+    if (isTouch && vertex !== null && !this.stage.selecting()) this.awaitLongTouch(event.pointerId, vertex);
     const handle = event.shiftKey ? null : this.grip(vertex);
     const onGizmo = vertex === null && gizmo.takes(this.toDevice(at));
-    const box = event.shiftKey && !onGizmo;
-    this.press = { pointer: event.pointerId, at, handle, box, onGizmo, moved: false };
-    if (!handle && !onGizmo && !box) return;
-    orbit.enabled = false;
-    if (onGizmo) return;
+    const outline = handle || onGizmo ? null : this.outlineFrom(at, event);
+    this.press = { pointer: event.pointerId, at, handle, outline, onGizmo, gone: 0, moved: false };
+    const isCameras = !handle && !onGizmo && !outline;
+    // One finger is kept from turning the view, yet counted: with another it is a pinch.
+    orbit.touches.ONE = isCameras ? TOUCH.ROTATE : null;
+    orbit.enabled = isCameras || isTouch;
+    if (isCameras || onGizmo) return;
     gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
     if (handle) this.plane.grab(this.stage.camera, handle.from, this.toDevice(at));
+  }
+
+  /** Another finger: the camera's business, unless something is well under way; then it goes unheard. */
+  private downToo(event: PointerEvent, press: Press): void {
+    if (isUnderWay(press)) return event.stopPropagation();
+    clearTimeout(this.longTouch);
+    this.giveUp();
+    this.stage.gizmo.setEnabled(false);
   }
 
   private move(event: PointerEvent): void {
@@ -148,11 +163,15 @@ export class Gestures {
       if (event.pointerType !== 'touch' && event.buttons === 0) this.lookUnder(event);
       return;
     }
-    if (event.pointerId !== press.pointer) return;
+    if (event.pointerId !== press.pointer) {
+      if (isUnderWay(press)) event.stopPropagation();
+      return;
+    }
     const at = this.place(event);
-    if (!press.moved && Math.hypot(at.x - press.at.x, at.y - press.at.y) > STILL[kind(event)]) this.begin(press);
+    press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
+    if (!press.moved && press.gone > STILL[kind(event)]) this.begin(press);
     if (!press.moved) return;
-    if (press.box) this.stage.box({ from: press.at, to: at });
+    if (press.outline) this.draw(press.outline, at);
     else if (press.handle && this.stage.report.isUnderWay) this.carry(press.handle, at);
   }
 
@@ -164,6 +183,11 @@ export class Gestures {
     this.stage.canvas.style.cursor = 'grabbing';
   }
 
+  private draw(outline: Outline, at: Place): void {
+    outline.extend(at);
+    this.stage.outline(outline.corners);
+  }
+
   private carry({ from }: NonNullable<Press['handle']>, at: Place): void {
     const point = this.plane.carry(this.stage.camera, this.toDevice(at));
     if (point) this.stage.carry(shift(point.sub(from)));
@@ -173,7 +197,7 @@ export class Gestures {
     const { press } = this;
     if (!press || event.pointerId !== press.pointer) return;
     this.letGo();
-    if (press.box && press.moved) this.chooseInside(press.at, this.place(event));
+    if (press.outline && press.moved) this.chooseInside(press.outline);
     else if (press.handle && press.moved) this.stage.report.end(false);
     else if (!press.moved && !press.onGizmo) this.click(press.at, event);
   }
@@ -192,21 +216,36 @@ export class Gestures {
     this.stage.orbit.enabled = true;
     this.stage.gizmo.setEnabled(true);
     this.stage.canvas.style.cursor = '';
-    this.stage.box(null);
+    this.stage.outline(null);
+  }
+
+  /** Whatever the pointer was about to do, it does not. */
+  private giveUp(): void {
+    if (this.press) this.press = { ...this.press, moved: true, handle: null, outline: null };
+    this.stage.outline(null);
+    this.stage.gizmo.release();
+    this.stage.report.end(true);
+    this.stage.canvas.style.cursor = '';
   }
 
   private click(at: Place, event: PointerEvent): void {
     const { events } = this.stage;
     const selection = this.stage.selection();
     const found = this.find(at, event);
-    if (found && !found.handle) events.addHandle(found.vertex, event.shiftKey ? selection : []);
-    else if (found) events.select(event.shiftKey ? toggled(selection, found.vertex) : [found.vertex]);
-    else if (!event.shiftKey) events.select([]);
+    const adds = event.shiftKey || this.stage.selecting();
+    if (found && !found.handle) events.addHandle(found.vertex, adds ? selection : []);
+    else if (found) events.select(adds ? toggled(selection, found.vertex) : [found.vertex]);
+    else if (!adds) events.select([]);
   }
 
-  private chooseInside(from: Place, to: Place): void {
+  private outlineFrom(at: Place, { shiftKey }: PointerEvent): Outline | null {
+    if (shiftKey) return new Outline('box', at);
+    return this.stage.selecting() ? new Outline('lasso', at) : null;
+  }
+
+  private chooseInside({ corners }: Outline): void {
     const { marks, events } = this.stage;
-    events.select(united(this.stage.selection(), marks.inside(this.stage.projection(), from, to)));
+    events.select(united(this.stage.selection(), marks.inside(this.stage.projection(), corners)));
   }
 
   private awaitLongTouch(pointer: number, vertex: number): void {
@@ -221,9 +260,10 @@ export class Gestures {
     this.stage.events.select(toggled(this.stage.selection(), vertex));
   }
 
-  /** A handle as a hand takes it; null: there is none, or it is locked. */
+  /** A handle as a hand takes it; null: there is none, or it is locked, or still to be selected. */
   private grip(vertex: number | null): Press['handle'] {
     const { marks } = this.stage;
+    if (this.stage.selecting() && !this.stage.selection().includes(vertex ?? -1)) return null;
     const point = vertex === null || marks.isLocked(vertex) ? undefined : marks.point(vertex);
     return point ? { vertex: vertex!, from: point.clone() } : null;
   }
@@ -232,7 +272,7 @@ export class Gestures {
     const handle = this.handleAt(at, event);
     if (handle !== null) return { vertex: handle, handle: true };
     const data = this.stage.data();
-    if (!data) return null;
+    if (!data || this.stage.selecting()) return null;
     const layer = LAYER * data.edgeLength;
     const { points, vertexCount } = data;
     const projection = this.stage.projection();
@@ -263,23 +303,18 @@ export class Gestures {
 
   private setHover(found: Found | null): void {
     const { canvas } = this.stage;
-    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.stage.marks.isLocked(found.vertex) ? 'pointer' : 'grab';
+    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.grip(found.vertex) ? 'grab' : 'pointer';
     this.stage.hovered(found);
   }
 
   /** Takes part before anyone else hears of the key: Esc in a gesture means this gesture, nothing else. */
   private escape(event: KeyboardEvent): void {
-    const { report, gizmo } = this.stage;
-    const isBoxing = this.press?.box && this.press.moved;
-    if (event.key !== 'Escape' || (!report.isUnderWay && !isBoxing)) return;
+    const isDrawing = this.press?.outline && this.press.moved;
+    if (event.key !== 'Escape' || (!this.stage.report.isUnderWay && !isDrawing)) return;
     event.stopPropagation();
     event.preventDefault();
     this.nudged = null;
-    if (this.press) this.press = { ...this.press, box: false, handle: null };
-    this.stage.box(null);
-    gizmo.release();
-    report.end(true);
-    this.stage.canvas.style.cursor = '';
+    this.giveUp();
   }
 
   private key(event: KeyboardEvent): void {
@@ -337,6 +372,11 @@ export class Gestures {
     const { clientWidth, clientHeight } = this.stage.canvas;
     return new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight);
   }
+}
+
+/** It would be a loss to end it for the camera. */
+function isUnderWay({ handle, onGizmo, gone }: Press): boolean {
+  return (handle !== null || onGizmo) && gone > FAR;
 }
 
 function shift(by: Vector3): Matrix4 {

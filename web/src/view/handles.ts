@@ -21,7 +21,7 @@ import {
 import type { HandleData } from '../document/document';
 import type { Selection } from '../handles/selection';
 import type { Place } from './overlay';
-import { nearestMark, project, type Projection, type ScreenPoint } from './picking';
+import { isInside, nearestMark, project, type Projection, type ScreenPoint } from './picking';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
@@ -95,12 +95,11 @@ export class HandleMarks {
     return hit === null ? null : visible[hit]!.vertex;
   }
 
-  /** Those in a box of the canvas. */
-  inside(projection: Projection, a: Place, b: Place): number[] {
-    const between = (x: number, from: number, to: number) => Math.min(from, to) <= x && x <= Math.max(from, to);
+  /** Those in an outline on the canvas. */
+  inside(projection: Projection, outline: readonly Place[]): number[] {
     const hits = this.visible.filter(({ point }) => {
       const { x, y, depth } = toScreen(projection, point);
-      return depth > 0 && between(x, a.x, b.x) && between(y, a.y, b.y);
+      return depth > 0 && isInside(outline, x, y);
     });
     return hits.map(({ vertex }) => vertex);
   }

@@ -19,7 +19,7 @@ export class Overlay {
   private readonly hover = make('g', 'hover');
   private readonly ring = make('circle', 'ring');
   private readonly pulse = make('circle', 'pulse');
-  private readonly box = make('rect', 'box');
+  private readonly outline = make('path', 'outline');
   private readonly preview = make('path', 'preview');
 
   constructor() {
@@ -27,11 +27,11 @@ export class Overlay {
     const plus = make('path', 'plus');
     plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
     this.hover.append(this.ring, plus);
-    this.element.append(this.strains, this.preview, this.tether, this.pulse, this.hover, this.box);
+    this.element.append(this.strains, this.preview, this.tether, this.pulse, this.hover, this.outline);
     this.setHover(null, 0, false);
     this.setPulse(null, 0);
     this.setTether(null);
-    this.setBox(null);
+    this.setOutline(null);
   }
 
   /** What a click would take; `adds`: it would become a handle. */
@@ -55,11 +55,10 @@ export class Overlay {
   }
 
   /** What a hand draws around handles. */
-  setBox(corners: { from: Place; to: Place } | null): void {
-    if (!show(this.box, corners)) return;
-    const { from, to } = corners!;
-    const [x, y] = [Math.min(from.x, to.x), Math.min(from.y, to.y)];
-    put(this.box, { x, y, width: Math.abs(to.x - from.x), height: Math.abs(to.y - from.y) });
+  setOutline(corners: readonly Place[] | null): void {
+    if (!show(this.outline, corners)) return;
+    const path = corners!.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L');
+    this.outline.setAttribute('d', `M${path}Z`);
   }
 
   /** Dots on vertices that a button would take. */

@@ -75,3 +75,16 @@ export function nearestMark(
   });
   return best;
 }
+
+/** Whether a point lies within a closed outline, or within a loop of one that crosses itself: it winds around the point. */
+export function isInside(outline: readonly { x: number; y: number }[], x: number, y: number): boolean {
+  let winding = 0;
+  outline.forEach((a, i) => {
+    const b = outline[(i + 1) % outline.length]!;
+    const downwards = a.y <= y;
+    if (downwards === b.y <= y) return;
+    const onLeft = (b.x - a.x) * (y - a.y) > (x - a.x) * (b.y - a.y);
+    if (onLeft === downwards) winding += downwards ? 1 : -1;
+  });
+  return winding !== 0;
+}

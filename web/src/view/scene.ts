@@ -5,7 +5,6 @@ import type { Film } from '../export/recording';
 import { words } from '../language/language';
 import type { Ball } from '../../../wasm/chebnet';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import type { Choice } from '../handles/wishes';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { scaleOf } from './colour_map';
@@ -26,7 +25,7 @@ import { Space } from './space';
 import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
-import type { View, ViewEvents } from './view';
+import type { View, ViewChoice, ViewEvents } from './view';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
 type Appearance = Omit<ViewState, 'camera'>;
@@ -75,7 +74,7 @@ class SceneView implements View {
   private latest: FrameData | null = null;
   private handles: readonly HandleData[] = [];
   private appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
-  private choice: Pick<Choice, 'selection' | 'mode'> = { selection: [], mode: 'translate' };
+  private choice: ViewChoice = { selection: [], mode: 'translate', selecting: false };
   private symmetry: Symmetry | undefined;
   private regionShown = false;
   private preview: readonly number[] = [];
@@ -150,11 +149,12 @@ class SceneView implements View {
     this.requestDraw();
   }
 
-  showHandles(handles: readonly HandleData[], choice: Pick<Choice, 'selection' | 'mode'>): void {
+  showHandles(handles: readonly HandleData[], choice: ViewChoice): void {
     if (!this.shown) return;
     this.handles = handles;
     this.choice = choice;
     this.marks.show(handles, this.shown.space, choice.selection, this.report.vertices);
+    this.container.classList.toggle('selecting', choice.selecting);
     this.gizmo.setMode(choice.mode);
     this.gizmo.show(this.gizmoPlace());
     if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
@@ -291,11 +291,12 @@ class SceneView implements View {
       events: this.events,
       data: () => this.shown,
       selection: () => this.choice.selection,
+      selecting: () => this.choice.selecting,
       moving: (handle) => this.moving(handle),
       projection: () => this.projection(),
       grab: (vertices) => this.grab(vertices),
       carry: (motion) => this.carry(motion),
-      box: (corners) => this.overlay.setBox(corners),
+      outline: (corners) => this.overlay.setOutline(corners),
       hovered: (found) => this.setFound(found),
       frameAll: () => this.frameAll(),
     });
@@ -433,8 +434,9 @@ class SceneView implements View {
     this.ground.object.visible = camera.position.z > this.ground.object.position.z;
   }
 
-  /** The centre of what would move. */
+  /** The centre of what would move; it stands in nobody's way while they are being selected. */
   private gizmoPlace(): Vector3 | null {
+    if (this.choice.selecting) return null;
     const points = this.moving().flatMap((vertex) => this.marks.point(vertex) ?? []);
     if (points.length === 0) return null;
     return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);

@@ -11,7 +11,7 @@ import type { FrameData, OpenedNet } from '../worker/protocol';
 export interface ViewEvents {
   /** A click on a vertex that is no handle; `also`: what is to stay selected beside it. */
   addHandle(vertex: number, also: Selection): void;
-  /** A click on a handle or on nothing, or a box drawn around handles. */
+  /** A click on a handle or on nothing, or an outline drawn around handles. */
   select(selection: Selection): void;
   dragStart(): void;
   /** At most once an animation frame. */
@@ -36,12 +36,15 @@ export const LOOKING_ONLY: ViewEvents = {
   cameraMoved: nothing,
 };
 
+/** What the view shows of a choice. */
+export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting'>;
+
 export interface View {
   /** Shows another net; frames the camera unless one is given. */
   showNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   showFrame(frame: FrameData): void;
-  showHandles(handles: readonly HandleData[], choice: Pick<Choice, 'selection' | 'mode'>): void;
+  showHandles(handles: readonly HandleData[], choice: ViewChoice): void;
   /** The plane of symmetry, if there is one. */
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** Shades what moves less or not at all, 1 … 0 for each vertex; null: nothing. */

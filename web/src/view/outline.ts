@@ -1,0 +1,25 @@
+/** What a hand draws around handles: a box from corner to corner, or with the lasso the way of the pointer itself. */
+import type { Place } from './overlay';
+
+/** The lasso takes no notice of a pointer that moves by less, in pixels. */
+const FINEST = 3;
+
+export class Outline {
+  /** The corners, to be joined in a circle. */
+  corners: readonly Place[];
+
+  constructor(
+    private readonly kind: 'box' | 'lasso',
+    private readonly start: Place,
+  ) {
+    this.corners = [start];
+  }
+
+  /** The pointer is there now. */
+  extend(to: Place): void {
+    const { start } = this;
+    const last = this.corners.at(-1)!;
+    if (this.kind === 'box') this.corners = [start, { x: to.x, y: start.y }, to, { x: start.x, y: to.y }];
+    else if (Math.hypot(to.x - last.x, to.y - last.y) >= FINEST) this.corners = [...this.corners, to];
+  }
+}
