@@ -64,7 +64,9 @@ async function serve(root: () => string): Promise<{ address: string; close(): vo
 }
 
 function launch(): Promise<Browser> {
-  const executablePath = [process.env['CHROMIUM'] ?? '', '/usr/bin/chromium'].find(existsSync);
+  // The one without windows of its own tests in three quarters of the time.
+  const known = ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium'];
+  const executablePath = [process.env['CHROMIUM'] ?? '', ...known].find(existsSync);
   if (executablePath === undefined) throw new Error('no Chromium: install it or set CHROMIUM to its path');
   return chromium.launch({
     executablePath,
@@ -77,6 +79,8 @@ function launch(): Promise<Browser> {
       '--disable-sync',
       '--use-angle=swiftshader',
       '--enable-unsafe-swiftshader',
+      // Software puts the page together faster by itself than by playing a graphics card.
+      '--disable-gpu-compositing',
     ],
   });
 }
