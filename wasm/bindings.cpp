@@ -144,6 +144,8 @@ val face_start(const Session& session) { return copy_out(session.editor.net().fa
 val face_vertices(const Session& session) { return copy_out(session.editor.net().faces().vertices); }
 val rest_positions(const Session& session) { return copy_out(session.editor.net().rest_positions()); }
 val rest_lengths(const Session& session) { return copy_out(session.editor.net().rest_lengths()); }
+val net_lines(const Session& session) { return lists_out(session.editor.topology().net_lines()); }
+val boundary_loops(const Session& session) { return lists_out(session.editor.topology().boundary_loops()); }
 val suggested_handles(const Session& session) { return copy_out(session.suggested_handles); }
 
 // --------------------------------------------------------------------------------------------------- what is asked for
@@ -294,6 +296,8 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("faceVertices", guarded<&face_vertices>)
         .function("restPositions", guarded<&rest_positions>)
         .function("restLengths", guarded<&rest_lengths>)
+        .function("netLines", guarded<&net_lines>)
+        .function("boundaryLoops", guarded<&boundary_loops>)
         .function("suggestedHandles", guarded<&suggested_handles>)
         .function("method", guarded<&method>)
         .function("setMethod", guarded<&set_method>)

@@ -128,6 +128,12 @@ export interface Mesh {
   faceVertices: Int32Array;
 }
 
+/** Lists of vertices one after another: list k is `vertices[start[k]] … vertices[start[k + 1] - 1]`. */
+export interface VertexLists {
+  start: Int32Array;
+  vertices: Int32Array;
+}
+
 /** What can be wrong with a mesh; see core/net/repair.h. */
 export type Defect =
   | 'duplicate_vertices'
@@ -174,6 +180,11 @@ export interface Editor {
   readonly restPositions: Float64Array;
   /** The length each edge is to keep. */
   readonly restLengths: Float64Array;
+  /** Chains of edges that go straight on, from end to end; a closed one ends with the vertex it begins with
+   *  (core/net/topology.h). */
+  netLines(): VertexLists;
+  /** Closed chains of edges with one face, without repetition of the first vertex. */
+  boundaryLoops(): VertexLists;
   /** For a net made from a recipe: vertices that make a good first edit, the last the one to drag. Empty otherwise. */
   readonly suggestedHandles: Int32Array;
 

@@ -11,6 +11,7 @@ import type {
   ShapeInfo,
   Status,
   UnreachablePair,
+  VertexLists,
 } from '../../wasm/chebnet';
 
 export interface CoreReport {
@@ -30,6 +31,8 @@ export interface Session {
   faceVertices(): Int32Array;
   restPositions(): Float64Array;
   restLengths(): Float64Array;
+  netLines(): VertexLists;
+  boundaryLoops(): VertexLists;
   suggestedHandles(): Int32Array;
   method(): string;
   setMethod(name: string): void;

@@ -145,6 +145,14 @@ class WasmEditor {
     return this.#session;
   }
 
+  netLines() {
+    return this.#open.netLines();
+  }
+
+  boundaryLoops() {
+    return this.#open.boundaryLoops();
+  }
+
   get method() {
     return this.#open.method();
   }

@@ -27,6 +27,15 @@ val pairs_out(const std::vector<UnreachablePair>& pairs) {
     return rows;
 }
 
+val lists_out(const std::vector<std::vector<int>>& lists) {
+    Faces flat;
+    for (const std::vector<int>& list : lists) flat.add(list);
+    val object = val::object();
+    object.set("start", copy_out(flat.start));
+    object.set("vertices", copy_out(flat.vertices));
+    return object;
+}
+
 FileFormat file_format_named(std::string_view name) {
     static const Names<FileFormat> names = {{"obj", FileFormat::obj},
                                             {"ply", FileFormat::ply},

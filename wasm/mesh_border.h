@@ -22,6 +22,9 @@ Mesh mesh_in(const val& object);
 /// An array of objects with `vertexA`, `vertexB`, `distance` and `reach`.
 val pairs_out(const std::vector<UnreachablePair>& pairs);
 
+/// The lists one after another: list k of the object is `vertices[start[k]] … vertices[start[k + 1] − 1]`.
+val lists_out(const std::vector<std::vector<int>>& lists);
+
 template <typename T>
 using Names = std::vector<std::pair<std::string_view, T>>;
 

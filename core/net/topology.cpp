@@ -1,5 +1,7 @@
 #include "net/topology.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <queue>
 
@@ -69,6 +71,68 @@ std::vector<std::vector<int>> Topology::boundary_loops() const {
         place_in_walk[origin] = -1;
     }
     return loops;
+}
+
+std::vector<std::vector<int>> Topology::net_lines() const {
+    const std::vector<int> across = slots_across();
+    std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
+    std::vector<std::vector<int>> lines;
+    const auto walk = [&](int vertex, int slot) {
+        std::vector<int>& line = lines.emplace_back(1, vertex);
+        while (slot >= 0 && !walked[m_incident_edges[slot]]) {
+            walked[m_incident_edges[slot]] = true;
+            const int next = m_neighbours[slot];
+            line.push_back(next);
+            slot = across[slot_of(next, vertex)];
+            vertex = next;
+        }
+    };
+    // What no walk from an end comes by is closed.
+    for (const bool closed : {false, true})
+        for (int v = 0; v < m_net.vertex_count(); ++v)
+            for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot)
+                if (!walked[m_incident_edges[slot]] && (closed || across[slot] < 0)) walk(v, slot);
+    return lines;
+}
+
+int Topology::slot_of(int vertex, int neighbour) const {
+    const std::span<const int> others = neighbours(vertex);
+    return m_start[vertex] +
+           static_cast<int>(std::lower_bound(others.begin(), others.end(), neighbour) - others.begin());
+}
+
+/// For each slot the one straight across at the same vertex, −1 where a net line ends.
+std::vector<int> Topology::slots_across() const {
+    // An edge has two faces at most, and with each a neighbour at the vertex.
+    std::vector<std::array<int, 2>> beside(m_neighbours.size(), {-1, -1});
+    const auto add = [&](int slot, int other) { beside[slot][beside[slot][0] < 0 ? 0 : 1] = other; };
+    for (int f = 0; f < m_net.face_count(); ++f) {
+        const std::span<const int> face = m_net.faces()[f];
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const int v = face[k];
+            const int a = slot_of(v, face[(k + 1) % face.size()]);
+            const int b = slot_of(v, face[(k + face.size() - 1) % face.size()]);
+            add(a, b);
+            add(b, a);
+        }
+    }
+    // Of more than one that shares no face, two are found at once.
+    const auto alone = [&](int vertex, int slot) {
+        int found = -1;
+        for (int other = m_start[vertex]; other < m_start[vertex + 1]; ++other) {
+            if (other == slot || other == beside[slot][0] || other == beside[slot][1]) continue;
+            if (found >= 0) return -1;
+            found = other;
+        }
+        return found;
+    };
+    std::vector<int> across(m_neighbours.size(), -1);
+    for (int v = 0; v < m_net.vertex_count(); ++v)
+        for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot) {
+            const int other = alone(v, slot);
+            if (other >= 0 && alone(v, other) == slot) across[slot] = other;
+        }
+    return across;
 }
 
 std::vector<std::vector<int>> Topology::components() const {

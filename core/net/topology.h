@@ -24,6 +24,13 @@ public:
     /// Closed walks along the boundary edges, each a list of vertices without repetition of the first. A vertex where
     /// several boundary loops touch appears in each of them.
     std::vector<std::vector<int>> boundary_loops() const;
+    /// Net lines: chains of edges that go straight on, each a list of vertices from end to end; a closed one ends with
+    /// the vertex it begins with. Every edge lies on exactly one line; a line may cross itself.
+    /// Straight on from an edge is the one edge at the vertex that shares no face with it, if there is just one and the
+    /// same holds the other way round. So two lines cross at an inner vertex of valence 4, one follows the boundary
+    /// through a vertex of valence 3, and at all other vertices, corners and singular ones, all lines end. The same
+    /// holds where faces are no quads.
+    std::vector<std::vector<int>> net_lines() const;
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;
     int component_count() const { return static_cast<int>(components().size()); }
@@ -35,11 +42,13 @@ public:
     std::vector<double> distances_from(int source) const;
 
 private:
+    int slot_of(int vertex, int neighbour) const;
+    std::vector<int> slots_across() const;
     std::vector<double> distances_by_steps(int source) const;
     std::vector<double> distances_by_length(int source) const;
 
     const Net& m_net;
-    std::vector<int> m_start;  // V + 1
+    std::vector<int> m_start;  // V + 1; the slots of vertex v, one for each edge, are m_start[v] … m_start[v + 1] − 1
     std::vector<int> m_neighbours, m_incident_edges;
     std::vector<bool> m_is_boundary;
 };

@@ -1,13 +1,16 @@
 #include "net/net.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <set>
 
 #include "net/error.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "sample_nets.h"
+#include "shapes/shapes.h"
 
 using namespace chebnet;
 
@@ -36,6 +39,23 @@ ErrorCode code_of(const Positions& x, const Faces& faces, std::string* message =
     }
     FAIL("the net was accepted");
     return {};
+}
+
+using Lines = std::set<std::vector<int>>;
+
+/// Each from its smaller end; a closed one, which has none, from its smallest vertex to the smaller neighbour.
+Lines net_lines(const Net& net) {
+    Lines lines;
+    for (std::vector<int>& line : Topology(net).net_lines()) {
+        if (line.front() == line.back()) {
+            line.pop_back();
+            std::rotate(line.begin(), std::min_element(line.begin(), line.end()), line.end());
+            line.push_back(line.front());
+        }
+        const std::vector<int> backwards(line.rbegin(), line.rend());
+        lines.insert(std::min(line, backwards));
+    }
+    return lines;
 }
 
 }  // namespace
@@ -129,7 +149,7 @@ TEST_CASE("Topology of open, closed and separate pieces") {
     CHECK(std::isinf(of_two.distances_from(0)[4]));
 }
 
-TEST_CASE("Two quads that touch in one vertex have a boundary loop each") {
+TEST_CASE("Two quads that touch in one vertex have a boundary loop each, and no net line in common") {
     Positions x(3, 7);
     x << 0, 1, 1, 0, 2, 2, 1,  //
         0, 0, 1, 1, 1, 2, 2,   //
@@ -141,6 +161,85 @@ TEST_CASE("Two quads that touch in one vertex have a boundary loop each") {
     REQUIRE(loops.size() == 2);
     CHECK(loops[0].size() == 4);
     CHECK(loops[1].size() == 4);
+    CHECK(net_lines(net).size() == 8);
+}
+
+TEST_CASE("Every edge of a net lies on exactly one net line") {
+    const auto lies_on_one = [](const Net& net) {
+        std::vector<std::pair<int, int>> steps, edges;
+        for (const std::vector<int>& line : Topology(net).net_lines())
+            for (std::size_t k = 1; k < line.size(); ++k) steps.push_back(std::minmax(line[k - 1], line[k]));
+        for (int e = 0; e < net.edge_count(); ++e) edges.emplace_back(net.edges()(0, e), net.edges()(1, e));
+        std::sort(steps.begin(), steps.end());
+        return steps == edges;
+    };
+    for (const ShapeInfo& shape : shape_table()) {
+        INFO(shape.name);
+        CHECK(lies_on_one(make_shape(shape.name).net));
+    }
+    CHECK(lies_on_one(samples::mixed_mesh()));
+}
+
+TEST_CASE("The net lines of a patch are its rows and columns, from end to end") {
+    const int m = GENERATE(2, 5), n = GENERATE(2, 4);
+    Lines rows_and_columns;
+    for (int j = 0; j < n; ++j) {
+        std::vector<int> row;
+        for (int i = 0; i < m; ++i) row.push_back(j * m + i);
+        rows_and_columns.insert(row);
+    }
+    for (int i = 0; i < m; ++i) {
+        std::vector<int> column;
+        for (int j = 0; j < n; ++j) column.push_back(j * m + i);
+        rows_and_columns.insert(column);
+    }
+    CHECK(net_lines(samples::patch(m, n)) == rows_and_columns);
+}
+
+TEST_CASE("Net lines around a tube and a torus are closed") {
+    const int around = 6, along = 4;
+    const auto lengths = [&](bool closed) {
+        const Net net = samples::ring(around, along, closed);
+        std::map<std::pair<bool, std::size_t>, int> counts;
+        for (const std::vector<int>& line : Topology(net).net_lines()) {
+            const bool is_closed = line.front() == line.back();
+            ++counts[{is_closed, line.size() - 1}];
+            // No vertex comes twice but the one that closes it.
+            CHECK(std::set<int>(line.begin(), line.end()).size() == line.size() - is_closed);
+        }
+        return counts;
+    };
+    CHECK(lengths(false) ==
+          std::map<std::pair<bool, std::size_t>, int>{{{true, around}, along}, {{false, along - 1}, around}});
+    CHECK(lengths(true) ==
+          std::map<std::pair<bool, std::size_t>, int>{{{true, around}, along}, {{true, along}, around}});
+}
+
+TEST_CASE("Net lines end at singular vertices and corners, and follow the boundary between") {
+    // n faces around vertex 0: spokes to 1 … n, and, if they are quads, corners n + 1 … 2n between these.
+    const auto fan = [](int n, bool quads) {
+        Positions x = Positions::Zero(3, (quads ? 2 : 1) * n + 1);
+        Faces faces;
+        for (int i = 0; i < n; ++i) {
+            const auto at = [&](double turn) { return Eigen::Vector3d(std::cos(turn), std::sin(turn), 0); };
+            const int spoke = 1 + i, next_spoke = 1 + (i + 1) % n, corner = n + 1 + i;
+            x.col(spoke) = at(2 * EIGEN_PI * i / n);
+            if (quads) x.col(corner) = 1.5 * at(2 * EIGEN_PI * (i + 0.5) / n);
+            if (quads)
+                faces.add({0, spoke, corner, next_spoke});
+            else
+                faces.add({0, spoke, next_spoke});
+        }
+        return Net(x, faces);
+    };
+    CHECK(net_lines(fan(3, true)) == Lines{{0, 1}, {0, 2}, {0, 3}, {4, 1, 6}, {4, 2, 5}, {5, 3, 6}});
+    // A regular vertex lets both lines through.
+    CHECK(net_lines(fan(4, true)) == Lines{{1, 0, 3}, {2, 0, 4}, {5, 1, 8}, {5, 2, 6}, {6, 3, 7}, {7, 4, 8}});
+    CHECK(net_lines(fan(5, true)).count({0, 1}) == 1);
+    // Triangles: the boundary is one closed line.
+    CHECK(net_lines(fan(6, false)) == Lines{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}, {0, 6}, {1, 2, 3, 4, 5, 6, 1}});
+    // On a cube every vertex is singular.
+    for (const std::vector<int>& line : net_lines(samples::cube())) CHECK(line.size() == 2);
 }
 
 TEST_CASE("Distance along a patch of unit edges is the number of steps") {

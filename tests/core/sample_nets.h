@@ -31,6 +31,21 @@ inline Net patch(int m, int n, double arch = 0.6) {
     return Net(x, faces);
 }
 
+/// A ring of quads: `along` rows of `around` vertices each, open as a tube or closed as a torus.
+inline Net ring(int around, int along, bool closed) {
+    Positions x(3, around * along);
+    Faces faces;
+    for (int j = 0; j < along; ++j)
+        for (int i = 0; i < around; ++i) {
+            const double u = 2 * EIGEN_PI * i / around, v = 2 * EIGEN_PI * j / along;
+            const Eigen::Vector3d outward(std::cos(u), std::sin(u), 0);
+            x.col(j * around + i) = (3 + std::cos(v)) * outward + std::sin(v) * Eigen::Vector3d::UnitZ();
+            const int next_row = (j + 1) % along * around, next = (i + 1) % around;
+            if (closed || j + 1 < along) faces.add({j * around + i, j * around + next, next_row + next, next_row + i});
+        }
+    return Net(x, faces);
+}
+
 /// The surface of a unit cube: 8 singular vertices of valence 3, closed.
 inline Net cube() {
     Positions x(3, 8);

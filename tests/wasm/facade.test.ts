@@ -1,6 +1,6 @@
 /** What crosses the border: lengths of arrays, tables, errors, memory. */
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import type { Editor, Handle } from '../../wasm/chebnet';
+import type { Editor, Handle, VertexLists } from '../../wasm/chebnet';
 import { failure, firstEdit, load } from './load';
 
 /** The memories of the modules made; there is one. */
@@ -73,6 +73,15 @@ describe('an editor', () => {
     expect(editor.cornerAngles()).toHaveLength(vertices);
     expect(Math.max(...editor.edges, ...editor.faceVertices)).toBe(vertices - 1);
     expect(editor.bend()).toBe(0);
+  });
+
+  test('gives net lines and boundary loops as lists one after another', () => {
+    const square = chebnet.openObj(SQUARE);
+    const ascending = (list: Int32Array) => list.slice().sort();
+    const lists = ({ start, vertices }: VertexLists) => [...start.subarray(1)].map((end, k) => [...ascending(vertices.subarray(start[k], end))]);
+    expect(lists(square.netLines()).sort()).toEqual([[0, 1], [0, 3], [1, 2], [2, 3]]);
+    expect(lists(square.boundaryLoops())).toEqual([[0, 1, 2, 3]]);
+    square.dispose();
   });
 
   test('describes its net', () => {

@@ -10,7 +10,7 @@ import { patternSvg } from '../../web/src/export/pattern_svg';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/files/edge_lengths';
-import { Lines } from '../../web/src/handles/lines';
+import { listsOf } from '../../web/src/handles/lines';
 import { scaleOf } from '../../web/src/view/colour_map';
 import { fanTriangles } from '../../web/src/worker/triangles';
 import type { FrameData } from '../../web/src/worker/protocol';
@@ -85,8 +85,8 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
     { vertex: 11, target: [3, 2, 0] as [number, number, number], anchor: true },
     { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
   ];
-  const lines = new Lines(net).all();
-  const isBoundary = ([a, b]: number[]): boolean => onBoundary(a!, b!, net, incidenceOf(net));
+  const lines = listsOf(chebnet.openMesh({ ...net, positions: net.restPositions }).netLines());
+  const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, net, incidenceOf(net));
   const [inner, boundary] = [lines.filter((line) => !isBoundary(line)), lines.filter(isBoundary)];
   const svg = patternSvg({ pattern: patternOf(net) as FlatPattern, inner, boundary, handles, name: 'grid', edgeMm: 12.5 });
   expect(svg).toContain('width="62.5mm" height="62.5mm" viewBox="0 0 62.5 62.5"');
@@ -105,7 +105,7 @@ const LAYERS = { mesh: 'Mesh', lines: 'Net lines' };
 
 test('a 3DM holds the quads and the net lines, to the last digit', async () => {
   const { faceVertices, restPositions } = vault;
-  const lines = new Lines(vault).all();
+  const lines = vault.netLines();
   const bytes = await rhinoFileOf({ mesh: vault, positions: restPositions, lines, name: 'vault', layers: LAYERS });
   const rhino = await rhino3dm();
   const file = rhino.File3dm.fromByteArray(bytes);
@@ -117,18 +117,18 @@ test('a 3DM holds the quads and the net lines, to the last digit', async () => {
   expect(Array.from({ length: vault.info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
   expect(Array.from({ length: vault.info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat()).toEqual([...restPositions]);
 
-  expect(file.objects().count).toBe(1 + lines.length);
-  lines.forEach((vertices, i) => {
+  expect(file.objects().count).toBe(1 + lines.start.length - 1);
+  listsOf(lines).forEach((vertices, i) => {
     const object = file.objects().get(1 + i);
     const line = object.geometry() as InstanceType<typeof rhino.PolylineCurve>;
     expect(object.attributes().layerIndex).toBe(1);
-    expect(Array.from({ length: line.pointCount }, (_, k) => line.point(k)).flat()).toEqual(vertices.flatMap((v) => [...restPositions.subarray(3 * v, 3 * v + 3)]));
+    expect(Array.from({ length: line.pointCount }, (_, k) => line.point(k)).flat()).toEqual([...vertices].flatMap((v) => [...restPositions.subarray(3 * v, 3 * v + 3)]));
   });
 });
 
 test('faces of other sizes become triangles in a 3DM', async () => {
   const pentagon = chebnet.openObj('v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nf 1 2 3 4 5\n');
-  const bytes = await rhinoFileOf({ mesh: pentagon, positions: pentagon.restPositions, lines: [], name: 'pentagon', layers: LAYERS });
+  const bytes = await rhinoFileOf({ mesh: pentagon, positions: pentagon.restPositions, lines: pentagon.netLines(), name: 'pentagon', layers: LAYERS });
   const rhino = await rhino3dm();
   const mesh = rhino.File3dm.fromByteArray(bytes).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
   expect([0, 1, 2].map((f) => mesh.faces().get(f).slice(0, 3))).toEqual([[0, 1, 2], [0, 2, 3], [0, 3, 4]]);

@@ -7,9 +7,12 @@ import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
 import { DragGuide } from '../../web/src/handles/drag_guide';
 import { HandleEditor } from '../../web/src/handles/handle_editor';
 import type { Client } from '../../web/src/worker/client';
+import { describe as describeNet } from '../../web/src/worker/opened_net';
+import { load } from '../wasm/load';
 import { documentAt, grid } from './nets';
 
-const net = grid(5, 3);
+const flat = grid(5, 3);
+const net = describeNet((await load()).openMesh({ ...flat, positions: flat.restPositions }));
 let opening: Opening;
 let history: UndoHistory;
 let editor: HandleEditor;
@@ -35,7 +38,7 @@ function undo() {
 beforeEach(() => {
   [asked, said, history] = [[], [], new UndoHistory()];
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
-  opening = { net: { ...net, info: { meanLength: 1 } }, frame: { positions: net.restPositions }, document } as unknown as Opening;
+  opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
   const client = { drag: take, setHandles: take, reach: async () => [], setLocality: async () => {} } as unknown as Client;
   const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
@@ -99,6 +102,24 @@ test('a line of vertices is taken whole, its first vertex leads', async () => {
   expect(vertices()).toHaveLength(13);
   expect(editor.choice.selection).toHaveLength(12);
   expect(editor.choice.selection.at(-1)).toBe(0);
+});
+
+test('rows and columns cross at an inner vertex; the boundary does not come by', () => {
+  editor.select([7]);
+  expect(editor.choice).toMatchObject({ onBoundary: false, lines: 2 });
+  const ascending = ([...line]: readonly number[]) => line.sort((a, b) => a - b);
+  expect([editor.line(0), editor.line(1)].map(ascending).sort(([a = 0], [b = 0]) => a - b)).toEqual([[2, 7, 12], [5, 6, 7, 8, 9]]);
+  expect(editor.line('boundary')).toEqual([]);
+});
+
+test('a line that closes takes each of its vertices once', async () => {
+  const torus = (await load()).openRecipe('torus:vertices=300');
+  opening = { ...opening, net: describeNet(torus) };
+  editor.select([0]);
+  const line = editor.line(0);
+  expect(line.length).toBeGreaterThan(3);
+  expect(new Set(line).size).toBe(line.length);
+  torus.dispose();
 });
 
 test('traits are undone; only softness concerns the solver', async () => {

@@ -1,6 +1,6 @@
 /** The module worker that makes one file; a library that only one kind of file needs is loaded for that kind alone. */
 import rhinoUrl from 'rhino3dm/rhino3dm.wasm?url';
-import { Lines } from '../handles/lines';
+import { listsOf } from '../handles/lines';
 import { flatten } from './flat_pattern';
 import { incidenceOf, onBoundary } from './incidence';
 import type { ExportAnswer, ExportJob } from './job';
@@ -14,7 +14,7 @@ async function answer(job: ExportJob): Promise<ExportAnswer> {
     }
     case '3dm': {
       const { rhinoFileOf } = await import('./rhino_file');
-      return { bytes: await rhinoFileOf({ ...job, lines: new Lines(job.mesh).all() }, rhinoUrl) };
+      return { bytes: await rhinoFileOf(job, rhinoUrl) };
     }
     case 'svg':
       return drawn(job);
@@ -25,8 +25,8 @@ function drawn(job: Extract<ExportJob, { kind: 'svg' }>): ExportAnswer {
   const incidence = incidenceOf(job.mesh);
   const pattern = flatten(job.mesh, incidence);
   if ('reason' in pattern) return { fault: pattern };
-  const lines = new Lines(job.mesh).all();
-  const isBoundary = ([a, b]: number[]): boolean => onBoundary(a!, b!, job.mesh, incidence);
+  const lines = listsOf(job.lines);
+  const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, job.mesh, incidence);
   const svg = patternSvg({ ...job, pattern, inner: lines.filter((line) => !isBoundary(line)), boundary: lines.filter(isBoundary) });
   return { bytes: new TextEncoder().encode(svg) };
 }

@@ -1,4 +1,5 @@
 /** What page and export worker say to each other: one job, one answer. */
+import type { VertexLists } from '../../../wasm/chebnet';
 import type { HandleData } from '../document/document';
 import type { LengthNet, PatternFault } from './flat_pattern';
 import type { Painted } from './glb';
@@ -6,8 +7,8 @@ import type { RhinoNet } from './rhino_file';
 
 export type ExportJob =
   | ({ kind: 'glb' } & Painted)
-  | ({ kind: '3dm' } & Omit<RhinoNet, 'lines'>)
-  | { kind: 'svg'; mesh: LengthNet; handles: readonly HandleData[]; name: string; edgeMm: number };
+  | ({ kind: '3dm' } & RhinoNet)
+  | { kind: 'svg'; mesh: LengthNet; lines: VertexLists; handles: readonly HandleData[]; name: string; edgeMm: number };
 
 export type ExportAnswer =
   | { bytes: Uint8Array<ArrayBuffer> }

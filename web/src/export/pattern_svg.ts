@@ -5,8 +5,8 @@ import type { FlatPattern } from './flat_pattern';
 export interface Drawing {
   pattern: FlatPattern;
   /** Net lines: vertices from end to end. */
-  inner: readonly number[][];
-  boundary: readonly number[][];
+  inner: readonly Int32Array[];
+  boundary: readonly Int32Array[];
   handles: readonly HandleData[];
   name: string;
   /** Length of an edge on the drawing. */
@@ -27,7 +27,7 @@ export function patternSvg(drawing: Drawing): string {
   const { pattern, inner, boundary, handles, name, edgeMm } = drawing;
   const width = (pattern.columns + 2 * MARGIN) * edgeMm;
   const height = (pattern.rows + 3 * MARGIN) * edgeMm;
-  const strokes = (lines: readonly number[][]): string => lines.map((line) => stroke(line, drawing)).join('');
+  const strokes = (lines: readonly Int32Array[]): string => lines.map((line) => stroke(line, drawing)).join('');
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${mm(width)}mm" height="${mm(height)}mm" viewBox="0 0 ${mm(width)} ${mm(height)}">`,
     `<title>${escape(name)}</title>`,
@@ -44,16 +44,16 @@ export function patternSvg(drawing: Drawing): string {
   ].join('\n');
 }
 
-function stroke(vertices: readonly number[], drawing: Drawing): string {
+function stroke(vertices: Int32Array, drawing: Drawing): string {
   const points = corners(vertices, drawing.pattern).map((vertex) => place(vertex, drawing).join(' '));
   return `M${points.join('L')}`;
 }
 
 /** Where a line turns, and its ends. */
-function corners(vertices: readonly number[], { places }: FlatPattern): number[] {
+function corners(vertices: Int32Array, { places }: FlatPattern): number[] {
   const isStraight = (a: number, b: number, c: number): boolean =>
     places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! && places[2 * a + 1]! + places[2 * c + 1]! === 2 * places[2 * b + 1]!;
-  return vertices.filter((vertex, i) => {
+  return [...vertices].filter((vertex, i) => {
     const [before, after] = [vertices[i - 1], vertices[i + 1]];
     return before === undefined || after === undefined || !isStraight(before, vertex, after);
   });

@@ -1,13 +1,15 @@
 /** A net as a 3DM file: a mesh on one layer, the net lines on another. Loaded when it is asked for. */
 import rhino3dm from 'rhino3dm';
 import type { Mesh, ObjectAttributes, RhinoModule } from 'rhino3dm';
-import type { Faces } from '../handles/lines';
+import type { VertexLists } from '../../../wasm/chebnet';
+import { listsOf } from '../handles/lines';
+import type { OpenedNet } from '../worker/protocol';
 
 export interface RhinoNet {
-  mesh: Faces;
+  mesh: Pick<OpenedNet, 'faceStart' | 'faceVertices'>;
   positions: Float64Array;
-  /** Vertices from end to end. */
-  lines: readonly number[][];
+  /** Net lines. */
+  lines: VertexLists;
   name: string;
   /** What the layers are called. */
   layers: { mesh: string; lines: string };
@@ -25,14 +27,14 @@ export async function rhinoFileOf({ mesh, positions, lines, name, layers }: Rhin
   };
   file.objects().addMesh(meshOf(rhino, mesh, positions), on(layers.mesh));
   const lineLayer = on(layers.lines);
-  for (const line of lines) {
-    file.objects().addPolyline(line.map((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]), lineLayer);
+  for (const line of listsOf(lines)) {
+    file.objects().addPolyline(Array.from(line, (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]), lineLayer);
   }
   return Uint8Array.from(file.toByteArray());
 }
 
 /** Quads stay quads; faces of more corners become fans of triangles. */
-function meshOf(rhino: RhinoModule, { faceStart, faceVertices }: Faces, positions: Float64Array): Mesh {
+function meshOf(rhino: RhinoModule, { faceStart, faceVertices }: RhinoNet['mesh'], positions: Float64Array): Mesh {
   const mesh = new rhino.Mesh();
   const vertices = mesh.vertices();
   for (let i = 0; i < positions.length; i += 3) vertices.addPoint3d(positions[i]!, positions[i + 1]!, positions[i + 2]!);

@@ -40,8 +40,9 @@ function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: O
   const name = baseNameOf(document.net);
   const { edges, faceStart, faceVertices, restLengths, triangles } = net;
   const { positions } = frame;
-  if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, name, layers: words.save.layers };
-  if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, handles: document.handles, name, edgeMm };
+  const lines = { start: net.lineStart, vertices: net.lineVertices };
+  if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
+  if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, lines, handles: document.handles, name, edgeMm };
   const { field, colourMap, upAxis: up = 'z' } = document.view;
   const colours = vertexColours(scaleOf(field, colourMap, theme), field, frame, edges);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };

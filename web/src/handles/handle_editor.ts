@@ -9,7 +9,7 @@ import { words } from '../language/language';
 import type { Client } from '../worker/client';
 import type { OpenedNet } from '../worker/protocol';
 import type { DragGuide, Locality } from './drag_guide';
-import { Lines } from './lines';
+import { listsThrough } from './lines';
 import { all, type Selection, unlocked, within } from './selection';
 import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
@@ -31,6 +31,14 @@ export interface HandleDesk {
   attempt(doing: Promise<unknown>): void;
 }
 
+/** Of one vertex. */
+interface LinesThrough {
+  net: OpenedNet;
+  vertex: number;
+  loops: number[][];
+  netLines: number[][];
+}
+
 export class HandleEditor implements HandleWishes {
   readonly #desk: HandleDesk;
   readonly #client: Client;
@@ -41,7 +49,7 @@ export class HandleEditor implements HandleWishes {
   #mode: GizmoMode = 'translate';
   /** What the history will call the drag under way; null until it moves something. */
   #dragName: string | null = null;
-  #lines: { net: OpenedNet; lines: Lines } | null = null;
+  #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
   constructor(desk: HandleDesk, client: Client, history: UndoHistory, guide: DragGuide) {
@@ -56,14 +64,13 @@ export class HandleEditor implements HandleWishes {
   /** What is chosen, and what can be done with it. */
   get choice(): Choice {
     this.#selection = within(this.#selection, this.#handles);
-    const leading = this.#selection.at(-1);
-    const lines = leading === undefined ? null : this.#linesOf();
+    const lines = this.#linesThroughLeading();
     return {
       selection: this.#selection,
       selecting: this.#selecting,
       mode: unlocked(this.#selection, this.#handles).length > 1 ? this.#mode : 'translate',
-      onBoundary: lines?.isBoundary(leading!) ?? false,
-      lines: lines?.count(leading!) ?? 0,
+      onBoundary: lines !== null && lines.loops.length > 0,
+      lines: lines?.netLines.length ?? 0,
     };
   }
 
@@ -128,10 +135,8 @@ export class HandleEditor implements HandleWishes {
 
   /** The vertices of a line through the leading handle. */
   line(name: LineName): readonly number[] {
-    const vertex = this.#selection.at(-1);
-    const lines = this.#linesOf();
-    if (vertex === undefined || lines === null) return [];
-    return [...new Set(name === 'boundary' ? lines.boundary(vertex) : lines.through(vertex)[name])];
+    const lines = this.#linesThroughLeading();
+    return (name === 'boundary' ? lines?.loops[0] : lines?.netLines[name]) ?? [];
   }
 
   remove(vertices: Selection): void {
@@ -294,11 +299,16 @@ export class HandleEditor implements HandleWishes {
     return this.#mirrorOf()?.mirrored(targets, this.#handles) ?? targets;
   }
 
-  #linesOf(): Lines | null {
+  #linesThroughLeading(): LinesThrough | null {
+    const vertex = this.#selection.at(-1);
     const net = this.#desk.opening()?.net;
-    if (net === undefined) return null;
-    if (this.#lines?.net !== net) this.#lines = { net, lines: new Lines(net) };
-    return this.#lines.lines;
+    if (vertex === undefined || net === undefined) return null;
+    if (this.#lines?.net !== net || this.#lines.vertex !== vertex) {
+      const loops = listsThrough(vertex, { start: net.loopStart, vertices: net.loopVertices });
+      const netLines = listsThrough(vertex, { start: net.lineStart, vertices: net.lineVertices });
+      this.#lines = { net, vertex, loops, netLines };
+    }
+    return this.#lines;
   }
 
   #mirrorOf(): Mirror | null {

@@ -4,6 +4,7 @@ import type { OpenedNet } from './protocol';
 import { fanTriangles, stripTriangles } from './triangles';
 
 export function describe(editor: Editor): OpenedNet {
+  const [lines, loops] = [editor.netLines(), editor.boundaryLoops()];
   const { info, edges, faceStart, faceVertices, restPositions, restLengths, suggestedHandles } = editor;
   return {
     info,
@@ -14,6 +15,10 @@ export function describe(editor: Editor): OpenedNet {
     restPositions: restPositions.slice(),
     restLengths: restLengths.slice(),
     suggestedHandles: suggestedHandles.slice(),
+    lineStart: lines.start,
+    lineVertices: lines.vertices,
+    loopStart: loops.start,
+    loopVertices: loops.vertices,
     triangles: fanTriangles(faceStart, faceVertices),
     strips: stripTriangles(edges.length / 2),
     handles: editor.handles(),

@@ -81,6 +81,12 @@ export interface OpenedNet {
   restPositions: Float64Array;
   restLengths: Float64Array;
   suggestedHandles: Int32Array;
+  /** Net line k is `lineVertices[lineStart[k]] … lineVertices[lineStart[k + 1] - 1]`, boundary loops likewise; see
+   *  wasm/chebnet.d.ts. */
+  lineStart: Int32Array;
+  lineVertices: Int32Array;
+  loopStart: Int32Array;
+  loopVertices: Int32Array;
   /** What is drawn of faces and edges, three vertices a triangle; see triangles.ts. */
   triangles: Uint32Array<ArrayBuffer>;
   strips: Uint32Array<ArrayBuffer>;
