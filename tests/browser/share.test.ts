@@ -1,4 +1,5 @@
 /** Links: what one visitor copies, another one sees. */
+import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy } from './geometry';
@@ -34,6 +35,43 @@ test('a copied link shows the same scene', async () => {
   expect((await receiver.script.stats()).handles).toBe((await sender.script.stats()).handles);
   const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
   expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
+});
+
+test('ends of colours set by hand come with the link, each field with its own; a click leads back to those of the map', async () => {
+  const { page, script } = await arrive();
+  await script.settled();
+  const legendOf = (at: Page) => at.getByRole('region', { name: 'Legend' });
+  const ticks = (at = page) => legendOf(at).locator('.ticks span').allInnerTexts();
+  const picture = () => page.locator('#view').screenshot();
+  const own = await ticks();
+  const before = await picture();
+  await legendOf(page).getByText('Ends of the colours').click();
+  const [low, high] = [page.getByLabel('Lower end'), page.getByLabel('Upper end')];
+  expect([await low.inputValue(), await high.inputValue()]).toEqual(['1e-6', '2e-6']);
+
+  await low.fill('3e-6');
+  await low.press('Enter');
+  expect(await low.evaluate((input: HTMLInputElement) => input.validationMessage)).toMatch(/lower one first/);
+  expect(await ticks()).toEqual(own);
+  await low.fill('1e-30');
+  await high.fill('1e-25');
+  await high.press('Enter');
+  expect(await low.evaluate((input: HTMLInputElement) => input.validity.valid)).toBe(true);
+  expect(await ticks()).toEqual(['1e-30', '1e-25']);
+  await expect.poll(picture).not.toEqual(before);
+
+  await page.evaluate(() => window.chebnet.settled());
+  const receiver = await arrive(await page.evaluate(() => window.chebnet.link()));
+  expect(await ticks(receiver.page)).toEqual(['1e-30', '1e-25']);
+
+  await page.getByText('Appearance', { exact: true }).click();
+  await page.getByLabel('Colour by').selectOption('angle');
+  expect(await ticks()).toEqual(['45°', '90°', '135°']);
+  await page.getByLabel('Colour by').selectOption('deviation');
+  expect(await ticks()).toEqual(['1e-30', '1e-25']);
+  await page.getByRole('button', { name: 'Automatic' }).click();
+  expect(await ticks()).toEqual(own);
+  expect(await low.inputValue()).toBe('1e-6');
 });
 
 const BROKEN = [

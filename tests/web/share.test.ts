@@ -22,6 +22,7 @@ describe('a scene comes back', () => {
     camera: { position: [1.5, -2, 3], target: [0, 0.25, 0] },
     field: 'angle',
     colourMap: 'log',
+    ends: { angle: [60, 120] },
     showFaces: false,
     upAxis: 'y',
   };
@@ -147,9 +148,10 @@ describe('hostile links are refused', () => {
 
   const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
-  test('not this one, made before links had an initialisation, an up axis, a symmetry, a locality, and names of handles', () => {
+  test('not this one, made before links had an initialisation, ends of colours, an up axis, a symmetry, a locality, and names of handles', () => {
     const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
     expect(scene).toMatchObject({ net: { recipe: 'vault' }, initialisation: 'naive' });
+    expect(scene.view).not.toHaveProperty('ends');
     expect(scene.view).not.toHaveProperty('upAxis');
     expect(scene).not.toHaveProperty('symmetry');
     expect(scene).not.toHaveProperty('locality');
@@ -211,6 +213,11 @@ describe('hostile links are refused', () => {
     [point, '"handles":[[3,0,{"weight":1e999}]]'],
     [point, '"handles":[[3,0,{},1,2,3]]'],
     [point, '"handles":[[3,0,1,2,3,null]]'],
+    ['"showFaces":true', '"showFaces":true,"ends":[1,2]'],
+    ['"showFaces":true', '"showFaces":true,"ends":{"angle":[60]}'],
+    ['"showFaces":true', '"showFaces":true,"ends":{"angle":[60,60]}'],
+    ['"showFaces":true', '"showFaces":true,"ends":{"angle":[60,120,130]}'],
+    ['"showFaces":true', '"showFaces":true,"ends":{"deviation":[0,1]}'],
     ['"settled":true', '"settled":true,"symmetry":{"axis":"w","through":"centre"}'],
     ['"settled":true', '"settled":true,"symmetry":null'],
     ['"settled":true', '"settled":true,"locality":0'],

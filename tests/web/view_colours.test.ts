@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { MapColours, Rgb } from '../../web/src/view/colour_map';
-import { cssColour, lookupTable, mix, parseColour, positionOn, scaleOf } from '../../web/src/view/colour_map';
+import { cssColour, endText, lookupTable, mix, parseColour, positionOn, scaleOf } from '../../web/src/view/colour_map';
 
 const COLOURS: MapColours = {
   good: [0, 0, 1],
@@ -48,8 +48,30 @@ test('a right angle has the middle colour, others lean to either side', () => {
   expect(colourOf(angle, 170)).toEqual(COLOURS.wide);
 });
 
+describe('with ends set by hand', () => {
+  test.each(['paper', 'log'] as const)('the %s map goes from one to the other by decades', (map) => {
+    const scale = scaleOf('deviation', map, COLOURS, [1e-8, 1e-4]);
+    expect([1e-9, 1e-8, 1e-6, 1e-4, 1].map((dL) => positionOn(scale, dL))).toEqual([0, 0, expect.closeTo(0.5), 1, 1]);
+    expect(colourOf(scale, 1e-8)).toEqual((map === 'paper' ? paper : log).colour(0));
+    expect(scale.ticks.map(({ label }) => label)).toEqual(['1e-8', '1e-4']);
+  });
+
+  test.each([[80, 90], [60, 100], [90, 95], [100, 110], [10, 20]])('from %d to %d degrees a right angle would keep its colour', (...ends) => {
+    const scale = scaleOf('angle', 'paper', COLOURS, ends);
+    if (ends[0] <= 90 && 90 <= ends[1]) expect(colourOf(scale, 90)).toEqual(COLOURS.right);
+    if (ends[0] < 90) expect(colourOf(scale, ends[0])).toEqual(COLOURS.narrow);
+    if (ends[1] > 90) expect(colourOf(scale, ends[1])).toEqual(COLOURS.wide);
+    expect(lookupTable(scale).every((byte) => byte >= 0)).toBe(true);
+  });
+
+  test('what is written can be read again', () => {
+    for (const value of [1e-6, 2.5e-12, 0.1, 0.025, 45, 123.456]) expect(Number(endText(value))).toBe(value);
+    expect([1e-6, 0.1, 45].map(endText)).toEqual(['1e-6', '0.1', '45']);
+  });
+});
+
 test('every tick lies on the legend', () => {
-  for (const { ticks, shown } of [paper, log, angle]) {
+  for (const { ticks, shown } of [paper, log, angle, scaleOf('angle', 'paper', COLOURS, [80, 85])]) {
     for (const { value } of ticks) {
       expect(value).toBeGreaterThanOrEqual(shown[0]);
       expect(value).toBeLessThanOrEqual(shown[1]);

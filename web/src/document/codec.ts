@@ -3,8 +3,8 @@
  * that is new needs one line here, where it is read: writing takes whatever there is.
  */
 import type { RestLengths } from '../../../wasm/chebnet';
-import { LONGEST_NAME } from './document';
-import type { HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
+import { areEnds, LONGEST_NAME } from './document';
+import type { Ends, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import type { Field } from './field';
 import { words } from '../language/language';
@@ -106,8 +106,20 @@ export function readView(view: Field): Scene['view'] {
     field: view.at('field').oneOf(['deviation', 'angle']),
     colourMap: view.at('colourMap').oneOf(['paper', 'log']),
     showFaces: view.at('showFaces').flag(),
-    ...given({ upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])) }),
+    ...given({
+      ends: view.at('ends').maybe(readEnds),
+      upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])),
+    }),
   };
+}
+
+function readEnds(ends: Field): ViewState['ends'] {
+  const read = (name: 'deviation' | 'angle') =>
+    ends.at(name).maybe((pair): Ends => {
+      const [low = NaN, high = NaN, ...more] = pair.list().map((each) => each.number());
+      return more.length === 0 && areEnds(name, [low, high]) ? [low, high] : pair.fail(words.fields.ends);
+    });
+  return given({ deviation: read('deviation'), angle: read('angle') });
 }
 
 function readCamera(camera: Field): NonNullable<ViewState['camera']> {

@@ -59,10 +59,20 @@ export type Field = 'deviation' | 'angle';
 export type ColourMap = 'paper' | 'log';
 export type UpAxis = 'y' | 'z';
 
+/** Ends of a colour map: dL, whose scale is logarithmic, or degrees. */
+export type Ends = readonly [low: number, high: number];
+
+/** Whether a map can go from one to the other. */
+export function areEnds(field: Field, [low, high]: Ends): boolean {
+  return low < high && Number.isFinite(high - low) && (field === 'angle' || low > 0);
+}
+
 export interface ViewState {
   camera: { position: Vec3; target: Vec3 } | null;
   field: Field;
   colourMap: ColourMap;
+  /** Set by hand; a field without takes those of its map. */
+  ends?: { [Each in Field]?: Ends | undefined };
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;

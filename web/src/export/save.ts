@@ -43,8 +43,8 @@ function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: O
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
   if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, lines, handles: document.handles, name, edgeMm };
-  const { field, colourMap, upAxis: up = 'z' } = document.view;
-  const colours = vertexColours(scaleOf(field, colourMap, theme), field, frame, edges);
+  const { field, colourMap, ends, upAxis: up = 'z' } = document.view;
+  const colours = vertexColours(scaleOf(field, colourMap, theme, ends?.[field]), field, frame, edges);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 

@@ -1,14 +1,18 @@
-/** The colour map with its ends, and below it the range of the data. */
+/** The colour map with its ends, which can be set by hand, and below it the range of the data. */
 import type { ViewState } from '../document/document';
 import { words } from '../language/language';
 import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData } from '../worker/protocol';
 import { make, setText } from './dom';
+import { MapEnds } from './map_ends';
+import type { PanelEvents } from './panels';
 import { ROUNDING, small } from './words';
 
 const STOPS = 24;
 const DEGREES = 180 / Math.PI;
+
+type Coloured = Pick<ViewState, 'field' | 'colourMap' | 'ends'>;
 
 export class Legend {
   private readonly name = make('h2');
@@ -16,25 +20,30 @@ export class Legend {
   private readonly data = make('div', { class: 'data' });
   private readonly ticks = make('div', { class: 'ticks' });
   private readonly words = make('p', { class: 'words' });
-  readonly element = make(
-    'section',
-    { class: 'legend', 'aria-label': words.legend.label },
-    this.name,
-    this.bar,
-    make('div', { class: 'track' }, this.data),
-    this.ticks,
-    this.words,
-  );
-  private view: Pick<ViewState, 'field' | 'colourMap'> = { field: 'deviation', colourMap: 'paper' };
+  private readonly ends: MapEnds;
+  readonly element: HTMLElement;
+  private view: Coloured = { field: 'deviation', colourMap: 'paper' };
   private scale: Scale | null = null;
   private frame: FrameData | null = null;
 
-  constructor() {
+  constructor({ setView }: Pick<PanelEvents, 'setView'>) {
+    this.ends = new MapEnds((ends) => setView({ ends: { ...this.view.ends, [this.view.field]: ends } }));
+    this.element = make(
+      'section',
+      { class: 'legend', 'aria-label': words.legend.label },
+      this.name,
+      this.bar,
+      make('div', { class: 'track' }, this.data),
+      this.ticks,
+      this.words,
+      this.ends.element,
+    );
     onThemeChange(() => this.draw());
   }
 
-  show(view: Pick<ViewState, 'field' | 'colourMap'>): void {
-    const same = this.scale !== null && view.field === this.view.field && view.colourMap === this.view.colourMap;
+  show(view: Coloured): void {
+    const { field, colourMap, ends } = this.view;
+    const same = this.scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
     this.view = view;
     if (!same) this.draw();
   }
@@ -57,8 +66,10 @@ export class Legend {
   }
 
   private draw(): void {
-    const scale = scaleOf(this.view.field, this.view.colourMap, readTheme(document.documentElement));
+    const { field, colourMap, ends } = this.view;
+    const scale = scaleOf(field, colourMap, readTheme(document.documentElement), ends?.[field]);
     this.scale = scale;
+    this.ends.show(field, scale, ends?.[field] !== undefined);
     setText(this.name, scale.title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {

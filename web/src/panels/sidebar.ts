@@ -59,7 +59,7 @@ class Sidebar implements Panels {
   private readonly runNotice: RunNotice;
   private readonly toolbar: Toolbar;
   private readonly bar: SelectionBar;
-  private readonly legend = new Legend();
+  private readonly legend: Legend;
   private readonly messages = new Messages();
   private readonly status = make('span', { class: 'status-words' }, words.status.loading);
   private readonly light = make('i', { class: 'light', 'data-status': 'running' });
@@ -85,6 +85,7 @@ class Sidebar implements Panels {
     this.handles = new HandleList(events);
     this.drag = new DragPanel(events.handles);
     this.appearance = new Appearance(events);
+    this.legend = new Legend(events);
     this.solver = new SolverPanel(events);
     this.step = new StepPanel(events);
     this.learn = new LearnPanel(events);

@@ -1,6 +1,6 @@
 /** Colours of edges and vertices: what number gets what colour, for the view and for the legend alike. */
 import { PLASMA } from 'virtual:plasma';
-import type { ColourMap, Field } from '../document/document';
+import type { ColourMap, Ends, Field } from '../document/document';
 import { words } from '../language/language';
 
 /** Red, green, blue in 0…1, as the screen takes them (sRGB). */
@@ -25,7 +25,7 @@ export interface Scale {
   high: number;
   logarithmic: boolean;
   /** What a legend shows; it may reach farther than the map tells apart. */
-  shown: readonly [number, number];
+  shown: Ends;
   ticks: { value: number; label: string }[];
   /** `t` in 0…1 from one end to the other. */
   colour(t: number): Rgb;
@@ -39,9 +39,19 @@ const PAPER_RED = 2e-6;
 const PLASMA_LIGHT = [0, 0.78] as const;
 const PLASMA_DARK = [0.36, 1] as const;
 
-export function scaleOf(field: Field, map: ColourMap, colours: MapColours): Scale {
-  if (field === 'angle') return angleScale(colours);
-  return map === 'paper' ? paperScale(colours) : logScale(colours);
+/** @param ends in place of the map's own. */
+export function scaleOf(field: Field, map: ColourMap, colours: MapColours, ends?: Ends): Scale {
+  if (field === 'angle') return angleScale(colours, ends);
+  const scale = map === 'paper' ? paperScale(colours) : logScale(colours);
+  if (ends === undefined) return scale;
+  const ticks = ends.map((value) => ({ value, label: endText(value) }));
+  return { ...scale, low: ends[0], high: ends[1], shown: ends, ticks };
+}
+
+/** As short as it can be read again. */
+export function endText(value: number): string {
+  const [plain, power] = [String(value), value.toExponential()];
+  return power.length < plain.length ? power : plain;
 }
 
 /** Where a value stands between the ends of the map, 0…1. */
@@ -115,18 +125,20 @@ function logScale({ dark }: MapColours): Scale {
   };
 }
 
-function angleScale({ narrow, right, wide }: MapColours): Scale {
+/** Wherever the ends are, a right angle keeps its colour. */
+function angleScale({ narrow, right, wide }: MapColours, ends: Ends = [45, 135]): Scale {
+  const [low, high] = ends;
+  const marked = [low, 90, high].filter((value) => low <= value && value <= high);
   return {
     title: words.legend.angle,
-    low: 45,
-    high: 135,
+    low,
+    high,
     logarithmic: false,
-    shown: [45, 135],
-    ticks: [
-      { value: 45, label: '45°' },
-      { value: 90, label: '90°' },
-      { value: 135, label: '135°' },
-    ],
-    colour: (t) => (t < 0.5 ? mix(narrow, right, 2 * t) : mix(right, wide, 2 * t - 1)),
+    shown: ends,
+    ticks: [...new Set(marked)].map((value) => ({ value, label: `${endText(value)}°` })),
+    colour: (t) => {
+      const value = low + (high - low) * t;
+      return low < 90 && value <= 90 ? mix(narrow, right, (value - low) / (90 - low)) : mix(right, wide, (value - 90) / (high - 90));
+    },
   };
 }

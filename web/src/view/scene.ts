@@ -190,8 +190,8 @@ class SceneView implements View {
     const turned = appearance.upAxis !== this.appearance.upAxis;
     this.appearance = appearance;
     if (turned) this.turn();
-    const { field, colourMap, showFaces } = appearance;
-    this.colours.show(scaleOf(field, colourMap, this.theme), field === 'angle');
+    const { field, colourMap, ends, showFaces } = appearance;
+    this.colours.show(scaleOf(field, colourMap, this.theme, ends?.[field]), field === 'angle');
     this.faces.object.visible = showFaces;
     this.lines.setOverColours(showFaces && field === 'angle');
     this.requestDraw();

@@ -1,0 +1,40 @@
+/** The ends of the colour map by hand; the map's own again by one click. */
+import { areEnds } from '../document/document';
+import type { Ends, Field } from '../document/document';
+import { words } from '../language/language';
+import { endText, type Scale } from '../view/colour_map';
+import { make, makeButton, setValue } from './dom';
+
+export class MapEnds {
+  readonly element: HTMLElement;
+  private readonly inputs = [words.legend.low, words.legend.high].map((label) => {
+    const input = make('input', { type: 'text', 'aria-label': label, title: label, autocomplete: 'off' });
+    input.addEventListener('change', () => this.read(input));
+    return input;
+  });
+  private readonly automatic: HTMLButtonElement;
+  private field: Field = 'deviation';
+
+  /** @param choose what the user wants; undefined: the map's own. */
+  constructor(private readonly choose: (ends: Ends | undefined) => void) {
+    this.automatic = makeButton(words.legend.automatic, () => choose(undefined));
+    const row = make('div', { class: 'ends' }, ...this.inputs, this.automatic);
+    this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
+  }
+
+  show(field: Field, { low, high }: Scale, byHand: boolean): void {
+    this.field = field;
+    this.automatic.setAttribute('aria-pressed', String(!byHand));
+    this.inputs.forEach((input, i) => {
+      setValue(input, endText([low, high][i]!));
+      input.setCustomValidity('');
+    });
+  }
+
+  private read(changed: HTMLInputElement): void {
+    const [low = NaN, high = NaN] = this.inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    if (areEnds(this.field, [low, high])) return this.choose([low, high]);
+    changed.setCustomValidity(words.legend.badEnds(this.field === 'deviation'));
+    changed.reportValidity();
+  }
+}
