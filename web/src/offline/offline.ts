@@ -6,12 +6,16 @@ export async function keepOffline(offer: (accept: () => void) => void): Promise<
   const registration = await navigator.serviceWorker.register('./service_worker.js').catch(() => undefined);
   // A browser may refuse, in a private window for one. The page works without.
   if (registration === undefined) return;
+  const known = new Set<ServiceWorker>();
   const offerWhenReady = (worker: ServiceWorker | null): void => {
+    // The first version of all is no news. Whether one was there before it is asked while it is young: in Firefox the first
+    // may have taken the page over by the time it says that it is ready.
+    if (worker === null || registration.active === null || known.has(worker)) return;
+    known.add(worker);
     const look = (): void => {
-      // The first version of all is no news.
-      if (worker?.state === 'installed' && navigator.serviceWorker.controller) offer(() => goOverTo(worker));
+      if (worker.state === 'installed') offer(() => goOverTo(worker));
     };
-    worker?.addEventListener('statechange', look);
+    worker.addEventListener('statechange', look);
     look();
   };
   offerWhenReady(registration.waiting);
