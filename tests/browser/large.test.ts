@@ -7,6 +7,8 @@ import { visits } from './page';
 import { mainThreadTasks } from './tasks';
 
 const RECIPE = 'vault:vertices=100000';
+/** Takes seconds to be made. */
+const SLOW_RECIPE = 'jack:vertices=100000';
 /** A small picture: a software renderer takes long enough. */
 const viewport = { width: 900, height: 600 };
 /** Generous: about 20 if the machine has nothing else to do. */
@@ -37,7 +39,19 @@ test('opens and is drawn, and no task of the page lasts long', async () => {
   expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
 });
 
-test('a drag moves it, Escape takes that back', async () => {
+test('on its way it can be given up for the net of before; a drag moves it, Escape takes that back', async () => {
+  const { page } = visit;
+  const [there, { vertices: few }] = [await script.positions(), await script.stats()];
+  const cancel = page.getByRole('button', { name: 'Cancel', exact: true });
+  for (const giveUp of [() => cancel.click(), () => page.keyboard.press('Escape')]) {
+    const opening = script.open({ recipe: SLOW_RECIPE }).catch(String);
+    await page.getByText('Opening the net').waitFor();
+    await giveUp();
+    expect(await opening).toMatch(/given up/);
+    await script.settled();
+    expect(await script.stats()).toMatchObject({ vertices: few, status: 'converged' });
+    expect(await script.positions()).toEqual(there);
+  }
   await script.open({ recipe: RECIPE });
   await script.settled();
   const before = await placeOf(dragged);
@@ -45,7 +59,7 @@ test('a drag moves it, Escape takes that back', async () => {
   await dragBy(script, dragged, [-40, -30], {
     atEnd: async () => {
       await expect.poll(moved, { timeout: 30_000 }).toBeGreaterThan(meanLength);
-      await visit.page.keyboard.press('Escape');
+      await page.keyboard.press('Escape');
     },
   });
   await script.settled();

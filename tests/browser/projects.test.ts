@@ -259,7 +259,7 @@ test('a browser that keeps nothing says so once', async () => {
   });
   await script.open({ recipe: SHAPE });
   await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/does not let the page keep/));
-  await page.evaluate(() => document.querySelector('[role=status]')?.replaceChildren());
+  await page.evaluate(() => document.querySelector('.messages [role=status]')?.replaceChildren());
   const refused = await page.evaluate(() => window.refused);
   await script.open({ recipe: 'dome:vertices=600' });
   await expect.poll(() => page.evaluate(() => window.refused)).toBeGreaterThan(refused);

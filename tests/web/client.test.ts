@@ -73,7 +73,7 @@ beforeEach(() => {
     () => workers[workers.push(new FakeWorker()) - 1]!,
     {
       frame: ({ positions }, settled) => news.push([positions[0] ?? NaN, settled]),
-      restarted: (reason, opened) => restarts.push([reason, opened && (opened.frame.positions[0] ?? NaN)]),
+      restarted: (why, opened) => restarts.push([why.message, opened && (opened.frame.positions[0] ?? NaN)]),
     },
     1000,
   );
@@ -251,6 +251,49 @@ describe('a worker that is lost', () => {
 
   test('is not missed while nothing is asked of it', () => {
     vi.advanceTimersByTime(60_000);
+    expect(workers).toHaveLength(1);
+  });
+});
+
+describe('an opening that is given up', () => {
+  beforeEach(opened);
+
+  const other = { ...scene, net: { recipe: 'dome' } };
+
+  test('leaves the net of before, in another worker, and it is solved on', async () => {
+    void client.solve();
+    const { id } = await worker().do();
+    worker().say({ id, type: 'frame', frame: frame(5) });
+    const opening = client.open(other);
+    client.cancelOpening();
+    await expect(opening).rejects.toMatchObject({ code: 'cancelled' });
+    expect(workers.map(({ terminated }) => terminated)).toEqual([true, false]);
+    const request = await worker().open(5);
+    expect(request).toMatchObject({ type: 'open', scene: { net: scene.net, settled: false } });
+    expect(request).toHaveProperty('scene.positions', Float64Array.of(5, 5, 5));
+    expect(restarts).toEqual([[expect.any(String), 5]]);
+    expect(client.solving).toBe(true);
+    worker().say({ id: request.id, type: 'settled', frame: frame(6) });
+    expect(news.at(-1)).toEqual([6, true]);
+  });
+
+  test('before the net of before is back leaves it all the same', async () => {
+    for (let i = 0; i < 3; ++i) {
+      const opening = client.open(other);
+      client.cancelOpening();
+      await expect(opening).rejects.toMatchObject({ code: 'cancelled' });
+    }
+    expect(workers).toHaveLength(4);
+    expect(restarts).toEqual([]);
+    const request = await worker().open();
+    expect(request).toMatchObject({ scene: { net: scene.net, settled: true } });
+    expect(restarts).toHaveLength(1);
+    expect(worker().sent).toEqual([]);
+  });
+
+  test('is none if nothing is being opened', () => {
+    void client.solve();
+    client.cancelOpening();
     expect(workers).toHaveLength(1);
   });
 });

@@ -139,7 +139,7 @@ describe('a file', () => {
   test('is read in stages, told about and opened', async () => {
     const { open, opened, dialogs, workers } = makeOpener();
     await open(SQUARES);
-    expect(dialogs[0]?.stages).toEqual(['loading', 'reading', 'checking', 'measuring', 'opening']);
+    expect(dialogs[0]?.stages).toEqual(['loading', 'reading', 'checking', 'measuring']);
     expect(dialogs[0]?.report).toEqual({
       vertices: 6,
       edges: 7,

@@ -19,7 +19,7 @@ import { type HandleDesk, HandleEditor } from './handles/handle_editor';
 import { words } from './language/language';
 import type { Action, PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
-import { Client, SolverError } from './worker/client';
+import { Client, isCancelled, SolverError } from './worker/client';
 import type { Opened, WorkerLike } from './worker/client';
 import type { ExportFormat, FrameData, OpenedNet } from './worker/protocol';
 
@@ -94,7 +94,7 @@ export class App {
   ) {
     this.#client = new Client(spawnWorker, {
       frame: (frame, settled) => this.#showFrame(frame, settled),
-      restarted: (reason, opened) => this.#restarted(reason, opened),
+      restarted: (why, opened) => this.#restarted(why, opened),
     });
     this.#comparer = new Comparer(spawnWorker, (comparison) => this.#panels.showComparison(comparison));
     this.#beside = new Beside(createBeside, (camera) => {
@@ -141,6 +141,7 @@ export class App {
 
   /** Shows a failure to the user and to listeners. */
   report(error: unknown): void {
+    if (isCancelled(error)) return;
     // When a worker is lost everything that waits for it fails; that is said once, by #restarted.
     const known = error instanceof SolverError && error.code === 'worker_lost' && this.#opening !== null;
     if (!known) this.#panels.say(sentence(error), 'error');
@@ -344,14 +345,24 @@ export class App {
   /** Says so if a net takes long to open. */
   async #await(opening: Promise<Opened>): Promise<Opened> {
     this.#awaited += 1;
-    const late = setTimeout(() => this.#view.setWaiting(words.view.opening), LATE_MS);
+    const late = setTimeout(() => this.#panels.showOpening(true, this.canCancelOpening), LATE_MS);
     try {
       return await opening;
     } finally {
       clearTimeout(late);
-      this.#view.setWaiting(null);
+      this.#panels.showOpening(false, false);
       this.#awaited -= 1;
     }
+  }
+
+  /** Whether a net is on its way that can be given up for the one that is open. */
+  get canCancelOpening(): boolean {
+    return this.#awaited > 0 && this.#opening !== null;
+  }
+
+  /** Gives up the net on its way; the one that is open stays. */
+  cancelOpening(): void {
+    if (this.canCancelOpening) this.#client.cancelOpening();
   }
 
   #snapshot(): Snapshot | null {
@@ -386,6 +397,7 @@ export class App {
     return {
       ...services,
       openRecipe: (recipe) => this.#try(this.openNet({ recipe })),
+      cancelOpening: () => this.cancelOpening(),
       handles: this.handles,
       previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#try(this.setOptions(settings)),
@@ -491,15 +503,15 @@ export class App {
     this.#emit('settled');
   }
 
-  #restarted(reason: string, opened: Opened | null): void {
-    this.#emit('restarted');
+  #restarted(why: SolverError, opened: Opened | null): void {
+    if (!isCancelled(why)) this.#emit('restarted');
     if (opened === null || this.#opening === null) {
-      this.#panels.say(words.solver.stopped(sentence(reason)), 'error');
+      this.#panels.say(words.solver.stopped(sentence(why)), 'error');
       return;
     }
     this.#change({ handles: opened.frame.handles.map((handle) => this.#withTraits(handle)) });
     this.#showDocument();
-    this.#panels.say(words.solver.restarted(sentence(reason)), 'error');
+    if (!isCancelled(why)) this.#panels.say(words.solver.restarted(sentence(why)), 'error');
   }
 
   #showDocument(): void {

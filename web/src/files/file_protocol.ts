@@ -3,7 +3,7 @@ import type { OpenedNet } from '../worker/protocol';
 import type { FileReport } from './file_report';
 
 /** What is going on with a file, in this order. */
-export const STAGES = ['loading', 'reading', 'checking', 'measuring', 'opening'] as const;
+export const STAGES = ['loading', 'reading', 'checking', 'measuring'] as const;
 export type Stage = (typeof STAGES)[number];
 
 export type FileRequest =

@@ -63,7 +63,7 @@ export class FileOpener {
     try {
       const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
       if (net === null) return;
-      dialog.showStage('opening');
+      dialog.close();
       await this.parts.open(net);
     } finally {
       reading.close();

@@ -32,13 +32,16 @@ export const en = {
   },
   view: {
     net: 'The net. Arrow keys turn the view or move the selected handles, plus and minus zoom, Home shows the whole net.',
-    opening: 'Opening the net…',
     pictureLost: 'The graphics card dropped the picture; waiting for it…',
     noGraphics:
       'The net is drawn with WebGL 2, which this browser lacks or has switched off. The panels and the solver still work.',
     noPicture: 'There is no picture without WebGL 2.',
     pictureFailed: 'The picture could not be made.',
     strain: (distance: string, reach: string) => `${distance} apart, the net reaches ${reach}`,
+  },
+  opening: {
+    underWay: 'Opening the net…',
+    cancel: 'Cancel',
   },
   toolbar: {
     actions: 'Actions',
@@ -183,6 +186,7 @@ export const en = {
     count: 'Its iterations',
     notStarted: 'The solver could not be started.',
     garbled: 'A message of the solver could not be read.',
+    openingCancelled: 'The net was given up before it was open.',
     silent: 'The solver did not answer any more.',
     stopped: (reason: string) => `The solver stopped and cannot go on with this net: ${reason}`,
     restarted: (reason: string) => `The solver stopped and was started again; the net is as it last stood. ${reason}`,
@@ -267,7 +271,6 @@ export const en = {
       reading: 'Reading the mesh',
       checking: 'Looking for defects',
       measuring: 'Measuring the edges',
-      opening: 'Opening the net',
     },
     cancel: 'Cancel',
     facts: {

@@ -33,12 +33,15 @@ export const zh: Words = {
   },
   view: {
     net: '网。方向键转动视图或移动选中的手柄，加号和减号缩放，Home 键显示整张网。',
-    opening: '正在打开网…',
     pictureLost: '显卡丢失了画面，正在等待恢复…',
     noGraphics: '绘制网需要 WebGL 2，而此浏览器不支持或已将其关闭。面板和求解器仍可使用。',
     noPicture: '没有 WebGL 2 就没有图像。',
     pictureFailed: '无法生成图像。',
     strain: (distance, reach) => `相距 ${distance}，网只够 ${reach}`,
+  },
+  opening: {
+    underWay: '正在打开网…',
+    cancel: '取消',
   },
   toolbar: {
     actions: '操作',
@@ -182,6 +185,7 @@ export const zh: Words = {
     count: '其迭代次数',
     notStarted: '无法启动求解器。',
     garbled: '无法读取求解器的消息。',
+    openingCancelled: '已放弃打开这张网。',
     silent: '求解器不再响应。',
     stopped: (reason) => `求解器已停止，无法继续处理这张网：${reason}`,
     restarted: (reason) => `求解器停止后已重新启动，网保持在停止前的状态。${reason}`,
@@ -263,7 +267,6 @@ export const zh: Words = {
       reading: '正在读取网格',
       checking: '正在检查缺陷',
       measuring: '正在测量边长',
-      opening: '正在打开网',
     },
     cancel: '取消',
     facts: {

@@ -33,10 +33,6 @@ export class FileDialog implements FileDialogLike {
   showStage(stage: Stage): void {
     setText(this.stage, words.file.stages[stage]);
     this.progress.value = STAGES.indexOf(stage);
-    if (stage !== 'opening') return;
-    // Past the point where it could be called back.
-    this.body.replaceChildren(this.progressRow);
-    this.buttons.replaceChildren();
   }
 
   ask(report: FileReport): Promise<FileChoice> {

@@ -11,6 +11,8 @@ import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
+  /** Give up the net on its way. */
+  cancelOpening(): void;
   /** The user wants to pick a file, a net or a project. */
   pickFile(): void;
   showKeys(): void;
@@ -71,6 +73,8 @@ export interface Panels {
   /** After anything was done, undone or redone. */
   showHistory(history: HistoryView): void;
   showNet(net: OpenedNet): void;
+  /** While another net is on its way for long. */
+  showOpening(isUnderWay: boolean, canCancel: boolean): void;
   /** Live numbers and the plot. `solving`: the worker is busy. */
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
   showHandles(handles: readonly HandleData[], choice: Choice): void;

@@ -23,6 +23,7 @@ import { LearnPanel } from './learn_panel';
 import { Legend } from './legend';
 import { LiveNumbers } from './live_numbers';
 import { Messages } from './messages';
+import { OpeningNotice } from './opening_notice';
 import type { Action, PanelEvents, Panels } from './panels';
 import { SelectionBar } from './selection_bar';
 import { RunNotice } from './run_notice';
@@ -57,6 +58,7 @@ class Sidebar implements Panels {
   private readonly comparison: ComparisonForm;
   private readonly results: ComparisonResults;
   private readonly runNotice: RunNotice;
+  private readonly openingNotice: OpeningNotice;
   private readonly toolbar: Toolbar;
   private readonly bar: SelectionBar;
   private readonly legend: Legend;
@@ -99,6 +101,7 @@ class Sidebar implements Panels {
       events.showRun(null);
       events.showBeside(null);
     });
+    this.openingNotice = new OpeningNotice(() => events.cancelOpening());
     this.history = new HistoryPanel((index) => events.goTo(index));
     this.toolbar = new Toolbar(events);
     this.bar = new SelectionBar(events);
@@ -138,6 +141,7 @@ class Sidebar implements Panels {
         this.bar.element,
         this.messages.element,
         this.runNotice.element,
+        this.openingNotice.element,
         ...this.toolbar.menus,
       ),
       this.results.element,
@@ -194,6 +198,10 @@ class Sidebar implements Panels {
     this.handles.showNet(net.info.vertices, net.info.meanLength);
     this.drag.showNet(net.info.vertices);
     this.plot.clear();
+  }
+
+  showOpening(isUnderWay: boolean, canCancel: boolean): void {
+    this.openingNotice.show(isUnderWay, canCancel);
   }
 
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {

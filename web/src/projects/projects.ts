@@ -9,6 +9,7 @@ import { download } from '../files/download';
 import { baseNameOf } from '../export/kinds';
 import { FileError } from '../files/file_error';
 import { words } from '../language/language';
+import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
 import { findLast, findNewest, isOwn, newId } from './kept';
 import type { KeptProject } from './kept';
@@ -120,6 +121,7 @@ export class Projects {
     try {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
+      if (isCancelled(error)) throw error;
       throw new FileError('bad_project', words.projects.fault(file.name, error instanceof Error ? error.message : String(error)));
     }
     this.#autosave.begin(newId(), true);

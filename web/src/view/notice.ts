@@ -42,7 +42,6 @@ export function createBlankView(container: HTMLElement): View {
     setReach() {},
     setPreview() {},
     setAppearance() {},
-    setWaiting() {},
     setStepArrows() {},
     frameAll() {},
     camera: () => nowhere,

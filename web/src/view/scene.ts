@@ -62,7 +62,6 @@ class SceneView implements View {
   private readonly report: DragReport;
   private readonly gestures: Gestures;
   private readonly notice: ReturnType<typeof createNotice>;
-  private readonly waiting: ReturnType<typeof createNotice>;
   private readonly resizing: ResizeObserver;
   private readonly stopThemes: () => void;
   private readonly size = new Vector2(1, 1);
@@ -100,7 +99,6 @@ class SceneView implements View {
     canvas.setAttribute('aria-label', words.view.net);
     container.append(canvas, this.overlay.element);
     this.notice = createNotice(container);
-    this.waiting = createNotice(container);
     this.report = new DragReport(this.noteFirstDrag(events));
     this.rig = new CameraRig(canvas, {
       moved: () => this.cameraMoved(),
@@ -197,11 +195,6 @@ class SceneView implements View {
     this.requestDraw();
   }
 
-  setWaiting(words: string | null): void {
-    if (words === null) this.waiting.hide();
-    else this.waiting.show(words);
-  }
-
   setStepArrows(shown: boolean): void {
     this.stepArrows.object.visible = shown;
     this.requestDraw();
@@ -277,7 +270,6 @@ class SceneView implements View {
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
-    this.waiting.remove();
   }
 
   private createGestures(canvas: HTMLCanvasElement): Gestures {

@@ -54,8 +54,6 @@ export interface View {
   /** Marks vertices that a button would take. */
   setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
-  /** A line over the picture while another net is on its way; null: no longer. */
-  setWaiting(words: string | null): void;
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */

@@ -18,11 +18,12 @@ export interface WorkerLike {
 export interface ClientEvents {
   /** News of the net; `settled`: nothing is left to be solved. Frames from before the last open, restore or reset do not come. */
   frame(frame: FrameData, settled: boolean): void;
-  /** A worker was lost. Another has the net as it last stood, here it is; null: it could not, and no net is open. */
-  restarted(reason: string, opened: Opened | null): void;
+  /** A worker was lost, or ended by `cancelOpening`. Another has the net as it last stood, here it is; null: it could not,
+   *  and no net is open. */
+  restarted(why: SolverError, opened: Opened | null): void;
 }
 
-/** A failure on the other side, with the core's code and message; or "worker_lost". */
+/** A failure on the other side, with the core's code and message; or "worker_lost"; or "cancelled", by `cancelOpening`. */
 export class SolverError extends Error {
   constructor(
     readonly code: string,
@@ -30,6 +31,11 @@ export class SolverError extends Error {
   ) {
     super(message);
   }
+}
+
+/** Whether somebody wanted it to fail. */
+export function isCancelled(error: unknown): boolean {
+  return error instanceof SolverError && error.code === 'cancelled';
 }
 
 export interface Opened {
@@ -75,6 +81,8 @@ export class Client {
   #barrier = 0;
   /** The net as it last stood, for the next worker. */
   #scene: OpenScene | null = null;
+  /** The same while a new worker opens it. */
+  #returning: OpenScene | null = null;
   #silence: ReturnType<typeof setTimeout> | undefined;
   #whenIdle: (() => void)[] = [];
 
@@ -112,6 +120,17 @@ export class Client {
     this.#scene = scene;
     this.#remember(frame.handles, frame.positions);
     return { net, frame };
+  }
+
+  /** Gives up nets that are still on their way; the one opened before stays. In the middle of an opening a worker does not
+   *  listen: it is ended, and another takes its place. */
+  cancelOpening(): void {
+    if (![...this.#waiting.values()].some(({ type }) => type === 'open')) return;
+    const why = new SolverError('cancelled', words.solver.openingCancelled);
+    const scene = this.#scene ? { ...this.#scene, settled: !this.solving } : this.#returning;
+    this.#endWorker(why);
+    if (scene !== null) this.#bringBack(scene, why);
+    this.#rest();
   }
 
   async setHandles(handles: Handle[]): Promise<void> {
@@ -227,8 +246,7 @@ export class Client {
     this.#proven = true;
     if (response.type === 'frame' || response.type === 'settled') this.#news(response);
     else this.#answered(response);
-    this.#watch();
-    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
+    this.#rest();
   }
 
   #news({ id, type, frame }: Answered<'frame' | 'settled'>): void {
@@ -281,28 +299,42 @@ export class Client {
     if (this.busy) this.#silence = setTimeout(() => this.#lose(words.solver.silent), this.#patience);
   }
 
+  /** The net is not solved on: that may be what broke the worker. */
   #lose(reason: string): void {
+    const why = new SolverError('worker_lost', reason);
+    const scene = this.#scene && { ...this.#scene, settled: true };
     const hopeful = this.#proven;
+    this.#endWorker(why);
+    if (scene !== null && hopeful) this.#bringBack(scene, why);
+    else if (scene !== null) this.#events.restarted(why, null);
+    this.#rest();
+  }
+
+  #endWorker(why: SolverError): void {
     this.#worker?.terminate();
     this.#worker = null;
+    this.#scene = null;
     this.#settled = this.#touched;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
-    for (const { reject } of waiting) reject(new SolverError('worker_lost', reason));
-    if (this.#scene !== null) this.#replay(reason, hopeful);
-    this.#watch();
-    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
+    for (const { reject } of waiting) reject(why);
   }
 
-  /** Opens the net as it last stood in a new worker. It is not solved on: that may be what broke the old one. */
-  #replay(reason: string, hopeful: boolean): void {
-    const scene = this.#scene;
-    this.#scene = null;
-    if (scene === null || !hopeful) return this.#events.restarted(reason, null);
-    this.open({ ...scene, settled: true }).then(
-      (opened) => this.#events.restarted(reason, opened),
-      () => this.#events.restarted(reason, null),
-    );
+  /** Opens the net as it last stood in a new worker. */
+  #bringBack(scene: OpenScene, why: SolverError): void {
+    this.#returning = scene;
+    const end = (opened: Opened | null): void => {
+      this.#returning = null;
+      this.#events.restarted(why, opened);
+    };
+    // If this is given up too, it begins anew.
+    this.open(scene).then(end, (error: unknown) => isCancelled(error) || end(null));
+  }
+
+  /** Nobody waits any longer if there is nothing to wait for. */
+  #rest(): void {
+    this.#watch();
+    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
   }
 }
 

@@ -1,0 +1,20 @@
+/** Says over the picture that another net is on its way, and gives it up. */
+import { words } from '../language/language';
+import { make, makeButton } from './dom';
+
+export class OpeningNotice {
+  // In the page before anything is said, or screen readers miss it.
+  readonly element = make('div', { class: 'opening-notice', role: 'status' });
+  private readonly cancel: HTMLButtonElement;
+  private readonly line: HTMLElement;
+
+  constructor(cancel: () => void) {
+    this.cancel = makeButton(words.opening.cancel, cancel);
+    this.line = make('p', { class: 'message' }, make('span', {}, words.opening.underWay), this.cancel);
+  }
+
+  show(isUnderWay: boolean, canCancel: boolean): void {
+    this.cancel.hidden = !canCancel;
+    this.element.replaceChildren(...(isUnderWay ? [this.line] : []));
+  }
+}
