@@ -37,7 +37,10 @@ export class Hints {
     this.#element.append(makeButton(words.hints.done, () => this.#dismiss()));
     if (HINTS.every((hint) => this.#done.has(hint))) return;
     app.on('frame', () => this.#watch());
-    app.on('settled', () => this.#show());
+    app.on('settled', () => {
+      this.#watch();
+      this.#show();
+    });
   }
 
   /** It is not given any more. */
