@@ -192,11 +192,12 @@ void set_locality(Session& session, double radius, val origins) {
     session.editor.set_locality(radius, emscripten::convertJSArrayToNumberVector<int>(origins));
 }
 
-/// 4 numbers a ball: the centre, then the radius.
+/// 5 numbers a ball: the vertex, the centre, the radius.
 val reach(const Session& session, int vertex) {
     std::vector<double> numbers;
     for (const Ball& ball : session.editor.reach(vertex))
-        numbers.insert(numbers.end(), {ball.centre.x(), ball.centre.y(), ball.centre.z(), ball.radius});
+        numbers.insert(numbers.end(), {static_cast<double>(ball.vertex), ball.centre.x(), ball.centre.y(),
+                                       ball.centre.z(), ball.radius});
     return copy_out(numbers);
 }
 

@@ -73,8 +73,9 @@ export interface Handle {
   weight?: number;
 }
 
-/** All points as near to a centre as this. */
+/** All points as near to a centre as this, where a vertex is held. */
 export interface Ball {
+  vertex: number;
   centre: [number, number, number];
   radius: number;
 }
@@ -202,7 +203,8 @@ export interface Editor {
 
   /** From now on only what lies within `radius` edge lengths of the `origins`, along the net, may move; Infinity: everything. */
   setLocality(radius: number, origins: readonly number[]): void;
-  /** Where the other exact handles let the handle at `vertex` be moved: the points in all these balls. */
+  /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
+   *  balls. None for a soft handle. */
   reach(vertex: number): Ball[];
   /** Length of the shortest path along edges from each vertex to the nearest of the `origins`; Infinity where there is none. */
   distances(origins: readonly number[]): Float64Array;

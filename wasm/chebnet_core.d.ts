@@ -46,7 +46,7 @@ export interface Session {
   handleWeights(): Float64Array;
   setHandles(vertices: Int32Array, targets: Float64Array, weights: Float64Array): void;
   setLocality(radius: number, origins: Int32Array): void;
-  /** 4 numbers a ball: the centre, then the radius. */
+  /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;
   distances(origins: Int32Array): Float64Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;

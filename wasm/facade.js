@@ -213,9 +213,10 @@ class WasmEditor {
   /** @param {number} vertex @returns {Ball[]} */
   reach(vertex) {
     const flat = this.#open.reach(vertexNumber(vertex));
-    return Array.from({ length: flat.length / 4 }, (_, i) => ({
-      centre: point(Array.from(flat.subarray(4 * i, 4 * i + 3)), vertex),
-      radius: flat[4 * i + 3] ?? 0,
+    return Array.from({ length: flat.length / 5 }, (_, i) => ({
+      vertex: flat[5 * i] ?? 0,
+      centre: point(Array.from(flat.subarray(5 * i + 1, 5 * i + 4)), vertex),
+      radius: flat[5 * i + 4] ?? 0,
     }));
   }
 

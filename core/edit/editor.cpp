@@ -279,13 +279,17 @@ bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
 
 std::vector<Ball> Editor::reach(int vertex) const {
     const std::size_t place = place_of_handle(vertex);
+    if (!m_handles[place].is_exact()) return {};
     measure_handle_distances();
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const double radius = m_handle_distances[place][i];
         if (i != place && m_handles[i].is_exact() && std::isfinite(radius))
-            balls.push_back({m_handles[i].target, radius});
+            balls.push_back({m_handles[i].vertex, m_handles[i].target, radius});
     }
+    if (m_region)
+        for (const auto& [held, origin, distance] : m_region->border)
+            if (origin == vertex) balls.push_back({held, m_positions.col(held), distance});
     return balls;
 }
 

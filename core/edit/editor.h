@@ -36,8 +36,9 @@ struct UnreachablePair {
     double reach;            ///< length of the shortest path along edges between the vertices
 };
 
-/// The points no farther than `radius` from `centre`.
+/// The points no farther than `radius` from `centre`, where a vertex is held.
 struct Ball {
+    int vertex;
     Eigen::Vector3d centre;
     double radius;
 };
@@ -105,7 +106,9 @@ public:
     /// joined by an edge whose targets are not exactly its length apart count too.
     std::vector<UnreachablePair> unreachable_pairs() const;
     /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls,
-    /// one for each other exact handle, as wide as the net between them is long. Throws Error index_out_of_range.
+    /// one for each other exact handle and for each vertex of the border of the region that may move (see Region) to
+    /// which this handle is the nearest origin, as wide as the net between them is long. None for a soft handle. Throws
+    /// Error index_out_of_range.
     std::vector<Ball> reach(int vertex) const;
     /// V, length of the shortest path along edges to the nearest of the `origins`; infinity where there is none. Throws
     /// Error index_out_of_range.

@@ -101,7 +101,7 @@ const isSelected = (vertex: number) => visit.page.getByRole('button', { name: `V
 describe('several handles', () => {
   beforeEach(() => open());
 
-  test('in a box are selected, dragged together, and come back by one undo', async () => {
+  test('in a box are selected, dragged together as far as the net can follow, and come back by one undo', async () => {
     await addHandles(left, right);
     await openSection();
     await boxAround(left, right);
@@ -122,6 +122,11 @@ describe('several handles', () => {
     expect(distance(await targetOf(left), rest(left))).toBeLessThan(1e-9);
     expect(distance(await targetOf(right), rest(right))).toBeLessThan(1e-9);
     expect(await handles()).toHaveLength(net.suggestedHandles.length + 2);
+
+    await dragFar(left);
+    const far = await Promise.all([left, right].map(async (vertex) => distance(await targetOf(vertex), rest(vertex))));
+    expect(Math.min(...far)).toBeGreaterThan(meanLength);
+    expect(far[0]).toBeCloseTo(far[1]!, 9);
   });
 
   test('are selected by Shift and clicks, all by Ctrl+A, none by Escape, by a lasso; arrow keys nudge them; Escape takes a drag back', async () => {
@@ -250,7 +255,7 @@ describe('a handle', () => {
     await expect.poll(async () => (await handles()).at(-1)).not.toHaveProperty('name');
   });
 
-  test('moves its mirror image', async () => {
+  test('moves its mirror image, both as far as the net can follow', async () => {
     await openSection();
     await visit.page.getByLabel('Symmetry').selectOption('x');
     await click(left);
@@ -266,6 +271,9 @@ describe('a handle', () => {
     const apart = distance(mirrored(rest(left)), rest(partner));
     expect(distance(mirrored(await targetOf(left)), await targetOf(partner))).toBeCloseTo(apart, 9);
     expect(distance(await targetOf(left), rest(left))).toBeGreaterThan(0.2 * meanLength);
+
+    await dragFar(left);
+    expect(distance(mirrored(await targetOf(left)), await targetOf(partner))).toBeCloseTo(apart, 9);
   });
 });
 
@@ -344,6 +352,13 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
   await script.settled();
   expect(distance(await targetOf(dragged), rest(dragged))).toBeLessThan(1e-9);
 });
+
+/** Farther than the net can follow; it stops before. */
+async function dragFar(vertex: number) {
+  await dragBy(script, vertex, [-900, -900], { atEnd: () => visit.page.waitForTimeout(100) });
+  await script.settled();
+  expect((await script.stats()).status).not.toBe('unreachable');
+}
 
 /** Takes the outer ring of the gizmo, to the right of the centre, and pulls it along. */
 async function dragRing() {

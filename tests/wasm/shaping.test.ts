@@ -1,7 +1,7 @@
 /** Soft handles, locality and reach, across the border. */
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import type { Editor, Handle } from '../../wasm/chebnet';
-import { nearestInAll } from '../../web/src/handles/reach';
+import { type InHand, limitsOf, nearestInAll, translated } from '../../web/src/handles/reach';
 import { failure, firstEdit, load } from './load';
 
 const chebnet = await load();
@@ -77,13 +77,30 @@ describe('locality', () => {
   });
 });
 
-test('the reach of a handle ends where the core calls others unreachable', () => {
-  editor.setHandles(handles);
-  const balls = editor.reach(dragged.vertex);
-  expect(balls.map(({ centre }) => centre)).toEqual(handles.slice(0, -1).map(({ target }) => target));
-  const far: Handle['target'] = [dragged.target[0] + 1e3, dragged.target[1], dragged.target[2] + 500];
-  editor.moveHandle(dragged.vertex, far);
-  expect(editor.unreachablePairs()).not.toEqual([]);
-  editor.moveHandle(dragged.vertex, nearestInAll(balls, far));
-  expect(editor.unreachablePairs()).toEqual([]);
+describe('the reach', () => {
+  const far: Handle['target'] = [1e3, 0, 500];
+  const move = (inHand: readonly InHand[], translation: Handle['target']) =>
+    inHand.forEach((each) => editor.moveHandle(each.vertex, translated(each, translation)));
+
+  test.each([1, 3])('of the last of the handles, %d together, ends where the core calls others unreachable', (count) => {
+    editor.setHandles(handles);
+    expect(editor.reach(dragged.vertex).map(({ vertex }) => vertex)).toEqual(handles.slice(0, -1).map(({ vertex }) => vertex));
+    const inHand = handles.slice(-count).map(({ vertex, target }): InHand => ({ vertex, base: target, follows: [1, 1, 1] }));
+    const limits = limitsOf(inHand, inHand.map(({ vertex }) => editor.reach(vertex)));
+    move(inHand, far);
+    expect(editor.unreachablePairs()).not.toEqual([]);
+    move(inHand, nearestInAll(limits, far));
+    expect(editor.unreachablePairs()).toEqual([]);
+  });
+
+  test('within a locality ends at its border too', () => {
+    editor.setHandles(handles);
+    const base = dragged.target;
+    const inHand: InHand[] = [{ vertex: dragged.vertex, base, follows: [1, 1, 1] }];
+    editor.setLocality(5, [dragged.vertex]);
+    const held = nearestInAll(limitsOf(inHand, [editor.reach(dragged.vertex)]), far);
+    expect(Math.hypot(...held)).toBeLessThan(10 * editor.info.meanLength);
+    move(inHand, held);
+    expect(editor.unreachablePairs()).toEqual([]);
+  });
 });

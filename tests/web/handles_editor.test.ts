@@ -40,7 +40,7 @@ beforeEach(() => {
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
-  const client = { drag: take, setHandles: take, reach: async () => [], setLocality: async () => {} } as unknown as Client;
+  const client = { drag: take, setHandles: take, reach: async (of: number[]) => of.map(() => []), setLocality: async () => {} } as unknown as Client;
   const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
   editor = new HandleEditor(
     {

@@ -3,46 +3,97 @@ import { describe, expect, test, vi } from 'vitest';
 import type { Ball } from '../../wasm/chebnet';
 import type { Vec3 } from '../../web/src/document/document';
 import { DragGuide, mobilityOf } from '../../web/src/handles/drag_guide';
-import { isNearBorder, nearestInAll } from '../../web/src/handles/reach';
+import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from '../../web/src/handles/reach';
 import type { Client } from '../../web/src/worker/client';
 import { random } from './random';
 
 const distance = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-const inAll = (balls: Ball[], point: Vec3): boolean => balls.every(({ centre, radius }) => distance(centre, point) <= radius);
+const ball = (centre: Vec3, radius: number): Limit => ({ centre, radius, counts: [1, 1, 1] });
+/** Handles 1, 2, … in hand. */
+const inHand = (...all: [Vec3, Vec3][]): InHand[] => all.map(([base, follows], i) => ({ vertex: i + 1, base, follows }));
+const BOTH_SIDES = inHand([[1, 0, 0], [1, 1, 1]], [[-1, 0, 0], [-1, 1, 1]], [[0, 0, 1], [0, 1, 1]]);
 
-describe('the nearest point in all balls', () => {
-  test('is in all of them, and none of many others is nearer', () => {
+function isWithin(limits: readonly Limit[], point: Vec3, slack = 0): boolean {
+  const off = (counts: Vec3, centre: Vec3) => Math.hypot(...counts.map((each, axis) => each * (point[axis]! - centre[axis]!)));
+  return limits.every(({ centre, radius, counts }) => off(counts, centre) <= (1 + slack) * radius);
+}
+
+describe('the nearest point within all limits', () => {
+  test('is within all of them, and none of many others is nearer', () => {
     const number = random(7);
     const point = (size: number): Vec3 => [0, 1, 2].map(() => size * (2 * number() - 1)) as Vec3;
+    const counts: Vec3[] = [[1, 1, 1], [1, 1, 1], [0, 1, 1], [1, 0, 0], [1, 1, 1]];
     for (let count = 1; count <= 5; count++) {
-      const balls = Array.from({ length: count }, () => {
+      const limits = Array.from({ length: count }, (_, i): Limit => {
         const centre = point(3);
-        return { centre, radius: Math.hypot(...centre) + 0.3 + number() };
+        return { centre, radius: Math.hypot(...centre) + 0.3 + number(), counts: counts[i]! };
       });
       const wish = point(10);
-      const nearest = nearestInAll(balls, wish);
-      expect(inAll(balls.map(({ centre, radius }) => ({ centre, radius: radius * (1 + 1e-7) })), nearest)).toBe(true);
+      const nearest = nearestInAll(limits, wish);
+      expect(isWithin(limits, nearest, 1e-7)).toBe(true);
       for (let i = 0; i < 3000; i++) {
         const [x, y, z] = point(0.1);
         const other: Vec3 = i % 2 === 0 ? point(4) : [nearest[0] + x, nearest[1] + y, nearest[2] + z];
-        if (inAll(balls, other)) expect(distance(other, wish)).toBeGreaterThan(distance(nearest, wish) - 1e-6);
+        if (isWithin(limits, other)) expect(distance(other, wish)).toBeGreaterThan(distance(nearest, wish) - 1e-6);
       }
     }
   });
 
-  test('is the point itself if it lies in all', () => {
-    const balls: Ball[] = [{ centre: [0, 0, 0], radius: 2 }];
-    expect(nearestInAll(balls, [1, 1, 1])).toEqual([1, 1, 1]);
-    expect(isNearBorder(balls, [1, 0, 0])).toBe(false);
-    expect(isNearBorder(balls, [1.95, 0, 0])).toBe(true);
+  test('is the point itself if it lies within all', () => {
+    const limits = [ball([0, 0, 0], 2)];
+    expect(nearestInAll(limits, [1, 1, 1])).toEqual([1, 1, 1]);
+    expect(isNearBorder(limits, [1, 0, 0])).toBe(false);
+    expect(isNearBorder(limits, [1.95, 0, 0])).toBe(true);
     expect(nearestInAll([], [9, 9, 9])).toEqual([9, 9, 9]);
   });
 
-  test('is finite and between the balls where they do not meet', () => {
-    const balls: Ball[] = [-3, 3].map((x) => ({ centre: [x, 0, 0], radius: 1 }));
-    const [x, y, z] = nearestInAll(balls, [0, 5, 0]);
+  test('is finite and between balls that do not meet', () => {
+    const [x, y, z] = nearestInAll([-3, 3].map((each) => ball([each, 0, 0], 1)), [0, 5, 0]);
     expect(Math.abs(x)).toBeLessThan(2.001);
     expect([y, z].every(Number.isFinite)).toBe(true);
+  });
+});
+
+describe('the limits of a translation', () => {
+  test('hold it exactly where the net is long enough between what is in hand, what is mirrored and what is held', () => {
+    const number = random(3);
+    const held: Ball[] = [
+      { vertex: 8, centre: [0.5, 1, 1], radius: 2.5 },
+      { vertex: 9, centre: [-0.5, -2, 0], radius: 3.5 },
+    ];
+    const mutual = 3;
+    const reaches = BOTH_SIDES.map(({ vertex }) => [
+      ...held,
+      ...BOTH_SIDES.filter((other) => other.vertex !== vertex).map(({ vertex: other, base }) => ({ vertex: other, centre: base, radius: mutual })),
+    ]);
+    const limits = limitsOf(BOTH_SIDES, reaches);
+    let within = 0;
+    for (let i = 0; i < 4000; i++) {
+      const by = [0, 1, 2].map(() => 6 * number() - 3) as Vec3;
+      const places = BOTH_SIDES.map((each) => translated(each, by));
+      const [a, b, c] = places as [Vec3, Vec3, Vec3];
+      const isLongEnough =
+        places.every((place) => held.every(({ centre, radius }) => distance(place, centre) <= radius)) &&
+        [distance(a, b), distance(b, c), distance(a, c)].every((each) => each <= mutual);
+      expect(isWithin(limits, by)).toBe(isLongEnough);
+      within += isLongEnough ? 1 : 0;
+    }
+    expect(within).toBeGreaterThan(20);
+  });
+
+  test('are few: handles in hand do not limit each other, nor a ball what lies within it', () => {
+    const two = inHand([[1, 1, 1], [1, 1, 1]], [[2, 1, 1], [1, 1, 1]]);
+    const [near, far] = [{ vertex: 8, centre: [5, 5, 5] as Vec3, radius: 9 }, { vertex: 9, centre: [5, 5, 6] as Vec3, radius: 12 }];
+    const each = (other: number): Ball[] => [near, far, { vertex: other, centre: [0, 0, 0], radius: 1 }];
+    expect(limitsOf(two, [each(2), each(1)])).toEqual([ball([4, 4, 4], 9), ball([3, 4, 4], 9)]);
+  });
+
+  test('are those of a translation, which a turn is not', () => {
+    const by: Vec3 = [0.1, 0.2, 0.3];
+    const moved = BOTH_SIDES.map((each) => ({ vertex: each.vertex, target: translated(each, by) }));
+    expect(distance(translationTo(moved, BOTH_SIDES)!, by)).toBeLessThan(1e-12);
+    const turned = moved.map(({ vertex, target: [x, y, z] }): { vertex: number; target: Vec3 } => ({ vertex, target: [y, -x, z] }));
+    expect(translationTo(turned, BOTH_SIDES)).toBeNull();
   });
 });
 
@@ -55,40 +106,45 @@ describe('a drag', () => {
   const shown = { setRegion: vi.fn(), setReach: vi.fn() };
   const client = {
     setLocality: vi.fn(() => Promise.resolve()),
-    reach: vi.fn(() => Promise.resolve([{ centre: [0, 0, 0], radius: 1 }])),
+    reach: vi.fn((vertices: number[]) => Promise.resolve(vertices.map((): Ball[] => [{ vertex: 9, centre: [0, 0, 0], radius: 1 }]))),
     distances: vi.fn(() => Promise.resolve(Float64Array.of(0, 1, 9))),
   };
   const guide = new DragGuide(client as unknown as Client, shown);
+  const one = inHand([[0.5, 0, 0], [1, 1, 1]]);
 
   test('stops at the reach of its handle, which is shown there', async () => {
-    await guide.begin([4], null);
+    await guide.begin(one, null);
     expect(client.setLocality).not.toHaveBeenCalled();
-    expect(guide.within([{ vertex: 4, target: [0.2, 0, 0] }])).toEqual([{ vertex: 4, target: [0.2, 0, 0] }]);
+    expect(guide.within([{ vertex: 1, target: [0.2, 0, 0] }])).toEqual([{ vertex: 1, target: [0.2, 0, 0] }]);
     expect(shown.setReach).toHaveBeenLastCalledWith(null);
-    expect(guide.within([{ vertex: 4, target: [5, 0, 0] }])).toEqual([{ vertex: 4, target: [1, 0, 0] }]);
-    expect(shown.setReach).toHaveBeenLastCalledWith([{ centre: [0, 0, 0], radius: 1 }]);
+    expect(guide.within([{ vertex: 1, target: [5, 0, 0] }])).toEqual([{ vertex: 1, target: [1, 0, 0] }]);
+    expect(shown.setReach).toHaveBeenLastCalledWith([{ centre: [0, 0, 0], radius: 1, counts: [1, 1, 1] }]);
     guide.keepsWithin = false;
-    expect(guide.within([{ vertex: 4, target: [5, 0, 0] }])).toEqual([{ vertex: 4, target: [5, 0, 0] }]);
+    expect(guide.within([{ vertex: 1, target: [5, 0, 0] }])).toEqual([{ vertex: 1, target: [5, 0, 0] }]);
     guide.keepsWithin = true;
     guide.end();
     expect(shown.setReach).toHaveBeenLastCalledWith(null);
-    expect(guide.within([{ vertex: 4, target: [5, 0, 0] }])).toEqual([{ vertex: 4, target: [5, 0, 0] }]);
+    expect(guide.within([{ vertex: 1, target: [5, 0, 0] }])).toEqual([{ vertex: 1, target: [5, 0, 0] }]);
+  });
+
+  test('of several stops them all together; turned, they are not held', async () => {
+    await guide.begin(inHand([[0, 0, 0], [1, 1, 1]], [[0, 0.5, 0], [1, 1, 1]]), null);
+    const at = (a: Vec3, b: Vec3) => [{ vertex: 1, target: a }, { vertex: 2, target: b }];
+    const [first, second] = guide.within(at([0, 3, 0], [0, 3.5, 0]));
+    expect(distance(first!.target, [0, 0.5, 0])).toBeLessThan(1e-9);
+    expect(distance(second!.target, [0, 1, 0])).toBeLessThan(1e-9);
+    expect(guide.within(at([0, 3, 0], [0.5, 3, 0]))).toEqual(at([0, 3, 0], [0.5, 3, 0]));
+    guide.end();
   });
 
   test('tells the solver its locality and shades what stays; the next without one frees everything', async () => {
-    await guide.begin([4], { radius: 3, edgeLength: 1 });
-    expect(client.setLocality).toHaveBeenLastCalledWith(3, [4]);
+    await guide.begin(one, { radius: 3, edgeLength: 1 });
+    expect(client.setLocality).toHaveBeenLastCalledWith(3, [1]);
     expect(shown.setRegion.mock.lastCall?.[0]).toEqual(Float32Array.of(1, 1, 0));
     guide.end();
     expect(shown.setRegion).toHaveBeenLastCalledWith(null);
-    await guide.begin([4], null);
-    expect(client.setLocality).toHaveBeenLastCalledWith(null, [4]);
-    guide.end();
-  });
-
-  test('of several handles is not held: they limit each other anew with every move', async () => {
-    await guide.begin([4, 5], null);
-    expect(guide.within([{ vertex: 4, target: [5, 0, 0] }])).toEqual([{ vertex: 4, target: [5, 0, 0] }]);
+    await guide.begin(one, null);
+    expect(client.setLocality).toHaveBeenLastCalledWith(null, [1]);
     guide.end();
   });
 });

@@ -314,9 +314,10 @@ describe('by hand', () => {
     ask({ type: 'distances', origins: [dragged] });
     const { distances } = said.at(-1) as { distances: Float64Array };
     expect(distances[dragged]).toBe(0);
-    ask({ type: 'reach', vertex: dragged });
-    const { balls } = said.at(-1) as { balls: { radius: number }[] };
-    expect(balls.length).toBe(reference.suggestedHandles.length - 1);
+    ask({ type: 'reach', vertices: [dragged] });
+    const { balls } = said.at(-1) as unknown as { balls: { vertex: number }[][] };
+    expect(balls[0]!.map(({ vertex }) => vertex)).toEqual(expect.arrayContaining([...reference.suggestedHandles].slice(0, -1)));
+    expect(balls[0]!.length).toBeGreaterThan(reference.suggestedHandles.length);
     ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run();
     const { positions } = settled().frame;

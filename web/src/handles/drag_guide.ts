@@ -1,14 +1,14 @@
 /** What holds a drag: how far from the handles in hand the net moves with them, and where the other handles let them go. */
-import type { Ball, Handle } from '../../../wasm/chebnet';
+import type { Handle } from '../../../wasm/chebnet';
 import type { Client } from '../worker/client';
-import { isNearBorder, nearestInAll } from './reach';
+import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from './reach';
 
 /** Where it is shown. */
 export interface GuideMarks {
   /** How freely each vertex moves, 0 … 1; null: all do. */
   setRegion(mobility: Float32Array | null): void;
-  /** Where the handle in hand may go; null: that is not shown. */
-  setReach(balls: readonly Ball[] | null): void;
+  /** Where the handle that leads the drag may go; null: that is not shown. */
+  setReach(limits: readonly Limit[] | null): void;
 }
 
 /** A locality as the net measures it. */
@@ -25,7 +25,9 @@ export class DragGuide {
   alwaysShowsReach = false;
   readonly #client: Client;
   readonly #marks: GuideMarks;
-  #balls: readonly Ball[] = [];
+  #inHand: readonly InHand[] = [];
+  /** Of the translation of what is in hand. */
+  #limits: readonly Limit[] = [];
   /** The solver holds a part of the net. */
   #local = false;
   /** Answers to earlier questions are too late. */
@@ -44,24 +46,27 @@ export class DragGuide {
     await this.#client.setLocality(locality?.radius ?? null, vertices);
   }
 
-  /** As a hand begins to drag handles. The limits come a moment later. */
-  async begin(vertices: readonly number[], locality: Locality | null): Promise<void> {
-    this.#balls = [];
+  /** As a hand begins to drag handles, the leading one first. The limits come a moment later. */
+  async begin(inHand: readonly InHand[], locality: Locality | null): Promise<void> {
+    this.#inHand = inHand;
+    this.#limits = [];
+    const vertices = inHand.map(({ vertex }) => vertex);
     await Promise.all([this.limit(vertices, locality), this.#findReach(vertices), this.showRegion(vertices, locality)]);
   }
 
-  /** Where the drag may go. */
+  /** Where the drag may go. Handles that are turned or scaled limit each other anew with every move: they are not held. */
   within(targets: readonly Handle[]): readonly Handle[] {
-    if (this.#balls.length === 0) return targets;
-    const held = targets.map(({ vertex, target }) => ({ vertex, target: nearestInAll(this.#balls, target) }));
-    const shown = this.alwaysShowsReach || held.some(({ target }) => isNearBorder(this.#balls, target));
-    this.#marks.setReach(shown ? this.#balls : null);
-    return this.keepsWithin ? held : targets;
+    if (this.#limits.length === 0) return targets;
+    const wish = translationTo(targets, this.#inHand);
+    const held = wish && nearestInAll(this.#limits, wish);
+    this.#showReach(held !== null && (this.alwaysShowsReach || isNearBorder(this.#limits, held)));
+    if (held === null || held === wish || !this.keepsWithin) return targets;
+    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, held) }));
   }
 
   end(): void {
     this.#drags += 1;
-    this.#balls = [];
+    this.#limits = [];
     this.#marks.setReach(null);
     this.hideRegion();
   }
@@ -79,13 +84,17 @@ export class DragGuide {
     this.#marks.setRegion(null);
   }
 
-  /** Of one handle; several limit each other anew with every move. */
   async #findReach(vertices: readonly number[]): Promise<void> {
-    const [vertex, ...more] = vertices;
-    if (vertex === undefined || more.length > 0) return;
     const drag = ++this.#drags;
-    const balls = await this.#client.reach(vertex);
-    if (drag === this.#drags) this.#balls = balls;
+    const reaches = await this.#client.reach(vertices);
+    if (drag === this.#drags) this.#limits = limitsOf(this.#inHand, reaches);
+  }
+
+  /** From where the leading handle stood. */
+  #showReach(shown: boolean): void {
+    const [x, y, z] = this.#inHand[0]!.base;
+    const place = ({ centre, ...limit }: Limit): Limit => ({ ...limit, centre: [centre[0] + x, centre[1] + y, centre[2] + z] });
+    this.#marks.setReach(shown ? this.#limits.map(place) : null);
   }
 }
 

@@ -10,6 +10,7 @@ import type { Client } from '../worker/client';
 import type { OpenedNet } from '../worker/protocol';
 import type { DragGuide, Locality } from './drag_guide';
 import { listsThrough } from './lines';
+import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
 import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
@@ -251,7 +252,7 @@ export class HandleEditor implements HandleWishes {
   drag(targets: readonly Handle[]): void {
     if (!this.#history.inGesture) return;
     const wished = this.#onBothSides(targets);
-    if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(verticesOf(wished), this.#locality));
+    if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
     const both = this.#guide.within(wished);
     this.#dragName ??= words.history.move(this.#titleOf(targets));
     this.#desk.change({ handles: this.#withTargets(both) });
@@ -297,6 +298,19 @@ export class HandleEditor implements HandleWishes {
 
   #onBothSides(targets: readonly Handle[]): readonly Handle[] {
     return this.#mirrorOf()?.mirrored(targets, this.#handles) ?? targets;
+  }
+
+  /** What a translation of these handles, from where they stand, does to them and to their mirror images. */
+  #inHand(of: readonly Handle[]): InHand[] {
+    const chosen = verticesOf(of);
+    const stand = new Map(this.#handles.map(({ vertex, target }) => [vertex, target]));
+    const movedBy = (step: number): readonly Handle[] =>
+      this.#onBothSides(chosen.map((vertex) => ({ vertex, target: stand.get(vertex)!.map((x) => x + step) as Vec3 })));
+    const stepped = movedBy(1);
+    return movedBy(0).map(({ vertex, target: base }, i) => {
+      const follows = base.map((x, axis) => Math.round(stepped[i]!.target[axis]! - x)) as Vec3;
+      return { vertex, base, follows };
+    });
   }
 
   #linesThroughLeading(): LinesThrough | null {

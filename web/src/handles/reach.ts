@@ -1,26 +1,104 @@
-/** Where a handle may be moved: the points in all balls round the others, each as wide as the net between them is long. */
-import type { Ball } from '../../../wasm/chebnet';
+/** Where handles may be moved together. Each stays in balls round what is held, as wide as the net between them is long; all
+ *  follow one translation, and so these balls are limits of the translation. */
+import type { Ball, Handle } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
+
+/** The points whose distance from `centre` is at most `radius`: a ball, or where not all axes count, a cylinder or the space
+ *  between two planes. */
+export interface Limit {
+  centre: Vec3;
+  radius: number;
+  /** 1 for an axis that counts, or 0. */
+  counts: Vec3;
+}
+
+/** A handle in hand. The translation t takes it to `base` + `follows`·t, axis by axis. */
+export interface InHand {
+  vertex: number;
+  base: Vec3;
+  /** 1; across a plane of symmetry −1 for the mirror image, 0 for what lies on the plane. */
+  follows: Vec3;
+}
 
 const MOST_ROUNDS = 1000;
 /** A round that moves the point by less than this part of a radius is the last. */
 const TOLERANCE = 1e-9;
 /** Of a radius: closer to a border than this is near it. */
 const NEAR = 0.05;
+/** So far from where a translation takes them, in parts of it, handles are turned or scaled. */
+const TURNED = 1e-6;
 
-/** The point nearest to `wish` that lies in all balls, by Dykstra's algorithm of alternating projections (Boyle & Dykstra
- *  1986). Here rather than in the core: the pointer's next place cannot wait for the worker. Where the balls meet in hardly a
- *  point or not at all, it comes as close as many rounds bring it. */
-export function nearestInAll(balls: readonly Ball[], wish: Vec3): Vec3 {
+/** The limits of a translation of these handles. `reaches`: the balls of each. */
+export function limitsOf(inHand: readonly InHand[], reaches: readonly (readonly Ball[])[]): Limit[] {
+  const others = new Map(inHand.map((each) => [each.vertex, each]));
+  const limits = inHand.flatMap(({ base, follows }, i) =>
+    (reaches[i] ?? []).flatMap(({ vertex, centre, radius }) => {
+      const other = others.get(vertex) ?? { base: centre, follows: [0, 0, 0] as const };
+      return limitOf(plus(base, other.base, -1), plus(follows, other.follows, -1), radius) ?? [];
+    }),
+  );
+  return withoutNeedless(limits);
+}
+
+/** The translations t with |apart + moves·t| ≤ radius. Those of `moves` that are not 0 differ in sign only. null: no translation
+ *  does anything about it. */
+function limitOf(apart: Vec3, moves: Vec3, radius: number): Limit | null {
+  const rate = Math.max(...moves.map(Math.abs));
+  const constant = Math.hypot(...apart.map((x, axis) => (moves[axis] === 0 ? x : 0)));
+  if (rate === 0 || constant >= radius) return null;
+  return {
+    centre: apart.map((x, axis) => (moves[axis] === 0 ? 0 : -x / moves[axis]!)) as Vec3,
+    radius: Math.sqrt(radius ** 2 - constant ** 2) / rate,
+    counts: moves.map((move) => (move === 0 ? 0 : 1)) as Vec3,
+  };
+}
+
+/** The smallest first. One that holds all of a smaller one limits nothing. */
+function withoutNeedless(limits: readonly Limit[]): Limit[] {
+  const needed: Limit[] = [];
+  for (const limit of [...limits].sort((a, b) => a.radius - b.radius)) {
+    const holds = ({ centre, radius, counts }: Limit): boolean =>
+      limit.counts.every((each, axis) => each <= counts[axis]!) && distance(limit, centre) + radius <= limit.radius;
+    if (!needed.some(holds)) needed.push(limit);
+  }
+  return needed;
+}
+
+/** The point nearest to `wish` within all limits. Here rather than in the core: the pointer's next place cannot wait for the
+ *  worker. Few of many limits matter: those not kept are taken in one after another, the worst first. */
+export function nearestInAll(limits: readonly Limit[], wish: Vec3): Vec3 {
+  const heeded: Limit[] = [];
   let point = wish;
-  const corrections = balls.map((): Vec3 => [0, 0, 0]);
+  for (;;) {
+    const worst = worstOf(limits, point);
+    if (worst === null || heeded.includes(worst)) return point;
+    heeded.push(worst);
+    point = project(heeded, wish);
+  }
+}
+
+function worstOf(limits: readonly Limit[], point: Vec3): Limit | null {
+  let worst: Limit | null = null;
+  let most = TOLERANCE;
+  for (const limit of limits) {
+    const excess = distance(limit, point) / limit.radius - 1;
+    if (excess > most) [worst, most] = [limit, excess];
+  }
+  return worst;
+}
+
+/** By Dykstra's algorithm of alternating projections (Boyle & Dykstra 1986). Where the limits have hardly a point in common or
+ *  none at all, it comes as close as many rounds bring it. */
+function project(limits: readonly Limit[], wish: Vec3): Vec3 {
+  let point = wish;
+  const corrections = limits.map((): Vec3 => [0, 0, 0]);
   for (let round = 0; round < MOST_ROUNDS; round++) {
     let moved = 0;
-    balls.forEach((ball, i) => {
+    limits.forEach((limit, i) => {
       const corrected = plus(point, corrections[i]!, 1);
-      const next = nearestIn(ball, corrected);
+      const next = nearestIn(limit, corrected);
       corrections[i] = plus(corrected, next, -1);
-      moved = Math.max(moved, distance(next, point) / ball.radius);
+      moved = Math.max(moved, Math.hypot(...plus(next, point, -1)) / limit.radius);
       point = next;
     });
     if (moved < TOLERANCE) break;
@@ -28,19 +106,39 @@ export function nearestInAll(balls: readonly Ball[], wish: Vec3): Vec3 {
   return point;
 }
 
-export function isNearBorder(balls: readonly Ball[], point: Vec3): boolean {
-  return balls.some(({ centre, radius }) => distance(point, centre) > (1 - NEAR) * radius);
+export function isNearBorder(limits: readonly Limit[], point: Vec3): boolean {
+  return limits.some((limit) => distance(limit, point) > (1 - NEAR) * limit.radius);
 }
 
-function nearestIn({ centre, radius }: Ball, point: Vec3): Vec3 {
-  const away = distance(point, centre);
-  return away > radius ? plus(centre, plus(point, centre, -1), radius / away) : point;
+/** The translation that takes handles there; null: they are turned or scaled. */
+export function translationTo(targets: readonly Handle[], inHand: readonly InHand[]): Vec3 | null {
+  const translation = [0, 1, 2].map((axis) => {
+    const leading = inHand.findIndex(({ follows }) => follows[axis] !== 0);
+    return leading === -1 ? 0 : inHand[leading]!.follows[axis]! * (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!);
+  }) as Vec3;
+  const isThere = (each: InHand, i: number): boolean => {
+    const off = plus(targets[i]!.target, translated(each, translation), -1);
+    return Math.hypot(...off) <= TURNED * (Math.hypot(...translation) + TURNED * Math.hypot(...each.base));
+  };
+  return inHand.every(isThere) ? translation : null;
 }
 
-function distance(a: Vec3, b: Vec3): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+export function translated({ base, follows }: InHand, translation: Vec3): Vec3 {
+  return base.map((x, axis) => x + follows[axis]! * translation[axis]!) as Vec3;
 }
 
-function plus(a: Vec3, b: Vec3, times: number): Vec3 {
+/** From the centre of a limit, as it counts. */
+function distance({ centre, counts }: Limit, [x, y, z]: Vec3): number {
+  return Math.hypot(counts[0] * (x - centre[0]), counts[1] * (y - centre[1]), counts[2] * (z - centre[2]));
+}
+
+function nearestIn(limit: Limit, point: Vec3): Vec3 {
+  const { centre, radius, counts } = limit;
+  const away = distance(limit, point);
+  if (away <= radius) return point;
+  return point.map((x, axis) => (counts[axis] === 0 ? x : centre[axis]! + (radius / away) * (x - centre[axis]!))) as Vec3;
+}
+
+function plus(a: Vec3, b: Readonly<Vec3>, times: number): Vec3 {
   return [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]];
 }

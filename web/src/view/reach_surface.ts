@@ -1,5 +1,5 @@
-/** Where a handle may be moved, as the faint surface of what balls have in common: of each sphere only what lies within all
- *  the others. */
+/** Where a handle may be moved, as the faint surface of what limits have in common: of the surface of each only what lies within
+ *  all the others. */
 import {
   BackSide,
   Color,
@@ -12,15 +12,16 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import type { Ball } from '../../../wasm/chebnet';
+import type { Limit } from '../handles/reach';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
-/** The smallest balls bound the region; of many more nothing would be seen. */
-const MOST_BALLS = 16;
+/** The smallest limits bound the region; of many more nothing would be seen. */
+const MOST_LIMITS = 16;
 
 const VERTEX = /* glsl */ `
-uniform vec4 balls[${MOST_BALLS}];
+uniform vec4 balls[${MOST_LIMITS}];
+uniform vec3 counts[${MOST_LIMITS}];
 flat out int own;
 out vec3 place;
 out vec3 seen;
@@ -28,15 +29,19 @@ out vec3 outward;
 void main() {
   own = gl_InstanceID;
   vec4 ball = balls[gl_InstanceID];
-  place = ball.xyz + ball.w * position;
+  // Of the unit sphere; an axis that does not count is stretched far beyond what is seen.
+  vec3 counted = counts[gl_InstanceID] * position;
+  vec3 across = counted / max(length(counted), 1e-6);
+  place = ball.xyz + ball.w * across + 10.0 * (position - counted);
   vec4 inView = modelViewMatrix * vec4(place, 1.0);
   seen = inView.xyz;
-  outward = normalMatrix * position;
+  outward = normalMatrix * across;
   gl_Position = projectionMatrix * inView;
 }`;
 
 const FRAGMENT = /* glsl */ `
-uniform vec4 balls[${MOST_BALLS}];
+uniform vec4 balls[${MOST_LIMITS}];
+uniform vec3 counts[${MOST_LIMITS}];
 uniform int count;
 uniform vec3 tint;
 flat in int own;
@@ -48,9 +53,9 @@ void main() {
   float rim = 1.0;
   for (int i = 0; i < count; i++) {
     if (i == own) continue;
-    float inside = balls[i].w - distance(place, balls[i].xyz);
+    float inside = balls[i].w - length(counts[i] * (place - balls[i].xyz));
     if (inside < 0.0) discard;
-    // Where two spheres cut each other there is an edge.
+    // Where two surfaces cut each other there is an edge.
     rim = min(rim, inside / max(fwidth(inside), 1e-6) / 1.5);
   }
   float grazing = 1.0 - abs(dot(normalize(outward), normalize(seen)));
@@ -75,7 +80,8 @@ export class ReachSurface {
       // The far side: the near one would lie over the net.
       side: BackSide,
       uniforms: {
-        balls: { value: Array.from({ length: MOST_BALLS }, () => new Vector4()) },
+        balls: { value: Array.from({ length: MOST_LIMITS }, () => new Vector4()) },
+        counts: { value: Array.from({ length: MOST_LIMITS }, () => new Vector3()) },
         count: { value: 0 },
         tint: { value: new Color() },
       },
@@ -86,15 +92,16 @@ export class ReachSurface {
     this.object.visible = false;
   }
 
-  show(balls: readonly Ball[] | null, space: Space): void {
-    this.object.visible = balls !== null;
-    if (balls === null) return;
-    const drawn = [...balls].sort((a, b) => a.radius - b.radius).slice(0, MOST_BALLS);
-    const { balls: places, count } = this.object.material.uniforms;
-    const centre = new Vector3();
-    drawn.forEach((ball, i) => {
-      space.toScene(centre, ball.centre);
-      places!.value[i].set(centre.x, centre.y, centre.z, ball.radius * space.scale);
+  show(limits: readonly Limit[] | null, space: Space): void {
+    this.object.visible = limits !== null;
+    if (limits === null) return;
+    const drawn = [...limits].sort((a, b) => a.radius - b.radius).slice(0, MOST_LIMITS);
+    const { balls, counts, count } = this.object.material.uniforms;
+    const place = new Vector3();
+    drawn.forEach(({ centre, radius, counts: axes }, i) => {
+      space.toScene(place, centre);
+      balls!.value[i].set(place.x, place.y, place.z, radius * space.scale);
+      counts!.value[i].set(axes[0], axes[space.axisY], axes[space.axisZ]);
     });
     count!.value = drawn.length;
     this.object.geometry.instanceCount = drawn.length;

@@ -3,7 +3,7 @@ import { Color, DirectionalLight, HemisphereLight, Matrix4, Scene, SRGBColorSpac
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Film } from '../export/recording';
 import { words } from '../language/language';
-import type { Ball } from '../../../wasm/chebnet';
+import type { Limit } from '../handles/reach';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
@@ -173,9 +173,9 @@ class SceneView implements View {
     this.requestDraw();
   }
 
-  setReach(balls: readonly Ball[] | null): void {
-    if (!this.shown || (balls === null && !this.reach.object.visible)) return;
-    this.reach.show(balls, this.shown.space);
+  setReach(limits: readonly Limit[] | null): void {
+    if (!this.shown || (limits === null && !this.reach.object.visible)) return;
+    this.reach.show(limits, this.shown.space);
     this.requestDraw();
   }
 

@@ -1,8 +1,9 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
  *  it never changes the document itself. */
-import type { Ball, Handle } from '../../../wasm/chebnet';
+import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Film } from '../export/recording';
+import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/wishes';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -49,8 +50,8 @@ export interface View {
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** Shades what moves less or not at all, 1 … 0 for each vertex; null: nothing. */
   setRegion(mobility: Float32Array | null): void;
-  /** The points in all these balls, as a surface; null: none. */
-  setReach(balls: readonly Ball[] | null): void;
+  /** The points within all these limits, as a surface; null: none. */
+  setReach(limits: readonly Limit[] | null): void;
   /** Marks vertices that a button would take. */
   setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;

@@ -187,8 +187,8 @@ export class Client {
     return (await this.#ask({ type: 'export', format }, 'exported')).bytes;
   }
 
-  async reach(vertex: number): Promise<Ball[]> {
-    return (await this.#ask({ type: 'reach', vertex }, 'reach')).balls;
+  async reach(vertices: readonly number[]): Promise<Ball[][]> {
+    return (await this.#ask({ type: 'reach', vertices: [...vertices] }, 'reach')).balls;
   }
 
   async distances(origins: readonly number[]): Promise<Float64Array> {

@@ -14,7 +14,7 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 5;
+export const PROTOCOL_VERSION = 7;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
@@ -48,8 +48,8 @@ export type Request = { id: number } & (
   | { type: 'export'; format: ExportFormat }
   /** What is too dear to come with every frame. */
   | { type: 'measure' }
-  /** Where the other exact handles let one be moved. */
-  | { type: 'reach'; vertex: number }
+  /** Where each of these handles may be moved; see Editor.reach(). */
+  | { type: 'reach'; vertices: number[] }
   /** How far each vertex is from the nearest of the origins, along the net. */
   | { type: 'distances'; origins: number[] }
   /** A small net for the gallery; does not touch the one being edited. */
@@ -130,7 +130,7 @@ export type Response = { id: number } & (
   /** The bytes of a file. */
   | { type: 'exported'; bytes: Uint8Array<ArrayBuffer> }
   | { type: 'measured'; measures: Measures }
-  | { type: 'reach'; balls: Ball[] }
+  | { type: 'reach'; balls: Ball[][] }
   | { type: 'distances'; distances: Float64Array }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }

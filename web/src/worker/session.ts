@@ -103,7 +103,7 @@ export class Session {
       case 'measure':
         return this.#reply(request, this.#measured());
       case 'reach':
-        return this.#reply(request, { type: 'reach', balls: this.#net().reach(request.vertex) });
+        return this.#reply(request, { type: 'reach', balls: request.vertices.map((vertex) => this.#net().reach(vertex)) });
       case 'distances':
         return this.#distances(request);
       case 'thumbnail':
