@@ -97,7 +97,7 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   await page.screenshot({ path: join(OUTPUT, 'chinese-phone-controls.png') });
 });
 
-test('the choice of a language is remembered, and the net stays', async () => {
+test('the choice of a language is remembered, and the net stays, its history in that language', async () => {
   const { page, script } = await arrive('#experiment=exponent');
   expect(await page.locator('html').getAttribute('lang')).toBe('en-US');
   await script.open({ recipe: 'tube:vertices=300' });
@@ -110,6 +110,8 @@ test('the choice of a language is remembered, and the net stays', async () => {
   await script.waitForNet();
   expect(await page.title()).toContain('切比雪夫网');
   expect((await script.stats()).vertices).toBe(vertices);
+  await page.getByText('历史记录', { exact: true }).click();
+  expect(await page.locator('.history button').allInnerTexts()).toEqual(['打开链接', '打开管']);
   await page.waitForLoadState('networkidle');
   await page.reload();
   await script.waitForNet();

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import type { HandleData, NetSource } from '../../web/src/document/document';
 import { parseProject, projectText, readProject, writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
+import { sentenceOf } from '../../web/src/document/naming';
 import type { Entry, Snapshot } from '../../web/src/document/undo';
 import { documentAt } from './nets';
 import { printedSeed, random } from './random';
@@ -99,6 +100,31 @@ describe('a project comes back', () => {
     expect(names(3 * 2400)).toEqual(['234', 'step 4']);
     expect(names(7 * 2400)).toEqual(['0123456', 'step 4']);
     expect(names(Infinity)).toEqual(['012345678', 'step 4']);
+  });
+});
+
+describe('an entry', () => {
+  const named = (name: Entry['name']): Project => ({ ...projectOf([stateAt(Float64Array.of(1, 2, 3))]), entries: [{ name, state: stateAt(Float64Array.of(1, 2, 3)) }] });
+  const nameIn = (text: string) => parseProject(text).entries[0]!.name;
+  const text = projectText(named(['move', { handle: '7' }]));
+
+  test('keeps what its name speaks of, for any language, and the words for older versions', () => {
+    expect(nameIn(text)).toEqual(['move', { handle: '7' }]);
+    expect(sentenceOf(nameIn(text))).toBe('Move handle 7');
+    expect(text).toContain('"name":"Move handle 7"');
+    expect(sentenceOf(['option', { option: 'p_end' }, '50'])).toBe('p end: 50');
+    expect(sentenceOf(['remove', { handles: '3' }])).toBe('Remove 3 handles');
+    expect(sentenceOf(['open', 'mine.obj'])).toBe('Open mine.obj');
+  });
+
+  test('of an older version, or of one that knows more, keeps its words', () => {
+    expect(nameIn(projectText(named('Move it')))).toBe('Move it');
+    const changes = ['["knit",{"handle":"7"}]', '["move",{"loop":"7"}]', '["move",{"handle":7}]', '["move"]', '["constructor","x"]', '["one","x","y"]', '7', '[[]]', '["move",null]'];
+    for (const change of changes) {
+      const other = text.replace('["move",{"handle":"7"}]', change);
+      expect(other).toContain(change);
+      expect(nameIn(other), change).toBe('Move handle 7');
+    }
   });
 });
 

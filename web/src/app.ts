@@ -8,6 +8,7 @@ import { netChange, netTitle, settingsChange } from './document/changes';
 import type { NamedChange } from './document/changes';
 import { freshScene } from './document/defaults';
 import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from './document/document';
+import type { ChangeName } from './document/naming';
 import type { Project } from './document/project';
 import { encodeScene } from './document/share';
 import type { Shared } from './document/share';
@@ -171,7 +172,7 @@ export class App {
 
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
    *  @param change what the history calls it. */
-  async openScene(scene: Scene, change: NamedChange = { name: words.history.open(netTitle(scene.net)), key: null }): Promise<void> {
+  async openScene(scene: Scene, change: NamedChange = { name: ['open', netTitle(scene.net)], key: null }): Promise<void> {
     const opened = await this.#await(this.#client.open(scene));
     this.handles.endDrag(false);
     const before = this.#snapshot();
@@ -258,7 +259,7 @@ export class App {
       const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
       return { ...handle, target: [x, y, z] };
     };
-    this.#history.record(before, words.history.reset);
+    this.#history.record(before, ['reset']);
     this.#change({ handles: before.handles.map(atRest) });
     this.#showDocument();
     await this.#client.reset();
@@ -402,8 +403,8 @@ export class App {
       previewLine: (name) => this.#view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#try(this.setOptions(settings)),
       setView: (change) => this.setView(change),
-      solve: () => this.#tryNamed(words.history.solve, () => this.#client.solve()),
-      step: () => this.#tryNamed(words.history.step, () => this.step()),
+      solve: () => this.#tryNamed(['solve'], () => this.#client.solve()),
+      step: () => this.#tryNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#view.setStepArrows(shown),
       cancel: () => this.#try(this.#client.cancel()),
       reset: () => this.#try(this.reset()),
@@ -567,7 +568,7 @@ export class App {
   }
 
   /** Likewise, as an entry of the history. */
-  #tryNamed(name: string, doing: () => Promise<unknown>): void {
+  #tryNamed(name: ChangeName, doing: () => Promise<unknown>): void {
     const before = this.#snapshot();
     if (before) this.#history.record(before, name);
     this.#showDocument();

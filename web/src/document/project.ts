@@ -8,6 +8,7 @@ import { fromBase64, toBase64 } from './base64';
 import { readNet, readState, readView, writeState, writeView } from './codec';
 import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
 import { Field } from './field';
+import { readName, writeName } from './naming';
 import { Measure } from './undo';
 import type { Entry, Snapshot } from './undo';
 
@@ -18,7 +19,6 @@ const VERSION = 1;
 /** Bytes of nets and positions in a file; as base64 positions take a third more. */
 const LARGEST_STATES = 36e6;
 const MOST_STATES = 10_000;
-const LONGEST_NAME = 500;
 
 export interface Project {
   /** Of the history; `entries[present]` is the document. */
@@ -38,7 +38,7 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
   const nets = new Numbered<NetSource>();
   const positions = new Numbered<Float64Array>();
   const states = entries.map(({ name, state }) => ({
-    name,
+    ...writeName(name),
     ...writeState(state, null),
     net: nets.numberOf(state.net),
     positions: state.positions && positions.numberOf(state.positions),
@@ -128,7 +128,7 @@ function readEntry(field: Field, nets: readonly NetSource[], positions: readonly
     net,
     positions: place.value === null ? null : positions[place.index(positions.length)]!,
   };
-  return { name: field.at('name').text(LONGEST_NAME), state };
+  return { name: readName(field), state };
 }
 
 function withTarget({ target, ...handle }: HandleSeed, handles: Field): HandleData {

@@ -1,18 +1,20 @@
 /** The history: every state of what is being made, by the name of the change that led to it. How one looks at it, the
  *  view, is not undone; all else of the document is. */
 import type { ChebnetDocument, NetSource } from './document';
+import { type ChangeName, sentenceOf } from './naming';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. */
 export type Snapshot = Readonly<Omit<ChebnetDocument, 'view'>>;
 
 export interface Entry {
   /** What was done to get here. */
-  readonly name: string;
+  readonly name: ChangeName;
   readonly state: Snapshot;
 }
 
 /** What a panel shows of it. */
 export interface HistoryView {
+  /** In the present language. */
   readonly names: readonly string[];
   readonly present: number;
   readonly canUndo: boolean;
@@ -29,7 +31,7 @@ const LARGEST = 100e6;
  * the history. A gesture, e.g. a drag, is one entry however many changes it makes; one goes nowhere while it goes on.
  */
 export class UndoHistory implements HistoryView {
-  #names: string[] = [''];
+  #names: ChangeName[] = [''];
   /** The state of each entry; that of the present one is of the moment when it was last left. */
   #states: (Snapshot | null)[] = [null];
   #present = 0;
@@ -38,7 +40,7 @@ export class UndoHistory implements HistoryView {
   #revision = 0;
 
   get names(): readonly string[] {
-    return this.#names;
+    return this.#names.map(sentenceOf);
   }
 
   get present(): number {
@@ -80,7 +82,7 @@ export class UndoHistory implements HistoryView {
    * A change called `name`, which began at the state `before`. Changes one after another with the same `key` make one
    * entry, of the last name. Within a gesture a change is part of the gesture.
    */
-  record(before: Snapshot, name: string, key: string | null = null): void {
+  record(before: Snapshot, name: ChangeName, key: string | null = null): void {
     if (this.#gesture !== null) return;
     const joins = key !== null && key === this.#lastKey;
     this.#lastKey = key;
@@ -95,7 +97,7 @@ export class UndoHistory implements HistoryView {
   }
 
   /** After its last change; a gesture without a name changed nothing and leaves no entry. */
-  endGesture(name: string | null): void {
+  endGesture(name: ChangeName | null): void {
     const before = this.#gesture;
     this.#gesture = null;
     this.#lastKey = null;
@@ -132,7 +134,7 @@ export class UndoHistory implements HistoryView {
     return state;
   }
 
-  #push(before: Snapshot, name: string): void {
+  #push(before: Snapshot, name: ChangeName): void {
     this.#states.splice(this.#present, Infinity, before, null);
     this.#names.splice(this.#present + 1, Infinity, name);
     this.#present += 1;

@@ -4,6 +4,7 @@ import type { Opening } from '../app';
 import { handlesTitle, traitsChange } from '../document/changes';
 import { targetsOf } from '../document/document';
 import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/document';
+import type { ChangeName, Term } from '../document/naming';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
 import type { Client } from '../worker/client';
@@ -49,7 +50,7 @@ export class HandleEditor implements HandleWishes {
   #selecting = false;
   #mode: GizmoMode = 'translate';
   /** What the history will call the drag under way; null until it moves something. */
-  #dragName: string | null = null;
+  #dragName: ChangeName | null = null;
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
@@ -111,7 +112,7 @@ export class HandleEditor implements HandleWishes {
 
   /** Replaces the handles.
    *  @param name what the history calls it. */
-  async set(handles: readonly HandleData[], name = words.history.handles): Promise<void> {
+  async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
     const before = this.#desk.snapshot();
     this.#desk.change({ handles: [...handles] });
     try {
@@ -145,8 +146,8 @@ export class HandleEditor implements HandleWishes {
     const leaving = this.#handles.filter(({ vertex, anchor }) => chosen.has(vertex) && !anchor);
     if (unlocked(vertices, this.#handles).length < vertices.length) this.#desk.say(words.handles.lockedStay);
     if (leaving.length === 0) return;
-    const name = words.history.remove(this.#titleOf(leaving));
-    this.#desk.attempt(this.set(this.#handles.filter((handle) => !leaving.includes(handle)), name));
+    const staying = this.#handles.filter((handle) => !leaving.includes(handle));
+    this.#desk.attempt(this.set(staying, ['remove', this.#titleOf(leaving)]));
   }
 
   removeSelected(): void {
@@ -158,7 +159,7 @@ export class HandleEditor implements HandleWishes {
     const present = new Set(this.#handles.map(({ vertex }) => vertex));
     const fresh = this.#mirrored(vertices).filter((vertex) => !present.has(vertex));
     const added = fresh.map((vertex): HandleData => ({ vertex, target: this.positionOf(vertex), anchor: false }));
-    if (added.length > 0) await this.set([...this.#handles, ...added], words.history.add(this.#titleOf(added)));
+    if (added.length > 0) await this.set([...this.#handles, ...added], ['add', this.#titleOf(added)]);
     this.select(selection);
   }
 
@@ -175,13 +176,13 @@ export class HandleEditor implements HandleWishes {
   }
 
   setSymmetry(symmetry: Symmetry | undefined): void {
-    this.#changeDocument({ symmetry }, symmetry ? words.history.symmetry : words.history.noSymmetry);
+    this.#changeDocument({ symmetry }, [symmetry ? 'symmetry' : 'noSymmetry']);
   }
 
   // --------------------------------------------------------------------------------------------------- what limits drags
 
   setLocality(locality: number | undefined): void {
-    const name = locality === undefined ? words.history.noLocality : words.history.locality(locality.toLocaleString(words.locale));
+    const name: ChangeName = locality === undefined ? ['noLocality'] : ['locality', { number: String(locality) }];
     this.#changeDocument({ locality }, name, 'locality');
   }
 
@@ -210,7 +211,7 @@ export class HandleEditor implements HandleWishes {
   }
 
   /** Changes one after another with the same `key` are undone together. */
-  #changeDocument(change: Partial<ChebnetDocument>, name: string, key: string | null = null): void {
+  #changeDocument(change: Partial<ChebnetDocument>, name: ChangeName, key: string | null = null): void {
     const before = this.#desk.snapshot();
     if (before) this.#history.record(before, name, key);
     this.#desk.change(change);
@@ -237,7 +238,7 @@ export class HandleEditor implements HandleWishes {
     // Asked for at once, in this order: what a caller asks for next comes after both.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
     await Promise.all([limited, this.#client.drag(both)]);
-    if (before) this.#history.record(before, words.history.move(this.#titleOf(targets)), key);
+    if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.show();
   }
@@ -254,7 +255,7 @@ export class HandleEditor implements HandleWishes {
     const wished = this.#onBothSides(targets);
     if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
     const both = this.#guide.within(wished);
-    this.#dragName ??= words.history.move(this.#titleOf(targets));
+    this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#desk.change({ handles: this.#withTargets(both) });
     this.#desk.showDrag();
     this.#desk.attempt(this.#client.drag(both));
@@ -280,7 +281,7 @@ export class HandleEditor implements HandleWishes {
     return this.#desk.opening()?.document.handles ?? [];
   }
 
-  #titleOf(of: readonly { vertex: number }[]): string {
+  #titleOf(of: readonly { vertex: number }[]): Term {
     return handlesTitle(this.#handles, of);
   }
 

@@ -75,7 +75,7 @@ export class Projects {
   // ----------------------------------------------------------------------------------------------------------- what is open
 
   async newNet(): Promise<void> {
-    await this.#app.openScene(defaultScene(), { name: words.history.newNet, key: null });
+    await this.#app.openScene(defaultScene(), { name: ['newNet'], key: null });
   }
 
   async followLink(): Promise<void> {
@@ -135,7 +135,7 @@ export class Projects {
 
   async #openLink(hash: string): Promise<void> {
     const isFirst = this.#app.opening === null;
-    await this.#app.openScene(sceneOf(hash), { name: words.history.link, key: null });
+    await this.#app.openScene(sceneOf(hash), { name: ['link'], key: null });
     if (isFirst) this.#autosave.begin(newId(), false);
   }
 

@@ -14,7 +14,7 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 7;
+export const PROTOCOL_VERSION = 6;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';

@@ -1,0 +1,58 @@
+/** What the history calls a change, so that it can be said in any language: a sentence of `words.history`, and what it speaks
+ *  of. In projects of older versions it is the words themselves. */
+import { type Words, words } from '../language/language';
+import type { Field } from './field';
+
+export type ChangeName = string | readonly [Sentence, ...Term[]];
+type Sentence = Exclude<keyof Words['history'], 'title' | 'hint' | 'one' | 'several'>;
+/** A text as it stands, or one of these kinds of things. */
+export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
+
+const KINDS = {
+  shape: words.core.shape,
+  method: words.core.method,
+  option: words.core.name,
+  /** By its name, or its vertex. */
+  handle: words.history.one,
+  handles: (count: string) => words.history.several(Number(count)),
+  number: (value: string) => Number(value).toLocaleString(words.locale),
+};
+const LONGEST = 500;
+
+/** In the present language. */
+export function sentenceOf(name: ChangeName): string {
+  if (typeof name === 'string') return name;
+  const [key, ...terms] = name;
+  const sentence = words.history[key];
+  return typeof sentence === 'string' ? sentence : (sentence as (...said: string[]) => string)(...terms.map(textOf));
+}
+
+function textOf(term: Term): string {
+  if (typeof term === 'string') return term;
+  return Object.entries(term).map(([kind, value]) => KINDS[kind as keyof typeof KINDS](value)).join('');
+}
+
+/** As fields of an entry. Versions that know no more than the words find them. */
+export function writeName(name: ChangeName): object {
+  return typeof name === 'string' ? { name } : { name: sentenceOf(name), change: name };
+}
+
+/** The words, if there is no more or if it comes from a newer version. Throws FieldError. */
+export function readName(entry: Field): ChangeName {
+  const name = entry.at('name').text(LONGEST);
+  const { value } = entry.at('change');
+  return isKnown(value) ? value : name;
+}
+
+function isKnown(change: unknown): change is ChangeName {
+  if (!Array.isArray(change) || !Object.hasOwn(words.history, String(change[0]))) return false;
+  const sentence: unknown = words.history[change[0] as Sentence];
+  const wanted = typeof sentence === 'function' ? sentence.length : 0;
+  return change.length === 1 + wanted && change.slice(1).every(isTerm);
+}
+
+function isTerm(term: unknown): boolean {
+  if (typeof term === 'string') return term.length <= LONGEST;
+  if (typeof term !== 'object' || term === null) return false;
+  return Object.entries(term).every(([kind, value]) => Object.hasOwn(KINDS, kind) && typeof value === 'string' && value.length <= LONGEST);
+}
