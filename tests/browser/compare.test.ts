@@ -99,6 +99,19 @@ test('two nets stand side by side, seen from the same place', async () => {
   expect(await page.locator('#beside canvas').count()).toBe(0);
 });
 
+test('methods that know no soft handles say so in their rows', async () => {
+  await edit(SHAPE);
+  const handles = await visit.page.evaluate(() => window.chebnet.handles());
+  await script.setHandles(handles.map((handle) => (handle.vertex === dragged ? { ...handle, weight: 1 } : handle)));
+  await script.settled();
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  const refused = expect.stringContaining(`handle ${dragged} is soft`);
+  expect((await table()).map(({ status }) => status)).toEqual([refused, 'Converged', refused, refused]);
+  expect(await drawnCurves()).toEqual([1, 1]);
+  await visit.page.screenshot({ path: join(OUTPUT, 'compare-soft.png') });
+});
+
 test('editing goes on meanwhile, and Cancel works at once', async () => {
   await edit('vault:vertices=8000');
   await compare('Gradient descent');

@@ -89,6 +89,15 @@ test('a method that fails does not keep the others from running', async () => {
   expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
 });
 
+test('a method that knows no soft handles says so; the others soften them', async () => {
+  const soft = handles.map((handle) => (handle.anchor ? handle : { ...handle, weight: 1 }));
+  await comparer.start({ ...scene, handles: soft }, 1e-6, ['li2022', 'projection', 'arap']);
+  expect(states()).toEqual(['failed', 'ended', 'failed']);
+  const [li, projection, arap] = comparison().runs;
+  for (const run of [li, arap]) expect(run?.fault).toMatch(/handle \d+ is soft/);
+  expect(projection?.frame?.status).toBe('converged');
+});
+
 describe('cancelled', () => {
   test('it stops at once and says no more', async () => {
     changed = ({ runs }) => {

@@ -16,7 +16,7 @@ export function stageWords({ stage, p, freeVertices }: TraceRow): string {
 /** How a run of a comparison stands, short enough for a table. */
 export function runWords({ state, frame, fault }: Run): string {
   if (state === 'ended') return frame ? words.comparison.status[frame.status] : '';
-  return fault ?? words.comparison.state[state];
+  return fault === null ? words.comparison.state[state] : words.core.sentence(fault);
 }
 
 /** Below this a deviation is the rounding of the computer, not of the net. */

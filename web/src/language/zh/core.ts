@@ -147,7 +147,7 @@ export const CORE_ERRORS: Record<string, string> = {
   non_manifold_edge: '同一条边上有两个以上的面',
   unused_vertex: '有顶点不属于任何面',
   bad_syntax: '无法读取',
-  bad_option: '名称不存在或数值超出范围',
+  bad_option: '名称不存在，或设置不适用',
   too_large: '超出大小限制',
   file_access: '无法访问文件',
   internal: '内部错误',
