@@ -250,7 +250,9 @@ std::vector<UnreachablePair> Editor::unreachable_pairs() const {
             if (is_out_of_reach(pair)) pairs.push_back(pair);
         }
     if (m_region) add_worst_of_border(pairs);
-    const auto strain = [](const UnreachablePair& pair) { return std::abs(std::log(pair.distance / pair.reach)); };
+    const auto strain = [](const UnreachablePair& pair) {
+        return std::max(pair.distance / pair.reach, pair.reach / pair.distance);
+    };
     std::stable_sort(pairs.begin(), pairs.end(),
                      [&](const UnreachablePair& a, const UnreachablePair& b) { return strain(a) > strain(b); });
     return pairs;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -84,6 +85,12 @@ double face_count(const std::vector<CellBox>& boxes) {
     return count;
 }
 
+double power(double base, int exponent) {
+    double result = 1;
+    for (int k = 0; k < std::abs(exponent); ++k) result *= base;
+    return exponent < 0 ? 1 / result : result;
+}
+
 /// Rounding makes the number of vertices jump, so placements around the scale that the area alone suggests are tried.
 Placement place_for(std::span<const Box> boxes, double vertices) {
     constexpr double fine = 64, step = 1.01;
@@ -92,7 +99,7 @@ Placement place_for(std::span<const Box> boxes, double vertices) {
     double smallest_miss = std::numeric_limits<double>::infinity();
     for (const double offset : {0.0, 0.5})
         for (int trial = -40; trial <= 40; ++trial) {
-            const Placement placement{std::sqrt(vertices / area) * std::pow(step, trial), offset};
+            const Placement placement{std::sqrt(vertices / area) * power(step, trial), offset};
             // A closed net of quads has as many vertices as faces, but for a few.
             const double miss = std::abs(face_count(cells_of(boxes, placement)) - vertices);
             if (miss >= smallest_miss) continue;

@@ -1,7 +1,8 @@
 #include "solve/nearest_rotation.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
 #include <cmath>
+#include <limits>
 
 #include "linear/dense_kernels.h"
 
@@ -13,6 +14,8 @@ namespace {
 // (radians) hardly more than rounding is left.
 constexpr int k_max_steps = 8;
 constexpr double k_last_step = 1e-3;
+// Jacobi's method converges quadratically too.
+constexpr int k_most_sweeps = 8;
 
 /// Two cells side by side: whatever follows is done for both at once.
 using Pair = dense::Vector<double>;
@@ -81,6 +84,25 @@ void newton_step(const PairOfMatrices& A, PairOfQuaternions& q, Step (&outcome)[
     turn(q, x, y, z);
 }
 
+/// Of a symmetric matrix, by Jacobi's method: it is turned in the plane of two axes at a time until it is diagonal.
+Eigen::Vector4d largest_eigenvector(Eigen::Matrix4d N) {
+    const double negligible = std::numeric_limits<double>::epsilon() * N.norm();
+    Eigen::Matrix4d axes = Eigen::Matrix4d::Identity();
+    for (int sweep = 0; sweep < k_most_sweeps; ++sweep)
+        for (int i = 0; i < 4; ++i)
+            for (int j = i + 1; j < 4; ++j) {
+                if (std::abs(N(i, j)) <= negligible) continue;
+                Eigen::JacobiRotation<double> turn;
+                turn.makeJacobi(N, i, j);
+                N.applyOnTheLeft(i, j, turn.adjoint());
+                N.applyOnTheRight(i, j, turn);
+                axes.applyOnTheRight(i, j, turn);
+            }
+    int largest;
+    N.diagonal().maxCoeff(&largest);
+    return axes.col(largest).normalized();
+}
+
 /// tr(R(q)ᵀ A) = qᵀ N q for a unit quaternion q = (w, x, y, z).
 Eigen::Quaterniond by_largest_eigenvector(const Eigen::Matrix3d& A) {
     Eigen::Matrix4d N;
@@ -88,7 +110,7 @@ Eigen::Quaterniond by_largest_eigenvector(const Eigen::Matrix3d& A) {
     N.bottomLeftCorner<3, 1>() << A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1);
     N.topRightCorner<1, 3>() = N.bottomLeftCorner<3, 1>().transpose();
     N.bottomRightCorner<3, 3>() = A + A.transpose() - A.trace() * Eigen::Matrix3d::Identity();
-    const Eigen::Vector4d q = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N).eigenvectors().col(3);
+    const Eigen::Vector4d q = largest_eigenvector(N);
     return {q[0], q[1], q[2], q[3]};
 }
 

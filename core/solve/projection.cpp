@@ -61,7 +61,7 @@ private:
     Status move_rigidly(Positions& positions, TraceRow& row);
     Status relax_springs(Positions& positions, TraceRow& row);
     Status relax_by_newton(Positions& positions, TraceRow& row);
-    bool is_near() const;
+    bool is_near() const { return m_max_deviation < m_near; }
     Status project(Positions& positions, TraceRow& row);
     bool measure(const Positions& positions);
     void give_up_projecting(Positions& positions);
@@ -87,6 +87,7 @@ private:
     int m_springs_left = 0;  // iterations of stage 2 in all
     double m_max_deviation = 0;
     int m_round = 0;    // of making the net smooth and projecting it
+    double m_near = 0;  // max dL below which projection takes over in this round
     double m_best = 0;  // smallest max dL of this stage 3, counted in halvings
     Positions m_shape;  // the copy that ARAP moves; empty: it starts from the net
     Positions m_shape_before;
@@ -132,6 +133,7 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
     m_round = 0;
+    m_near = k_projection_deviation;
     m_springs_left = k_most_spring_iterations;
     m_yield = 1;
     m_part->scale_holds(1);
@@ -276,9 +278,6 @@ Status Projection::relax_by_newton(Positions& positions, TraceRow& row) {
     return status;
 }
 
-/// Whether projection may take over.
-bool Projection::is_near() const { return m_max_deviation < k_projection_deviation * std::pow(k_round_part, m_round); }
-
 Status Projection::project(Positions& positions, TraceRow& row) {
     const bool solved = m_lengths->project(positions);
     row.energy = m_lengths->squared_error();
@@ -305,6 +304,7 @@ void Projection::give_up_projecting(Positions& positions) {
     positions = m_smooth;
     m_max_deviation = m_smooth_deviation;
     ++m_round;
+    m_near *= k_round_part;
     enter(m_springs_left > 0 ? springs : newton, positions);
 }
 
