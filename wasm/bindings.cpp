@@ -1,6 +1,7 @@
 // The editor and its tables, seen from JavaScript. wasm/facade.js gives them the shape of wasm/chebnet.d.ts.
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -192,6 +193,16 @@ void set_locality(Session& session, double radius, val origins) {
     session.editor.set_locality(radius, emscripten::convertJSArrayToNumberVector<int>(origins));
 }
 
+/// null: everything may move.
+val locality(const Session& session) {
+    const std::optional<Region>& region = session.editor.region();
+    if (!region) return val::null();
+    val object = val::object();
+    object.set("radius", region->radius);
+    object.set("origins", copy_out(region->origins));
+    return object;
+}
+
 /// 5 numbers a ball: the vertex, the centre, the radius.
 val reach(const Session& session, int vertex) {
     std::vector<double> numbers;
@@ -311,6 +322,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("handleWeights", guarded<&handle_weights>)
         .function("setHandles", guarded<&set_handles>)
         .function("setLocality", guarded<&set_locality>)
+        .function("locality", guarded<&locality>)
         .function("reach", guarded<&reach>)
         .function("distances", guarded<&distances>)
         .function("moveHandle", guarded<&move_handle>)

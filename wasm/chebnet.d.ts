@@ -5,8 +5,9 @@
 
 /**
  * An `Error` whose `code` is a name from core/net/error.h, e.g. "non_manifold_edge", and whose message is the core's.
- * Two codes more: "disposed" (the editor was used after dispose) and "internal" (a fault of chebnet itself). Only a trap
- * of the module, a `WebAssembly.RuntimeError`, carries no code: then nothing of it may be used any more.
+ * Three codes more: "disposed" (the editor was used after dispose), "left_out" (see wasm/editors.d.ts) and "internal" (a
+ * fault of chebnet itself). Only a trap of the module, a `WebAssembly.RuntimeError`, carries no code: then nothing of it
+ * may be used any more.
  */
 export interface ChebnetError extends Error {
   code: string;
@@ -203,6 +204,8 @@ export interface Editor {
 
   /** From now on only what lies within `radius` edge lengths of the `origins`, along the net, may move; Infinity: everything. */
   setLocality(radius: number, origins: readonly number[]): void;
+  /** What it was given, as long as it holds; null: everything may move. */
+  locality(): { radius: number; origins: number[] } | null;
   /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
    *  balls. None for a soft handle. */
   reach(vertex: number): Ball[];

@@ -46,6 +46,7 @@ export interface Session {
   handleWeights(): Float64Array;
   setHandles(vertices: Int32Array, targets: Float64Array, weights: Float64Array): void;
   setLocality(radius: number, origins: Int32Array): void;
+  locality(): { radius: number; origins: Int32Array } | null;
   /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;
   distances(origins: Int32Array): Float64Array;

@@ -1,4 +1,8 @@
-/** The core without files and equalising: what a page needs to show and edit a first net. */
+/**
+ * As much of the core as a page needs to show and edit a first net: the shapes, all tables, and the methods `projection`,
+ * `gauss_newton`, `arap` and `local_global`. What else `Editors` has, other methods and files, is refused with the code
+ * "left_out" before it changes anything; `loadChebnet` has it.
+ */
 import type { Editors } from './chebnet';
 
 /** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */

@@ -1,4 +1,4 @@
-// The core without files and equalising: a third smaller.
+// The core for a first net: little more than half as large.
 import createEditors from '../build/wasm/chebnet_editor.js';
 import { loaderOf } from './facade.js';
 

@@ -210,6 +210,11 @@ class WasmEditor {
     this.#open.setLocality(size(radius, 'a locality'), Int32Array.from(origins, vertexNumber));
   }
 
+  locality() {
+    const locality = this.#open.locality();
+    return locality && { radius: locality.radius, origins: Array.from(locality.origins) };
+  }
+
   /** @param {number} vertex @returns {Ball[]} */
   reach(vertex) {
     const flat = this.#open.reach(vertexNumber(vertex));

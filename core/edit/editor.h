@@ -76,6 +76,8 @@ public:
     /// replaced or reset. Infinity, or no origins: everything may move. Throws Error bad_option unless radius > 0,
     /// index_out_of_range.
     void set_locality(double radius, std::span<const int> origins);
+    /// Where set_locality() lets vertices move, as long as it holds; none: everything may move.
+    const std::optional<Region>& region() const { return m_region; }
     /// Chooses the method by its name in method_table(). Throws Error bad_option, also if there are soft handles and
     /// the method does not know any, and then changes nothing.
     void set_method(std::string_view name);

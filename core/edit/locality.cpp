@@ -45,6 +45,8 @@ Region region_around(const Net& net, const Topology& topology, const Positions& 
     const auto may_move = [&](int v) { return nearest[v].distance < (1 - k_rounding) * radius; };
 
     Region region;
+    region.radius = radius;
+    region.origins.assign(origins.begin(), origins.end());
     for (int v = 0; v < net.vertex_count(); ++v) {
         const auto [origin, distance] = nearest[v];
         if (may_move(v)) {

@@ -21,6 +21,8 @@ struct Region {
         double distance;  ///< along the net from there
     };
 
+    double radius = 0;         ///< in mean edge lengths
+    std::vector<int> origins;  ///< the vertices it moves with
     std::vector<int> outside;  ///< the fixed vertices, ascending
     std::vector<BorderVertex> border;
     std::vector<Hold> holds;

@@ -1,12 +1,18 @@
 /** The real module, loaded in Node. */
 import { readFileSync } from 'node:fs';
-import type { Chebnet, ChebnetError, Editor, Handle } from '../../wasm/chebnet';
+import type { Chebnet, ChebnetError, Editor, Editors, Handle } from '../../wasm/chebnet';
 import { loadChebnet } from '../../wasm/chebnet';
+import { loadEditors } from '../../wasm/editors';
 
 export const ROOT = new URL('../../', import.meta.url);
 
 export function load(): Promise<Chebnet> {
   return loadChebnet({ wasmBinary: readFileSync(new URL('build/wasm/chebnet_core.wasm', ROOT)) });
+}
+
+/** What the page loads first. */
+export function loadFirst(): Promise<Editors> {
+  return loadEditors({ wasmBinary: readFileSync(new URL('build/wasm/chebnet_editor.wasm', ROOT)) });
 }
 
 /** The error that `action` throws. */

@@ -71,6 +71,15 @@ describe('locality', () => {
     expect(moved).toBeGreaterThan(20);
   });
 
+  test('is told as long as it holds', () => {
+    expect(editor.locality()).toBe(null);
+    editor.setLocality(9, [dragged.vertex]);
+    editor.setMethod('li2022');
+    expect(editor.locality()).toEqual({ radius: 9, origins: [dragged.vertex] });
+    editor.setHandles(handles);
+    expect(editor.locality()).toBe(null);
+  });
+
   test('is refused if it is no length or nowhere', () => {
     expect(failure(() => editor.setLocality(0, [1])).code).toBe('bad_option');
     expect(failure(() => editor.setLocality(5, [1e6])).code).toBe('index_out_of_range');

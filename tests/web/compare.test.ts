@@ -28,6 +28,7 @@ class FakeWorker implements WorkerLike {
     post: (response) => this.#later(() => this.onmessage?.({ data: response } as MessageEvent<Response>)),
     soon: (task) => this.#later(task),
     now: () => performance.now(),
+    wholeCore: () => Promise.resolve(core),
   });
 
   postMessage(request: Request): void {

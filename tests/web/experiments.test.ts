@@ -18,7 +18,7 @@ const LINKS = EXPERIMENTS.flatMap(({ name, variants = [] }) =>
 function open(link: string, solve: boolean): { vertices: number; frame: FrameData } {
   const said: Response[] = [];
   const tasks: (() => void)[] = [];
-  const host = { post: (response: Response) => said.push(response), soon: (task: () => void) => tasks.push(task), now: () => 0 };
+  const host = { post: (response: Response) => said.push(response), soon: (task: () => void) => tasks.push(task), now: () => 0, wholeCore: () => Promise.resolve(core) };
   const session = new Session(core, host);
   const ask = (request: Request) => session.handle(request);
   ask({ id: 1, type: 'open', scene: experimentScene(link) });

@@ -26,13 +26,14 @@ let said: Response[];
 let tasks: (() => void)[];
 let time: number;
 let lastId: number;
+const host = { soon: (task: () => void) => tasks.push(task), now: () => time, wholeCore: () => Promise.resolve(core) };
 
 beforeEach(() => {
   said = [];
   tasks = [];
   time = 0;
   lastId = 0;
-  session = new Session(patientCore, { post: (response) => said.push(response), soon: (task) => tasks.push(task), now: () => time });
+  session = new Session(patientCore, { post: (response) => said.push(response), ...host });
 });
 
 function patientEditor(from: string): Editor {
@@ -119,7 +120,7 @@ describe('a scene', () => {
       moved.push(transfer);
       said.push(structuredClone(response, { transfer }));
     };
-    session = new Session(patientCore, { post, soon: (task) => tasks.push(task), now: () => time });
+    session = new Session(patientCore, { post, ...host });
     open();
     run();
     const { edges, faceStart, faceVertices, restPositions } = reference;

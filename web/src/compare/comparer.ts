@@ -60,6 +60,7 @@ export class Comparer {
 
   async #solve(comparison: Comparison, run: Run, scene: BenchScene): Promise<void> {
     const bench = (this.#bench ??= new Bench(this.#spawn));
+    await bench.solve(scene, () => {}, 0); // what the method is still to load is not counted as warming up
     const end = performance.now() + WARM_UP_MS;
     while (performance.now() < end) await bench.solve(scene, () => {}, end - performance.now());
     await bench.solve(scene, (frame) => {

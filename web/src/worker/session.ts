@@ -8,6 +8,8 @@ import { describe } from './opened_net';
 import { CRASHED, PROTOCOL_VERSION } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 
+/** Code of what the core for a first net refuses. */
+const LEFT_OUT = 'left_out';
 /** Milliseconds of solving between two looks at the messages; one iteration is the least. */
 const SLICE = 12;
 /**
@@ -26,16 +28,23 @@ export interface SessionHost {
   /** Runs `task` after the messages that wait already. */
   soon(task: () => void): void;
   now(): number;
+  /** The core with all that the one given has left out; see wasm/editors.d.ts. */
+  wholeCore(): Promise<Editors>;
 }
 
 /**
  * One net being edited. Requests are answered in the order they come; a request that touches the net interrupts the
- * solve between two iterations and the solve begins anew from where the net stands.
+ * solve between two iterations and the solve begins anew from where the net stands. What the core at hand has left out
+ * waits, with all requests after it, until the whole core is there and the net has moved over.
  */
 export class Session {
-  readonly #core: Editors;
+  #core: Editors;
   readonly #host: SessionHost;
+  /** They wait for the whole core; null: it is not on its way. */
+  #late: Request[] | null = null;
   #editor: Editor | null = null;
+  /** Where the editor's net is from. */
+  #source: OpenScene['net'] | null = null;
   /** The last request that touched the net. */
   #touch = 0;
   #solving = false;
@@ -57,8 +66,17 @@ export class Session {
   }
 
   handle(request: Request): void {
+    if (this.#late !== null) {
+      this.#late.push(request);
+      return;
+    }
     if (request.type !== 'seen') this.#takeNextDrag();
-    this.#attempt(request.id, () => this.#answer(request));
+    try {
+      this.#answer(request);
+    } catch (error) {
+      if (codeOf(error) === LEFT_OUT) void this.#answerByWholeCore(request);
+      else this.#refuse(request.id, error);
+    }
   }
 
   #answer(request: Request): void {
@@ -132,6 +150,7 @@ export class Session {
     }
     this.#editor?.dispose();
     this.#editor = editor;
+    this.#source = scene.net;
     this.#touch = id;
     this.#forgetSolve();
     this.#judge();
@@ -149,7 +168,12 @@ export class Session {
   #takeNextDrag(): void {
     const drag = this.#nextDrag;
     this.#nextDrag = null;
-    if (drag) this.#attempt(drag.id, () => this.#drag(drag));
+    if (drag === null) return;
+    try {
+      this.#drag(drag);
+    } catch (error) {
+      this.#refuse(drag.id, error);
+    }
   }
 
   #step(): void {
@@ -185,6 +209,32 @@ export class Session {
     const { edges, restPositions } = editor;
     editor.dispose();
     return { type: 'thumbnail', edges, positions: Float32Array.from(restPositions) };
+  }
+
+  // ---------------------------------------------------------------------------------------------------- the whole core
+
+  async #answerByWholeCore(request: Request): Promise<void> {
+    const late = [request];
+    this.#late = late;
+    try {
+      this.#moveTo(await this.#host.wholeCore());
+    } catch (error) {
+      late.shift();
+      this.#refuse(request.id, failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`));
+    }
+    this.#late = null;
+    for (const each of late) this.handle(each);
+  }
+
+  /** A solve under way begins anew there, from where the net stands. */
+  #moveTo(core: Editors): void {
+    if (this.#editor !== null && this.#source !== null) {
+      const editor = openNet(core, this.#source);
+      takeOver(core, editor, this.#editor);
+      this.#editor.dispose();
+      this.#editor = editor;
+    }
+    this.#core = core;
   }
 
   // --------------------------------------------------------------------------------------------------------- solving
@@ -308,15 +358,14 @@ export class Session {
     this.#host.post(response, transfer);
   }
 
-  #attempt(id: number, doing: () => void): void {
-    try {
-      doing();
-    } catch (error) {
-      // Only a trap of the module comes without a code; see wasm/chebnet.d.ts.
-      const code = error instanceof Error && 'code' in error ? String(error.code) : CRASHED;
-      this.#post({ id, type: 'error', code, message: messageOf(error) });
-    }
+  #refuse(id: number, error: unknown): void {
+    this.#post({ id, type: 'error', code: codeOf(error), message: messageOf(error) });
   }
+}
+
+/** Only a trap of the module comes without a code; see wasm/chebnet.d.ts. */
+function codeOf(error: unknown): string {
+  return error instanceof Error && 'code' in error ? String(error.code) : CRASHED;
 }
 
 function messageOf(error: unknown): string {
@@ -348,6 +397,15 @@ function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): 
   editor.setHandles(targetsOf(handles));
   const { positions } = scene;
   if (positions !== null) editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
+}
+
+/** Puts the net into the state of another editor. */
+function takeOver(core: Editors, editor: Editor, from: Editor): void {
+  const handles = from.handles().map((handle) => ({ ...handle, anchor: false }));
+  const { method, initialisation } = from;
+  prepare(core, editor, { method, initialisation, options: from.options(), handles, positions: from.positions(), settled: true });
+  const locality = from.locality();
+  if (locality !== null) editor.setLocality(locality.radius, locality.origins);
 }
 
 /** Sets the options named and puts the others back to their defaults; if one is refused, changes nothing. */

@@ -1,4 +1,4 @@
-/** The module worker: loads the core and lets a session answer the page. */
+/** The module worker: loads the core for a first net and lets a session answer the page. */
 import wasmUrl from '../../../build/wasm/chebnet_editor.wasm?url';
 import { loadEditors } from '../../../wasm/editors.js';
 import type { Editors } from '../../../wasm/chebnet';
@@ -36,10 +36,17 @@ self.onmessage = ({ data }: MessageEvent<Request>) => {
 };
 
 function start(core: Editors): void {
-  session = new Session(core, { post, soon, now: () => performance.now() });
+  session = new Session(core, { post, soon, now: () => performance.now(), wholeCore });
   for (const request of queue.splice(0)) session.handle(request);
   // After the first net is shown: a hand takes longer than this to find a handle.
   setTimeout(() => warmUp(core), WARM_UP_DELAY);
+}
+
+async function wholeCore(): Promise<Editors> {
+  const { loadWholeCore } = await import('./whole_core');
+  const core = await loadWholeCore();
+  warmUp(core);
+  return core;
 }
 
 loadEditors({ wasmUrl })

@@ -159,6 +159,7 @@ export const CORE_ERRORS: Record<string, string> = {
 const WORKER_ERRORS: Record<string, string> = {
   version: '页面与求解器的版本不同，请重新加载页面',
   no_net: '没有打开的网',
+  not_loaded: '求解器的其余部分无法加载',
   bad_link: '此链接中的位置数据已损坏，或属于另一张网',
 };
 

@@ -1,0 +1,133 @@
+/** The session over the core for a first net, and what it does when that is not enough. */
+import { beforeEach, expect, test } from 'vitest';
+import type { Editors } from '../../wasm/chebnet';
+import { freshScene } from '../../web/src/document/defaults';
+import type { Request, Response } from '../../web/src/worker/protocol';
+import { Session } from '../../web/src/worker/session';
+import { load, loadFirst } from '../wasm/load';
+
+type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
+
+const [first, whole] = await Promise.all([loadFirst(), load()]);
+const recipe = 'vault:vertices=300';
+const reference = first.openRecipe(recipe);
+const dragged = reference.suggestedHandles.at(-1) ?? -1;
+const [x = NaN, y = NaN, z = NaN] = reference.restPositions.subarray(3 * dragged, 3 * dragged + 3);
+const drag: Body = { type: 'drag', targets: [{ vertex: dragged, target: [x, y, z - 1] }] };
+const li2022: Body = { type: 'options', settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } } };
+
+let session: Session;
+let said: Response[];
+let tasks: (() => void)[];
+let lastId: number;
+let wanted: number;
+let arrive: (core: Editors) => void;
+let fail: (error: Error) => void;
+
+beforeEach(() => {
+  said = [];
+  tasks = [];
+  lastId = 0;
+  wanted = 0;
+  const wholeCore = () => {
+    wanted += 1;
+    return new Promise<Editors>((resolve, reject) => {
+      arrive = resolve;
+      fail = reject;
+    });
+  };
+  session = new Session(first, { post: (response) => said.push(response), soon: (task) => tasks.push(task), now: () => 0, wholeCore });
+  ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
+});
+
+function ask(body: Body): number {
+  session.handle({ id: ++lastId, ...body } as Request);
+  return lastId;
+}
+
+function solve(): void {
+  while (tasks.length > 0) tasks.shift()?.();
+}
+
+function settled(): Extract<Response, { type: 'settled' }> {
+  return said.flatMap((response) => (response.type === 'settled' ? [response] : [])).at(-1) ?? expect.fail('not settled');
+}
+
+/** Lets what waits for a promise run. */
+async function turn(): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve));
+}
+
+test('a first drag does without it', () => {
+  ask(drag);
+  solve();
+  expect(settled().frame).toMatchObject({ status: 'converged', method: 'projection' });
+  expect(wanted).toBe(0);
+});
+
+test('another method moves the net over as it stands, and is answered before what came after it', async () => {
+  ask({ type: 'locality', radius: 3, origins: [dragged] });
+  ask(drag);
+  solve();
+  const before = settled().frame;
+  const id = ask(li2022);
+  const after = ask({ type: 'reach', vertices: [dragged] });
+  expect(said.filter((response) => response.id >= id)).toEqual([]);
+  arrive(whole);
+  await turn();
+  expect(said.filter((response) => response.id >= id).map((response) => [response.id, response.type])).toEqual([
+    [id, 'done'],
+    [id, 'settled'],
+    [after, 'reach'],
+  ]);
+  expect(settled().frame).toMatchObject({ method: 'li2022', handles: before.handles, positions: before.positions });
+  expect(wanted).toBe(1);
+  ask(li2022);
+  expect(wanted).toBe(1);
+});
+
+test('a locality goes on holding what lies beyond it', async () => {
+  ask({ type: 'locality', radius: 3, origins: [dragged] });
+  ask(li2022);
+  arrive(whole);
+  await turn();
+  ask(drag);
+  solve();
+  const { positions } = settled().frame;
+  const distances = reference.distances([dragged]);
+  const beyond = [...distances.keys()].filter((v) => distances[v]! > 3.5 * reference.info.meanLength);
+  expect(beyond.length).toBeGreaterThan(0);
+  expect(beyond.every((v) => positions[3 * v] === reference.restPositions[3 * v])).toBe(true);
+  expect(positions[3 * dragged + 2]).toBe(z - 1);
+});
+
+test('a solve under way goes on there', async () => {
+  ask(drag);
+  const id = ask({ type: 'export', format: 'obj' });
+  arrive(whole);
+  await turn();
+  expect(said).toContainEqual(expect.objectContaining({ id, type: 'exported' }));
+  solve();
+  expect(settled().frame).toMatchObject({ status: 'converged', method: 'projection' });
+});
+
+test('a net from a file opens with it', async () => {
+  const id = ask({ type: 'open', scene: freshScene({ obj: 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n', name: 'square.obj' }) });
+  arrive(whole);
+  await turn();
+  expect(said.at(-1)).toMatchObject({ id, type: 'opened', net: { info: { vertices: 4 } } });
+});
+
+test('if it does not come, the request fails, the net stays, and the next one tries again', async () => {
+  const id = ask(li2022);
+  const after = ask(drag);
+  fail(new Error('no network'));
+  await turn();
+  expect(said).toContainEqual({ id, type: 'error', code: 'not_loaded', message: 'The rest of the solver could not be loaded: no network' });
+  solve();
+  expect(settled()).toMatchObject({ id: after, frame: { status: 'converged', method: 'projection' } });
+  const again = ask(li2022);
+  arrive(whole);
+  await turn();
+  expect(settled()).toMatchObject({ id: again, frame: { method: 'li2022' } });
+});
