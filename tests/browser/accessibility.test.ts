@@ -10,15 +10,19 @@ import { OUTPUT, visits } from './page';
 const AXE = readFileSync(createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'), 'utf8');
 const site = visits();
 
-/** What axe complains of in light and dark, with the elements. Evaluated, for the page's policy keeps out added scripts. */
-async function faults(page: Page, view: Page | Frame = page): Promise<string[]> {
+/** What axe complains of in light and dark, with the elements. Evaluated, for the page's policy keeps out added scripts.
+ *  @param part what is looked at, as a selector. */
+async function faults(page: Page, view: Page | Frame = page, part = 'html'): Promise<string[]> {
   await view.evaluate(AXE);
   const run = (rules: string[] | null) =>
-    view.evaluate(async (only) => {
-      const { axe } = window as unknown as { axe: { run(options: object): Promise<AxeResults> } };
-      const { violations } = await axe.run(only === null ? {} : { runOnly: only });
-      return violations.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target.join(' ')}: ${any[0]?.message ?? ''}`));
-    }, rules);
+    view.evaluate(
+      async ([within, only]) => {
+        const { axe } = window as unknown as { axe: { run(within: string, options: object): Promise<AxeResults> } };
+        const { violations } = await axe.run(within, only === null ? {} : { runOnly: only });
+        return violations.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target.join(' ')}: ${any[0]?.message ?? ''}`));
+      },
+      [part, rules] as const,
+    );
   const light = await run(null);
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   const dark = await run(['color-contrast']);
@@ -37,9 +41,22 @@ describe.each([
   const picture = (what: string) => ({ path: join(OUTPUT, `axe-${name}-${what}.png`) });
 
   test('the editor', async () => {
-    const { page, script } = await site.arrive('', options);
+    const { page, script } = await site.arrive('', options, { hints: true });
     await script.settled();
+    await page.getByText('Drag this sphere').waitFor();
     const found: Record<string, string[]> = { first: await faults(page) };
+    for (let hint = 0; hint < 3; ++hint) await page.getByRole('button', { name: 'Got it' }).click();
+
+    const dialog = page.getByRole('dialog');
+    await page.keyboard.press('?');
+    found.keys = await faults(page, page, 'dialog');
+    await page.screenshot(picture('keys'));
+    await dialog.getByRole('button', { name: 'Close' }).click();
+    await page.getByRole('button', { name: 'Share', exact: true }).click();
+    await dialog.locator('svg').waitFor();
+    found.share = await faults(page, page, 'dialog');
+    await page.screenshot(picture('share'));
+    await dialog.getByRole('button', { name: 'Close' }).click();
 
     await page.getByRole('button', { name: 'Save', exact: true }).click();
     found.menu = await faults(page);
@@ -48,8 +65,17 @@ describe.each([
 
     if (name === 'phone') await page.getByRole('button', { name: 'Controls' }).click();
     await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
+    await page.keyboard.press('l');
+    await page.keyboard.press('Control+a');
     found.sections = await faults(page);
     await page.screenshot(picture('sections'));
+    await page.keyboard.press('Escape');
+
+    await page.getByRole('button', { name: 'Equalise…', exact: true }).click();
+    await dialog.locator('canvas').waitFor();
+    found.equalise = await faults(page, page, 'dialog');
+    await page.screenshot(picture('equalise'));
+    await dialog.getByRole('button', { name: 'Cancel' }).click();
 
     await page.getByRole('button', { name: 'Compare', exact: true }).click();
     await page.locator('.comparison .uplot').nth(1).waitFor();
@@ -62,11 +88,11 @@ describe.each([
       dataTransfer.items.add(new File([obj], 'broken.obj'));
       document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     }, BROKEN);
-    await page.getByRole('dialog').getByText('Mean length').waitFor();
-    found.file = await faults(page);
+    await dialog.getByText('Mean length').waitFor();
+    found.file = await faults(page, page, 'dialog');
     await page.screenshot(picture('file'));
 
-    expect(found).toEqual({ first: [], menu: [], sections: [], comparison: [], file: [] });
+    expect(found).toEqual({ first: [], keys: [], share: [], menu: [], sections: [], equalise: [], comparison: [], file: [] });
   });
 
   test('a lesson with the editor in it', async () => {

@@ -16,7 +16,7 @@ export function showKeySheet(root: HTMLElement, tables: readonly KeyTable[]): vo
     'dialog',
     { class: 'file keys', 'aria-labelledby': 'keys-title' },
     make('h2', { id: 'keys-title' }, TEXT.title),
-    make('div', { class: 'body' }, ...tables.flatMap(makeTable)),
+    make('div', { class: 'body', tabindex: 0 }, ...tables.flatMap(makeTable)),
     make('div', { class: 'buttons' }, close),
   );
   dialog.addEventListener('close', () => dialog.remove());
