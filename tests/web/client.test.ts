@@ -175,6 +175,13 @@ describe('news', () => {
     expect(news).toEqual([[4, true]]);
   });
 
+  test('is not to be expected of a question that leaves the net as it is', async () => {
+    void client.thumbnail('vault');
+    expect([client.busy, client.changing]).toEqual([true, false]);
+    void client.setHandles([]);
+    expect(client.changing).toBe(true);
+  });
+
   test('is waited for by idle', async () => {
     let idle = false;
     void client.solve();

@@ -160,7 +160,7 @@ export class App {
 
   /** Nothing is under way, neither in the solver nor in the user's hand. */
   get isQuiet(): boolean {
-    return this.#awaited === 0 && !this.#history.inGesture && !this.#client.busy;
+    return this.#awaited === 0 && !this.#history.inGesture && !this.#client.changing;
   }
 
   /** A line with a button. */
@@ -374,7 +374,7 @@ export class App {
 
   /** While something is under way, the positions shown are not the last. */
   #isSettled(): boolean {
-    return this.#opening?.document.settled === true && !this.#client.busy;
+    return this.#opening?.document.settled === true && !this.#client.changing;
   }
 
   // ----------------------------------------------------------------------------------------------- from view and panels

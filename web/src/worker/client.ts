@@ -98,6 +98,12 @@ export class Client {
     return this.#waiting.size > 0 || this.#pendingDrag !== null || this.solving;
   }
 
+  /** Whether the net is yet to become what it was asked to be; other questions may wait meanwhile. */
+  get changing(): boolean {
+    const touching = [...this.#waiting.values()].some(({ type }) => touchesNet(type));
+    return touching || this.#pendingDrag !== null || this.solving;
+  }
+
   /** Whether the net is yet to settle. */
   get solving(): boolean {
     return this.#touched > this.#settled;
