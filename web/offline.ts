@@ -15,7 +15,7 @@ export function offline(): Plugin {
     config: () => ({
       build: {
         rollupOptions: {
-          input: { index: 'index.html', service_worker: 'src/offline/service_worker.ts' },
+          input: { service_worker: 'src/offline/service_worker.ts' },
           output: { entryFileNames: ({ name }) => (name === 'service_worker' ? SERVICE_WORKER : 'assets/[name]-[hash].js') },
         },
       },

@@ -13,5 +13,10 @@ export default defineConfig({
   resolve: { alias: [{ find: /^rhino3dm$/, replacement: 'rhino3dm/rhino3dm.module.js' }] },
   worker: { format: 'es', plugins: () => [rhino3dmWithoutEval()] },
   // three.js alone is above the usual limit, and the page shows nothing without it.
-  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000 },
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 1000,
+    rollupOptions: { input: { index: 'index.html', lesson: 'lesson.html' } },
+  },
 });

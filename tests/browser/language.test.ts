@@ -4,12 +4,12 @@ import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { dropFile, OUTPUT, visits } from './page';
 
-const { arrive } = visits();
+const { arrive, open } = visits();
 const CHINESE = { locale: 'zh-CN' };
 
 /** Names, keys, units and formulas, the other language by its own name, and in parentheses what the core says. */
 const NAMES =
-  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Ctrl|Shift|Home|F2|Delete|OBJ|PLY|OFF|STL|GLB|3DM|SVG|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||mm|ms|MB|1\.obj|（[ -~]+）/g;
+  /chebnet|English|ARAP|L-BFGS|Hessian|Li|li2022|WebGL|JavaScript|Esc|Ctrl|Shift|Home|F2|Delete|OBJ|PLY|OFF|STL|GLB|3DM|SVG|CSV|PNG|Rhino|Blender|dL|D\^p|[rp]\^-?p|\|r - 1\||mm|ms|MB|1\.obj|（[ -~]+）/g;
 
 /** What the page says in Latin letters beyond names: texts, and what a pointer or a screen reader learns besides. */
 async function foreignWords(page: Page): Promise<string[]> {
@@ -97,6 +97,17 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   await page.screenshot({ path: join(OUTPUT, 'chinese-phone-controls.png') });
 });
 
+test('a lesson speaks the language of the editor in it', async () => {
+  const { page } = await open('lesson.html', CHINESE);
+  await page.getByText(/条边中最大的 dL 为/).waitFor();
+  expect(await page.locator('html').getAttribute('lang')).toBe('zh-CN');
+  expect(await foreignWords(page)).toEqual([]);
+  await page.frameLocator('iframe').getByRole('button', { name: /点击/ }).waitFor();
+  await page.getByRole('button', { name: '把顶点压低' }).click();
+  await page.getByText(/共迭代 [1-9]/).waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'chinese-lesson.png') });
+});
+
 test('the choice of a language is remembered, and the net stays, its history in that language', async () => {
   const { page, script } = await arrive('#experiment=exponent');
   expect(await page.locator('html').getAttribute('lang')).toBe('en-US');
@@ -111,7 +122,7 @@ test('the choice of a language is remembered, and the net stays, its history in 
   expect(await page.title()).toContain('切比雪夫网');
   expect((await script.stats()).vertices).toBe(vertices);
   await page.getByText('历史记录', { exact: true }).click();
-  expect(await page.locator('.history button').allInnerTexts()).toEqual(['打开链接', '打开管']);
+  await expect.poll(() => page.locator('.history button').allInnerTexts()).toEqual(['打开链接', '打开管']);
   await page.waitForLoadState('networkidle');
   await page.reload();
   await script.waitForNet();

@@ -2,8 +2,10 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
+import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { zh } from '../../web/src/language/zh';
 import { CORE_ERRORS, DEFECTS, INITIALISATIONS, METHODS, NAMES, OPTIONS, SHAPES } from '../../web/src/language/zh/core';
+import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import { load, ROOT } from '../wasm/load';
 
 /** Every text and every function, by the names that lead to it. */
@@ -16,8 +18,8 @@ function leaves(words: object, path = ''): Map<string, unknown> {
   return found;
 }
 
-const english = leaves(en);
-const chinese = leaves(zh);
+const english = leaves({ ...en, lesson: lessonInEnglish });
+const chinese = leaves({ ...zh, lesson: lessonInChinese });
 
 /** What stays as it is in Chinese. */
 const SAME: string[] = [];

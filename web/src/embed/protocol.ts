@@ -9,7 +9,7 @@
  *     frame.contentWindow.postMessage({ chebnet: 1, id: 7, call: 'move', args: [12, [0, 0, 3]] }, origin);
  *     // answered with { chebnet: 1, id: 7, result: undefined } or { chebnet: 1, id: 7, error: { code, message } }
  *
- * `web/public/lesson.js` is an example. Only the page that holds the frame is listened to, and answers go to it alone.
+ * `lesson.ts` is an example. Only the page that holds the frame is listened to, and answers go to it alone.
  */
 import type { Scripting, Stats } from '../scripting';
 

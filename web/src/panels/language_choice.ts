@@ -1,6 +1,6 @@
 /** The languages, each by its own name. */
+import type { Language } from '../language/choice';
 import { language, words } from '../language/language';
-import type { Language } from '../language/language';
 import { make, makeButton } from './dom';
 
 const NAMES: readonly [Language, string][] = [

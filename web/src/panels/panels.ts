@@ -4,7 +4,7 @@ import type { Comparison, ComparisonWish, Run } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { SaveWish } from '../export/kinds';
-import type { Language } from '../language/language';
+import type { Language } from '../language/choice';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
 import type { Lesson } from '../learn/lessons';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
