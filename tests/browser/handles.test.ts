@@ -124,9 +124,7 @@ describe('several handles', () => {
     expect(await handles()).toHaveLength(net.suggestedHandles.length + 2);
 
     await dragFar(left);
-    const far = await Promise.all([left, right].map(async (vertex) => distance(await targetOf(vertex), rest(vertex))));
-    expect(Math.min(...far)).toBeGreaterThan(meanLength);
-    expect(far[0]).toBeCloseTo(far[1]!, 9);
+    expect(distance(await targetOf(right), rest(right))).toBeCloseTo(distance(await targetOf(left), rest(left)), 9);
   });
 
   test('are selected by Shift and clicks, all by Ctrl+A, none by Escape, by a lasso; arrow keys nudge them; Escape takes a drag back', async () => {
@@ -355,9 +353,17 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
 
 /** Farther than the net can follow; it stops before. */
 async function dragFar(vertex: number) {
-  await dragBy(script, vertex, [-900, -900], { atEnd: () => visit.page.waitForTimeout(100) });
+  const { mouse } = visit.page;
+  const { x, y } = await script.screenPosition(vertex);
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x - 6, y - 6, { steps: 2 });
+  await visit.page.waitForTimeout(200); // the limits of a drag come with an answer of the solver
+  await mouse.move(x - 900, y - 900, { steps: 2 });
+  await mouse.up();
   await script.settled();
   expect((await script.stats()).status).not.toBe('unreachable');
+  expect(distance(await targetOf(vertex), rest(vertex))).toBeGreaterThan(meanLength);
 }
 
 /** Takes the outer ring of the gizmo, to the right of the centre, and pulls it along. */
