@@ -17,6 +17,8 @@ export default defineConfig({
     target: 'es2022',
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1000,
+    // Browsers that do not know modulepreload load the same a little later.
+    modulePreload: { polyfill: false },
     rollupOptions: { input: { index: 'index.html', lesson: 'lesson.html' } },
   },
 });

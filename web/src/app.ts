@@ -10,8 +10,6 @@ import { freshScene } from './document/defaults';
 import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from './document/document';
 import type { ChangeName } from './document/naming';
 import type { Project } from './document/project';
-import { encodeScene } from './document/share';
-import type { Shared } from './document/share';
 import { UndoHistory } from './document/undo';
 import type { HistoryView, Snapshot } from './document/undo';
 import type { Film } from './export/recording';
@@ -208,12 +206,11 @@ export class App {
     return this.openScene({ ...fresh, method, initialisation, options, view: { ...view, camera: null } }, change);
   }
 
-  /** The present scene as the hash of a link of at most so many characters. */
-  share(largest?: number): Shared {
-    if (this.#opening === null) return { hash: null };
-    const { net } = this.#opening;
-    const document = { ...this.#opening.document, settled: this.#isSettled() };
-    return encodeScene(document, net, this.#threshold(), largest);
+  /** What a link to the present scene is made of; null before the first net. */
+  toShare(): { document: ChebnetDocument; net: OpenedNet; threshold: number } | null {
+    if (this.#opening === null) return null;
+    const { document, net } = this.#opening;
+    return { document: { ...document, settled: this.#isSettled() }, net, threshold: this.#threshold() };
   }
 
   /** The present net as the bytes of a file. */
@@ -391,6 +388,7 @@ export class App {
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),
       cameraChanged: (camera) => this.setView({ camera }),
       cameraMoved: (camera) => this.#beside.setCamera(camera),
+      failed: (error) => this.report(error),
     };
   }
 

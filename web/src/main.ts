@@ -1,28 +1,25 @@
 /** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app';
 import type { AppServices } from './app';
-import { linkAdvice } from './document/share';
-import { embed } from './embed/embed';
 import { copyText } from './files/clipboard';
 import { download } from './files/download';
 import { fileNameOf } from './export/kinds';
 import type { SaveWish } from './export/kinds';
 import { filmExtension, filmType, Recording } from './export/recording';
-import { save } from './export/save';
-import type { Openers } from './files/openers';
 import { pickFile } from './files/pick_file';
 import { commandOf, PAGE_KEYS } from './keys';
 import { chooseLanguage } from './language/choice';
 import { translateDocument, words } from './language/language';
 import { Hints } from './learn/hints';
-import { Teacher } from './learn/teacher';
 import { keepOffline } from './offline/offline';
 import { ROW_KEYS } from './panels/handle_row';
-import { showKeySheet } from './panels/key_sheet';
 import { RecordingNotice } from './panels/recording_notice';
 import { createPanels } from './panels/sidebar';
+import { part } from './part';
+import { linking } from './projects/linking';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
+import type { Scripting } from './scripting';
 import { SELECTION_KEYS, VIEW_KEYS } from './view/gestures';
 import { createView } from './view/scene';
 import { readTheme } from './view/theme';
@@ -46,8 +43,8 @@ const services: AppServices = {
     chooseLanguage(language);
     attempt(() => projects.reload());
   },
-  showKeys,
-  showLesson: (lesson) => attempt(() => teacher.show(lesson)),
+  showKeys: () => attempt(showKeys),
+  showLesson: (lesson) => attempt(async () => (await teacher()).show(lesson)),
 };
 const app = new App(
   {
@@ -60,13 +57,17 @@ const app = new App(
 );
 // What is done inside of another page is no work of the visitor's own.
 const projects = new Projects(app, !embedded);
-const teacher = new Teacher(app);
+const openers = part(async () => new (await import('./files/openers')).Openers(app, element('panels')));
+const teacher = part(async () => new (await import('./learn/teacher')).Teacher(app));
+const saving = part(() => import('./export/save'));
+const shareDialog = part(() => import('./panels/share_dialog'));
+const keySheet = part(() => import('./panels/key_sheet'));
+const embedding = part(() => import('./embed/embed'));
 const hints = embedded ? null : new Hints(app, element('panels'));
-let loadedOpeners: Promise<Openers> | null = null;
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
 // Before keys are listened to here: Escape lets go of the picture, whatever else it does.
-if (embedded) embed(element('view'), app, window.chebnet);
+if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(error));
 // Once the first net is there: until then the network is busy enough.
 else void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
 
@@ -77,6 +78,10 @@ addEventListener('drop', (event) => {
   event.preventDefault();
   attempt(() => openFile(event.dataTransfer?.files[0] ?? null));
 });
+
+async function embed(script: Scripting): Promise<void> {
+  (await embedding()).embed(element('view'), app, script);
+}
 
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -96,14 +101,15 @@ async function followLink(): Promise<void> {
 
 async function share(): Promise<void> {
   hints?.done('share');
-  const shared = app.share();
+  const { hashOf, linkAdvice } = await linking();
+  const shared = hashOf(app);
   const advice = linkAdvice(shared) ?? '';
   if (shared.hash === null) return app.say(advice);
   const link = linkOf(shared.hash);
-  const { ShareDialog } = await import('./panels/share_dialog');
+  const { ShareDialog } = await shareDialog();
   new ShareDialog(element('panels'), {
     linkWithin: (characters) => {
-      const short = app.share(characters - linkOf('').length);
+      const short = hashOf(app, characters - linkOf('').length);
       return short.hash === null ? null : { link: linkOf(short.hash), positions: short.positions };
     },
     embedded: linkOf(shared.hash, '?embed'),
@@ -122,9 +128,10 @@ async function copyLink(link: string, advice: string): Promise<string> {
   return words.link.inAddressBar(advice);
 }
 
-function saveAs(wish: SaveWish): Promise<void> {
+async function saveAs(wish: SaveWish): Promise<void> {
   hints?.done('share');
-  return save(wish, {
+  const { save } = await saving();
+  await save(wish, {
     app,
     theme: () => readTheme(document.body),
     spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),
@@ -159,12 +166,6 @@ async function openFile(file: File | null): Promise<void> {
   else await (await openers()).openFile(file);
 }
 
-/** Comes when it is first wanted. */
-function openers(): Promise<Openers> {
-  loadedOpeners ??= import('./files/openers').then((module) => new module.Openers(app, element('panels')));
-  return loadedOpeners;
-}
-
 function pressKey(event: KeyboardEvent): void {
   const command = commandOf(event);
   if (command === null) return;
@@ -172,7 +173,8 @@ function pressKey(event: KeyboardEvent): void {
   command(app, services);
 }
 
-function showKeys(): void {
+async function showKeys(): Promise<void> {
+  const { showKeySheet } = await keySheet();
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },

@@ -13,6 +13,7 @@
 import type { ChebnetError, Status } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app';
 import { type HandleData, LONGEST_NAME, type NetSource, type Vec3 } from './document/document';
+import { linking } from './projects/linking';
 
 export interface ScriptHandle {
   vertex: number;
@@ -116,7 +117,8 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     screenPosition: (vertex) => app.screenPosition(vertex),
     link: async () => {
       await ready;
-      const { hash } = app.share();
+      const { hashOf } = await linking();
+      const { hash } = hashOf(app);
       if (hash === null) throw failure('too_large', 'This net is too large for a link.');
       return new URL(hash, location.href).href;
     },

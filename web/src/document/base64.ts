@@ -1,11 +1,10 @@
 /** Bytes as base64 and back. */
-import { strFromU8, strToU8 } from 'fflate';
 
 export function toBase64(bytes: Uint8Array): string {
-  return btoa(strFromU8(bytes, true));
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }
 
 /** Throws if it is none. */
 export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
-  return strToU8(atob(text), true);
+  return Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
 }

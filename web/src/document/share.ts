@@ -8,6 +8,7 @@ import { fromBase64, toBase64 } from './base64';
 import { readNet, readState, readView, writeState, writeView } from './codec';
 import type { ChebnetDocument, Scene } from './document';
 import { Field } from './field';
+import { LinkError } from './link_error';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
 
@@ -20,16 +21,6 @@ export const HUGE_LINK = 8_000;
 export const LARGEST_LINK = 64_000;
 /** A link read may inflate to so many bytes, no more. */
 const LARGEST_CONTENT = 8_000_000;
-
-/** A hash that is no scene. `code`: "bad_link", damaged; "foreign_link", not ours or of another version. */
-export class LinkError extends Error {
-  constructor(
-    readonly code: 'bad_link' | 'foreign_link',
-    message: string,
-  ) {
-    super(message);
-  }
-}
 
 /** A hash, and whether it holds the positions; null: the net is too large for one. */
 export type Shared = { hash: string; positions: boolean } | { hash: null };

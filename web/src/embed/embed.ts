@@ -1,7 +1,8 @@
-/** The editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
+/** Comes when it is wanted: the editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
 import type { App } from '../app';
 import { words } from '../language/language';
 import { make, makeButton } from '../panels/dom';
+import { hashOf } from '../projects/link';
 import type { Scripting } from '../scripting';
 import { Host } from './host';
 import type { Answer, News } from './protocol';
@@ -35,7 +36,7 @@ function makeShield(view: HTMLElement): HTMLElement {
 /** Leads to the editor as a page of its own, with the scene as it is at that moment. */
 function makeWayOut(app: App): HTMLElement {
   const link = make('a', { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' }, words.embed.open);
-  link.addEventListener('click', () => (link.href = location.pathname + (app.share().hash ?? '')));
+  link.addEventListener('click', () => (link.href = location.pathname + (hashOf(app).hash ?? '')));
   return link;
 }
 

@@ -2,7 +2,7 @@
  *  `#experiment=NAME&variant=NUMBER`. They open unsolved, so that whoever looks can watch the solve. */
 import { DEFAULT_INITIALISATION, DEFAULT_VIEW } from '../document/defaults';
 import type { HandleSeed, NetSource, Scene, SolverSettings } from '../document/document';
-import { LinkError } from '../document/share';
+import { LinkError } from '../document/link_error';
 import { words } from '../language/language';
 import { EXPERIMENTS } from './list';
 

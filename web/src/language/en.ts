@@ -13,6 +13,7 @@ export const en = {
     over: 'Title, actions and legend',
     controls: 'Controls',
     language: 'Language',
+    partMissing: 'This part of the page could not be loaded; is there a network?',
   },
   intro: {
     drag: { before: 'Drag the ', sphere: 'orange sphere', after: '. Every edge keeps its length.' },

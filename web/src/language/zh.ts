@@ -14,6 +14,7 @@ export const zh: Words = {
     over: '标题、操作与图例',
     controls: '控制面板',
     language: '语言',
+    partMissing: '页面的这一部分无法加载，请检查网络。',
   },
   intro: {
     drag: { before: '拖动', sphere: '橙色小球', after: '，每条边的长度保持不变。' },

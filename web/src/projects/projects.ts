@@ -1,10 +1,7 @@
 /** What the page opens with, and projects: kept by the browser, saved as files, opened again. */
 import type { App } from '../app';
 import { defaultScene } from '../document/defaults';
-import type { Scene } from '../document/document';
 import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
-import { decodeScene } from '../document/share';
-import { experimentScene, isExperimentLink } from '../experiments/experiment';
 import { download } from '../files/download';
 import { baseNameOf } from '../export/kinds';
 import { FileError } from '../files/file_error';
@@ -13,6 +10,7 @@ import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
 import { findLast, findNewest, isOwn, newId } from './kept';
 import type { KeptProject } from './kept';
+import { linking } from './linking';
 import { clearMark, isMarked, setMark } from './mark';
 
 export class Projects {
@@ -135,6 +133,7 @@ export class Projects {
 
   async #openLink(hash: string): Promise<void> {
     const isFirst = this.#app.opening === null;
+    const { sceneOf } = await linking();
     await this.#app.openScene(sceneOf(hash), { name: ['link'], key: null });
     if (isFirst) this.#autosave.begin(newId(), false);
   }
@@ -176,10 +175,6 @@ export class Projects {
     if (!this.#saidNotKept) this.#app.say(words.projects.notKept);
     this.#saidNotKept = true;
   }
-}
-
-function sceneOf(hash: string): Scene {
-  return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
 }
 
 function checkSize(name: string, bytes: number): void {

@@ -1,9 +1,10 @@
 /** Arrows, rings and boxes along x, y, z at the selected handles: three's TransformControls, bound to this page's way of
- *  dragging. */
-import { Color, Matrix4, Mesh, Object3D, type PerspectiveCamera, SRGBColorSpace, type Vector2, Vector3 } from 'three';
-import { TransformControls, TransformControlsGizmo } from 'three/addons/controls/TransformControls.js';
+ *  dragging. They come when there is something to be moved by them. */
+import { Color, Group, Matrix4, Mesh, Object3D, type PerspectiveCamera, SRGBColorSpace, type Vector2, Vector3 } from 'three';
+import type { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { UpAxis } from '../document/document';
 import type { GizmoMode } from '../handles/wishes';
+import { part } from '../part';
 import type { Theme } from './theme';
 
 export interface GizmoEvents {
@@ -13,58 +14,96 @@ export interface GizmoEvents {
   end(): void;
   /** Something looks different. */
   changed(): void;
+  /** It could not come. */
+  failed(error: unknown): void;
 }
+
+const loadControls = part(() => import('three/addons/controls/TransformControls.js'));
 
 /** A fingertip needs more to take hold of. */
 const SIZE = matchMedia('(pointer: coarse)').matches ? 1 : 0.75;
 
 export class Gizmo {
   /** To be put into the scene. */
-  readonly objects: Object3D[];
-  private readonly controls: TransformControls;
+  readonly object = new Group();
   private readonly pivot = new Object3D();
   private readonly toStart = new Matrix4();
+  private controls: TransformControls | null = null;
+  private mode: GizmoMode = 'translate';
+  private colours: Color[] = [];
+  private enabled = true;
+  private point: Vector3 | null = null;
+  private disposed = false;
 
-  constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, events: GizmoEvents) {
-    this.controls = new TransformControls(camera, canvas);
-    // A handle itself drags in the view plane; squares for two axes at a time would only cover the net.
-    this.controls.showXY = this.controls.showYZ = this.controls.showXZ = false;
-    // Free turning follows no axis and ends nowhere in particular.
-    this.controls.showXYZE = false;
-    this.controls.size = SIZE;
-    for (const part of this.controls.getHelper().children) {
-      if (!(part instanceof TransformControlsGizmo)) continue;
-      for (const { translate, scale } of [part.gizmo, part.picker]) [translate, scale].forEach(dropBackwardArrows);
-    }
-    this.controls.addEventListener('change', () => events.changed());
-    this.controls.addEventListener('mouseDown', () => {
-      this.toStart.copy(this.pivotMatrix()).invert();
-      events.start();
-    });
-    this.controls.addEventListener('objectChange', () => events.move(this.pivotMatrix().clone().multiply(this.toStart)));
-    this.controls.addEventListener('mouseUp', () => events.end());
-    this.objects = [this.pivot, this.controls.getHelper()];
+  constructor(
+    private readonly camera: PerspectiveCamera,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly events: GizmoEvents,
+  ) {
+    this.object.add(this.pivot);
   }
 
   setMode(mode: GizmoMode): void {
-    this.controls.setMode(mode);
+    this.mode = mode;
+    this.controls?.setMode(mode);
   }
 
   /** Where it stands; null: nothing is selected that could move. */
   show(point: Vector3 | null): void {
-    if (!point) {
-      if (this.controls.object) this.controls.detach();
+    const isFirst = this.point === null && point !== null;
+    this.point = point;
+    if (this.controls) this.place(this.controls);
+    else if (isFirst) this.load().catch((error: unknown) => this.events.failed(error));
+  }
+
+  private async load(): Promise<void> {
+    const { TransformControls, TransformControlsGizmo } = await loadControls();
+    if (this.controls || this.disposed) return;
+    const controls = new TransformControls(this.camera, this.canvas);
+    // A handle itself drags in the view plane; squares for two axes at a time would only cover the net.
+    controls.showXY = controls.showYZ = controls.showXZ = false;
+    // Free turning follows no axis and ends nowhere in particular.
+    controls.showXYZE = false;
+    controls.size = SIZE;
+    for (const child of controls.getHelper().children) {
+      if (!(child instanceof TransformControlsGizmo)) continue;
+      for (const { translate, scale } of [child.gizmo, child.picker]) [translate, scale].forEach(dropBackwardArrows);
+    }
+    this.listen(controls);
+    this.object.add(controls.getHelper());
+    this.controls = controls;
+    this.setMode(this.mode);
+    this.setEnabled(this.enabled);
+    this.showColours();
+    this.place(controls);
+    this.events.changed();
+  }
+
+  private listen(controls: TransformControls): void {
+    controls.addEventListener('change', () => this.events.changed());
+    controls.addEventListener('mouseDown', () => {
+      this.toStart.copy(this.pivotMatrix()).invert();
+      this.events.start();
+    });
+    controls.addEventListener('objectChange', () => this.events.move(this.pivotMatrix().clone().multiply(this.toStart)));
+    controls.addEventListener('mouseUp', () => this.events.end());
+  }
+
+  private place(controls: TransformControls): void {
+    if (!this.point) {
+      if (controls.object) controls.detach();
       return;
     }
-    if (this.controls.dragging) return;
-    this.pivot.position.copy(point);
+    if (controls.dragging) return;
+    this.pivot.position.copy(this.point);
     this.pivot.quaternion.identity();
     this.pivot.scale.setScalar(1);
-    if (!this.controls.object) this.controls.attach(this.pivot);
+    if (!controls.object) controls.attach(this.pivot);
   }
 
   /** Whether a press at `pointer` (−1…1) takes a part of it. */
   takes(pointer: Vector2): boolean {
+    if (!this.controls) return false;
     this.controls.getHelper().updateMatrixWorld();
     // The types ask for a PointerEvent; what is read are these numbers.
     this.controls.pointerHover({ x: pointer.x, y: pointer.y, button: 0 } as PointerEvent);
@@ -75,25 +114,34 @@ export class Gizmo {
 
   /** Deaf while a handle itself is dragged. */
   setEnabled(enabled: boolean): void {
+    this.enabled = enabled;
+    if (!this.controls) return;
     this.controls.enabled = enabled;
     if (!enabled) this.controls.axis = null;
   }
 
   /** Lets go of it. */
   release(): void {
+    if (!this.controls) return;
     this.controls.dragging = false;
     this.controls.axis = null;
   }
 
   /** It has the colours of the net's axes, whichever of them is up. */
   setTheme({ axes, accent }: Theme, up: UpAxis): void {
-    const [x, y, z, active] = [...axes, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
-    if (up === 'z') this.controls.setColors(x!, y!, z!, active!);
-    else this.controls.setColors(x!, z!, y!, active!);
+    const [x, y, z] = up === 'z' ? axes : [axes[0], axes[2], axes[1]];
+    this.colours = [x, y, z, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
+    this.showColours();
   }
 
   dispose(): void {
-    this.controls.dispose();
+    this.disposed = true;
+    this.controls?.dispose();
+  }
+
+  private showColours(): void {
+    const [x, y, z, active] = this.colours;
+    this.controls?.setColors(x!, y!, z!, active!);
   }
 
   private pivotMatrix(): Matrix4 {

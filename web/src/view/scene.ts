@@ -109,9 +109,10 @@ class SceneView implements View {
       move: (motion) => this.carry(motion),
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
+      failed: (error) => events.failed(error),
     });
     for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet, this.reach]) this.scene.add(part.object);
-    this.scene.add(...this.gizmo.objects, this.rig.camera);
+    this.scene.add(this.gizmo.object, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
     this.theme = readTheme(container);

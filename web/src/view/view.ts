@@ -23,6 +23,8 @@ export interface ViewEvents {
   cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
   /** While it moves, but not by setCamera(). */
   cameraMoved(camera: { position: Vec3; target: Vec3 }): void;
+  /** Something could not be shown. */
+  failed(error: unknown): void;
 }
 
 const nothing = (): void => {};
@@ -35,6 +37,7 @@ export const LOOKING_ONLY: ViewEvents = {
   dragEnd: nothing,
   cameraChanged: nothing,
   cameraMoved: nothing,
+  failed: nothing,
 };
 
 /** What the view shows of a choice. */

@@ -1,0 +1,19 @@
+/** The net as a link, and a link as a net. Comes when there is a link to make or to read. */
+import type { App } from '../app';
+import type { Scene } from '../document/document';
+import { decodeScene, encodeScene } from '../document/share';
+import type { Shared } from '../document/share';
+import { experimentScene, isExperimentLink } from '../experiments/experiment';
+
+export { linkAdvice } from '../document/share';
+
+/** The present scene as the hash of a link of at most so many characters. */
+export function hashOf(app: App, largest?: number): Shared {
+  const present = app.toShare();
+  return present === null ? { hash: null } : encodeScene(present.document, present.net, present.threshold, largest);
+}
+
+/** The scene of a hash. Throws LinkError. */
+export function sceneOf(hash: string): Scene {
+  return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
+}
