@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "command.h"
+#include "io/number.h"
 #include "io/text.h"
 #include "net/error.h"
 #include "net_argument.h"

@@ -9,6 +9,7 @@
 #include "io/bytes.h"
 #include "io/file.h"
 #include "io/indexed_rows.h"
+#include "io/number.h"
 #include "io/ply_header.h"
 #include "io/text.h"
 #include "net/error.h"

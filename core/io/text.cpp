@@ -1,7 +1,5 @@
 #include "io/text.h"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,6 +8,8 @@
 #include <limits>
 #include <system_error>
 
+#include "io/number.h"
+
 namespace chebnet {
 
 namespace {
@@ -17,15 +17,6 @@ namespace {
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 }  // namespace
-
-std::optional<double> parse_number(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = fast_float::from_chars(text.data(), end, number);
-    if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
-    return number;
-}
 
 std::optional<std::int64_t> parse_count(std::string_view text) {
     std::int64_t count = 0;

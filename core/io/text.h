@@ -10,10 +10,6 @@
 
 namespace chebnet {
 
-/// The number that the whole of `text` spells, whatever the locale; nothing if it spells none. "nan", "inf" and numbers
-/// too large for a double are numbers here, but not finite ones.
-std::optional<double> parse_number(std::string_view text);
-
 /// The count, an integer ≥ 0, that the whole of `text` spells; one above 2⁶³ − 1 becomes 2⁶³ − 1. Nothing if it spells
 /// none.
 std::optional<std::int64_t> parse_count(std::string_view text);

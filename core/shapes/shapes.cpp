@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "io/number.h"
 #include "io/text.h"
 #include "net/error.h"
 #include "shapes/family.h"

@@ -1,13 +1,13 @@
 #include "solve/options.h"
 
-#include <fast_float/fast_float.h>
-
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "io/number.h"
 #include "net/error.h"
 
 namespace chebnet {
@@ -79,14 +79,11 @@ bool parse_flag(const OptionInfo& info, std::string_view value) {
     refuse(info, value);
 }
 
-double parse_number(const OptionInfo& info, std::string_view value) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const auto [stop, error] = fast_float::from_chars(value.data(), end, number);
-    const bool in_range = number >= info.smallest && number <= info.largest;  // false for NaN
-    const bool whole = info.kind != k_integer || number == std::floor(number);
-    if (error != std::errc() || stop != end || !in_range || !whole) refuse(info, value);
-    return number;
+double parse_value(const OptionInfo& info, std::string_view value) {
+    const std::optional<double> number = parse_number(value);
+    const bool in_range = number && *number >= info.smallest && *number <= info.largest;  // false for NaN
+    if (!in_range || (info.kind == k_integer && *number != std::floor(*number))) refuse(info, value);
+    return *number;
 }
 
 }  // namespace
@@ -96,9 +93,9 @@ void set_option(Options& options, std::string_view key, std::string_view value) 
     if (const auto* flag = std::get_if<bool Options::*>(&entry.member))
         options.** flag = parse_flag(entry.info, value);
     else if (const auto* integer = std::get_if<int Options::*>(&entry.member))
-        options.** integer = static_cast<int>(parse_number(entry.info, value));
+        options.** integer = static_cast<int>(parse_value(entry.info, value));
     else
-        options.*std::get<double Options::*>(entry.member) = parse_number(entry.info, value);
+        options.*std::get<double Options::*>(entry.member) = parse_value(entry.info, value);
 }
 
 double get_option(const Options& options, std::string_view key) {

@@ -33,6 +33,27 @@ test.each(first.shapes().map(({ name }) => name))('edits the %s as the whole cor
   expect(positions).toEqual(expected);
 });
 
+test.each(['300', '+300', '3e2', '.3E+3', '300.', '0300', '300.5', '3e999', '-300', '0x12c', '3_00', ' 300', '', '.', '+', '+-300', '3e', 'many'])(
+  'takes "%s" for the number that the whole core takes it for',
+  (text) => {
+    const [here, there] = [first, whole].map((core) => {
+      try {
+        const each = core.openRecipe(`dome:vertices=${text}`);
+        each.dispose();
+        return each.info.vertices;
+      } catch (error) {
+        return (error as Error).message;
+      }
+    });
+    expect(here).toBe(there);
+  },
+);
+
+test.each([0.1 + 0.2, 1 / 3, 5e-324, 1e-6, 12345.67890123456])('keeps every bit of the option %d', (value) => {
+  editor.setOption('switch_deviation', value);
+  expect(editor.options().switch_deviation).toBe(value);
+});
+
 test('knows the method it begins with, and refuses those left out without a change', () => {
   const has = ({ name }: { name: string }) => {
     const method = editor.method;
