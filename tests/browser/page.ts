@@ -40,12 +40,14 @@ const POLICY = [
 ].join('; ');
 
 /** Serves the built page below a folder, as any host of static files might. `root` may change. */
-async function serve(root: () => string): Promise<{ address: string; close(): void }> {
+async function serve(root: () => string): Promise<{ address: string; served: string[]; close(): void }> {
+  const served: string[] = [];
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
     const file = join(root(), path === '/' ? 'index.html' : path);
     readFile(file).then(
       (body) => {
+        served.push(file);
         const type = TYPES[extname(file)] ?? 'application/octet-stream';
         response.writeHead(200, { 'content-type': type, 'content-security-policy': POLICY }).end(body);
       },
@@ -56,6 +58,7 @@ async function serve(root: () => string): Promise<{ address: string; close(): vo
   const { port } = server.address() as AddressInfo;
   return {
     address: `http://127.0.0.1:${port}/some/folder/`,
+    served,
     close: () => {
       server.closeAllConnections();
       server.close();
@@ -131,7 +134,10 @@ export function visits(root = () => DIST) {
     return visit;
   }
 
-  return { browser: () => browser, address: () => site.address, open, arrive };
+  /** The files that visitors have got so far. */
+  const served = (): string[] => [...site.served];
+
+  return { browser: () => browser, address: () => site.address, served, open, arrive };
 }
 
 async function newVisit(browser: Browser, options: BrowserContextOptions): Promise<Visit> {

@@ -17,7 +17,7 @@ export class ConvergencePlot {
   private readonly record = new Convergence();
   private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label });
   private plot: uPlot | null = null;
-  /** A net has been shown. */
+  /** There has been something to plot. */
   private wanted = false;
   private curve: Curve = { x: [], y: [], marks: [] };
   private byTime = false;
@@ -71,7 +71,7 @@ export class ConvergencePlot {
   private draw(): void {
     this.stale = false;
     this.curve = this.record.curve(this.byTime);
-    this.wanted = true;
+    this.wanted ||= this.curve.x.length > 0;
     if (this.plot) this.plot.setData([this.curve.x, this.curve.y]);
     else this.fit();
   }
