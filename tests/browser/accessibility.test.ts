@@ -49,6 +49,7 @@ describe.each([
 
     const dialog = page.getByRole('dialog');
     await page.keyboard.press('?');
+    await dialog.waitFor();
     found.keys = await faults(page, page, 'dialog');
     await page.screenshot(picture('keys'));
     await dialog.getByRole('button', { name: 'Close' }).click();
