@@ -16,9 +16,9 @@ const SCRIPT = /^(FunctionCall|EvaluateScript|RunMicrotasks|HandlePostMessage|Mi
 
 const WEB = fileURLToPath(new URL('../../web/', import.meta.url));
 const { runnerImport } = await import(pathToFileURL(createRequire(`${WEB}package.json`).resolve('vite')).href);
-const { Script, launch, newPage, serve } = await importTyped('../browser/page.ts');
+const { DIST, launch, newVisit, serve } = await importTyped('../browser/site.ts');
 
-const [browser, site] = await Promise.all([launch(), serve()]);
+const [browser, site] = await Promise.all([launch(), serve(() => DIST)]);
 try {
   const given = process.argv.slice(2);
   const figures = [];
@@ -35,8 +35,7 @@ async function importTyped(path) {
 }
 
 async function measure(recipe) {
-  const { page, complaints, close } = await newPage(browser, { viewport });
-  const script = new Script(page);
+  const { page, script, complaints } = await newVisit(browser, { viewport });
   await page.goto(site.address);
   await script.waitForNet();
   await script.settled();
@@ -48,7 +47,7 @@ async function measure(recipe) {
   const drag = await traced(() => dragAround(script, vertex));
   const allocated = await allocations(page, () => dragAround(script, vertex));
   const hover = await traced(() => pointAround(page));
-  await close();
+  await page.context().close();
   return { recipe, opening: tasksOf(opening), drag: { ...framesOf(drag), ...allocated }, hover: tasksOf(hover), complaints };
 }
 
