@@ -5,7 +5,7 @@ import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, README_PICTURE, visits } from './page';
+import { MOVING, OUTPUT, README_PICTURE, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 
@@ -19,13 +19,13 @@ const { arrive } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await arrive('', MOVING);
   ({ script } = visit);
 });
 
 test('a visitor sees a net soon, with handles and a line that says what to do', async () => {
   const began = Date.now();
-  const fresh = await arrive();
+  const fresh = await arrive('', MOVING);
   const waited = Date.now() - began;
   console.log(`first net after ${waited} ms`);
   expect(waited).toBeLessThan(10_000); // about 1 s if the machine has nothing else to do

@@ -6,7 +6,7 @@ import { afterAll, afterEach, beforeAll, expect } from 'vitest';
 import { DIST, launch, newVisit, serve } from './site';
 import type { Visit } from './site';
 
-export { DIST, Script } from './site';
+export { DIST, MOVING, Script } from './site';
 export type { Visit } from './site';
 export const README_PICTURE = fileURLToPath(new URL('../../web/screenshot.png', import.meta.url));
 export const OUTPUT = fileURLToPath(new URL('../output', import.meta.url));

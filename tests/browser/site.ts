@@ -83,6 +83,9 @@ export function launch(): Promise<Browser> {
   });
 }
 
+/** As most visitors have it. */
+export const MOVING = { reducedMotion: 'no-preference' } as const;
+
 /** What the browser says about drawing in software, and playwright about what newVisit() asks of it. */
 const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/, /Service Worker registration blocked/];
 
@@ -99,7 +102,7 @@ export async function newVisit(browser: Browser, options: BrowserContextOptions)
     permissions: ['clipboard-read', 'clipboard-write'],
     // Downloading the page a second time would disturb what is measured.
     serviceWorkers: 'block',
-    // What moves is drawn in software, which takes longer than the tests themselves.
+    // What moves is drawn in software, which takes longer than the tests themselves. Some ask for it: see MOVING.
     reducedMotion: 'reduce',
     ...options,
   });

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy } from './geometry';
-import { OUTPUT, visits } from './page';
+import { MOVING, OUTPUT, visits } from './page';
 import { mainThreadTasks } from './tasks';
 
 const { arrive, browser } = visits();
@@ -14,7 +14,7 @@ function median(values: number[]): number {
 }
 
 test.each(['vault:vertices=4000', 'vault:vertices=15000'])('%s', async (recipe) => {
-  const { script } = await arrive();
+  const { script } = await arrive('', MOVING);
   const editor = (await load()).openRecipe(recipe);
   const dragged = editor.suggestedHandles.at(-1)!;
   editor.dispose();
