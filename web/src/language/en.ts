@@ -159,6 +159,7 @@ export const en = {
   plot: {
     label: 'Convergence: largest deviation dL against iterations',
     against: 'Max dL against',
+    empty: 'Drag a handle: the curve of each solve appears here.',
     iterations: 'Iterations',
     milliseconds: 'Milliseconds',
     stage: (stage: number) => `Stage ${stage}`,

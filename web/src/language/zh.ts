@@ -158,6 +158,7 @@ export const zh: Words = {
   plot: {
     label: '收敛曲线：最大偏差 dL 随迭代次数的变化',
     against: '最大 dL，横轴',
+    empty: '拖动手柄，每次求解的曲线就显示在这里。',
     iterations: '迭代次数',
     milliseconds: '毫秒',
     stage: (stage) => `阶段 ${stage}`,

@@ -15,7 +15,7 @@ const REST_MS = 1000;
 export class ConvergencePlot {
   readonly element = make('div', { class: 'plot' });
   private readonly record = new Convergence();
-  private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label });
+  private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label }, make('p', { class: 'unplotted' }, words.plot.empty));
   private plot: uPlot | null = null;
   /** There has been something to plot. */
   private wanted = false;
@@ -86,7 +86,9 @@ export class ConvergencePlot {
   private async begin(): Promise<void> {
     const Plot = await loadPlots();
     const width = this.host.clientWidth;
-    if (width > 0) this.plot ??= new Plot(this.options(width), [this.curve.x, this.curve.y], this.host);
+    if (width === 0 || this.plot) return;
+    this.host.replaceChildren();
+    this.plot = new Plot(this.options(width), [this.curve.x, this.curve.y], this.host);
   }
 
   private options(width: number): uPlot.Options {
