@@ -1,0 +1,118 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "edit/editor.h"
+
+/// What must hold of an Editor whatever is asked of it, judged from outside: from positions, handles and rest lengths
+/// alone, with none of the core's own measures. Each function returns a sentence for every invariant that is violated.
+namespace chebnet::invariants {
+
+using Violations = std::vector<std::string>;
+
+/// The largest dL over all edges in extended precision; infinity if an edge has no length or is not finite.
+inline double reckoned_deviation(const Net& net, const Positions& positions) {
+    long double largest = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const auto ends = net.edges().col(e);
+        const auto along = [&](int axis) {
+            return static_cast<long double>(positions(axis, ends[0])) - positions(axis, ends[1]);
+        };
+        const long double length = std::hypot(std::hypot(along(0), along(1)), along(2));
+        const long double ratio = length / net.rest_lengths()[e];
+        const long double dL = (ratio - 1) * (ratio - 1) / ratio;
+        if (!std::isfinite(dL)) return std::numeric_limits<double>::infinity();
+        largest = std::max(largest, dL);
+    }
+    return static_cast<double>(largest);
+}
+
+/// Of the state: positions are finite, exact handles stand exactly at their targets.
+inline Violations of_state(const Editor& editor) {
+    Violations violations;
+    const Positions& positions = editor.positions();
+    for (int v = 0; v < positions.cols(); ++v)
+        if (!positions.col(v).allFinite()) {
+            violations.push_back("vertex " + std::to_string(v) + " is not finite");
+            break;
+        }
+    for (const Handle& handle : editor.handles())
+        if (handle.is_exact() && positions.col(handle.vertex) != handle.target)
+            violations.push_back("handle " + std::to_string(handle.vertex) + " is not at its target");
+    if (editor.handle_error() != 0) violations.push_back("the editor itself finds handles off their targets");
+    return violations;
+}
+
+/// Of what one call of solve() did with `budget` from the positions `before`, beyond the invariants of the state.
+inline Violations of_solve(const Editor& editor, const SolveReport& report, const Budget& budget,
+                           const Positions& before) {
+    Violations violations = of_state(editor);
+    const auto require = [&violations](bool holds, const char* otherwise) {
+        if (!holds) violations.push_back(otherwise);
+    };
+    const double reckoned = reckoned_deviation(editor.net(), editor.positions());
+    // Lengths in double precision are known to some 1e-16 of themselves, so that a dL above 1e-30 keeps three digits
+    // down to 1e-24, the smallest threshold.
+    const auto at_most = [](double a, double b) { return a <= b || a - b <= 1e-3 * b + 1e-27; };
+    require(report.status != Status::converged || at_most(reckoned, editor.options().threshold),
+            "a solve that has not converged says that it has");
+    require(at_most(reckoned, report.max_deviation) && at_most(report.max_deviation, reckoned),
+            "the largest dL reported is not that of the positions");
+
+    require(report.iterations <= std::max(1, budget.iterations), "more iterations were made than the budget allows");
+    require(report.iterations <= editor.options().max_iterations, "more iterations were made than a solve may have");
+    require(report.trace.size() == static_cast<std::size_t>(report.iterations), "the trace misses iterations");
+    require(report.status != Status::running || report.iterations >= budget.iterations ||
+                report.milliseconds >= budget.milliseconds,
+            "the solve was interrupted within its budget");
+
+    if (editor.region())
+        require(std::all_of(editor.region()->outside.begin(), editor.region()->outside.end(),
+                            [&](int v) { return editor.positions().col(v) == before.col(v); }),
+                "a vertex moved outside the region that may move");
+    return violations;
+}
+
+/// All that an editor shows of its state, to find out whether a call that was refused has changed any of it.
+struct Snapshot {
+    Positions positions;
+    std::vector<Handle> handles;
+    std::vector<double> options;
+    std::string method, initialisation;
+    std::vector<int> fixed;  ///< the vertices outside the region that may move
+
+    explicit Snapshot(const Editor& editor)
+        : positions(editor.positions()),
+          handles(editor.handles()),
+          method(editor.method()),
+          initialisation(editor.initialisation()) {
+        for (const OptionInfo& info : option_table()) options.push_back(get_option(editor.options(), info.name));
+        if (editor.region()) fixed = editor.region()->outside;
+    }
+};
+
+inline Violations of_refused_call(const Snapshot& before, const Snapshot& after) {
+    Violations violations;
+    const auto require_same = [&violations](bool same, const char* what) {
+        if (!same) violations.push_back("a call that was refused has changed the " + std::string(what));
+    };
+    const auto same_handle = [](const Handle& a, const Handle& b) {
+        return a.vertex == b.vertex && a.target == b.target && a.weight == b.weight;
+    };
+    require_same(before.positions == after.positions, "positions");
+    require_same(std::equal(before.handles.begin(), before.handles.end(), after.handles.begin(), after.handles.end(),
+                            same_handle),
+                 "handles");
+    require_same(before.options == after.options, "options");
+    require_same(before.method == after.method, "method");
+    require_same(before.initialisation == after.initialisation, "initialisation");
+    require_same(before.fixed == after.fixed, "region");
+    return violations;
+}
+
+}  // namespace chebnet::invariants
