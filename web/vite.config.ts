@@ -1,4 +1,5 @@
 import { defineConfig } from 'vite';
+import { entriesAlone } from './entries_alone.ts';
 import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
 import { rhino3dmWithoutEval } from './rhino3dm_without_eval.ts';
@@ -11,7 +12,7 @@ export default defineConfig({
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   // Its main file is no module.
   resolve: { alias: [{ find: /^rhino3dm$/, replacement: 'rhino3dm/rhino3dm.module.js' }] },
-  worker: { format: 'es', plugins: () => [rhino3dmWithoutEval()] },
+  worker: { format: 'es', plugins: () => [rhino3dmWithoutEval(), entriesAlone()] },
   // three.js alone is above the usual limit, and the page shows nothing without it.
   build: {
     target: 'es2022',
