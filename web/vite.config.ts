@@ -1,18 +1,21 @@
 import { defineConfig } from 'vite';
 import { entriesAlone } from './entries_alone.ts';
+import { licences } from './licences.ts';
 import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
 import { rhino3dmWithoutEval } from './rhino3dm_without_eval.ts';
 
+const licenceTexts = licences();
+
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
   base: './',
-  plugins: [leanThree(), plasma(), offline()],
+  plugins: [leanThree(), plasma(), licenceTexts.page, offline()],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   // Its main file is no module.
   resolve: { alias: [{ find: /^rhino3dm$/, replacement: 'rhino3dm/rhino3dm.module.js' }] },
-  worker: { format: 'es', plugins: () => [rhino3dmWithoutEval(), entriesAlone()] },
+  worker: { format: 'es', plugins: () => [rhino3dmWithoutEval(), entriesAlone(), licenceTexts.worker] },
   // three.js alone is above the usual limit, and the page shows nothing without it.
   build: {
     target: 'es2022',

@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 const tests = (folder: string, timeout: number) => ({
   extends: './vite.config.ts',
   // The tests lie outside this folder; their packages come from it all the same.
-  resolve: { dedupe: ['fflate', 'playwright-core', 'rhino3dm', 'three'] },
+  resolve: { dedupe: ['fflate', 'playwright-core', 'rhino3dm', 'three', 'vite'] },
   test: {
     name: folder,
     dir: `../tests/${folder}`,

@@ -53,6 +53,17 @@ test('after one visit it opens without a network, and a net can be dragged', asy
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
 });
 
+test('whose work it contains can be read without a network', async () => {
+  const { page } = visit;
+  await page.context().setOffline(true);
+  await page.getByText('Learn', { exact: true }).click();
+  const opened = page.waitForEvent('popup');
+  await page.getByRole('link', { name: /licence/ }).click();
+  const text = (await opened).locator('body');
+  await text.getByText('Jean-loup Gailly').waitFor();
+  expect(await text.innerText()).toContain('© 2010');
+});
+
 test('another version takes over when the visitor wants it', async () => {
   const { page, script } = visit;
   const first = await scriptOf(page);

@@ -357,6 +357,7 @@ export const en = {
   },
   learn: {
     title: 'Learn',
+    licences: 'chebnet is free software: its licence, and those of what it contains',
     showMe: 'Show me',
     noHandle: 'Make a vertex a handle first: click it.',
     stagesDone: 'All stages are done: every edge has its length again, and the usual method is back.',

@@ -348,6 +348,7 @@ export const zh: Words = {
   },
   learn: {
     title: '学习',
+    licences: 'chebnet 是自由软件：它的许可证，以及其中所含软件的许可证',
     showMe: '演示',
     noHandle: '请先点击一个顶点，使它成为手柄。',
     stagesDone: '所有阶段都已完成：每条边又恢复了自己的长度，并已换回平常的方法。',

@@ -32,6 +32,7 @@ export class LearnPanel {
       lesson('deviation'),
       lesson('energy', this.graph.element, this.now),
       lesson('stages', make('ol', {}, ...this.stages)),
+      make('p', { class: 'quiet' }, make('a', { href: './licences.txt', target: '_blank', rel: 'noopener' }, TEXT.licences)),
     );
     this.element.addEventListener('toggle', () => {
       if (this.element.open) this.element.scrollIntoView({ block: 'start' });
