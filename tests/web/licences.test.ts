@@ -1,5 +1,6 @@
 /** The page says whose work it contains: each library in its scripts and modules, with its licence. */
 import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Rolldown } from 'vite';
 import { build } from 'vite';
@@ -68,4 +69,10 @@ test('each library that the modules are compiled with has its licence in the fil
 test('whoever passes Eigen on says where its source is', () => {
   expect(licenceOf('Eigen')).toContain('Mozilla Public License');
   expect(licenceOf('Eigen')).toMatch(/source is unmodified .* https:\/\//);
+});
+
+test('the list of dependencies marks the packages that the page contains', () => {
+  const marked = [...readFileSync(`${ROOT}DEPENDENCIES.md`, 'utf8').matchAll(/^\| (\S+) \| (\S+) \| \* /gm)].map(([, name, version]) => `${name} ${version}`);
+  const contained = [...licences.matchAll(/^=+\n(\S+ [\d.]+) \(.*\)\n=+$/gm)].map(([, title]) => title);
+  expect(marked.filter((each) => contained.includes(each)).sort()).toEqual(contained);
 });
