@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 const tests = (folder: string, timeout: number) => ({
   extends: './vite.config.ts',
   // The tests lie outside this folder; their packages come from it all the same.
-  resolve: { dedupe: ['fflate', 'playwright-core', 'rhino3dm', 'three', 'vite'] },
+  resolve: { dedupe: ['fflate', 'playwright-core', 'puppeteer-core', 'rhino3dm', 'three', 'vite'] },
   test: {
     name: folder,
     dir: `../tests/${folder}`,
@@ -16,8 +16,14 @@ const tests = (folder: string, timeout: number) => ({
   },
 });
 
+/** The same tests in another browser. */
+function engine(name: 'chromium' | 'firefox' | 'webkit') {
+  const project = tests('engines', 120_000);
+  return { ...project, test: { ...project.test, name: `engines ${name}`, env: { CHEBNET_ENGINE: name } } };
+}
+
 export default defineConfig({
   test: {
-    projects: [tests('wasm', 120_000), tests('web', 20_000), tests('browser', 120_000)],
+    projects: [tests('wasm', 120_000), tests('web', 20_000), tests('browser', 120_000), engine('chromium'), engine('firefox'), engine('webkit')],
   },
 });

@@ -1,0 +1,36 @@
+/** Chromium, by playwright-core. */
+import { join } from 'node:path';
+import { launch, newVisit } from '../browser/site';
+import type { Driver, Engine } from './driver';
+import { newFolder } from './temporary';
+
+export async function startChromium(): Promise<Engine> {
+  const browser = await launch();
+
+  async function newWindow(): Promise<Driver> {
+    const { page, complaints } = await newVisit(browser, { serviceWorkers: 'allow' });
+    const downloads = newFolder();
+    page.on('download', (download) => void download.saveAs(join(downloads.path, download.suggestedFilename())).catch(() => {}));
+    return {
+      goto: async (url) => void (await page.goto(url)),
+      reload: async () => void (await page.reload()),
+      evaluate: (expression) => page.evaluate(expression),
+      movePointer: (x, y) => page.mouse.move(x, y),
+      pressButton: () => page.mouse.down(),
+      releaseButton: () => page.mouse.up(),
+      turnWheel: (dy) => page.mouse.wheel(0, dy),
+      pressKey: (key) => page.keyboard.down(key),
+      releaseKey: (key) => page.keyboard.up(key),
+      resize: (width, height) => page.setViewportSize({ width, height }),
+      screenshot: () => page.screenshot(),
+      downloads: downloads.path,
+      complaints: async () => complaints,
+      close: async () => {
+        await page.context().close();
+        downloads.remove();
+      },
+    };
+  }
+
+  return { name: 'chromium', newWindow, close: () => browser.close() };
+}

@@ -1,0 +1,48 @@
+/** A visitor edits a net, in each engine: by real pointer and key events. */
+import { beforeEach, expect, test } from 'vitest';
+import { distance, largestDeviation, largestError } from '../browser/geometry';
+import { load } from '../wasm/load';
+import type { Visitor } from './visitor';
+import { visitors } from './visitor';
+
+const SHAPE = 'vault:vertices=600';
+
+const chebnet = await load();
+const reference = chebnet.openRecipe(SHAPE);
+const { edges, restPositions, suggestedHandles } = reference;
+const { meanLength } = reference.info;
+const dragged = suggestedHandles.at(-1)!;
+const placeIn = (positions: Float64Array) => positions.subarray(3 * dragged, 3 * dragged + 3);
+
+const { arrive } = visitors();
+let visitor: Visitor;
+beforeEach(async () => {
+  visitor = await arrive();
+});
+
+test('the first net can be dragged', async () => {
+  const [before, vertex] = [await visitor.positions(), (await visitor.handles()).at(-1)!];
+  await visitor.picture('first');
+  await visitor.drag(vertex, [-60, -40]);
+  const after = await visitor.positions();
+  expect(distance(after.subarray(3 * vertex, 3 * vertex + 3), before.subarray(3 * vertex, 3 * vertex + 3))).toBeGreaterThan(0);
+  expect(await visitor.stats()).toMatchObject({ status: 'converged', method: 'projection' });
+  await visitor.picture('dragged');
+});
+
+test('a drag keeps every length; Escape cancels it, undo takes it back, redo repeats it', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  expect(largestError(await visitor.positions(), restPositions)).toBeLessThan(1e-9);
+  await visitor.drag(dragged, [-70, -50], () => visitor.press('Escape'));
+  expect(distance(placeIn(await visitor.positions()), placeIn(restPositions))).toBeLessThan(1e-9);
+
+  await visitor.drag(dragged, [-70, -50]);
+  const after = await visitor.positions();
+  expect(distance(placeIn(after), placeIn(restPositions))).toBeGreaterThan(meanLength);
+  expect(largestDeviation(after, edges, meanLength)).toBeLessThan(1.001e-6);
+
+  await visitor.press('Control+z');
+  await expect.poll(async () => largestError(await visitor.positions(), restPositions)).toBeLessThan(1e-6 * meanLength);
+  await visitor.press('Control+Shift+z');
+  await expect.poll(async () => largestError(await visitor.positions(), after)).toBeLessThan(1e-6 * meanLength);
+});

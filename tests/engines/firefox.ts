@@ -1,0 +1,73 @@
+/** Firefox, by puppeteer-core and WebDriver BiDi. */
+import { existsSync } from 'node:fs';
+import puppeteer from 'puppeteer-core';
+import type { ConsoleMessage, KeyInput, Page } from 'puppeteer-core';
+import type { Driver, Engine } from './driver';
+import { newFolder, startDisplay } from './temporary';
+
+const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
+
+/** What Firefox says about drawing in software. */
+const EXPECTED = [/WebGL warning/, /GPU stall/];
+
+export async function startFirefox(): Promise<Engine> {
+  const executablePath = [process.env['FIREFOX'] ?? '', ...PROGRAMS].find(existsSync);
+  if (executablePath === undefined) throw new Error('no Firefox: install it or set FIREFOX to its path');
+  const display = await startDisplay();
+  const downloads = newFolder();
+  const browser = await puppeteer.launch({
+    browser: 'firefox',
+    executablePath,
+    headless: false,
+    env: { ...process.env, DISPLAY: display.name },
+    extraPrefsFirefox: {
+      'webgl.force-enabled': true,
+      'ui.prefersReducedMotion': 1,
+      'browser.download.dir': downloads.path,
+      'browser.download.folderList': 2,
+      'browser.download.alwaysOpenPanel': false,
+    },
+  });
+
+  async function newWindow(): Promise<Driver> {
+    const context = await browser.createBrowserContext();
+    const page = await context.newPage();
+    await page.setViewport({ width: 1280, height: 800 });
+    const complaints = complaintsOf(page);
+    return {
+      goto: async (url) => void (await page.goto(url)),
+      reload: async () => void (await page.reload()),
+      evaluate: (expression) => page.evaluate(expression),
+      movePointer: (x, y) => page.mouse.move(x, y),
+      pressButton: () => page.mouse.down(),
+      releaseButton: () => page.mouse.up(),
+      turnWheel: (deltaY) => page.mouse.wheel({ deltaY }),
+      pressKey: (key) => page.keyboard.down(key as KeyInput),
+      releaseKey: (key) => page.keyboard.up(key as KeyInput),
+      resize: (width, height) => page.setViewport({ width, height }),
+      screenshot: async () => Buffer.from(await page.screenshot()),
+      downloads: downloads.path,
+      complaints: async () => complaints,
+      close: () => context.close(),
+    };
+  }
+
+  async function close(): Promise<void> {
+    await browser.close();
+    await display.stop();
+    downloads.remove();
+  }
+
+  return { name: 'firefox', newWindow, close };
+}
+
+function complaintsOf(page: Page): string[] {
+  const complaints: string[] = [];
+  page.on('console', (message: ConsoleMessage) => {
+    const serious = ['error', 'warn', 'assert'].includes(message.type());
+    if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)));
+  page.on('requestfailed', (request) => complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
+  return complaints;
+}

@@ -1,0 +1,219 @@
+/** Somebody who visits the page in a window of any engine. */
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, afterEach, beforeAll, expect, vi } from 'vitest';
+import type { Scripting, Stats } from '../../web/src/scripting';
+import { DIST, serve } from '../browser/site';
+import type { Driver, Engine } from './driver';
+import { ENGINE, startEngine } from './engines';
+
+const OUTPUT = fileURLToPath(new URL('../output', import.meta.url));
+mkdirSync(OUTPUT, { recursive: true });
+
+/** What a busy machine may take, ms. */
+const PATIENCE = { timeout: 30_000, interval: 50 };
+
+type Point = readonly [x: number, y: number];
+
+/** For one file of tests: an engine and the site while they run. After each test its windows close, and no page in them
+ *  may have complained. */
+export function visitors(root = () => DIST) {
+  let engine: Engine;
+  let site: Awaited<ReturnType<typeof serve>>;
+  const present: Visitor[] = [];
+
+  beforeAll(async () => {
+    [engine, site] = await Promise.all([startEngine(), serve(root)]);
+  });
+  afterEach(async () => {
+    const gone = present.splice(0);
+    const complaints = await Promise.all(gone.map(({ driver }) => driver.complaints()));
+    await Promise.all(gone.map(({ driver }) => driver.close()));
+    expect(complaints.flat()).toEqual([]);
+  });
+  afterAll(async () => {
+    await engine.close();
+    site.close();
+  });
+
+  /** Opens any page of the site. */
+  async function open(link: string): Promise<Visitor> {
+    const visitor = new Visitor(await engine.newWindow());
+    present.push(visitor);
+    await visitor.driver.goto(new URL(link, site.address).href);
+    return visitor;
+  }
+
+  /** Opens the page, or a link into it, and waits for the net. */
+  async function arrive(link = ''): Promise<Visitor> {
+    const visitor = await open(link);
+    await visitor.waitForNet();
+    return visitor;
+  }
+
+  return { open, arrive, address: () => site.address, closeSite: () => site.close() };
+}
+
+export class Visitor {
+  constructor(readonly driver: Driver) {}
+
+  /** Runs a function in the page; it may use nothing from around it, and take and give plain data only. */
+  async run<Given extends unknown[], Result>(code: (...given: Given) => Result | Promise<Result>, ...given: Given): Promise<Result> {
+    return (await this.driver.evaluate(`(${code})(...${JSON.stringify(given)})`)) as Result;
+  }
+
+  // ------------------------------------------------------------------------------------------------- window.chebnet
+
+  async waitForNet(): Promise<void> {
+    await vi.waitUntil(() => this.run(() => window.chebnet !== undefined && window.chebnet.stats().vertices > 0), PATIENCE);
+    await this.settled();
+  }
+
+  settled(): Promise<void> {
+    return this.run(() => window.chebnet.settled());
+  }
+
+  async openNet(net: Parameters<Scripting['open']>[0]): Promise<void> {
+    await this.run((each) => window.chebnet.open(each), net);
+    await this.settled();
+  }
+
+  stats(): Promise<Stats> {
+    return this.run(() => window.chebnet.stats());
+  }
+
+  async positions(): Promise<Float64Array> {
+    return Float64Array.from(await this.run(() => Array.from(window.chebnet.positions())));
+  }
+
+  /** The vertices of the handles, in their order. */
+  handles(): Promise<number[]> {
+    return this.run(() => window.chebnet.handles().map(({ vertex }) => vertex));
+  }
+
+  // --------------------------------------------------------------------------------------------- pointer and keyboard
+
+  async click(x: number, y: number): Promise<void> {
+    await this.driver.movePointer(x, y);
+    await this.driver.pressButton();
+    await this.driver.releaseButton();
+  }
+
+  /** Drags the handle at a vertex across the screen and waits for the net. */
+  async drag(vertex: number, [dx, dy]: Point, atEnd?: () => Promise<void>): Promise<void> {
+    const { x, y } = await this.run((v) => window.chebnet.screenPosition(v), vertex);
+    const steps = 5;
+    await this.driver.movePointer(x, y);
+    await this.driver.pressButton();
+    for (let i = 1; i <= steps; ++i) await this.driver.movePointer(x + (dx * i) / steps, y + (dy * i) / steps);
+    await atEnd?.();
+    await this.driver.releaseButton();
+    await this.settled();
+  }
+
+  /** Keys held together, e.g. `Control+z`. */
+  async press(chord: string): Promise<void> {
+    const keys = chord.split('+');
+    for (const key of keys) await this.driver.pressKey(key);
+    for (const key of keys.reverse()) await this.driver.releaseKey(key);
+  }
+
+  /** Clicks what is called so, once it is there and at rest: a button, a link, the summary of a section, a field. */
+  async clickOn(name: string): Promise<void> {
+    const [x, y] = await this.#placeOf(name);
+    await this.click(x, y);
+  }
+
+  async #placeOf(name: string): Promise<Point> {
+    let before = '';
+    const place = await vi.waitUntil(async () => {
+      const now = await this.run(placeOf, name);
+      const atRest = now !== null && String(now) === before;
+      before = String(now);
+      return atRest ? now : null;
+    }, PATIENCE);
+    return place;
+  }
+
+  /** Chooses from a list. No engine lets a driver into the list itself. */
+  choose(label: string, value: string): Promise<void> {
+    return this.run(
+      (name, wanted) => {
+        const lists = [...document.querySelectorAll('select')];
+        const list = lists.find((each) => (each.ariaLabel ?? each.labels[0]?.textContent ?? '').trim().startsWith(name))!;
+        list.value = wanted;
+        list.dispatchEvent(new Event('input', { bubbles: true }));
+        list.dispatchEvent(new Event('change', { bubbles: true }));
+      },
+      label,
+      value,
+    );
+  }
+
+  // ----------------------------------------------------------------------------------------------------- what is seen
+
+  /** The text of what is seen, once it contains this. */
+  async read(expected: string | RegExp, selector = 'body'): Promise<string> {
+    let text = '';
+    const holds = () => (typeof expected === 'string' ? text.includes(expected) : expected.test(text));
+    const look = async () => {
+      text = await this.run((each) => [...document.querySelectorAll<HTMLElement>(each)].map(({ innerText }) => innerText).join('\n'), selector);
+      return holds();
+    };
+    await vi.waitUntil(look, PATIENCE).catch(() => expect(text).toMatch(expected));
+    return text;
+  }
+
+  async picture(name: string): Promise<void> {
+    writeFileSync(join(OUTPUT, `${ENGINE}-${name}.png`), await this.driver.screenshot());
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ files
+
+  /** Drops a file on the picture. */
+  dropFile(name: string, content: Uint8Array | string): Promise<void> {
+    return this.run(
+      (fileName, base64) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], fileName));
+        document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+      },
+      name,
+      Buffer.from(content).toString('base64'),
+    );
+  }
+
+  /** What the page saves while something is done to it. */
+  async saved(doing: () => Promise<void>): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
+    const folder = this.driver.downloads;
+    await doing();
+    let before = -1;
+    const name = await vi.waitUntil(() => {
+      // While a file is written it has another name, or is beside one that has; and it grows.
+      const files = readdirSync(folder);
+      const [file] = files;
+      const size = files.length === 1 && !/\.(part|wkdownload)$/.test(file!) ? readFileSync(join(folder, file!)).length : -1;
+      const whole = size > 0 && size === before;
+      before = size;
+      return whole ? file : undefined;
+    }, PATIENCE);
+    const bytes = Uint8Array.from(readFileSync(join(folder, name)));
+    rmSync(join(folder, name));
+    return { name, bytes };
+  }
+}
+
+/** Runs in the page: the middle of what is called so and can be clicked, scrolled into sight; null while it is not there. */
+function placeOf(name: string): [number, number] | null {
+  const clickable = 'button, a[href], summary, input, label, [role=button], [role=menuitem]';
+  const nameOf = (element: Element) => (element.ariaLabel ?? element.textContent ?? '').trim().replace(/\s+/g, ' ');
+  const elements = [...document.querySelectorAll<HTMLButtonElement>(clickable)];
+  const found = elements.filter((element) => element.checkVisibility() && element.disabled !== true && nameOf(element) === name);
+  // What opened last lies on top.
+  const element = found.at(-1);
+  if (element === undefined) return null;
+  element.scrollIntoView({ block: 'nearest', behavior: 'instant' });
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return [left + width / 2, top + height / 2];
+}
