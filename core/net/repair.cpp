@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -47,7 +48,7 @@ double mean_edge_length(const Mesh& mesh) {
     for (int f = 0; f < mesh.faces.size(); ++f)
         for (std::size_t k = 0; k < mesh.faces[f].size(); ++k) {
             const auto [a, b] = side_of(mesh.faces[f], k);
-            sum += (mesh.positions.col(a) - mesh.positions.col(b)).norm();
+            sum += (mesh.positions.col(a) - mesh.positions.col(b)).stableNorm();
             ++count;
         }
     if (!std::isfinite(sum)) throw Error(ErrorCode::non_finite, "the edges are too long to be measured");
@@ -61,43 +62,46 @@ class PointGrid {
 public:
     PointGrid(const Positions& positions, double radius) : m_positions(positions), m_radius(radius) {}
 
-    void add(int vertex) { m_vertices.emplace(key_of(cube_of(m_positions.col(vertex))), vertex); }
+    void add(int vertex) {
+        const auto slice = [&](int axis) { return slice_of(m_positions(axis, vertex)); };
+        m_vertices.emplace(key_of(slice(0), slice(1), slice(2)), vertex);
+    }
 
     /// The least of the vertices added so far that lie within the radius of `point`; nothing if there is none.
     std::optional<int> first_near(const Eigen::Vector3d& point) const {
         std::optional<int> first;
-        for (const Cube& cube : cubes_near(point)) {
-            const auto [begin, end] = m_vertices.equal_range(key_of(cube));
-            for (auto entry = begin; entry != end; ++entry)
-                if ((m_positions.col(entry->second) - point).norm() <= m_radius)
-                    first = std::min(first.value_or(entry->second), entry->second);
-        }
+        const auto xs = slices_near(point.x()), ys = slices_near(point.y()), zs = slices_near(point.z());
+        for (const double x : xs)
+            for (const double y : ys)
+                for (const double z : zs) {
+                    const auto [begin, end] = m_vertices.equal_range(key_of(x, y, z));
+                    for (auto entry = begin; entry != end; ++entry)
+                        if ((m_positions.col(entry->second) - point).stableNorm() <= m_radius)
+                            first = std::min(first.value_or(entry->second), entry->second);
+                }
         return first;
     }
 
 private:
-    // Whole numbers, kept as doubles because they may be larger than any integer.
-    using Cube = Eigen::Vector3d;
+    /// The slice of space in which a coordinate lies, by its number along the axis. Where doubles are farther apart
+    /// than the radius each is a slice of its own: numbers of slices would overflow there, and all that is far fall
+    /// into one.
+    double slice_of(double coordinate) const {
+        const double slice = std::floor(coordinate / (4 * m_radius));
+        return std::abs(slice) < 0x1p53 ? slice : coordinate;
+    }
 
-    Cube cube_of(const Eigen::Vector3d& point) const { return (point / (4 * m_radius)).array().floor(); }
-
-    /// Cubes are wider than twice the radius: a ball reaches into two at most along each axis.
-    std::vector<Cube> cubes_near(const Eigen::Vector3d& point) const {
-        const Cube low = cube_of(point.array() - m_radius), high = cube_of(point.array() + m_radius);
-        std::vector<Cube> cubes{low};
-        for (int axis = 0; axis < 3; ++axis)
-            for (std::size_t k = 0, count = cubes.size(); high[axis] != low[axis] && k < count; ++k) {
-                cubes.push_back(cubes[k]);
-                cubes.back()[axis] = high[axis];
-            }
-        return cubes;
+    /// Slices are wider than twice the radius: a ball reaches into two at most.
+    std::vector<double> slices_near(double coordinate) const {
+        const double low = slice_of(coordinate - m_radius), high = slice_of(coordinate + m_radius);
+        return low == high ? std::vector{low} : std::vector{low, high};
     }
 
     /// Two cubes of one key do no harm: distances are measured anyway.
-    static std::uint64_t key_of(const Cube& cube) {
+    static std::uint64_t key_of(double x, double y, double z) {
         std::uint64_t key = 0;
-        for (const double coordinate : cube) {
-            key = (key ^ std::hash<double>()(coordinate)) * 0x9E3779B97F4A7C15u;
+        for (const double slice : {x, y, z}) {
+            key = (key ^ std::hash<double>()(slice)) * 0x9E3779B97F4A7C15u;
             key ^= key >> 32;
         }
         return key;
@@ -412,7 +416,10 @@ std::string to_sentence(const Finding& finding) {
 
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance) {
     check(mesh, merge_tolerance);
-    const double merge_radius = merge_tolerance * mean_edge_length(mesh);
+    const double mean = mean_edge_length(mesh);
+    // What coincides is merged even where the product is too small for a number.
+    const double merge_radius =
+        mean > 0 ? std::max(merge_tolerance * mean, std::numeric_limits<double>::denorm_min()) : 0;
     return Repairer(std::move(mesh), chosen).run(merge_radius);
 }
 

@@ -50,9 +50,9 @@ inline constexpr double k_merge_tolerance = 1e-4;
 
 /// Looks for every defect in turn and repairs those of the `chosen` kinds; each is looked for in the mesh as the
 /// repairs before it have left it. With all chosen, a Net refuses the result only if no face, or no edge with a length,
-/// is left. A vertex is a duplicate if an earlier one that stays lies within `merge_tolerance` (> 0) times the mean
-/// edge length. Throws Error index_out_of_range (a face names no vertex), non_finite (a coordinate, or an edge too long
-/// to be measured), bad_option (merge_tolerance).
+/// is left, or for its scale. A vertex is a duplicate if an earlier one that stays lies within `merge_tolerance` (> 0)
+/// times the mean edge length. Throws Error index_out_of_range (a face names no vertex), non_finite (a coordinate, or
+/// an edge too long to be measured), bad_option (merge_tolerance).
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance = k_merge_tolerance);
 
 }  // namespace chebnet

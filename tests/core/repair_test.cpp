@@ -114,6 +114,30 @@ TEST_CASE("A million vertices at one place are merged in no time") {
     CHECK(repair(std::move(mesh), k_all_defects).mesh.positions.cols() == 3);
 }
 
+TEST_CASE("Vertices that coincide are merged at any scale") {
+    const double scale = GENERATE(1e-320, 1e-300, 1e-170, 1.0, 1e170, 1e300);
+    CAPTURE(scale);
+    Mesh mesh = exploded(strip(5));
+    mesh.positions *= scale;
+    CHECK(repair(mesh, k_all_defects).mesh.positions.cols() == 12);
+}
+
+TEST_CASE("A tolerance may be so small that its square is no number") {
+    const Mesh mesh = with_vertex(strip(1), 0, 0, 1e-200);
+    CHECK(repair(mesh, k_all_defects, 1e-199).findings.front().defect == Defect::duplicate_vertices);
+    CHECK(repair(mesh, k_all_defects, 1e-201).findings.front().defect == Defect::unused_vertices);
+}
+
+TEST_CASE("Many vertices are merged in no time, also far beyond the net") {
+    const int count = GENERATE(80'000, 200'000);
+    const double distance = GENERATE(0.0, 1.0, 1e300);
+    CAPTURE(count, distance);
+    Mesh mesh{distance * Positions::Random(3, count), {}};
+    mesh.positions.leftCols(3) = 1e-20 * Eigen::Matrix3d::Identity();
+    mesh.faces.add({0, 1, 2});
+    CHECK(repair(std::move(mesh), k_all_defects).mesh.positions.cols() == 3);
+}
+
 TEST_CASE("A quad with two corners at one place becomes a triangle") {
     Mesh mesh = strip(2);
     mesh.positions.col(5) = mesh.positions.col(4);
@@ -193,7 +217,7 @@ TEST_CASE("A mesh that no repair helps is refused") {
     CHECK(samples::refusal_of([] { repair(with_vertex(strip(1), 0, std::nan(""), 0), {}); }) ==
           "non_finite vertex 4 has a coordinate that is not finite");
     Mesh far = strip(1);
-    far.positions *= 1e300;
+    far.positions *= 1e308;
     CHECK(samples::refusal_of([&] { repair(far, {}); }) == "non_finite the edges are too long to be measured");
 }
 
