@@ -207,7 +207,7 @@ export interface Editor {
   /** What it was given, as long as it holds; null: everything may move. */
   locality(): { radius: number; origins: number[] } | null;
   /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
-   *  balls. None for a soft handle. */
+   *  balls. A handle that has another on a shortest path to this one has no ball: it allows no less. None for a soft handle. */
   reach(vertex: number): Ball[];
   /** Length of the shortest path along edges from each vertex to the nearest of the `origins`; Infinity where there is none. */
   distances(origins: readonly number[]): Float64Array;
@@ -229,7 +229,7 @@ export interface Editor {
   smallestAngle(): number;
   /** Largest distance of an exact handle from its target: 0 by construction. */
   handleError(): number;
-  /** Pairs of handles that no net can hold, worst first. */
+  /** Pairs of handles that no net can hold, worst first, without those that have a third handle on a shortest path. */
   unreachablePairs(): UnreachablePair[];
 
   /** The present positions as OBJ text; 17 digits return every coordinate exactly. */

@@ -51,6 +51,7 @@ Editor::Editor(Net net)
     : m_net(std::make_unique<const Net>(std::move(net))),
       m_topology(std::make_unique<const Topology>(*m_net)),
       m_positions(m_net->rest_positions()),
+      m_handle_at(static_cast<std::size_t>(m_net->vertex_count()), -1),
       m_method_name(k_default_method),
       m_method(make_method(k_default_method)) {}
 
@@ -61,10 +62,12 @@ void Editor::set_handles(std::vector<Handle> handles) {
         return a.vertex == b.vertex && a.is_exact() == b.is_exact();
     };
     const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_kind);
+    for (const Handle& handle : m_handles) m_handle_at[handle.vertex] = -1;
     m_handles = std::move(handles);
+    for (std::size_t i = 0; i < m_handles.size(); ++i) m_handle_at[m_handles[i].vertex] = static_cast<int>(i);
     if (!same_set) {
         m_prepared = false;
-        m_handle_distances.clear();
+        m_handle_graph.reset();
     }
     leave_region();
     snap_handles();
@@ -76,14 +79,13 @@ void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     Handle& handle = m_handles[place_of_handle(vertex)];
     if (m_region && m_region->is_outside(vertex)) leave_region();
     handle.target = target;
-    snap_handles();
+    if (handle.is_exact()) m_positions.col(vertex) = target;
     restart();
 }
 
 const Handle* Editor::find_handle(int vertex) const {
-    for (const Handle& handle : m_handles)
-        if (handle.vertex == vertex) return &handle;
-    return nullptr;
+    if (vertex < 0 || vertex >= m_net->vertex_count() || m_handle_at[vertex] < 0) return nullptr;
+    return &m_handles[m_handle_at[vertex]];
 }
 
 std::size_t Editor::place_of_handle(int vertex) const {
@@ -173,11 +175,12 @@ void Editor::collect_holds() {
             const Handle* handle = find_handle(hold.vertex);
             if (handle == nullptr || !handle->is_exact()) m_holds.push_back(hold);
         }
+    const auto of_region = static_cast<std::ptrdiff_t>(m_holds.size());  // ascending by vertex
     for (const Handle& handle : m_handles) {
         if (handle.is_exact() || (m_region && m_region->is_outside(handle.vertex))) continue;
-        const auto other = std::find_if(m_holds.begin(), m_holds.end(),
-                                        [&](const Hold& hold) { return hold.vertex == handle.vertex; });
-        if (other == m_holds.end()) {
+        const auto other = std::lower_bound(m_holds.begin(), m_holds.begin() + of_region, handle.vertex,
+                                            [](const Hold& hold, int vertex) { return hold.vertex < vertex; });
+        if (other == m_holds.begin() + of_region || other->vertex != handle.vertex) {
             m_holds.push_back({handle.vertex, handle.target, handle.weight});
             continue;
         }
@@ -230,23 +233,21 @@ SolveReport Editor::solve(const Budget& budget) {
     return report;
 }
 
-void Editor::measure_handle_distances() const {
-    if (!m_handle_distances.empty() || m_handles.empty()) return;
-    for (const Handle& from : m_handles) {
-        const std::vector<double> distances = m_topology->distances_from(from.vertex);
-        std::vector<double>& row = m_handle_distances.emplace_back();
-        for (const Handle& to : m_handles) row.push_back(distances[to.vertex]);
-    }
+const HandleGraph& Editor::handle_graph() const {
+    if (m_handle_graph) return *m_handle_graph;
+    std::vector<int> vertices;
+    for (const Handle& handle : m_handles) vertices.push_back(handle.is_exact() ? handle.vertex : -1);
+    return m_handle_graph.emplace(*m_net, *m_topology, vertices);
 }
 
 std::vector<UnreachablePair> Editor::unreachable_pairs() const {
-    measure_handle_distances();
+    const HandleGraph& graph = handle_graph();
     std::vector<UnreachablePair> pairs;
-    for (std::size_t i = 0; i < m_handles.size(); ++i)
-        for (std::size_t j = i + 1; j < m_handles.size(); ++j) {
+    for (int i = 0; i < graph.size(); ++i)
+        for (const auto& [j, reach] : graph.neighbours(i)) {
+            if (j < i) continue;
             const Handle &a = m_handles[i], &b = m_handles[j];
-            if (!a.is_exact() || !b.is_exact()) continue;
-            const UnreachablePair pair{a.vertex, b.vertex, (a.target - b.target).norm(), m_handle_distances[i][j]};
+            const UnreachablePair pair{a.vertex, b.vertex, (a.target - b.target).norm(), reach};
             if (is_out_of_reach(pair)) pairs.push_back(pair);
         }
     if (m_region) add_worst_of_border(pairs);
@@ -282,13 +283,9 @@ bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
 std::vector<Ball> Editor::reach(int vertex) const {
     const std::size_t place = place_of_handle(vertex);
     if (!m_handles[place].is_exact()) return {};
-    measure_handle_distances();
     std::vector<Ball> balls;
-    for (std::size_t i = 0; i < m_handles.size(); ++i) {
-        const double radius = m_handle_distances[place][i];
-        if (i != place && m_handles[i].is_exact() && std::isfinite(radius))
-            balls.push_back({m_handles[i].vertex, m_handles[i].target, radius});
-    }
+    for (const auto& [other, radius] : handle_graph().neighbours(static_cast<int>(place)))
+        balls.push_back({m_handles[other].vertex, m_handles[other].target, radius});
     if (m_region)
         for (const auto& [held, origin, distance] : m_region->border)
             if (origin == vertex) balls.push_back({held, m_positions.col(held), distance});
@@ -296,14 +293,8 @@ std::vector<Ball> Editor::reach(int vertex) const {
 }
 
 std::vector<double> Editor::distances_from(std::span<const int> origins) const {
-    std::vector<double> nearest(static_cast<std::size_t>(m_net->vertex_count()),
-                                std::numeric_limits<double>::infinity());
-    for (int origin : origins) {
-        check_vertex(*m_net, origin, "the origin of distances");
-        const std::vector<double> distance = m_topology->distances_from(origin);
-        for (std::size_t v = 0; v < nearest.size(); ++v) nearest[v] = std::min(nearest[v], distance[v]);
-    }
-    return nearest;
+    for (int origin : origins) check_vertex(*m_net, origin, "the origin of distances");
+    return m_topology->distances_from(origins);
 }
 
 bool Editor::are_joined(int a, int b) const {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "edit/handle_graph.h"
 #include "edit/locality.h"
 #include "net/net.h"
 #include "net/topology.h"
@@ -104,14 +105,19 @@ public:
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
-    /// the region that may move which holds one back most. Necessary, not sufficient, for no net to exist. Two handles
-    /// joined by an edge whose targets are not exactly its length apart count too.
+    /// the region that may move which holds one back most. Sufficient, not necessary, for no net to exist. Two handles
+    /// joined by an edge whose targets are not exactly its length apart count too. A pair with another exact handle on
+    /// a shortest path between the two is left out: it never is the worst (see HandleGraph).
     std::vector<UnreachablePair> unreachable_pairs() const;
     /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls,
-    /// one for each other exact handle and for each vertex of the border of the region that may move (see Region) to
-    /// which this handle is the nearest origin, as wide as the net between them is long. None for a soft handle. Throws
-    /// Error index_out_of_range.
+    /// one for each other exact handle with no third one on a shortest path from there, which imply the balls of all
+    /// others unless those are out of reach of each other, and one for each vertex of the border of the region that may
+    /// move (see Region) to which this handle is the nearest origin; as wide as the net between them is long. None for
+    /// a soft handle. Throws Error index_out_of_range.
     std::vector<Ball> reach(int vertex) const;
+    /// Which exact handles bound each other directly: places in handles(), where soft ones have no neighbours. Made
+    /// when needed, once for a set of handles.
+    const HandleGraph& handle_graph() const;
     /// V, length of the shortest path along edges to the nearest of the `origins`; infinity where there is none. Throws
     /// Error index_out_of_range.
     std::vector<double> distances_from(std::span<const int> origins) const;
@@ -128,7 +134,6 @@ private:
     void collect_holds();
     void prepare();
     Status begin_solve();
-    void measure_handle_distances() const;
     bool are_joined(int a, int b) const;
     bool is_out_of_reach(const UnreachablePair& pair) const;
     void add_worst_of_border(std::vector<UnreachablePair>& pairs) const;
@@ -138,9 +143,10 @@ private:
     std::unique_ptr<const Topology> m_topology;
     Positions m_positions;
     std::vector<Handle> m_handles;
-    mutable std::vector<std::vector<double>> m_handle_distances;  // handles × handles along the net, made when needed
-    std::optional<Region> m_region;                               // none: everything may move
-    std::vector<Hold> m_holds;  // of soft handles and of the region, for the solve under way
+    std::vector<int> m_handle_at;  // V, the place of the handle that holds a vertex, −1 where there is none
+    mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
+    std::optional<Region> m_region;                     // none: everything may move
+    std::vector<Hold> m_holds;                          // of soft handles and of the region, for the solve under way
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;

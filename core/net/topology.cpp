@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 namespace chebnet {
 
@@ -43,8 +44,9 @@ std::span<const int> Topology::incident_edges(int vertex) const {
 
 std::vector<std::vector<int>> Topology::boundary_loops() const {
     std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
+    std::vector<int> next(m_start.begin(), m_start.end() - 1);  // slots before it need no second look
     const auto next_slot = [&](int vertex) {
-        for (int slot = m_start[vertex]; slot < m_start[vertex + 1]; ++slot) {
+        for (int& slot = next[vertex]; slot < m_start[vertex + 1]; ++slot) {
             const int e = m_incident_edges[slot];
             if (m_net.edge_face_counts()[e] == 1 && !walked[e]) return slot;
         }
@@ -159,50 +161,67 @@ std::map<int, int> Topology::singular_vertices() const {
     return counts;
 }
 
-std::vector<double> Topology::distances_from(int source) const {
-    const bool equal_lengths = m_net.rest_lengths().minCoeff() == m_net.rest_lengths().maxCoeff();
-    return equal_lengths ? distances_by_steps(source) : distances_by_length(source);
+std::vector<double> Topology::distances_from(std::span<const int> sources) const {
+    const std::vector<NearestSource> nearest = nearest_sources(sources);
+    std::vector<double> distances(nearest.size());
+    std::transform(nearest.begin(), nearest.end(), distances.begin(),
+                   [](const NearestSource& n) { return n.distance; });
+    return distances;
 }
 
-/// Breadth first.
-std::vector<double> Topology::distances_by_steps(int source) const {
+std::vector<NearestSource> Topology::nearest_sources(std::span<const int> sources) const {
+    const bool equal_lengths = m_net.rest_lengths().minCoeff() == m_net.rest_lengths().maxCoeff();
+    return equal_lengths ? nearest_by_steps(sources) : nearest_by_length(sources);
+}
+
+/// Breadth first. In every layer what belongs to an earlier source comes first.
+std::vector<NearestSource> Topology::nearest_by_steps(std::span<const int> sources) const {
     const double L = m_net.rest_lengths()[0];
-    std::vector<double> distance(static_cast<std::size_t>(m_net.vertex_count()),
-                                 std::numeric_limits<double>::infinity());
-    std::vector<int> reached{source};
-    reached.reserve(distance.size());
-    distance[source] = 0;
-    for (std::size_t i = 0; i < reached.size(); ++i)
-        for (int n : neighbours(reached[i])) {
-            if (distance[n] < std::numeric_limits<double>::infinity()) continue;
-            distance[n] = distance[reached[i]] + L;
-            reached.push_back(n);
-        }
-    return distance;
+    std::vector<NearestSource> nearest(static_cast<std::size_t>(m_net.vertex_count()));
+    std::vector<int> reached;
+    reached.reserve(nearest.size());
+    const auto reach = [&](int v, const NearestSource& from) {
+        if (nearest[v].source >= 0) return;
+        nearest[v] = from;
+        reached.push_back(v);
+    };
+    for (int source : sources) reach(source, {source, 0});
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const auto [source, distance] = nearest[reached[i]];
+        for (int n : neighbours(reached[i])) reach(n, {source, distance + L});
+    }
+    return nearest;
 }
 
 /// Dijkstra 1959.
-std::vector<double> Topology::distances_by_length(int source) const {
-    std::vector<double> distance(static_cast<std::size_t>(m_net.vertex_count()),
-                                 std::numeric_limits<double>::infinity());
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    distance[source] = 0;
-    queue.emplace(0.0, source);
+std::vector<NearestSource> Topology::nearest_by_length(std::span<const int> sources) const {
+    std::vector<NearestSource> nearest(static_cast<std::size_t>(m_net.vertex_count()));
+    struct Way {
+        double distance;
+        int place;  // of its source
+        int vertex;
+        bool operator>(const Way& other) const {
+            return std::tie(distance, place, vertex) > std::tie(other.distance, other.place, other.vertex);
+        }
+    };
+    std::priority_queue<Way, std::vector<Way>, std::greater<>> queue;
+    for (int place = 0; place < static_cast<int>(sources.size()); ++place) queue.push({0, place, sources[place]});
+    std::vector<bool> settled(nearest.size(), false);
     while (!queue.empty()) {
-        const auto [d, v] = queue.top();
+        const auto [distance, place, v] = queue.top();
         queue.pop();
-        if (d > distance[v]) continue;  // an older, longer way to v
+        if (settled[v]) continue;
+        settled[v] = true;
+        nearest[v] = {sources[place], distance};
         for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot) {
             const int n = m_neighbours[slot];
-            const double along = d + m_net.rest_lengths()[m_incident_edges[slot]];
-            if (along < distance[n]) {
-                distance[n] = along;
-                queue.emplace(along, n);
-            }
+            const double along = distance + m_net.rest_lengths()[m_incident_edges[slot]];
+            if (settled[n] || along > nearest[n].distance) continue;
+            nearest[n].distance = along;
+            queue.push({along, place, n});
         }
     }
-    return distance;
+    return nearest;
 }
 
 }  // namespace chebnet

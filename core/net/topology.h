@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -7,6 +8,12 @@
 #include "net/net.h"
 
 namespace chebnet {
+
+/// Which of some vertices is nearest, and the length of the shortest path along edges to it, by rest lengths.
+struct NearestSource {
+    int source = -1;  ///< −1: no path leads there
+    double distance = std::numeric_limits<double>::infinity();
+};
 
 /// Incidence of a net, built once in O(E): who is next to whom, what is boundary, how far along the net.
 /// Keeps a reference to the net, which must outlive it.
@@ -39,13 +46,17 @@ public:
 
     /// V, length of the shortest path along edges from `source`, by rest lengths; infinity where there is none. No net
     /// can hold two vertices farther apart than this.
-    std::vector<double> distances_from(int source) const;
+    std::vector<double> distances_from(int source) const { return distances_from(std::span(&source, 1)); }
+    /// To the nearest of the `sources`.
+    std::vector<double> distances_from(std::span<const int> sources) const;
+    /// V, the nearest of the `sources` along edges, the first of equally near ones. One search, however many they are.
+    std::vector<NearestSource> nearest_sources(std::span<const int> sources) const;
 
 private:
     int slot_of(int vertex, int neighbour) const;
     std::vector<int> slots_across() const;
-    std::vector<double> distances_by_steps(int source) const;
-    std::vector<double> distances_by_length(int source) const;
+    std::vector<NearestSource> nearest_by_steps(std::span<const int> sources) const;
+    std::vector<NearestSource> nearest_by_length(std::span<const int> sources) const;
 
     const Net& m_net;
     std::vector<int> m_start;  // V + 1; the slots of vertex v, one for each edge, are m_start[v] … m_start[v + 1] − 1

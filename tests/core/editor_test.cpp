@@ -110,12 +110,13 @@ TEST_CASE("Handles out of reach are named, the net stays finite, and dragging ba
     const double distance = GENERATE(20.0, 200.0);
     editor.move_handle(71, rest + distance * Eigen::Vector3d::UnitX());
     const auto pairs = editor.unreachable_pairs();
-    REQUIRE(pairs.size() == 3);
+    // The handles at the other two corners; the fourth lies behind each of them.
+    REQUIRE(pairs.size() == 2);
     for (const UnreachablePair& pair : pairs) {
         CHECK(pair.vertex_b == 71);
         CHECK(pair.distance > pair.reach);
     }
-    CHECK(pairs[0].distance / pairs[0].reach >= pairs[2].distance / pairs[2].reach);
+    CHECK(pairs[0].distance / pairs[0].reach >= pairs[1].distance / pairs[1].reach);
     CHECK(pairs.front().reach == Approx(editor.topology().distances_from(71)[pairs.front().vertex_a]));
 
     CHECK(editor.solve().status == Status::unreachable);

@@ -8,15 +8,16 @@
 
 using namespace chebnet;
 
-TEST_CASE("The reach of a handle has a ball for each other exact handle that the net joins it to") {
+TEST_CASE("The reach of a handle has a ball for each other exact handle, but for those with one in between") {
     Editor editor(samples::patch(9, 8));
-    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 8, 63, 71});
+    std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {20, 8, 63, 71, 0});
     handles[1].weight = 2;
     editor.set_handles(handles);
     const std::vector<Ball> balls = editor.reach(71);
     REQUIRE(balls.size() == 2);
+    CHECK(balls[0].vertex == 20);
     CHECK(balls[0].centre == handles[0].target);
-    CHECK(balls[0].radius == Approx(15));
+    CHECK(balls[0].radius == Approx(11));
     CHECK(balls[1].centre == handles[2].target);
     CHECK(balls[1].radius == Approx(8));
     CHECK_THROWS_AS(editor.reach(5), Error);

@@ -1,0 +1,185 @@
+#include "edit/handle_graph.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace chebnet {
+
+namespace {
+
+// Paths whose lengths differ by less than this part are equally long. A tie that is missed only adds a pair.
+constexpr double k_rounding = 1e-12;
+
+struct Way {
+    double distance;
+    int vertex;
+    bool operator>(const Way& other) const { return distance > other.distance; }
+};
+
+/// For edges of one length: ways come in the order of their distance.
+class FirstFirst {
+public:
+    void clear() { m_ways.clear(), m_next = 0; }
+    bool empty() const { return m_next == m_ways.size(); }
+    void push(const Way& way) { m_ways.push_back(way); }
+    Way pop() { return m_ways[m_next++]; }
+
+private:
+    std::vector<Way> m_ways;
+    std::size_t m_next = 0;
+};
+
+class NearestFirst {
+public:
+    void clear() { m_ways.clear(); }
+    bool empty() const { return m_ways.empty(); }
+    void push(const Way& way) {
+        m_ways.push_back(way);
+        std::push_heap(m_ways.begin(), m_ways.end(), std::greater<>());
+    }
+    Way pop() {
+        std::pop_heap(m_ways.begin(), m_ways.end(), std::greater<>());
+        const Way way = m_ways.back();
+        m_ways.pop_back();
+        return way;
+    }
+
+private:
+    std::vector<Way> m_ways;
+};
+
+struct Found {
+    int from, to;  // handles, from < to
+    double distance;
+};
+
+/// Shortest paths from one handle after the other, each search as far as paths without a handle in between lead.
+template <typename Queue>
+class Search {
+public:
+    Search(const Net& net, const Topology& topology, std::span<const int> vertices)
+        : m_net(net),
+          m_topology(topology),
+          m_vertices(vertices),
+          m_handle_at(static_cast<std::size_t>(net.vertex_count()), -1),
+          m_labels(static_cast<std::size_t>(net.vertex_count())) {
+        for (int i = 0; i < static_cast<int>(vertices.size()); ++i)
+            if (vertices[i] >= 0) m_handle_at[vertices[i]] = i;
+    }
+
+    std::vector<Found> all_pairs() {
+        for (int i = 0; i < static_cast<int>(m_vertices.size()); ++i)
+            if (m_vertices[i] >= 0) search(i);
+        return std::move(m_found);
+    }
+
+private:
+    /// What the search under way knows of a vertex.
+    struct Label {
+        int search = -1;  // the one that wrote it
+        bool settled = false;
+        bool covered = false;  // a handle lies on a shortest path to it
+        double distance = 0;
+    };
+
+    void search(int from) {
+        const int source = m_vertices[from];
+        int steps_left = HandleGraph::k_most_steps / static_cast<int>(m_vertices.size());
+        int finds_left = HandleGraph::k_most_neighbours / static_cast<int>(m_vertices.size());
+        m_from = from;
+        m_open = 0;
+        m_queue.clear();
+        add_joined();
+        reach(source, 0, false);
+        while (!m_queue.empty()) {
+            const auto [distance, v] = m_queue.pop();
+            Label& label = m_labels[v];
+            if (label.settled) continue;
+            label.settled = true;
+            if (!label.covered) --m_open;
+            const bool is_other = m_handle_at[v] >= 0 && v != source;
+            if (is_other && !label.covered) {
+                if (finds_left-- == 0) return;
+                add(v, distance);
+            }
+            const bool covers = label.covered || is_other;
+            if (covers && m_open == 0) return;  // beyond what is in the queue now, all is covered
+            const std::span<const int> neighbours = m_topology.neighbours(v), edges = m_topology.incident_edges(v);
+            for (std::size_t k = 0; k < neighbours.size(); ++k) {
+                if (steps_left-- == 0) return;
+                reach(neighbours[k], distance + m_net.rest_lengths()[edges[k]], covers);
+            }
+        }
+    }
+
+    void reach(int v, double distance, bool covered) {
+        Label& label = m_labels[v];
+        if (label.search != m_from) {
+            label = {m_from, false, covered, distance};
+            if (!covered) ++m_open;
+            m_queue.push({distance, v});
+            return;
+        }
+        if (label.settled || distance > (1 + k_rounding) * label.distance) return;
+        const bool is_shorter = distance < (1 - k_rounding) * label.distance;
+        const bool now_covered = covered || (label.covered && !is_shorter);
+        m_open += static_cast<int>(label.covered) - static_cast<int>(now_covered);
+        label.covered = now_covered;
+        if (distance >= label.distance) return;
+        label.distance = distance;
+        m_queue.push({distance, v});
+    }
+
+    void add_joined() {
+        const int source = m_vertices[m_from];
+        const std::span<const int> neighbours = m_topology.neighbours(source);
+        const std::span<const int> edges = m_topology.incident_edges(source);
+        for (std::size_t k = 0; k < neighbours.size(); ++k)
+            if (const int to = m_handle_at[neighbours[k]]; to > m_from)
+                m_found.push_back({m_from, to, m_net.rest_lengths()[edges[k]]});
+    }
+
+    void add(int vertex, double distance) {
+        const int to = m_handle_at[vertex];
+        const std::span<const int> joined = m_topology.neighbours(m_vertices[m_from]);
+        if (to > m_from && !std::binary_search(joined.begin(), joined.end(), vertex))
+            m_found.push_back({m_from, to, distance});
+    }
+
+    const Net& m_net;
+    const Topology& m_topology;
+    const std::span<const int> m_vertices;
+    std::vector<int> m_handle_at;  // V, −1 where there is none
+    std::vector<Label> m_labels;   // V
+    Queue m_queue;
+    int m_from = 0;
+    int m_open = 0;  // vertices in the queue that are not covered
+    std::vector<Found> m_found;
+};
+
+std::vector<Found> find_pairs(const Net& net, const Topology& topology, std::span<const int> vertices) {
+    if (net.rest_lengths().minCoeff() == net.rest_lengths().maxCoeff())
+        return Search<FirstFirst>(net, topology, vertices).all_pairs();
+    return Search<NearestFirst>(net, topology, vertices).all_pairs();
+}
+
+}  // namespace
+
+HandleGraph::HandleGraph(const Net& net, const Topology& topology, std::span<const int> vertices)
+    : m_start(vertices.size() + 1, 0) {
+    const std::vector<Found> pairs = find_pairs(net, topology, vertices);
+    for (const auto& [from, to, distance] : pairs) ++m_start[from + 1], ++m_start[to + 1];
+    for (std::size_t i = 1; i < m_start.size(); ++i) m_start[i] += m_start[i - 1];
+    m_neighbours.resize(m_start.back());
+    std::vector<std::size_t> next(m_start.begin(), m_start.end() - 1);
+    for (const auto& [from, to, distance] : pairs) {
+        m_neighbours[next[from]++] = {to, distance};
+        m_neighbours[next[to]++] = {from, distance};
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        std::sort(m_neighbours.begin() + static_cast<std::ptrdiff_t>(m_start[i]),
+                  m_neighbours.begin() + static_cast<std::ptrdiff_t>(m_start[i + 1]),
+                  [](const Neighbour& a, const Neighbour& b) { return a.handle < b.handle; });
+}
+
+}  // namespace chebnet
