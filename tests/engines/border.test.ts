@@ -1,0 +1,119 @@
+/** Every call of WebAssembly that can fail, failing: its exception comes out as an Error with a code, in each engine. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { beforeEach, expect, test } from 'vitest';
+import type { Chebnet, ChebnetError, Mesh } from '../../wasm/chebnet';
+import type { Visitor } from './visitor';
+import { visitors } from './visitor';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+
+/** What C++ gives to JavaScript and nothing makes fail. */
+const SAFE = [
+  ...['shapes', 'methods', 'initialisations', 'defaultOptions', 'defects'],
+  ...['info', 'edges', 'faceStart', 'faceVertices', 'restPositions', 'restLengths', 'netLines', 'boundaryLoops', 'suggestedHandles'],
+  ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
+  ...['solve', 'reset', 'positions', 'deviations', 'cornerAngles', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
+];
+
+const { open } = visitors(() => ROOT);
+let visitor: Visitor;
+beforeEach(async () => {
+  visitor = await open('web/public/favicon.svg');
+});
+
+/** How often each call fails: engines compile what runs often, and what they compile may behave otherwise. */
+const TIMES = 60;
+
+declare global {
+  interface Window {
+    core: Chebnet;
+  }
+}
+
+/** Runs in the page: makes the calls of `window.core` fail, in turns; gives the codes of each, and whether the core still
+ *  works. */
+function fail(calls: readonly string[], times: number): { codes: Record<string, string[]>; status: string } {
+  const { core } = window;
+  const whole = calls.includes('readMesh');
+  const editor = core.openRecipe('vault:vertices=300');
+  const broken: Mesh = { positions: new Float64Array(9), faceStart: Int32Array.of(0, 3), faceVertices: Int32Array.of(0, 1, 7) };
+  const attempts: Record<string, () => unknown> = {
+    openRecipe: () => core.openRecipe('nonsense'),
+    openObj: () => core.openObj('v 0 0 0\nf 1 2 3\n'),
+    openMesh: () => core.openMesh(broken),
+    setMethod: () => editor.setMethod(whole ? 'nonsense' : 'li2022'),
+    setInitialisation: () => editor.setInitialisation('nonsense'),
+    setOption: () => editor.setOption('nonsense', 1),
+    setHandles: () => editor.setHandles([{ vertex: 999_999, target: [0, 0, 0] }]),
+    setLocality: () => editor.setLocality(1, [999_999]),
+    reach: () => editor.reach(999_999),
+    distances: () => editor.distances([999_999]),
+    moveHandle: () => editor.moveHandle(999_999, [0, 0, 0]),
+    setPositions: () => editor.setPositions(new Float64Array(3 * editor.info.vertices).fill(NaN)),
+    toObj: () => editor.toObj(),
+    toFile: () => editor.toFile(whole ? ('nonsense' as 'obj') : 'obj'),
+    readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
+    repairMesh: () => core.repairMesh(broken),
+    equalizer: () => core.equalizer(broken),
+  };
+  const codes: Record<string, string[]> = {};
+  for (let i = 0; i < times; ++i) {
+    for (const name of calls) {
+      let code = 'returned';
+      try {
+        attempts[name]!();
+      } catch (error) {
+        code = String((error as Partial<ChebnetError>).code ?? error);
+      }
+      codes[name] = [...new Set([...(codes[name] ?? []), code])];
+    }
+  }
+  const [vertex = 0] = editor.suggestedHandles;
+  const [x = 0, y = 0, z = 0] = editor.restPositions.subarray(3 * vertex, 3 * vertex + 3);
+  editor.setHandles([{ vertex, target: [x + 1, y, z] }]);
+  return { codes, status: editor.solve().status };
+}
+
+/** What both modules refuse. */
+const CODES = {
+  openRecipe: ['bad_option'],
+  openMesh: ['index_out_of_range'],
+  setInitialisation: ['bad_option'],
+  setOption: ['bad_option'],
+  setHandles: ['index_out_of_range'],
+  setLocality: ['index_out_of_range'],
+  reach: ['index_out_of_range'],
+  distances: ['index_out_of_range'],
+  moveHandle: ['index_out_of_range'],
+  setPositions: ['non_finite'],
+};
+const LEFT_OUT = { openObj: ['left_out'], setMethod: ['left_out'], toObj: ['left_out'], toFile: ['left_out'] };
+const WHOLE = {
+  openObj: ['index_out_of_range'],
+  setMethod: ['bad_option'],
+  toFile: ['bad_option'],
+  readMesh: ['bad_syntax'],
+  repairMesh: ['index_out_of_range'],
+  equalizer: ['index_out_of_range'],
+};
+
+test.each([
+  ['the core for a first net', 'editors.js', 'loadEditors', 'chebnet_editor.wasm', { ...CODES, ...LEFT_OUT }],
+  ['the whole core', 'chebnet.js', 'loadChebnet', 'chebnet_core.wasm', { ...CODES, ...WHOLE }],
+])('what %s refuses comes as an Error with a code, every time', async (_, script, load, module, expected) => {
+  const wasmUrl = `/some/folder/build/wasm/${module}`;
+  await visitor.driver.evaluate(
+    `import('/some/folder/wasm/${script}').then(async ({ ${load} }) => void (window.core = await ${load}({ wasmUrl: '${wasmUrl}' })))`,
+  );
+  const failed = await visitor.run(fail, Object.keys(expected), TIMES);
+  expect(failed).toEqual({ codes: expected, status: 'converged' });
+});
+
+test('these are all calls of the border', () => {
+  const sources = readdirSync(`${ROOT}/wasm`).filter((name) => name.endsWith('.cpp'));
+  const code = sources.map((name) => readFileSync(`${ROOT}/wasm/${name}`, 'utf8')).join('\n');
+  const bound = [...code.matchAll(/function\("(\w+)"/g)].map(([, name]) => name);
+  const tried = Object.keys({ ...CODES, ...LEFT_OUT, ...WHOLE });
+  expect([...new Set(bound)].sort()).toEqual([...new Set([...SAFE, ...tried])].sort());
+});
