@@ -18,6 +18,7 @@ let history: UndoHistory;
 let editor: HandleEditor;
 let asked: Handle[][];
 let said: string[];
+let returning: boolean;
 
 const at = (vertex: number): Vec3 => [vertex % 5, Math.floor(vertex / 5), 0];
 const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({ vertex, target: at(vertex), anchor: false, ...rest });
@@ -35,13 +36,22 @@ function undo() {
   if (state) opening = { ...opening, document: { view: opening.document.view, ...state } };
 }
 
+const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
+
 beforeEach(() => {
-  [asked, said, history] = [[], [], new UndoHistory()];
+  [asked, said, history, returning] = [[], [], new UndoHistory(), false];
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
-  const client = { drag: take, setHandles: take, reach: async (of: number[]) => of.map(() => []), setLocality: async () => {} } as unknown as Client;
-  const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
+  const client = {
+    drag: take,
+    setHandles: take,
+    reach: async (of: number[]) => of.map(() => []),
+    setLocality: async () => {},
+    get returning() {
+      return returning;
+    },
+  } as unknown as Client;
   editor = new HandleEditor(
     {
       opening: () => opening,
@@ -153,5 +163,42 @@ describe('with symmetry', () => {
   test('is itself undone', () => {
     undo();
     expect(opening.document.symmetry).toBeUndefined();
+  });
+});
+
+describe('a solver that comes in the place of one that was lost', () => {
+  const lifted = [{ vertex: 7, target: [2, 1, 1] as Vec3 }];
+
+  test('is told once where the hand is, and not again until it moves', () => {
+    editor.beginDrag();
+    editor.drag(lifted);
+    for (let i = 0; i < 2; ++i) editor.resumeDrag();
+    expect(asked).toEqual([lifted, lifted]);
+    editor.drag(lifted);
+    editor.resumeDrag();
+    expect(asked).toEqual([lifted, lifted, lifted, lifted]);
+  });
+
+  test('is told what was let go while it was on its way', () => {
+    editor.beginDrag();
+    editor.drag(lifted);
+    returning = true;
+    editor.endDrag(false);
+    change({ handles: [handle(7)] });
+    editor.resumeDrag();
+    expect(asked).toEqual([lifted, lifted]);
+    expect(handles()).toEqual([handle(7, { target: [2, 1, 1] })]);
+  });
+
+  test.each([
+    ['let go before', () => editor.endDrag(false)],
+    ['cancelled', () => ((returning = true), editor.endDrag(true))],
+    ['of another net', () => editor.netChanged()],
+  ])('is not told of a drag that was %s', (_, end) => {
+    editor.beginDrag();
+    editor.drag(lifted);
+    end();
+    editor.resumeDrag();
+    expect(asked).toEqual([lifted]);
   });
 });

@@ -509,6 +509,7 @@ export class App {
       return;
     }
     this.#change({ handles: opened.frame.handles.map((handle) => this.#withTraits(handle)) });
+    this.handles.resumeDrag();
     this.#showDocument();
     if (!isCancelled(why)) this.#panels.say(words.solver.restarted(sentence(why)), 'error');
   }

@@ -23,6 +23,7 @@ import type { Scripting } from './scripting';
 import { SELECTION_KEYS, VIEW_KEYS } from './view/gestures';
 import { createView } from './view/scene';
 import { readTheme } from './view/theme';
+import { newName, whenEnded } from './worker/life';
 
 translateDocument(document);
 
@@ -51,7 +52,7 @@ const app = new App(
     createView: (events) => createView(element('view'), events),
     createBeside: (events) => createView(element('beside'), events),
     createPanels: (events) => createPanels(element('panels'), events),
-    spawnWorker: () => new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module' }),
+    spawnWorker: spawnSolver,
   },
   services,
 );
@@ -81,6 +82,15 @@ addEventListener('drop', (event) => {
 
 async function embed(script: Scripting): Promise<void> {
   (await embedding()).embed(element('view'), app, script);
+}
+
+/** Its end, of which browsers say nothing, is an error like others. */
+function spawnSolver(): Worker {
+  const name = newName();
+  const worker = new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module', name });
+  // Called, not dispatched: WebKit dispatches nothing to a worker that has ended.
+  whenEnded(worker, name, () => worker.onerror?.(new ErrorEvent('error', { message: words.solver.ended })));
+  return worker;
 }
 
 function element(id: string): HTMLElement {

@@ -51,6 +51,8 @@ export class HandleEditor implements HandleWishes {
   #mode: GizmoMode = 'translate';
   /** What the history will call the drag under way; null until it moves something. */
   #dragName: ChangeName | null = null;
+  /** Where the hand of the drag under way is; null: there is none, or the solver was told again already. */
+  #wish: readonly Handle[] | null = null;
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
@@ -106,6 +108,7 @@ export class HandleEditor implements HandleWishes {
     this.#selection = [];
     this.#selecting = false;
     this.#mode = 'translate';
+    this.#wish = null;
   }
 
   // --------------------------------------------------------------------------------------------------------- which ones
@@ -252,6 +255,21 @@ export class HandleEditor implements HandleWishes {
 
   drag(targets: readonly Handle[]): void {
     if (!this.#history.inGesture) return;
+    this.#wish = targets;
+    this.#carry(targets);
+  }
+
+  /** Another solver is in the place of one that was lost, and stands where that one last was. It is told once where the
+   *  hand is: that may be what the other broke of. */
+  resumeDrag(): void {
+    const targets = this.#wish;
+    if (targets === null) return;
+    this.#wish = null;
+    this.#desk.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
+    this.#carry(targets);
+  }
+
+  #carry(targets: readonly Handle[]): void {
     const wished = this.#onBothSides(targets);
     if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
     const both = this.#guide.within(wished);
@@ -262,6 +280,8 @@ export class HandleEditor implements HandleWishes {
   }
 
   endDrag(cancelled: boolean): void {
+    // What was let go while another solver was on its way, that one does not know yet.
+    if (cancelled || !this.#client.returning) this.#wish = null;
     const before = cancelled ? this.#history.cancelGesture() : null;
     if (before && this.#dragName !== null) this.#desk.restore(before);
     this.#history.endGesture(this.#dragName);

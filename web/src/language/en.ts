@@ -190,6 +190,7 @@ export const en = {
     garbled: 'A message of the solver could not be read.',
     openingCancelled: 'The net was given up before it was open.',
     silent: 'The solver did not answer any more.',
+    ended: 'The browser ended it, perhaps for want of memory.',
     stopped: (reason: string) => `The solver stopped and cannot go on with this net: ${reason}`,
     restarted: (reason: string) => `The solver stopped and was started again; the net is as it last stood. ${reason}`,
   },

@@ -189,6 +189,7 @@ export const zh: Words = {
     garbled: '无法读取求解器的消息。',
     openingCancelled: '已放弃打开这张网。',
     silent: '求解器不再响应。',
+    ended: '浏览器终止了它，可能是内存不足。',
     stopped: (reason) => `求解器已停止，无法继续处理这张网：${reason}`,
     restarted: (reason) => `求解器停止后已重新启动，网保持在停止前的状态。${reason}`,
   },

@@ -109,6 +109,11 @@ export class Client {
     return this.#touched > this.#settled;
   }
 
+  /** Whether a new worker is opening the net of one that was lost. */
+  get returning(): boolean {
+    return this.#returning !== null;
+  }
+
   /** Resolves when nothing waits and the net is settled. */
   async idle(): Promise<void> {
     if (this.busy) await new Promise<void>((resolve) => this.#whenIdle.push(resolve));

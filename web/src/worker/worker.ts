@@ -2,6 +2,7 @@
 import wasmUrl from '../../../build/wasm/chebnet_editor.wasm?url';
 import { loadEditors } from '../../../wasm/editors.js';
 import type { Editors } from '../../../wasm/chebnet';
+import { holdOwnLock } from './life';
 import { CRASHED } from './protocol';
 import type { Request, Response } from './protocol';
 import { Session } from './session';
@@ -49,8 +50,8 @@ async function wholeCore(): Promise<Editors> {
   return core;
 }
 
-loadEditors({ wasmUrl })
-  .then(start)
+Promise.all([loadEditors({ wasmUrl }), holdOwnLock()])
+  .then(([core]) => start(core))
   .catch((error: unknown) => {
     const message = `The solver could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
     post({ id: 0, type: 'error', code: CRASHED, message }, []);
