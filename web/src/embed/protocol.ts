@@ -9,7 +9,23 @@
  *     frame.contentWindow.postMessage({ chebnet: 1, id: 7, call: 'move', args: [12, [0, 0, 3]] }, origin);
  *     // answered with { chebnet: 1, id: 7, result: undefined } or { chebnet: 1, id: 7, error: { code, message } }
  *
- * `lesson.ts` is an example. Only the page that holds the frame is listened to, and answers go to it alone.
+ * `lesson.ts` is an example. Only the page that holds the frame is listened to, and answers go to it alone: neither other
+ * frames beside it, nor a page that holds the page, nor windows opened from here.
+ *
+ * Whoever holds the frame may see and do with its net what a visitor could; nothing else of the site: no call reads what the
+ * browser keeps, starts a download, opens a window or an address. The calls, and what each may be given at most:
+ *
+ *     open({ recipe } | { obj, name? })   a recipe of 1000 characters, an OBJ of 20 million
+ *     setHandles([{ vertex, target?, anchor?, name?, hidden?, weight? }])   10,000 handles
+ *     move(vertex, [x, y, z]), setLocality(edges | null), setOptions({ name: value })
+ *     settled(), positions(), edges(), handles(), stats(), screenPosition(vertex), link()
+ *     on('frame' | 'settled' | 'error'), off(…)
+ *
+ * At most 100 calls may wait for their answers; more are refused as `busy`.
+ *
+ * A frame with a `sandbox` needs `allow-scripts allow-same-origin`. Without the second a browser gives the page no origin and
+ * lets it load neither modules nor workers: instead of `ready` the host then gets the event `error` with the code `no_origin`,
+ * and the frame says so.
  */
 import type { Scripting, Stats } from '../scripting';
 
@@ -30,7 +46,7 @@ export type Answer =
   | { chebnet: 1; id: number | string; result: unknown }
   | { chebnet: 1; id: number | string; error: Failure };
 
-/** `code` as in core/net/error.h; besides, `unknown_call`, `bad_arguments` and `busy`. */
+/** `code` as in core/net/error.h; besides, `unknown_call`, `bad_arguments`, `busy` and `no_origin`. */
 export interface Failure {
   code: string;
   message: string;
