@@ -3,6 +3,7 @@ import { entriesAlone } from './entries_alone.ts';
 import { licences } from './licences.ts';
 import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
+import { plotsInPageLanguage } from './plots_in_page_language.ts';
 import { rhino3dmWithoutEval } from './rhino3dm_without_eval.ts';
 
 const licenceTexts = licences();
@@ -10,7 +11,7 @@ const licenceTexts = licences();
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
   base: './',
-  plugins: [leanThree(), plasma(), licenceTexts.page, offline()],
+  plugins: [leanThree(), plasma(), plotsInPageLanguage(), licenceTexts.page, offline()],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   // Its main file is no module.

@@ -43,7 +43,8 @@ export async function startWebKit(): Promise<Engine> {
   mkdirSync(join(home.path, '.config'));
   writeFileSync(join(home.path, '.config/user-dirs.dirs'), 'XDG_DOWNLOAD_DIR="$HOME/Downloads"\n');
   const port = await freePort();
-  const env = { ...process.env, HOME: home.path, XDG_CONFIG_HOME: '', DISPLAY: display.name, LANG: 'C', LC_ALL: 'C' };
+  // Under this locale the language of its browser is called C.
+  const env = { ...process.env, HOME: home.path, XDG_CONFIG_HOME: '', DISPLAY: display.name, LC_ALL: 'C.UTF-8' };
   const server = spawn('WebKitWebDriver', ['-p', String(port)], { stdio: 'ignore', env });
   const address = `http://127.0.0.1:${port}`;
   await untilItAnswers(address);
