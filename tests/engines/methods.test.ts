@@ -1,6 +1,6 @@
 /** Handles, methods, plots, comparisons and experiments, in each engine. */
 import { beforeEach, expect, test, vi } from 'vitest';
-import { largestDeviation } from '../browser/geometry';
+import { largestError } from '../browser/geometry';
 import { load } from '../wasm/load';
 import type { Visitor } from './visitor';
 import { PATIENCE, visitors } from './visitor';
@@ -9,9 +9,12 @@ const SHAPE = 'vault:vertices=300';
 
 const chebnet = await load();
 const reference = chebnet.openRecipe(SHAPE);
-const { edges, restPositions, suggestedHandles } = reference;
+const { restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
+const placeOf = (vertex: number) => Array.from(restPositions.subarray(3 * vertex, 3 * vertex + 3)) as [number, number, number];
+const [x, y, z] = placeOf(dragged);
+const TARGET: [number, number, number] = [x - 0.5, y + 0.3, z - 0.3];
 
 const { arrive } = visitors();
 let visitor: Visitor;
@@ -31,4 +34,64 @@ test('a solve is plotted', async () => {
   await visitor.openNet({ recipe: SHAPE });
   await visitor.drag(dragged, [-40, -30]);
   await vi.waitUntil(async () => (await coloursOf('.plot canvas')) > 10, PATIENCE);
+});
+
+test('a click adds a handle, Delete removes it', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  const free = reference.edges.find((vertex) => !suggestedHandles.includes(vertex))!;
+  const place = await visitor.run((vertex) => window.chebnet.screenPosition(vertex), free);
+  const handles = () => visitor.handles();
+  await visitor.click(place.x, place.y);
+  await expect.poll(handles).toEqual([...suggestedHandles, free]);
+  await visitor.press('Delete');
+  await expect.poll(handles).toEqual([...suggestedHandles]);
+});
+
+/** Where the net comes to stand in Node. */
+function solvedInNode(method: string): { status: string; positions: Float64Array } {
+  const editor = chebnet.openRecipe(SHAPE);
+  editor.setMethod(method);
+  editor.setHandles(Array.from(suggestedHandles, (vertex) => ({ vertex, target: vertex === dragged ? TARGET : placeOf(vertex) })));
+  const { status } = editor.solve();
+  return { status, positions: editor.positions() };
+}
+
+test('every method comes to the same end as in Node', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  for (const { name } of chebnet.methods()) {
+    const expected = solvedInNode(name);
+    await visitor.run(
+      async (method, vertex, target) => {
+        await window.chebnet.open({ recipe: 'vault:vertices=300' });
+        await window.chebnet.setOptions({ method });
+        await window.chebnet.move(vertex, target);
+        await window.chebnet.settled();
+      },
+      name,
+      dragged,
+      TARGET,
+    );
+    expect(await visitor.stats(), name).toMatchObject({ method: name, status: expected.status });
+    expect(largestError(await visitor.positions(), expected.positions), name).toBeLessThan(1e-9 * meanLength);
+  }
+});
+
+test('methods are compared on the same edit, with curves and a table', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  await visitor.run((vertex, target) => window.chebnet.move(vertex, target), dragged, TARGET);
+  await visitor.settled();
+  await visitor.clickOn('Compare methods');
+  await visitor.clickOn('Compare');
+  const text = await visitor.read('4 methods', '.comparison');
+  expect(text.match(/Converged/g)?.length).toBeGreaterThanOrEqual(3);
+  await vi.waitUntil(async () => (await coloursOf('.comparison canvas')) > 10, PATIENCE);
+  await visitor.picture('comparison');
+});
+
+test('a link opens an experiment, which goes on by one step', async () => {
+  const guest = await arrive('#experiment=long-edges');
+  await guest.read(/Figure 8: Longer on the way/);
+  expect(await guest.stats()).toMatchObject({ vertices: 1505, method: 'composite_majorization', iterations: 0 });
+  await guest.clickOn('One step');
+  await expect.poll(async () => (await guest.stats()).iterations).toBe(1);
 });

@@ -207,7 +207,8 @@ export class Visitor {
 /** Runs in the page: the middle of what is called so and can be clicked, scrolled into sight; null while it is not there. */
 function placeOf(name: string): [number, number] | null {
   const clickable = 'button, a[href], summary, input, label, [role=button], [role=menuitem]';
-  const nameOf = (element: Element) => (element.ariaLabel ?? element.textContent ?? '').trim().replace(/\s+/g, ' ');
+  const nameOf = (element: Element) =>
+    (element.ariaLabel ?? element.querySelector('strong')?.textContent ?? element.textContent ?? '').trim().replace(/\s+/g, ' ');
   const elements = [...document.querySelectorAll<HTMLButtonElement>(clickable)];
   const found = elements.filter((element) => element.checkVisibility() && element.disabled !== true && nameOf(element) === name);
   // What opened last lies on top.
