@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "edit/near_targets.h"
 #include "net/error.h"
 #include "net/measures.h"
 #include "solve/stopwatch.h"
@@ -49,6 +50,8 @@ void check_softness(const std::vector<Handle>& handles, const Method& method, co
 
 Editor::Editor(Net net)
     : m_net(std::make_unique<const Net>(std::move(net))),
+      m_unit(m_net->unit()),
+      m_unit_net(std::make_unique<const Net>(m_net->scaled(1 / m_unit))),
       m_topology(std::make_unique<const Topology>(*m_net)),
       m_positions(m_net->rest_positions()),
       m_handle_at(static_cast<std::size_t>(m_net->vertex_count()), -1),
@@ -137,6 +140,8 @@ void Editor::set_positions(const Positions& positions) {
                                                        " vertices do not fit a net of " +
                                                        std::to_string(m_net->vertex_count()));
     if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
+    if (positions.cwiseAbs().maxCoeff() > k_largest_size)
+        throw Error(ErrorCode::bad_scale, "a position is farther away than any net can be");
     m_positions = positions;
     leave_region();
     snap_handles();
@@ -167,44 +172,85 @@ std::vector<int> Editor::fixed_vertices() const {
     return vertices;
 }
 
-/// Pulls at one vertex are joined into one; a fixed vertex cannot be pulled.
+/// In the solver's unit. Pulls at one vertex are joined into one; a fixed vertex cannot be pulled.
 void Editor::collect_holds() {
     m_holds.clear();
     if (m_region)
         for (const Hold& hold : m_region->holds) {
             const Handle* handle = find_handle(hold.vertex);
-            if (handle == nullptr || !handle->is_exact()) m_holds.push_back(hold);
+            if (handle == nullptr || !handle->is_exact())
+                m_holds.push_back({hold.vertex, hold.target / m_unit, hold.weight});
         }
     const auto of_region = static_cast<std::ptrdiff_t>(m_holds.size());  // ascending by vertex
-    for (const Handle& handle : m_handles) {
+    for (std::size_t i = 0; i < m_handles.size(); ++i) {
+        const Handle& handle = m_handles[i];
+        const Eigen::Vector3d target = m_near_targets.col(static_cast<Eigen::Index>(i));
         if (handle.is_exact() || (m_region && m_region->is_outside(handle.vertex))) continue;
         const auto other = std::lower_bound(m_holds.begin(), m_holds.begin() + of_region, handle.vertex,
                                             [](const Hold& hold, int vertex) { return hold.vertex < vertex; });
         if (other == m_holds.begin() + of_region || other->vertex != handle.vertex) {
-            m_holds.push_back({handle.vertex, handle.target, handle.weight});
+            m_holds.push_back({handle.vertex, target, handle.weight});
             continue;
         }
         other->weight += handle.weight;
-        other->target += handle.weight / other->weight * (handle.target - other->target);
+        other->target += handle.weight / other->weight * (target - other->target);
     }
 }
 
 void Editor::prepare() {
     const std::vector<int> fixed = fixed_vertices();
-    m_method->prepare(*m_net, *m_topology, fixed);
-    m_initialisation.prepare(*m_net, fixed);
+    m_method->prepare(*m_unit_net, *m_topology, fixed);
+    m_initialisation.prepare(*m_unit_net, fixed);
     m_prepared = true;
+}
+
+/// Decides where the handles are to be for the solver, which is at their targets unless those are too far.
+void Editor::draw_targets_near() {
+    const auto count = static_cast<Eigen::Index>(m_handles.size());
+    Eigen::Matrix3Xd targets(3, count), rest(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        targets.col(i) = m_handles[i].target;
+        rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
+    }
+    const double farthest = k_farthest_target * m_net->mean_length();
+    m_reachable = unreachable_pairs().empty() && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
+    if (!m_reachable) targets = near_targets(handle_graph(), m_net->mean_length(), targets, rest);
+    m_near_targets = targets / m_unit;
+}
+
+/// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere.
+void Editor::load_positions() {
+    const double farthest = k_farthest_target + m_unit_net->rest_positions().lpNorm<Eigen::Infinity>();
+    m_unit_positions = (m_positions / m_unit).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
+    for (std::size_t i = 0; i < m_handles.size(); ++i)
+        if (m_handles[i].is_exact())
+            m_unit_positions.col(m_handles[i].vertex) = m_near_targets.col(static_cast<Eigen::Index>(i));
+}
+
+void Editor::store_positions() {
+    const Positions kept = m_region ? Positions(m_positions(Eigen::all, m_region->outside)) : Positions();
+    m_positions = m_unit * m_unit_positions;
+    if (m_region) m_positions(Eigen::all, m_region->outside) = kept;
+    snap_handles();
 }
 
 Status Editor::begin_solve() {
     if (!m_prepared) prepare();
+    draw_targets_near();
     collect_holds();
     m_method->set_holds(m_holds);
     m_iterations = 0;
     m_elapsed_ms = 0;
-    m_reachable = unreachable_pairs().empty();
-    if (max_deviation(*m_net, m_positions) >= m_options.threshold) m_initialisation.apply(m_positions);
-    return m_method->start(m_positions, m_options, m_reachable);
+    load_positions();
+    if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) m_initialisation.apply(m_unit_positions);
+    return m_method->start(m_unit_positions, m_options, m_reachable);
+}
+
+Status Editor::iterate(TraceRow& row) {
+    const Status status = m_method->iterate(m_unit_positions, row);
+    if (status != Status::non_finite && m_unit_positions.allFinite()) return status;
+    load_positions();
+    return Status::non_finite;
 }
 
 SolveReport Editor::solve(const Budget& budget) {
@@ -219,7 +265,7 @@ SolveReport Editor::solve(const Budget& budget) {
         const bool budget_spent = report.iterations >= budget.iterations || watch.milliseconds() >= budget.milliseconds;
         if (budget_spent && report.iterations > 0) break;
         TraceRow row;
-        report.status = m_method->iterate(m_positions, row);
+        report.status = iterate(row);
         row.iteration = ++m_iterations;
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
@@ -227,7 +273,10 @@ SolveReport Editor::solve(const Budget& budget) {
         ++report.iterations;
     }
     m_running = report.status == Status::running;
+    store_positions();
     report.max_deviation = max_deviation(*m_net, m_positions);
+    if (report.status == Status::converged && !(report.max_deviation < m_options.threshold))
+        report.status = Status::unreachable;  // the net is exact, but only where the handles were drawn near
     report.milliseconds = watch.milliseconds();
     m_elapsed_ms += report.milliseconds;
     return report;
@@ -247,7 +296,7 @@ std::vector<UnreachablePair> Editor::unreachable_pairs() const {
         for (const auto& [j, reach] : graph.neighbours(i)) {
             if (j < i) continue;
             const Handle &a = m_handles[i], &b = m_handles[j];
-            const UnreachablePair pair{a.vertex, b.vertex, (a.target - b.target).norm(), reach};
+            const UnreachablePair pair{a.vertex, b.vertex, (a.target - b.target).stableNorm(), reach};
             if (is_out_of_reach(pair)) pairs.push_back(pair);
         }
     if (m_region) add_worst_of_border(pairs);
@@ -264,7 +313,7 @@ void Editor::add_worst_of_border(std::vector<UnreachablePair>& pairs) const {
     for (const auto& [vertex, origin, reach] : m_region->border) {
         const Handle* handle = find_handle(origin);
         if (handle == nullptr || !handle->is_exact()) continue;
-        const double distance = (handle->target - m_positions.col(vertex)).norm();
+        const double distance = (handle->target - m_positions.col(vertex)).stableNorm();
         if (distance * worst.reach > worst.distance * reach) worst = {origin, vertex, distance, reach};
     }
     const auto is_worst = [&](const UnreachablePair& pair) {

@@ -91,7 +91,7 @@ public:
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; exact handles then snap to their targets, and
     /// everything may move again.
-    /// Throws Error index_out_of_range for a wrong size, non_finite.
+    /// Throws Error index_out_of_range for a wrong size, non_finite, bad_scale for one beyond k_largest_size.
     void set_positions(const Positions& positions);
     /// Back to the rest positions; handles keep their vertices and take the rest positions as targets. Everything may
     /// move again.
@@ -101,7 +101,9 @@ public:
     /// The first call after a solve has ended, or after a change of handles, targets, options or positions, starts a
     /// new solve from the present positions, initialised unless they are a solution already. At least one iteration is
     /// made unless there is nothing to do. Never throws over a hard problem: see Status. If handles are out of reach
-    /// the net is stretched as evenly as the first stage can and the status is `unreachable`.
+    /// the net is stretched as evenly as the first stage can and the status is `unreachable`; towards targets that are
+    /// very far it is stretched as towards nearer ones in their direction (see near_targets), and the handle alone
+    /// stands at the target.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
@@ -133,20 +135,29 @@ private:
     std::vector<int> fixed_vertices() const;
     void collect_holds();
     void prepare();
+    void draw_targets_near();
+    void load_positions();
+    void store_positions();
     Status begin_solve();
+    Status iterate(TraceRow& row);
     bool are_joined(int a, int b) const;
     bool is_out_of_reach(const UnreachablePair& pair) const;
     void add_worst_of_border(std::vector<UnreachablePair>& pairs) const;
 
     // On the heap, so that references to them survive moving the editor.
     std::unique_ptr<const Net> m_net;
+    double m_unit;  // of the solver: in it the mean edge is 1 … 2 long, whatever the net's size
+    std::unique_ptr<const Net> m_unit_net;  // the net in this unit
     std::unique_ptr<const Topology> m_topology;
     Positions m_positions;
     std::vector<Handle> m_handles;
     std::vector<int> m_handle_at;  // V, the place of the handle that holds a vertex, −1 where there is none
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
-    std::vector<Hold> m_holds;                          // of soft handles and of the region, for the solve under way
+    // For the solve under way, in the solver's unit:
+    Positions m_unit_positions;
+    Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
+    std::vector<Hold> m_holds;        // of soft handles and of the region
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;

@@ -16,6 +16,8 @@ const char* to_string(ErrorCode code) {
             return "non_finite";
         case ErrorCode::zero_length_edge:
             return "zero_length_edge";
+        case ErrorCode::bad_scale:
+            return "bad_scale";
         case ErrorCode::non_manifold_edge:
             return "non_manifold_edge";
         case ErrorCode::unused_vertex:

@@ -14,6 +14,7 @@ enum class ErrorCode {
     small_face,          ///< a face has fewer than three vertices
     non_finite,          ///< a coordinate, a target or an option is NaN or infinite
     zero_length_edge,    ///< the two ends of an edge coincide
+    bad_scale,           ///< the edges of a net are so long or so short that computing with them would overflow
     non_manifold_edge,   ///< more than two faces meet at an edge
     unused_vertex,       ///< a vertex belongs to no face
     bad_syntax,          ///< a file, a recipe or a JSON text cannot be read; the message names the line

@@ -10,6 +10,24 @@ namespace chebnet {
 
 namespace {
 
+bool is_in_range(double number) {
+    return number >= std::numeric_limits<double>::min() && number <= std::numeric_limits<double>::max();
+}
+
+/// Also of a vector whose square leaves the range of numbers.
+double length(const Eigen::Vector3d& d) {
+    const double square = d.squaredNorm();
+    return is_in_range(square) ? std::sqrt(square) : d.stableNorm();
+}
+
+/// Also between vectors whose product leaves the range of numbers; 0 with one of no length.
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const auto angle = [](const auto& u, const auto& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
+    return is_in_range(a.squaredNorm() * b.squaredNorm())
+               ? angle(a, b)
+               : angle(a.stableNormalized().eval(), b.stableNormalized().eval());
+}
+
 /// Calls visit(vertex, angle) for every corner of every face.
 template <typename Visit>
 void for_each_corner(const Net& net, const Positions& x, Visit visit) {
@@ -20,7 +38,7 @@ void for_each_corner(const Net& net, const Positions& x, Visit visit) {
             const int v = face[k];
             const Eigen::Vector3d to_next = x.col(face[(k + 1) % n]) - x.col(v);
             const Eigen::Vector3d to_previous = x.col(face[(k + n - 1) % n]) - x.col(v);
-            visit(v, std::atan2(to_next.cross(to_previous).norm(), to_next.dot(to_previous)));
+            visit(v, angle_between(to_next, to_previous));
         }
     }
 }
@@ -48,8 +66,7 @@ std::vector<std::vector<std::pair<int, int>>> corners_by_vertex(const Net& net) 
 Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions) {
     Eigen::VectorXd ratios(net.edge_count());
     for (int e = 0; e < net.edge_count(); ++e)
-        ratios[e] =
-            (positions.col(net.edges()(0, e)) - positions.col(net.edges()(1, e))).norm() / net.rest_lengths()[e];
+        ratios[e] = length(positions.col(net.edges()(0, e)) - positions.col(net.edges()(1, e))) / net.rest_lengths()[e];
     return ratios;
 }
 
@@ -76,7 +93,8 @@ double max_deviation(const Net& net, const Positions& positions) {
         if (squared_ratio < least) least = squared_ratio, shortest = e;
         if (squared_ratio > most) most = squared_ratio, longest = e;
     }
-    if (!std::isfinite(sum) || !(least > 0)) return std::numeric_limits<double>::infinity();
+    const bool in_range = std::isfinite(sum) && least >= std::numeric_limits<double>::min();
+    if (!in_range) return max_deviation(edge_ratios(net, positions));
     const auto deviation_of = [&](int e) { return deviation(vector(e).norm() / net.rest_lengths()[e]); };
     return std::max(deviation_of(shortest), deviation_of(longest));
 }

@@ -8,8 +8,9 @@
 namespace chebnet {
 
 /// Deviation of one edge, dL = r + 1/r − 2 with r = length / rest length (Li et al. 2022, eq. 1), computed without
-/// cancellation as (r − 1)²/r. It is (r − 1)² to second order: dL = 1e-6 means 0.1 % of length. Infinite at r = 0.
-inline double deviation(double ratio) { return (ratio - 1) * (ratio - 1) / ratio; }
+/// cancellation as (r − 1)²/r, and without overflow. It is (r − 1)² to second order: dL = 1e-6 means 0.1 % of length.
+/// Infinite at r = 0.
+inline double deviation(double ratio) { return (ratio - 1) * ((ratio - 1) / ratio); }
 
 /// E, the ratio r = length / rest length of every edge. `positions` is 3×V.
 Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions);

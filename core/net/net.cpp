@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -19,11 +20,26 @@ void check_finite(const Positions& positions) {
             throw Error(ErrorCode::non_finite, "vertex " + std::to_string(v) + " has a coordinate that is not finite");
 }
 
+std::string in_words(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1g", number);
+    return text;
+}
+
+void check_size(const Positions& positions) {
+    for (int v = 0; v < positions.cols(); ++v)
+        if (const double largest = positions.col(v).lpNorm<Eigen::Infinity>(); largest > k_largest_size)
+            throw Error(ErrorCode::bad_scale, "vertex " + std::to_string(v) + " has a coordinate of " +
+                                                  in_words(largest) + "; please scale the net to below " +
+                                                  in_words(k_largest_size));
+}
+
 }  // namespace
 
 Net::Net(Positions rest_positions, Faces faces, RestLengths rest_lengths)
     : m_rest_positions(std::move(rest_positions)), m_faces(std::move(faces)) {
     check_finite(m_rest_positions);
+    check_size(m_rest_positions);
     check_faces();
     build_edges();
     choose_rest_lengths(rest_lengths);
@@ -84,12 +100,16 @@ void Net::choose_rest_lengths(RestLengths choice) {
     for (int e = 0; e < edge_count(); ++e) {
         const int a = m_edges(0, e), b = m_edges(1, e);
         m_rest_lengths[e] = (m_rest_positions.col(a) - m_rest_positions.col(b)).norm();
-        if (m_rest_lengths[e] == 0) throw Error(ErrorCode::zero_length_edge, edge_name(a, b) + " has length zero");
-        if (!std::isfinite(m_rest_lengths[e]))
-            throw Error(ErrorCode::non_finite, edge_name(a, b) + " is too long to be measured");
+        if (m_rest_lengths[e] > 0) continue;
+        if (m_rest_positions.col(a) != m_rest_positions.col(b))
+            throw Error(ErrorCode::bad_scale, edge_name(a, b) + " is too short to be measured");
+        throw Error(ErrorCode::zero_length_edge, edge_name(a, b) + " has length zero");
     }
     // Summing differences keeps the mean of 100,000 equal lengths at that length to the last bit.
     m_mean_length = m_rest_lengths[0] + (m_rest_lengths.array() - m_rest_lengths[0]).mean();
+    if (!(m_mean_length > 1 / k_largest_size))
+        throw Error(ErrorCode::bad_scale, "the edges are about " + in_words(m_mean_length) +
+                                              " long; please scale the net to above " + in_words(1 / k_largest_size));
 
     const double shortest = m_rest_lengths.minCoeff() / m_mean_length;
     const double longest = m_rest_lengths.maxCoeff() / m_mean_length;
@@ -97,6 +117,16 @@ void Net::choose_rest_lengths(RestLengths choice) {
     const bool nearly_equal = std::max(dL(shortest), dL(longest)) < k_chebyshev_deviation;
     m_is_chebyshev = choice == RestLengths::equal || (choice == RestLengths::automatic && nearly_equal);
     if (m_is_chebyshev) m_rest_lengths.setConstant(m_mean_length);
+}
+
+double Net::unit() const { return std::exp2(std::floor(std::log2(m_mean_length))); }
+
+Net Net::scaled(double factor) const {
+    Net net(*this);
+    net.m_rest_positions *= factor;
+    net.m_rest_lengths *= factor;
+    net.m_mean_length *= factor;
+    return net;
 }
 
 }  // namespace chebnet

@@ -38,15 +38,22 @@ enum class RestLengths {
 /// tolerance for a result (ε_3, section 3.2), so a saved result opens as what it is.
 inline constexpr double k_chebyshev_deviation = 1e-6;
 
+/// Beyond this size, and below the inverse of it, squares of lengths leave the range of numbers.
+inline constexpr double k_largest_size = 1e150;
+
 /// A mesh and the length each of its edges keeps. Immutable and sound: the constructor refuses everything else.
 /// Open, closed, several components and vertices of any valence are all fine, faces may have any arity ≥ 3.
 class Net {
 public:
     /// Takes rest positions (3×V) and faces. Edges are the unique consecutive pairs of the faces.
     /// Throws Error: no_faces, small_face, index_out_of_range, repeated_vertex, non_finite, zero_length_edge,
+    /// bad_scale (a coordinate or the mean edge beyond k_largest_size, the mean edge below 1 / k_largest_size),
     /// non_manifold_edge (more than two faces at an edge), unused_vertex (a vertex without a face is refused, not
     /// dropped, so that vertex numbers always stay those of the file). Each message names face, vertex or edge, from 0.
     Net(Positions rest_positions, Faces faces, RestLengths rest_lengths = RestLengths::automatic);
+
+    /// The same net in another unit: all lengths times `factor`, a power of two, which changes no digit of them.
+    Net scaled(double factor) const;
 
     int vertex_count() const { return static_cast<int>(m_rest_positions.cols()); }
     int edge_count() const { return static_cast<int>(m_edges.cols()); }
@@ -62,6 +69,9 @@ public:
     const Eigen::VectorXd& rest_lengths() const { return m_rest_lengths; }
     /// Mean of the edge lengths at rest.
     double mean_length() const { return m_mean_length; }
+    /// The power of two next below the mean length: in this unit lengths keep all their digits, and their powers are
+    /// far from the limits of numbers.
+    double unit() const;
     /// True if one length serves all edges.
     bool is_chebyshev() const { return m_is_chebyshev; }
 

@@ -130,7 +130,6 @@ Status Projection::start(Positions& positions, const Options& options, bool reac
     if (m_pulled == k_unknown) m_pulled = largest_pull();
     m_result = positions;
     if (m_max_deviation < options.threshold && m_pulled == 0) return Status::converged;
-    if (!std::isfinite(m_max_deviation)) return Status::non_finite;
     if (m_part->part().size() == 0) return ended(reachable);
     m_round = 0;
     m_near = k_projection_deviation;

@@ -144,6 +144,7 @@ export const CORE_ERRORS: Record<string, string> = {
   small_face: '面的顶点少于三个',
   non_finite: '数值不是有限数',
   zero_length_edge: '边的两端重合',
+  bad_scale: '尺度过大或过小，请先缩放',
   non_manifold_edge: '同一条边上有两个以上的面',
   unused_vertex: '有顶点不属于任何面',
   bad_syntax: '无法读取',

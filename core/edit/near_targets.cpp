@@ -1,0 +1,69 @@
+#include "edit/near_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <vector>
+
+namespace chebnet {
+
+namespace {
+
+/// The handle `to` is to stand within a distance of `from`, which it wants to exceed by so many times.
+struct Bound {
+    double strain;
+    int from, to;
+    double distance;
+    bool operator>(const Bound& other) const { return strain > other.strain; }
+};
+
+std::vector<int> by_distance_moved(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& rest) {
+    std::vector<double> moved(static_cast<std::size_t>(targets.cols()));
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const auto place = static_cast<Eigen::Index>(i);
+        moved[i] = (targets.col(place) - rest.col(place)).stableNorm();
+    }
+    std::vector<int> order(moved.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return moved[a] < moved[b]; });
+    return order;
+}
+
+}  // namespace
+
+Eigen::Vector3d drawn_near(const Eigen::Vector3d& point, const Eigen::Vector3d& centre, double radius) {
+    // Neither the difference of the halves nor the square of the direction can overflow.
+    const Eigen::Vector3d half_way = point / 2 - centre / 2;
+    const double largest = half_way.lpNorm<Eigen::Infinity>();
+    if (!(largest > radius / 4)) return point;
+    const Eigen::Vector3d direction = half_way / largest;
+    const double part = radius / direction.norm();
+    return part / 2 < largest ? Eigen::Vector3d(centre + part * direction) : point;
+}
+
+Eigen::Matrix3Xd near_targets(const HandleGraph& graph, double mean_length, const Eigen::Matrix3Xd& targets,
+                              const Eigen::Matrix3Xd& rest) {
+    Eigen::Matrix3Xd near = targets;
+    std::vector<bool> is_placed(static_cast<std::size_t>(targets.cols()), false);
+    std::priority_queue<Bound, std::vector<Bound>, std::greater<>> bounds;
+    const auto place = [&](int i, const Eigen::Vector3d& centre, double radius) {
+        if (is_placed[i]) return;
+        is_placed[i] = true;
+        near.col(i) = drawn_near(targets.col(i), centre, radius);
+        for (const auto& [j, distance] : graph.neighbours(i))
+            if (!is_placed[j]) bounds.push({(targets.col(i) - targets.col(j)).stableNorm() / distance, i, j, distance});
+    };
+    for (int first : by_distance_moved(targets, rest)) {
+        place(first, rest.col(first), k_farthest_target * mean_length);
+        while (!bounds.empty()) {
+            const Bound next = bounds.top();
+            bounds.pop();
+            place(next.to, near.col(next.from), k_most_strain * next.distance);
+        }
+    }
+    return near;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,156 @@
+// Edits nets at random, far beyond what a hand would do, and judges every result from outside; see invariants.h.
+// Prints what became of the edits, and of each violation how to repeat it. Exit code 1 if there was one.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "edits.h"
+#include "invariants.h"
+#include "net/error.h"
+#include "net/measures.h"
+#include "nets.h"
+#include "solve/stopwatch.h"
+
+namespace chebnet::soak {
+namespace {
+
+/// Edits of one net, from rest on, each where the one before has left it.
+constexpr int k_edits_of_a_net = 20;
+
+struct Plan {
+    int edits = 2000;
+    std::uint64_t seed = 1;
+    int vertices = 1000;
+    std::vector<std::string> methods = {"projection", "li2022"};
+    std::vector<std::string> only;
+    std::string show;
+};
+
+struct Tally {
+    std::map<std::string, std::array<int, 6>> statuses;  // by "method, edit"
+    std::array<int, 6> all{};
+    int converged = 0, below_1 = 0, below_5 = 0;  // edits, and those of them with a corner as acute in degrees
+    int homecomings = 0, strays = 0;              // edits back to rest, and those of them that did not converge
+    std::vector<double> milliseconds;
+    double worst_ratio = 0, worst_ms = 0;
+    std::string worst_net;
+    int violations = 0;
+};
+
+void count_angles(const Editor& editor, Tally& tally) {
+    const double degrees = corner_angle_range(editor.net(), editor.positions()).smallest * 180 / EIGEN_PI;
+    ++tally.converged;
+    if (degrees < 1) ++tally.below_1;
+    if (degrees < 5) ++tally.below_5;
+}
+
+void count(const Editor& editor, const EditKind& edit, const std::string& method, const SolveReport& report,
+           Tally& tally) {
+    const auto status = static_cast<std::size_t>(report.status);
+    ++tally.statuses[method + ", " + edit.name][status];
+    ++tally.all[status];
+    if (report.status == Status::converged) count_angles(editor, tally);
+    if (std::string_view(edit.name) != "go home") return;
+    ++tally.homecomings;
+    if (report.status != Status::converged) ++tally.strays;
+}
+
+void count_times(std::vector<double> times, const std::string& net, Tally& tally) {
+    tally.milliseconds.insert(tally.milliseconds.end(), times.begin(), times.end());
+    std::sort(times.begin(), times.end());
+    const double median = times[times.size() / 2], worst = times.back();
+    if (worst > tally.worst_ms) tally.worst_ms = worst, tally.worst_net = net;
+    if (median > 0) tally.worst_ratio = std::max(tally.worst_ratio, worst / median);
+}
+
+/// One net, one method: a sequence that depends on nothing but its seed.
+void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed, const Plan& plan, Tally& tally) {
+    Random random(seed);
+    Editor editor(kind.make(random));
+    editor.set_method(method);
+    editor.set_handles(random_handles(editor.net(), random));
+    const auto tell = [&](int i, const EditKind& edit, const SolveReport& report, const std::string& what) {
+        std::printf(
+            "edit %d, %s, ends %s after %d iterations with max dL %.2g%s\n    "
+            "again: --net \"%s\" --vertices %d --method %s --seed %llu --edits 1\n",
+            i, edit.name, to_string(report.status), report.iterations, report.max_deviation, what.c_str(),
+            kind.name.c_str(), plan.vertices, method.c_str(), static_cast<unsigned long long>(seed));
+    };
+    std::vector<double> times;
+    for (int i = 0; i < k_edits_of_a_net; ++i) {
+        const EditKind& edit = random_edit_kind(random);
+        const Positions before = editor.positions();
+        editor.set_handles(edit.move(editor, random));
+        const SolveReport report = editor.solve();
+        times.push_back(report.milliseconds);
+        count(editor, edit, method, report, tally);
+        for (const std::string& violation : invariants::of_solve(editor, report, {}, before)) {
+            ++tally.violations;
+            tell(i, edit, report, ", VIOLATED: " + violation);
+        }
+        if (plan.edits == 1 || plan.show == to_string(report.status)) tell(i, edit, report, "");
+    }
+    const std::string net = kind.name + " of " + std::to_string(editor.net().vertex_count()) + " vertices, " + method;
+    count_times(std::move(times), net, tally);
+}
+
+void print(const Tally& tally) {
+    std::printf("%-28s", "");
+    for (int s = 0; s < 6; ++s) std::printf("%15s", to_string(static_cast<Status>(s)));
+    std::printf("\n");
+    const auto row = [](const std::string& name, const std::array<int, 6>& counts) {
+        std::printf("%-28s", name.c_str());
+        for (int count : counts) std::printf("%15d", count);
+        std::printf("\n");
+    };
+    for (const auto& [name, counts] : tally.statuses) row(name, counts);
+    row("all", tally.all);
+    std::vector<double> times = tally.milliseconds;
+    std::sort(times.begin(), times.end());
+    std::printf("milliseconds: median %.2f, 99 %% %.1f, worst %.0f (%s); worst over the median of its net: %.0f\n",
+                times[times.size() / 2], times[times.size() * 99 / 100], tally.worst_ms, tally.worst_net.c_str(),
+                tally.worst_ratio);
+    const auto percent = [](int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; };
+    std::printf("smallest angle of converged edits: %.0f %% below 1°, %.0f %% below 5°\n",
+                percent(tally.below_1, tally.converged), percent(tally.below_5, tally.converged));
+    std::printf("edits back to rest that do not converge: %d of %d\n", tally.strays, tally.homecomings);
+    std::printf("invariants violated: %d\n", tally.violations);
+}
+
+int run(const Plan& plan) {
+    std::vector<NetKind> kinds = net_kinds(plan.vertices);
+    if (!plan.only.empty())
+        std::erase_if(kinds, [&](const NetKind& kind) {
+            return std::find(plan.only.begin(), plan.only.end(), kind.name) == plan.only.end();
+        });
+    Tally tally;
+    const int nets = (plan.edits + k_edits_of_a_net - 1) / k_edits_of_a_net;
+    for (int i = 0; i < nets; ++i) {
+        const NetKind& kind = kinds[i / plan.methods.size() % kinds.size()];
+        edit_net(kind, plan.methods[i % plan.methods.size()], plan.seed + static_cast<std::uint64_t>(i), plan, tally);
+    }
+    print(tally);
+    return tally.violations > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace chebnet::soak
+
+int main(int argc, char** argv) {
+    chebnet::soak::Plan plan;
+    CLI::App app("Edits nets at random and judges the results.");
+    app.add_option("--edits", plan.edits, "How many, in sequences of 20 a net; 1: one sequence, told edit by edit");
+    app.add_option("--seed", plan.seed, "Of the first sequence; each has the next");
+    app.add_option("--vertices", plan.vertices, "How large a net may be");
+    app.add_option("--method", plan.methods, "Instead of projection and li2022 in turn");
+    app.add_option("--net", plan.only, "Only nets of this name");
+    app.add_option("--show", plan.show, "Tell of each edit that ends with this status");
+    CLI11_PARSE(app, argc, argv);
+    std::printf("soak: %d edits, seed %llu\n", plan.edits, static_cast<unsigned long long>(plan.seed));
+    return chebnet::soak::run(plan);
+}
