@@ -18,7 +18,7 @@ const tests = (folder: string, timeout: number) => ({
 
 /** The same tests in another browser. */
 function engine(name: 'chromium' | 'firefox' | 'webkit') {
-  const project = tests('engines', 120_000);
+  const project = tests('engines', 240_000);
   return { ...project, test: { ...project.test, name: `engines ${name}`, env: { CHEBNET_ENGINE: name } } };
 }
 

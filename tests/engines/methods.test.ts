@@ -1,4 +1,4 @@
-/** Handles, methods, plots, comparisons and experiments, in each engine. */
+/** Handles, methods, plots and comparisons, in each engine. */
 import { beforeEach, expect, test, vi } from 'vitest';
 import { largestError } from '../browser/geometry';
 import { load } from '../wasm/load';
@@ -43,6 +43,7 @@ test('a click adds a handle, Delete removes it', async () => {
   const handles = () => visitor.handles();
   await visitor.click(place.x, place.y);
   await expect.poll(handles).toEqual([...suggestedHandles, free]);
+  await visitor.settled();
   await visitor.press('Delete');
   await expect.poll(handles).toEqual([...suggestedHandles]);
 });
@@ -86,12 +87,4 @@ test('methods are compared on the same edit, with curves and a table', async () 
   expect(text.match(/Converged/g)?.length).toBeGreaterThanOrEqual(3);
   await vi.waitUntil(async () => (await coloursOf('.comparison canvas')) > 10, PATIENCE);
   await visitor.picture('comparison');
-});
-
-test('a link opens an experiment, which goes on by one step', async () => {
-  const guest = await arrive('#experiment=long-edges');
-  await guest.read(/Figure 8: Longer on the way/);
-  expect(await guest.stats()).toMatchObject({ vertices: 1505, method: 'composite_majorization', iterations: 0 });
-  await guest.clickOn('One step');
-  await expect.poll(async () => (await guest.stats()).iterations).toBe(1);
 });

@@ -12,7 +12,7 @@ const OUTPUT = fileURLToPath(new URL('../output', import.meta.url));
 mkdirSync(OUTPUT, { recursive: true });
 
 /** What a busy machine may take, ms. */
-export const PATIENCE = { timeout: 30_000, interval: 50 };
+export const PATIENCE = { timeout: 60_000, interval: 50 };
 
 type Point = readonly [x: number, y: number];
 

@@ -42,24 +42,24 @@ export async function startWebKit(): Promise<Engine> {
   mkdirSync(downloads);
   mkdirSync(join(home.path, '.config'));
   writeFileSync(join(home.path, '.config/user-dirs.dirs'), 'XDG_DOWNLOAD_DIR="$HOME/Downloads"\n');
-  const port = await freePort();
   // Under this locale the language of its browser is called C.
   const env = { ...process.env, HOME: home.path, XDG_CONFIG_HOME: '', DISPLAY: display.name, LC_ALL: 'C.UTF-8' };
-  const server = spawn('WebKitWebDriver', ['-p', String(port)], { stdio: 'ignore', env });
-  const address = `http://127.0.0.1:${port}`;
-  await untilItAnswers(address);
 
+  /** A driver drives one window. */
   async function newWindow(): Promise<Driver> {
+    const port = await freePort();
+    const server = spawn('WebKitWebDriver', ['-p', String(port)], { stdio: 'ignore', env });
+    const address = `http://127.0.0.1:${port}`;
+    await untilItAnswers(address);
     const options = { binary, args: ['--automation'] };
     const wishes = { browserName: 'MiniBrowser', pageLoadStrategy: 'none', 'webkitgtk:browserOptions': options };
     const { sessionId } = (await call(address, 'POST', '/session', { capabilities: { alwaysMatch: wishes } })) as { sessionId: string };
-    const window = new Window(`${address}/session/${sessionId}`, downloads);
+    const window = new Window(`${address}/session/${sessionId}`, downloads, () => end(server));
     await window.begin();
     return window;
   }
 
   async function close(): Promise<void> {
-    await end(server);
     await display.stop();
     home.remove();
   }
@@ -71,10 +71,12 @@ class Window implements Driver {
   readonly #session: string;
   readonly downloads: string;
   readonly #complaints: string[] = [];
+  readonly #end: () => Promise<void>;
 
-  constructor(session: string, downloads: string) {
+  constructor(session: string, downloads: string, end: () => Promise<void>) {
     this.#session = session;
     this.downloads = downloads;
+    this.#end = end;
   }
 
   async begin(): Promise<void> {
@@ -142,6 +144,7 @@ class Window implements Driver {
 
   async close(): Promise<void> {
     await call(this.#session, 'DELETE', '');
+    await this.#end();
   }
 
   /** The protocol has no console, so each document is listened to from within, from as early on as can be. */
