@@ -5,6 +5,7 @@
 #include "io/file.h"
 #include "io/obj.h"
 #include "io/off.h"
+#include "io/other_format.h"
 #include "io/ply.h"
 #include "io/stl.h"
 #include "io/text.h"
@@ -57,6 +58,8 @@ FileFormat format_of_name(std::string_view name) {
 
 Mesh read_mesh(std::string_view bytes, std::string_view name) {
     if (bytes.size() > k_max_file_bytes) fail(ErrorCode::too_large, name, "larger than 1 GiB");
+    if (const auto other = other_format(bytes))
+        fail(ErrorCode::bad_syntax, name, "this is " + std::string(*other) + "; meshes are read from OBJ, PLY and OFF");
     const std::string extension = extension_of(name);
     if (is_ply(bytes) || extension == "ply") return read_ply(bytes, name);
     if (is_off(bytes) || extension == "off") return read_off(bytes, name);

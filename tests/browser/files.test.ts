@@ -173,12 +173,26 @@ test.each([
   ['a face beyond the vertices', 'bad.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n', /bad\.off:6: /],
   ['no faces', 'points.ply', 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n', /points\.ply: .*face/],
   ['loose triangles', 'part.stl', 'solid part\n', /STL holds loose triangles/],
+  ['a drawing under another name', 'drawing.obj', '<svg xmlns="http://www.w3.org/2000/svg"/>', /drawing\.obj: this is an SVG drawing/],
+  ['an archive under another name', 'net.obj', 'PK\x03\x04\x14\0\0\0', /net\.obj: this is a ZIP archive/],
 ])('a file with %s is refused in one sentence, and the net stays', async (_, name, content, sentence) => {
   const before = await script.positions();
   await drop(name, content);
   await visit.page.getByRole('alert').getByText(sentence).waitFor();
   await dialog().waitFor({ state: 'detached' });
   expect(largestError(await script.positions(), before)).toBe(0);
+});
+
+test('a file of 300 MB is refused before it is read, and so is a project', async () => {
+  for (const name of ['scan.obj', 'scan.chebnet.json']) {
+    await visit.page.evaluate((fileName) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File(Array<Uint8Array<ArrayBuffer>>(300).fill(new Uint8Array(1e6)), fileName));
+      document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    }, name);
+    await visit.page.getByRole('alert').getByText(`${name} has 300 MB`).waitFor();
+  }
+  expect(await dialog().count()).toBe(0);
 });
 
 test('Escape closes the report and nothing else, and the menu likewise', async () => {

@@ -2,6 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
+import { hashWithZeros } from '../web/hash_with_zeros';
 import { distance, dragBy } from './geometry';
 import type { Visit } from './page';
 import { visits } from './page';
@@ -80,6 +81,7 @@ const BROKEN = [
   ['of a future version', '#v=999&d=AAAA'],
   ['cut inside a character', '#%E0%A4%A'],
   ['of noise', `#${'A'.repeat(5000)}`],
+  ['of a gigabyte', hashWithZeros({}, 1e9)],
 ] as const;
 
 test('a broken link shows the first net and says so', async () => {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "io/bytes.h"
 #include "io/file.h"
@@ -73,6 +74,27 @@ TEST_CASE("The content of a file says its format, then its extension") {
     const std::string unknown = ": not a mesh of a format that is read, which are OBJ, PLY and OFF";
     for (const std::string name : {"net", "net.3dm", ".obj", "net.obj/file"})
         CHECK(refusal("x", name) == "bad_syntax " + name + unknown);
+}
+
+TEST_CASE("A file that is something else under the name of a mesh is called what it is") {
+    using namespace std::string_literals;
+    const std::map<std::string, std::string> beginnings{
+        {"PK\3\4\24\0\0\0"s, "a ZIP archive"},
+        {"\x1f\x8b\x08"s, "a gzip archive"},
+        {"\x89PNG\r\n\x1a\n"s, "a PNG picture"},
+        {"\xff\xd8\xff\xe0"s, "a JPEG picture"},
+        {"%PDF-1.7\n"s, "a PDF document"},
+        {"glTF\2\0\0\0"s, "a GLB model"},
+        {"3D Geometry File Format        8"s, "a 3DM model"},
+        {"\xff\xfev\0 \0"s, "a text in UTF-16"},
+        {"<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"\nv 1 2 3\"/></svg>"s, "an SVG drawing"},
+        {"\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!-- made by hand -->\n<SVG/>"s, "an SVG drawing"},
+        {"\n<!DOCTYPE html><title>404</title>"s, "a web page"},
+        {"<?xml version=\"1.0\"?><kml/>"s, "an XML document"},
+        {" {\"asset\": {}}"s, "a JSON document"}};
+    for (const auto& [bytes, kind] : beginnings)
+        for (const std::string name : {"net.obj", "net.ply", "net.off", "net"})
+            CHECK(refusal(bytes, name) == "bad_syntax " + name + ": this is " + kind + "; meshes are read from OBJ, PLY and OFF");
 }
 
 TEST_CASE("The name of a file says how it is written") {

@@ -219,6 +219,8 @@ describe('a file', () => {
     ['a bad line', 'v 0 0 zero\n', 'bad_syntax', /^net\.obj:1: /],
     ['only points', 'v 0 0 0\nv 1 0 0\n', 'no_faces', /^net\.obj: /],
     ['a face beyond the vertices', `${SQUARES}f 1 2 77\n`, 'index_out_of_range', /^net\.obj:9: /],
+    ['a drawing in it', '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>', 'bad_syntax', /^net\.obj: this is an SVG drawing/],
+    ['an archive in it', 'PK\x03\x04\x14\0\0\0', 'bad_syntax', /^net\.obj: this is a ZIP archive/],
   ])('with %s is refused in the words of the core', async (_, text, code, message) => {
     const { open, opened, dialogs, workers } = makeOpener();
     await expect(open(text)).rejects.toMatchObject({ code, message: expect.stringMatching(message) });
