@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 const tests = (folder: string, timeout: number) => ({
   extends: './vite.config.ts',
   // The tests lie outside this folder; their packages come from it all the same.
-  resolve: { dedupe: ['fflate', 'playwright-core', 'puppeteer-core', 'rhino3dm', 'three', 'vite'] },
+  resolve: { dedupe: ['fast-check', 'fflate', 'playwright-core', 'puppeteer-core', 'rhino3dm', 'three', 'vite'] },
   test: {
     name: folder,
     dir: `../tests/${folder}`,
@@ -22,8 +22,11 @@ function engine(name: 'chromium' | 'firefox' | 'webkit') {
   return { ...project, test: { ...project.test, name: `engines ${name}`, env: { CHEBNET_ENGINE: name } } };
 }
 
+/** Run by tests/fuzz/run. */
+const fuzz = tests('fuzz', 20_000);
+
 export default defineConfig({
   test: {
-    projects: [tests('wasm', 120_000), tests('web', 20_000), tests('browser', 120_000), engine('chromium'), engine('firefox'), engine('webkit')],
+    projects: [tests('wasm', 120_000), tests('web', 20_000), tests('browser', 120_000), engine('chromium'), engine('firefox'), engine('webkit'), fuzz],
   },
 });

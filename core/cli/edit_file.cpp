@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "io/file.h"
+#include "io/text.h"
 #include "net/error.h"
 
 namespace chebnet {
@@ -12,13 +13,15 @@ namespace {
 
 using nlohmann::json;
 
-json parse_json(const std::string& path) {
+json parse_json(std::string_view text, const std::string& name) {
     try {
-        return json::parse(read_file(path));
+        return json::parse(text);
     } catch (const json::exception& error) {
-        // The library puts its own name, "[json.exception.…] ", in front of what is wrong and where.
+        // The library puts its own name, "[json.exception.…] ", in front of what is wrong and where, and repeats the
+        // file.
         const std::string what = error.what();
-        throw Error(ErrorCode::bad_syntax, path + ": not valid JSON: " + what.substr(what.find("] ") + 2));
+        throw Error(ErrorCode::bad_syntax,
+                    name + ": not valid JSON: " + printable(what.substr(what.find("] ") + 2), 200));
     }
 }
 
@@ -60,15 +63,19 @@ Handle read_handle(const json& value, int vertex_count, const std::string& where
 }  // namespace
 
 std::vector<Handle> read_edit(const std::string& path, int vertex_count) {
-    const json edit = parse_json(path);
-    if (!edit.is_object()) throw Error(ErrorCode::bad_syntax, path + ": not a JSON object");
-    const json& list = member(edit, "handles", path + ":");
-    if (!list.is_array()) throw Error(ErrorCode::bad_syntax, path + ": \"handles\" is not a list");
+    return parse_edit(read_file(path), path, vertex_count);
+}
+
+std::vector<Handle> parse_edit(std::string_view text, const std::string& name, int vertex_count) {
+    const json edit = parse_json(text, name);
+    if (!edit.is_object()) throw Error(ErrorCode::bad_syntax, name + ": not a JSON object");
+    const json& list = member(edit, "handles", name + ":");
+    if (!list.is_array()) throw Error(ErrorCode::bad_syntax, name + ": \"handles\" is not a list");
 
     std::vector<Handle> handles;
     std::unordered_map<int, std::size_t> handle_of_vertex;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string where = path + ": handles[" + std::to_string(i) + "]";
+        const std::string where = name + ": handles[" + std::to_string(i) + "]";
         handles.push_back(read_handle(list[i], vertex_count, where));
         const auto [earlier, is_new] = handle_of_vertex.emplace(handles.back().vertex, i);
         if (!is_new)

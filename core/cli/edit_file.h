@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "edit/editor.h"
@@ -11,5 +12,7 @@ namespace chebnet {
 /// A handle with a "weight" is soft. Other keys are passed over. Throws Error file_access, too_large, bad_syntax,
 /// index_out_of_range, repeated_vertex; each message names the file and the handle, from 0.
 std::vector<Handle> read_edit(const std::string& path, int vertex_count);
+/// The same of the text of such a file, which messages call `name`.
+std::vector<Handle> parse_edit(std::string_view text, const std::string& name, int vertex_count);
 
 }  // namespace chebnet

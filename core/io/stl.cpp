@@ -29,6 +29,12 @@ Eigen::Vector3d area_vector(const Positions& x, const Triangle& t) {
     return (x.col(t[1]) - corner).cross(x.col(t[2]) - corner);
 }
 
+/// `vector` with the length 1, however small it is; 0 remains 0.
+Eigen::Vector3d direction_of(const Eigen::Vector3d& vector) {
+    const double largest = vector.cwiseAbs().maxCoeff();
+    return largest > 0 ? (vector / largest).normalized() : vector;
+}
+
 /// The triangles of a face as a fan from its corner number `first`.
 std::vector<Triangle> fan(std::span<const int> face, std::size_t first) {
     std::vector<Triangle> triangles;
@@ -72,7 +78,7 @@ std::string write_stl(const Positions& positions, const Faces& faces) {
     bytes.resize(80, ' ');
     append_little_endian(bytes, static_cast<std::uint32_t>(triangles.size()));
     for (const Triangle& triangle : triangles) {
-        append(bytes, area_vector(positions, triangle).stableNormalized());
+        append(bytes, direction_of(area_vector(positions, triangle)));
         for (const int vertex : triangle) append(bytes, positions.col(vertex));
         append_little_endian(bytes, std::uint16_t{0});  // attributes: none
     }

@@ -26,13 +26,14 @@ std::optional<std::int64_t> parse_count(std::string_view text) {
     return error == std::errc::result_out_of_range ? std::numeric_limits<std::int64_t>::max() : count;
 }
 
-std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 40;
+std::string printable(std::string_view text, std::size_t longest) {
     std::string shown(text.substr(0, longest));
     std::replace_if(
         shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return '"' + shown + (text.size() > longest ? "...\"" : "\"");
+    return text.size() > longest ? shown + "..." : shown;
 }
+
+std::string quoted(std::string_view text) { return '"' + printable(text, 40) + '"'; }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 

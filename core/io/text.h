@@ -14,7 +14,10 @@ namespace chebnet {
 /// none.
 std::optional<std::int64_t> parse_count(std::string_view text);
 
-/// `text` in quotation marks, fit for a message: shortened, and in printable ASCII.
+/// `text` fit for a message: in printable ASCII, and of no more than `longest` characters before an ellipsis.
+std::string printable(std::string_view text, std::size_t longest);
+
+/// `text` in quotation marks, fit for a message.
 std::string quoted(std::string_view text);
 
 /// True for a space or tab, false for the end of a line.

@@ -42,8 +42,9 @@ void check(const Mesh& mesh, double merge_tolerance) {
                                                                std::to_string(mesh.positions.cols()));
 }
 
-/// 0 for a mesh without faces.
-double mean_edge_length(const Mesh& mesh) {
+/// `tolerance` times the mean edge length, within what can be computed with: what coincides is merged however small the
+/// product. 0 if no edge has a length.
+double merge_radius(const Mesh& mesh, double tolerance) {
     double sum = 0, count = 0;
     for (int f = 0; f < mesh.faces.size(); ++f)
         for (std::size_t k = 0; k < mesh.faces[f].size(); ++k) {
@@ -52,7 +53,8 @@ double mean_edge_length(const Mesh& mesh) {
             ++count;
         }
     if (!std::isfinite(sum)) throw Error(ErrorCode::non_finite, "the edges are too long to be measured");
-    return count > 0 ? sum / count : 0;
+    using Limits = std::numeric_limits<double>;
+    return sum > 0 ? std::clamp(tolerance * (sum / count), Limits::denorm_min(), Limits::max() / 8) : 0;
 }
 
 // ------------------------------------------------------------------------------------------------ duplicate vertices
@@ -416,11 +418,8 @@ std::string to_sentence(const Finding& finding) {
 
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance) {
     check(mesh, merge_tolerance);
-    const double mean = mean_edge_length(mesh);
-    // What coincides is merged even where the product is too small for a number.
-    const double merge_radius =
-        mean > 0 ? std::max(merge_tolerance * mean, std::numeric_limits<double>::denorm_min()) : 0;
-    return Repairer(std::move(mesh), chosen).run(merge_radius);
+    const double radius = merge_radius(mesh, merge_tolerance);
+    return Repairer(std::move(mesh), chosen).run(radius);
 }
 
 }  // namespace chebnet

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "io/text.h"
 #include "net/error.h"
 #include "solve/arap.h"
 #include "solve/local_global.h"
@@ -46,8 +47,7 @@ Initialisation::Initialisation(std::string_view text) : m_name(text) {
         m_iterations = parse_iterations(text.substr(colon + 1));
     if (m_iterations == 0)
         throw Error(ErrorCode::bad_option, "initialisation must be naive, arap:N or local_global:N with N from 1 to " +
-                                               std::to_string(k_most_iterations) + ", not \"" +
-                                               std::string(text.substr(0, 40)) + "\"");
+                                               std::to_string(k_most_iterations) + ", not " + quoted(text));
 }
 
 void Initialisation::prepare(const Net& net, std::span<const int> handle_vertices) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "io/text.h"
 #include "net/error.h"
 #include "solve/arap.h"
 #include "solve/composite_majorization.h"
@@ -68,8 +69,7 @@ std::unique_ptr<Method> make_method(std::string_view name) {
         known += known.empty() ? "" : ", ";
         known += method.name;
     }
-    throw Error(ErrorCode::bad_option,
-                "unknown method \"" + std::string(name.substr(0, 40)) + "\"; known are " + known);
+    throw Error(ErrorCode::bad_option, "unknown method " + quoted(name) + "; known are " + known);
 }
 
 }  // namespace chebnet

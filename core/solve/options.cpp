@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/number.h"
+#include "io/text.h"
 #include "net/error.h"
 
 namespace chebnet {
@@ -58,11 +59,10 @@ const Entry& find_entry(std::string_view key) {
         known += known.empty() ? "" : ", ";
         known += entry.info.name;
     }
-    throw Error(ErrorCode::bad_option, "unknown option \"" + std::string(key) + "\"; known are " + known);
+    throw Error(ErrorCode::bad_option, "unknown option " + quoted(key) + "; known are " + known);
 }
 
 [[noreturn]] void refuse(const OptionInfo& info, std::string_view value) {
-    const std::string shown(value.substr(0, 40));
     std::string wanted = "on or off";
     if (info.kind != k_flag) {
         char range[64];
@@ -70,7 +70,7 @@ const Entry& find_entry(std::string_view key) {
         wanted = std::string(info.kind == k_integer ? "a whole number" : "a number") + range;
     }
     throw Error(ErrorCode::bad_option,
-                "option " + std::string(info.name) + " must be " + wanted + ", not \"" + shown + "\"");
+                "option " + std::string(info.name) + " must be " + wanted + ", not " + quoted(value));
 }
 
 bool parse_flag(const OptionInfo& info, std::string_view value) {

@@ -77,6 +77,7 @@ void check_refused(const Run& run, const std::string& what) {
     CHECK(run.exit_code == 2);
     CHECK(run.out.empty());
     CHECK(line_count(run.err) == 1);
+    CHECK(run.err.size() < 500);
     CHECK_THAT(run.err, Catch::Matchers::StartsWith("chebnet: ") && Contains(what));
 }
 
@@ -449,6 +450,9 @@ TEST_CASE("a bad edit is refused, naming file and handle") {
     const auto [text, what] = GENERATE(table<std::string, std::string>({
         {"", "edit.json"},
         {"{\"handles\": [}", "line 1"},
+        {"\x7f\x01\xff", "line 1"},
+        {std::string(100'000, '['), "line 1"},
+        {std::string(100'000, '7'), "JSON"},
         {"[]", "edit.json"},
         {"{}", "handles"},
         {R"({"handles": {}})", "handles"},

@@ -174,6 +174,25 @@ TEST_CASE("A target beyond all numbers ends as an honest status with finite posi
     CHECK(editor.positions().allFinite());
 }
 
+TEST_CASE("What is refused is quoted in a line that can be read") {
+    Options options;
+    const std::string text = "\x01\n\x7f\xff" + std::string(100'000, 'x');
+    const auto line_of = [](auto action) {
+        try {
+            action();
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    for (const std::string& line :
+         {line_of([&] { set_option(options, text, "1"); }), line_of([&] { set_option(options, "p_end", text); }),
+          line_of([&] { make_method(text); }), line_of([&] { Initialisation{text}; })}) {
+        CHECK(line.find("\"????xxx") != line.npos);
+        CHECK(line.size() < 500);
+    }
+}
+
 TEST_CASE("Options are set by name within their range") {
     Options options;
     set_option(options, "p_end", "30");

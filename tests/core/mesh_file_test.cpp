@@ -110,6 +110,14 @@ TEST_CASE("The name of a file says how it is written") {
     CHECK_FALSE(has_mesh_extension("net.json"));
 }
 
+TEST_CASE("A normal of STL has the length 1 however small its triangle") {
+    const double scale = GENERATE(1.0, 1e-100, 1e-161);
+    CAPTURE(scale);
+    const Eigen::Vector3d normal =
+        stl_of({Eigen::Vector3d::Zero(), scale * Eigen::Vector3d(0, 1, 1), scale * Eigen::Vector3d(1, 0, 0)})[0][0];
+    CHECK(normal.norm() == Approx(1));
+}
+
 TEST_CASE("STL holds the triangles of the faces, wound and facing as they are") {
     const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0), e(-1, 0.5, 0);
     CHECK(stl_of({a, b, c}) == std::vector<StlTriangle>{{Eigen::Vector3d(0, 0, 1), a, b, c}});

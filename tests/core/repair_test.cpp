@@ -1,6 +1,7 @@
 #include "net/repair.h"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <random>
 
 #include "mesh_files.h"
@@ -120,6 +121,20 @@ TEST_CASE("Vertices that coincide are merged at any scale") {
     Mesh mesh = exploded(strip(5));
     mesh.positions *= scale;
     CHECK(repair(mesh, k_all_defects).mesh.positions.cols() == 12);
+}
+
+TEST_CASE("Vertices that coincide are merged even if the mean edge is too short for a number") {
+    const double tiny = 2 * std::numeric_limits<double>::denorm_min();
+    Mesh mesh{Positions::Zero(3, 4), {}};
+    mesh.positions.col(2) << tiny, 0, 0;
+    mesh.positions.col(3) << 0, tiny, 0;
+    mesh.faces.add({0, 1, 2, 3});
+    for (int shortening = 0; shortening < 5; ++shortening) mesh.faces.add({0, 0, 0, 0});
+    CHECK(faces_of(repair(mesh, k_all_defects).mesh) == FaceList{{0, 1, 2}});
+}
+
+TEST_CASE("A tolerance beyond all numbers merges everything") {
+    CHECK(repair(strip(5), k_all_defects, 1e308).findings.front().count == 11);
 }
 
 TEST_CASE("A tolerance may be so small that its square is no number") {

@@ -56,12 +56,15 @@ inline Violations of_solve(const Editor& editor, const SolveReport& report, cons
         if (!holds) violations.push_back(otherwise);
     };
     const double reckoned = reckoned_deviation(editor.net(), editor.positions());
+    // An edge so far off that the square of its length is no number may be reported as infinitely so.
+    const auto is_lost = [](double dL) { return dL > 1e100; };
     // Lengths in double precision are known to some 1e-16 of themselves, so that a dL above 1e-30 keeps three digits
     // down to 1e-24, the smallest threshold.
     const auto at_most = [](double a, double b) { return a <= b || a - b <= 1e-3 * b + 1e-27; };
     require(report.status != Status::converged || at_most(reckoned, editor.options().threshold),
             "a solve that has not converged says that it has");
-    require(at_most(reckoned, report.max_deviation) && at_most(report.max_deviation, reckoned),
+    require((at_most(reckoned, report.max_deviation) && at_most(report.max_deviation, reckoned)) ||
+                (is_lost(reckoned) && is_lost(report.max_deviation)),
             "the largest dL reported is not that of the positions");
 
     require(report.iterations <= std::max(1, budget.iterations), "more iterations were made than the budget allows");

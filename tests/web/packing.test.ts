@@ -88,6 +88,7 @@ describe('damage is refused', () => {
     ['something added', Uint8Array.from([...packed, 0])],
     ['a step that is no number', withStep(NaN)],
     ['a step without end', withStep(Infinity)],
+    ['a step so long that positions would be infinite', withStep(1e308)],
     ['a step of nothing', withStep(0)],
     ['a step backwards', withStep(-1)],
     ['a number without end', Uint8Array.from([...packed.subarray(0, 8), ...Array(75).fill(255)])],

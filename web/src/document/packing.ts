@@ -56,7 +56,9 @@ export function unpackPositions(packed: Uint8Array, net: PackingNet): Float64Arr
   forEachPrediction(net, (i, prediction) => {
     const value = prediction + readInteger(reader);
     if (!(Math.abs(value) <= LARGEST)) throw damaged();
-    positions[i] = (positions[i] ?? 0) + value * step;
+    const position = (positions[i] ?? 0) + value * step;
+    if (!Number.isFinite(position)) throw damaged();
+    positions[i] = position;
     return value;
   });
   if (reader.at !== packed.length) throw damaged();

@@ -1,0 +1,77 @@
+#pragma once
+
+// libFuzzer's own: takes values off an input, and defaults where it has ended.
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "net/mesh.h"
+
+/// Values for the targets that are given numbers, meshes and calls rather than text.
+namespace chebnet::fuzz {
+
+/// Any number whatever: more often than by chance small, huge, tiny or at the ends of the range.
+inline double any_number(FuzzedDataProvider& input) {
+    switch (input.ConsumeIntegralInRange(0, 7)) {
+        case 0:
+            return input.ConsumeIntegralInRange(-8, 8);
+        case 1:
+            return std::ldexp(input.ConsumeIntegralInRange(-8, 8), input.ConsumeIntegralInRange(-1074, 1023));
+        case 2:
+            return input.PickValueInArray({0.0, -0.0, std::numeric_limits<double>::max(),
+                                           std::numeric_limits<double>::lowest(),
+                                           std::numeric_limits<double>::denorm_min()});
+        case 3:
+            return input.PickValueInArray({std::numeric_limits<double>::infinity(),
+                                           -std::numeric_limits<double>::infinity(),
+                                           std::numeric_limits<double>::quiet_NaN()});
+        case 4:
+            return std::bit_cast<double>(input.ConsumeIntegral<std::uint64_t>());
+        default:
+            return input.ConsumeFloatingPointInRange(-4.0, 4.0);
+    }
+}
+
+inline double finite_number(FuzzedDataProvider& input) {
+    const double number = any_number(input);
+    return std::isfinite(number) ? number : 0;
+}
+
+/// A mesh of up to 24 vertices, at any places, with up to 24 faces of any vertices; nothing about it need be sound but
+/// that the faces name vertices that exist.
+inline Mesh any_mesh(FuzzedDataProvider& input) {
+    Mesh mesh{Positions::Zero(3, input.ConsumeIntegralInRange(1, 24)), {}};
+    const int last = static_cast<int>(mesh.positions.cols()) - 1;
+    const bool on_lattice = input.ConsumeBool();  // many coincide
+    for (double& x : mesh.positions.reshaped())
+        x = on_lattice ? input.ConsumeIntegralInRange(0, 3) : finite_number(input);
+    for (int faces = input.ConsumeIntegralInRange(0, 24); faces > 0; --faces) {
+        std::vector<int> face;
+        for (int corners = input.ConsumeIntegralInRange(1, 6); corners > 0; --corners)
+            face.push_back(input.ConsumeIntegralInRange(0, last));
+        mesh.faces.add(face);
+    }
+    return mesh;
+}
+
+/// A patch of quads, up to 6 × 6 vertices, with some of its coordinates replaced.
+inline Mesh any_patch(FuzzedDataProvider& input) {
+    const int columns = input.ConsumeIntegralInRange(2, 6), rows = input.ConsumeIntegralInRange(2, 6);
+    Mesh mesh{Positions::Zero(3, columns * rows), {}};
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const int v = j * columns + i;
+            mesh.positions.col(v) << i, j, 0.1 * (i + j) * (i - j);
+            if (i > 0 && j > 0) mesh.faces.add({v - columns - 1, v - columns, v, v - 1});
+        }
+    for (int changes = input.ConsumeIntegralInRange(0, 8); changes > 0; --changes)
+        mesh.positions.reshaped()[input.ConsumeIntegralInRange<Eigen::Index>(0, mesh.positions.size() - 1)] =
+            finite_number(input);
+    return mesh;
+}
+
+}  // namespace chebnet::fuzz

@@ -1,0 +1,72 @@
+/** Links: what is written comes back; anything else is a scene or a LinkError. */
+import fc from 'fast-check';
+import { deflateSync, strToU8 } from 'fflate';
+import { expect } from 'vitest';
+import { writeState, writeView } from '../../../web/src/document/codec';
+import type { ChebnetDocument } from '../../../web/src/document/document';
+import { LinkError } from '../../../web/src/document/link_error';
+import { decodeScene, encodeScene } from '../../../web/src/document/share';
+import { attack, attacks } from './attack';
+import { changed, changes, checkFinite, document, net } from './scenes';
+
+function hashOf(given: ChebnetDocument): string {
+  const { hash } = encodeScene(given, net, 1e-6);
+  if (hash === null) throw new Error('the scene is too large for a link');
+  return hash;
+}
+
+/** The hash of a header that is none of ours, and of bytes behind it. */
+function forged(header: string, packed: Uint8Array): string {
+  const json = strToU8(header);
+  const content = new Uint8Array(4 + json.length + packed.length);
+  new DataView(content.buffer).setUint32(0, json.length, true);
+  content.set(json, 4);
+  content.set(packed, 4 + json.length);
+  return `#v1=${Buffer.from(deflateSync(content)).toString('base64url')}`;
+}
+
+function checkDecoded(hash: string): void {
+  try {
+    checkFinite({ ...decodeScene(hash), positions: null });
+  } catch (error) {
+    if (!(error instanceof LinkError)) throw error;
+    expect(error.message).not.toBe('');
+  }
+}
+
+function comesBack(given: ChebnetDocument): void {
+  const { positions, handles, ...rest } = decodeScene(hashOf(given));
+  const { positions: before, handles: handlesBefore, ...restBefore } = given;
+  expect(rest).toEqual(restBefore);
+  const isAtRest = before === null || before.every((x, i) => x === net.restPositions[i]);
+  expect(positions === null).toBe(isAtRest);
+  const targetsBefore = handlesBefore.map((handle) => {
+    const atRest = handle.target.every((x, axis) => x === net.restPositions[3 * handle.vertex + axis]);
+    return { ...handle, target: atRest ? null : handle.target };
+  });
+  expect(handles).toEqual(targetsBefore);
+}
+
+const bytes = fc.uint8Array({ maxLength: 60 });
+/** Where a link is cut or written over. */
+const splice = fc.record({ at: fc.nat(), taken: fc.nat(4), put: fc.string({ maxLength: 4 }) });
+
+const anyText = fc.oneof(
+  fc.string(),
+  bytes.map((each) => `#v1=${Buffer.from(each).toString('base64url')}`),
+  fc.json().map((each) => forged(each, new Uint8Array())),
+);
+
+attacks('links', {
+  'a scene comes back': attack(document, comesBack),
+  'a damaged link': attack(fc.tuple(document, fc.array(splice, { minLength: 1, maxLength: 4 })), ([given, splices]) => {
+    const characters = [...hashOf(given)];
+    for (const { at, taken, put } of splices) characters.splice(at % characters.length, taken, ...put);
+    checkDecoded(characters.join(''));
+  }),
+  'a forged header': attack(fc.tuple(document, changes, bytes), ([given, list, packed]) => {
+    const header = { ...writeState(given, net.restPositions), net: given.net, view: writeView(given.view) };
+    checkDecoded(forged(JSON.stringify(changed(header, list)), packed));
+  }),
+  'any text': attack(anyText, checkDecoded),
+});

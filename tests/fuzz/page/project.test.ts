@@ -1,0 +1,35 @@
+/** Projects: what is written comes back; anything else is refused with an error that says what is wrong. */
+import fc from 'fast-check';
+import { expect } from 'vitest';
+import { FieldError } from '../../../web/src/document/field';
+import { parseProject, projectText } from '../../../web/src/document/project';
+import type { Project } from '../../../web/src/document/project';
+import { attack, attacks } from './attack';
+import { changed, changes, checkFinite, document, view } from './scenes';
+
+const project: fc.Arbitrary<Project> = fc
+  .record({ documents: fc.array(document, { minLength: 1, maxLength: 4 }), name: fc.string({ maxLength: 50 }), present: fc.nat(), view })
+  .map(({ documents, name, present, view: seen }) => ({
+    entries: documents.map(({ view: _, ...state }) => ({ name, state })),
+    present: present % documents.length,
+    view: seen,
+  }));
+
+function checkParsed(text: string): void {
+  try {
+    checkFinite(parseProject(text));
+  } catch (error) {
+    const isSaid = error instanceof FieldError || (error instanceof Error && error.constructor === Error);
+    if (!isSaid) throw error;
+    expect(error.message).not.toBe('');
+  }
+}
+
+attacks('projects', {
+  'a project comes back': attack(project, (given) => expect(parseProject(projectText(given))).toEqual(given)),
+  'a forged project': attack(fc.tuple(project, changes), ([given, list]) => {
+    checkParsed(JSON.stringify(changed(JSON.parse(projectText(given)), list)));
+  }),
+  'any JSON': attack(fc.json(), checkParsed),
+  'any text': attack(fc.string(), checkParsed),
+});

@@ -1,0 +1,226 @@
+#include "edit/editor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "arbitrary.h"
+#include "core/sample_nets.h"
+#include "require.h"
+#include "soak/invariants.h"
+
+using namespace chebnet;
+
+namespace {
+
+Net mesh_as_net(Mesh mesh) { return Net(std::move(mesh.positions), std::move(mesh.faces), RestLengths::automatic); }
+
+/// Small nets of many kinds: open, closed, with singular vertices, in pieces, with edges of different lengths, of any
+/// scale, or of places that no mesher would choose.
+Net any_net(FuzzedDataProvider& input) {
+    switch (input.ConsumeIntegralInRange(0, 6)) {
+        case 0:
+            return samples::cube();
+        case 1:
+            return samples::ring(input.ConsumeIntegralInRange(3, 7), input.ConsumeIntegralInRange(3, 6),
+                                 input.ConsumeBool());
+        case 2:
+            return samples::mixed_mesh();
+        case 3: {
+            Mesh mesh = fuzz::any_patch(input);
+            mesh.positions *= std::ldexp(1.0, input.ConsumeIntegralInRange(-1074, 1023));
+            return mesh_as_net(std::move(mesh));
+        }
+        case 4:
+            return mesh_as_net(fuzz::any_patch(input));
+        default:
+            return samples::patch(input.ConsumeIntegralInRange(2, 8), input.ConsumeIntegralInRange(2, 6));
+    }
+}
+
+/// An editor in any hands: every call, in any order, with any arguments. What is to hold is asked after each.
+class Hands {
+public:
+    Hands(Net net, FuzzedDataProvider& input) : m_input(input), m_editor(std::move(net)) {}
+
+    void make_calls() {
+        for (int calls = 0; calls < 40 && m_input.remaining_bytes() > 0; ++calls) make_call();
+    }
+
+private:
+    void make_call() {
+        switch (m_input.ConsumeIntegralInRange(0, 12)) {
+            case 0:
+                return attempt("set_handles", [&] { m_editor.set_handles(any_handles()); });
+            case 1:
+                return attempt("move_handle", [&] { move_any_handle(); });
+            case 2:
+                return attempt("set_locality",
+                               [&] { m_editor.set_locality(fuzz::any_number(m_input), any_vertices()); });
+            case 3:
+                return attempt("set_method", [&] { m_editor.set_method(any_method()); });
+            case 4:
+                return attempt("set_option", [&] { set_any_option(); });
+            case 5:
+                return attempt("set_initialisation", [&] { m_editor.set_initialisation(any_initialisation()); });
+            case 6:
+                return attempt("set_positions", [&] { m_editor.set_positions(any_positions()); });
+            case 7:
+                return attempt("reset", [&] { m_editor.reset(); });
+            case 8:
+                return attempt("queries", [&] { ask(); });
+            case 9:
+                return attempt("move", [&] { m_editor = Editor(std::move(m_editor)); });
+            default:
+                return solve();
+        }
+    }
+
+    /// A call other than solve().
+    template <class Call>
+    void attempt(const char* name, Call call) {
+        note(name);
+        const invariants::Snapshot before(m_editor);
+        try {
+            call();
+        } catch (const Error& error) {
+            note(error.what());
+            fuzz::require_readable(error);
+            judge(invariants::of_refused_call(before, invariants::Snapshot(m_editor)));
+        }
+        judge(invariants::of_state(m_editor));
+    }
+
+    void solve() {
+        const Budget budget{m_input.ConsumeIntegralInRange(0, 12)};
+        const Positions before = m_editor.positions();
+        note("solve with a budget of " + std::to_string(budget.iterations));
+        const SolveReport report = m_editor.solve(budget);
+        note(std::string("  ") + to_string(report.status) + " after " + std::to_string(report.iterations));
+        judge(invariants::of_solve(m_editor, report, budget, before));
+    }
+
+    void ask() {
+        const std::vector<int> origins = any_vertices();
+        for (const double distance : m_editor.distances_from(origins))
+            fuzz::require(distance >= 0, "a distance is no number");
+        for (const UnreachablePair& pair : m_editor.unreachable_pairs())
+            fuzz::require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
+        for (const Ball& ball : m_editor.reach(any_vertex()))
+            fuzz::require(ball.centre.allFinite() && ball.radius >= 0, "an odd ball");
+    }
+
+    // ------------------------------------------------------------------------------------------------------ arguments
+
+    /// Most often one that exists, and rather one that is held.
+    int any_vertex() {
+        if (!m_editor.handles().empty() && m_input.ConsumeBool())
+            return m_editor.handles()[m_input.ConsumeIntegralInRange<std::size_t>(0, m_editor.handles().size() - 1)]
+                .vertex;
+        return m_input.ConsumeIntegralInRange(-1, m_editor.net().vertex_count());
+    }
+
+    std::vector<int> any_vertices() {
+        std::vector<int> vertices;
+        for (int count = m_input.ConsumeIntegralInRange(0, 3); count > 0; --count) vertices.push_back(any_vertex());
+        return vertices;
+    }
+
+    /// At rest, not far from it, or anywhere.
+    Eigen::Vector3d any_target(int vertex) {
+        const int kind = m_input.ConsumeIntegralInRange(0, 3);
+        if (kind == 0) return {fuzz::any_number(m_input), fuzz::any_number(m_input), fuzz::any_number(m_input)};
+        Eigen::Vector3d target = m_editor.net().rest_positions().col(vertex);
+        if (kind == 1) return target;
+        for (double& x : target) x += m_editor.net().mean_length() * m_input.ConsumeFloatingPointInRange(-2.0, 2.0);
+        return target;
+    }
+
+    std::vector<Handle> any_handles() {
+        std::vector<Handle> handles;
+        for (int count = m_input.ConsumeIntegralInRange(0, 5); count > 0; --count) {
+            const int vertex = m_input.ConsumeIntegralInRange(0, m_editor.net().vertex_count() - 1);
+            handles.push_back({vertex, any_target(vertex)});
+            if (m_input.ConsumeIntegralInRange(0, 3) == 0) handles.back().weight = fuzz::any_number(m_input);
+        }
+        return handles;
+    }
+
+    std::string any_method() {
+        const auto table = method_table();
+        const auto choice = m_input.ConsumeIntegralInRange<std::size_t>(0, table.size());
+        return choice < table.size() ? table[choice].name : "none";
+    }
+
+    std::string any_initialisation() {
+        const char* name = m_input.PickValueInArray({"naive", "arap", "local_global", "none"});
+        const int iterations = m_input.ConsumeIntegralInRange(-1, 6);
+        return iterations < 0 ? name : std::string(name) + ":" + std::to_string(iterations);
+    }
+
+    void move_any_handle() {
+        const int vertex = any_vertex();
+        m_editor.move_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)));
+    }
+
+    void set_any_option() {
+        const auto table = option_table();
+        const OptionInfo& info = table[m_input.ConsumeIntegralInRange<std::size_t>(0, table.size() - 1)];
+        double value = m_input.PickValueInArray({info.smallest, info.largest, 0.0});
+        if (value == 0) value = fuzz::any_number(m_input);
+        if (std::string_view(info.kind) == "integer") value = std::round(value);
+        char text[64];
+        std::snprintf(text, sizeof text, "%.17g", value);
+        note(std::string(info.name) + " = " + text);
+        m_editor.set_option(info.name, text);
+    }
+
+    Positions any_positions() {
+        Positions positions = m_editor.net().rest_positions();
+        if (m_input.ConsumeIntegralInRange(0, 15) == 0) positions.conservativeResize(3, positions.cols() - 1);
+        const int kind = m_input.ConsumeIntegralInRange(0, 3);
+        if (kind == 0) positions *= fuzz::any_number(m_input);  // may overflow: then it is to be refused
+        if (kind == 1)
+            for (int changes = m_input.ConsumeIntegralInRange(1, 4); changes > 0; --changes)
+                positions.reshaped()[m_input.ConsumeIntegralInRange<Eigen::Index>(0, positions.size() - 1)] =
+                    fuzz::any_number(m_input);
+        if (kind == 2)
+            for (double& x : positions.reshaped())
+                x += m_editor.net().mean_length() * m_input.ConsumeFloatingPointInRange(-1.0, 1.0);
+        return positions;
+    }
+
+    // ------------------------------------------------------------------------------------------------------- judgement
+
+    void note(std::string line) { m_story.push_back(std::move(line)); }
+
+    void judge(const invariants::Violations& violations) const {
+        if (violations.empty()) return;
+        for (const std::string& line : m_story) std::fprintf(stderr, "%s\n", line.c_str());
+        for (const std::string& violation : violations) std::fprintf(stderr, "VIOLATED: %s\n", violation.c_str());
+        std::fprintf(stderr, "(method %s, %d vertices, mean edge %g)\n", m_editor.method().c_str(),
+                     m_editor.net().vertex_count(), m_editor.net().mean_length());
+        std::abort();
+    }
+
+    FuzzedDataProvider& m_input;
+    Editor m_editor;
+    std::vector<std::string> m_story;  // told when something is violated
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    FuzzedDataProvider input(data, size);
+    std::optional<Net> net;
+    try {
+        net = any_net(input);
+    } catch (const Error& error) {
+        fuzz::require_readable(error);
+        return 0;
+    }
+    Hands(std::move(*net), input).make_calls();
+    return 0;
+}

@@ -1,0 +1,10 @@
+#include "io/off.h"
+
+#include "reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace chebnet;
+    fuzz::fuzz_reader(fuzz::as_text(data, size), read_off,
+                      [](const Mesh& mesh) { return write_off(mesh.positions, mesh.faces); });
+    return 0;
+}
