@@ -1,4 +1,4 @@
-#include "../../core/cli/edit_file.h"
+#include "edit_file.h"
 
 #include <algorithm>
 

@@ -15,7 +15,7 @@ using namespace chebnet;
 
 namespace {
 
-Net mesh_as_net(Mesh mesh) { return Net(std::move(mesh.positions), std::move(mesh.faces), RestLengths::automatic); }
+Net net_of(Mesh mesh) { return Net(std::move(mesh.positions), std::move(mesh.faces)); }
 
 /// Small nets of many kinds: open, closed, with singular vertices, in pieces, with edges of different lengths, of any
 /// scale, or of places that no mesher would choose.
@@ -31,10 +31,10 @@ Net any_net(FuzzedDataProvider& input) {
         case 3: {
             Mesh mesh = fuzz::any_patch(input);
             mesh.positions *= std::ldexp(1.0, input.ConsumeIntegralInRange(-1074, 1023));
-            return mesh_as_net(std::move(mesh));
+            return net_of(std::move(mesh));
         }
         case 4:
-            return mesh_as_net(fuzz::any_patch(input));
+            return net_of(fuzz::any_patch(input));
         default:
             return samples::patch(input.ConsumeIntegralInRange(2, 8), input.ConsumeIntegralInRange(2, 6));
     }
