@@ -51,7 +51,7 @@ struct Guard<function> {
         } catch (const Error& error) {
             throw_to_javascript(to_string(error.code()), error.what());
         } catch (const std::bad_alloc&) {
-            throw_to_javascript("internal", "there is not enough memory for this");
+            throw_to_javascript("too_large", "there is not enough memory for this");
         } catch (const std::exception& error) {
             throw_to_javascript("internal", error.what());
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "edit/near_targets.h"
@@ -254,6 +255,27 @@ Status Editor::iterate(TraceRow& row) {
 }
 
 SolveReport Editor::solve(const Budget& budget) {
+    try {
+        return go_on(budget);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        refuse_size(error.what());
+    } catch (const std::bad_alloc&) {
+        refuse_size("there is not enough memory");
+    }
+}
+
+/// The method begins anew when it is asked again.
+void Editor::refuse_size(const std::string& reason) {
+    m_prepared = false;
+    m_running = false;
+    const std::string way_out = m_method_name == k_default_method ? "make it coarser" : "projection needs less";
+    throw Error(ErrorCode::too_large, "a net of " + std::to_string(m_net->vertex_count()) +
+                                          " vertices is too large for method " + m_method_name + ": " + reason + "; " +
+                                          way_out);
+}
+
+SolveReport Editor::go_on(const Budget& budget) {
     Stopwatch watch;
     SolveReport report;
     report.status = m_running ? Status::running : begin_solve();

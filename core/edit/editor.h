@@ -103,7 +103,8 @@ public:
     /// made unless there is nothing to do. Never throws over a hard problem: see Status. If handles are out of reach
     /// the net is stretched as evenly as the first stage can and the status is `unreachable`; towards targets that are
     /// very far it is stretched as towards nearer ones in their direction (see near_targets), and the handle alone
-    /// stands at the target.
+    /// stands at the target. Throws Error too_large if the method needs more memory for a net of this size than is
+    /// allowed or there (see k_most_factor_bytes); then the positions stay, and another method may do.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
@@ -138,6 +139,8 @@ private:
     void draw_targets_near();
     void load_positions();
     void store_positions();
+    SolveReport go_on(const Budget& budget);
+    [[noreturn]] void refuse_size(const std::string& reason);
     Status begin_solve();
     Status iterate(TraceRow& row);
     bool are_joined(int a, int b) const;

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "linear/limits.h"
+
 namespace chebnet {
 
 template <int size, typename Scalar>
@@ -21,10 +23,19 @@ int Cholesky<size, Scalar>::panel_rows(int s) const {
 template <int size, typename Scalar>
 void Cholesky<size, Scalar>::analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank) {
     m_supernodes = find_supernodes(node_count, links, rank, size);
-    place_panels();
     list_children();
+    check_size(node_count);
+    place_panels();
     place_entries(node_count, links);
-    size_stack();
+    m_stack.resize(static_cast<std::size_t>(deepest_stack()));
+}
+
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::check_size(int node_count) const {
+    double entries = deepest_stack();
+    for (int s = 0; s < m_supernodes.count(); ++s)
+        entries += static_cast<double>(size) * m_supernodes.columns(s) * panel_rows(s);
+    check_factor_bytes(size * node_count, entries * sizeof(Scalar));
 }
 
 template <int size, typename Scalar>
@@ -111,17 +122,17 @@ void Cholesky<size, Scalar>::place_entries(int node_count, const Eigen::Matrix2X
     }
 }
 
-/// Makes room for the deepest the stack of updates gets, a parent's update standing on its children's for a moment.
+/// How deep the stack of updates gets, a parent's update standing on its children's for a moment.
 template <int size, typename Scalar>
-void Cholesky<size, Scalar>::size_stack() {
-    std::size_t depth = 0, deepest = 0;
-    const auto area = [&](int s) { return static_cast<std::size_t>(update_size(s)) * update_size(s); };
+double Cholesky<size, Scalar>::deepest_stack() const {
+    double depth = 0, deepest = 0;  // whole numbers that may be larger than any integer here
+    const auto area = [&](int s) { return static_cast<double>(update_size(s)) * update_size(s); };
     for (int s = 0; s < m_supernodes.count(); ++s) {
         deepest = std::max(deepest, depth + area(s));
         for (int c = m_child_start[s]; c < m_child_start[s + 1]; ++c) depth -= area(m_children[c]);
         depth += area(s);
     }
-    m_stack.resize(deepest);
+    return deepest;
 }
 
 template <int size, typename Scalar>

@@ -17,7 +17,8 @@ class Cholesky {
 public:
     using Block = Eigen::Matrix<double, size, size>;
 
-    /// `links`: 2×K, the joined pairs of nodes. `rank`: node → place in a fill-reducing order.
+    /// `links`: 2×K, the joined pairs of nodes. `rank`: node → place in a fill-reducing order. Throws Error too_large
+    /// if factorize() would need more than k_most_factor_bytes, before it asks for them.
     void analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank);
 
     /// `node_blocks`: the diagonal block of each node; `link_blocks`: the off-diagonal block of each link, symmetric.
@@ -42,11 +43,12 @@ private:
         int offset;  // of the block's first entry in the panel
     };
 
+    void check_size(int node_count) const;
     void place_panels();
     void list_children();
     std::vector<int> sort_blocks(int node_count, const Eigen::Matrix2Xi& links);
     void place_entries(int node_count, const Eigen::Matrix2Xi& links);
-    void size_stack();
+    double deepest_stack() const;
     int panel_rows(int s) const;   // own columns and rows below, in rows of the matrix, padded
     int update_size(int s) const;  // rows below, likewise
     void add_update(int child, const Scalar* from, Scalar* panel, int panel_rows, Scalar* update, int update_rows,

@@ -25,12 +25,12 @@ void unpack(const dense::Four& row, SingleColumn column) { dense::store(column.d
 
 template <int size>
 GraphSystem<size>::GraphSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank)
-    : m_node_blocks(static_cast<std::size_t>(node_count)),
-      m_link_blocks(static_cast<std::size_t>(links.cols())),
-      m_links(links),
-      m_permuted(static_cast<std::size_t>(node_count)) {
+    : m_links(links) {
     if (elimination_rank.empty()) elimination_rank = fill_reducing_order(node_count, links);
-    m_factor.analyze(node_count, links, elimination_rank);
+    m_factor.analyze(node_count, links, elimination_rank);  // first of all: it refuses what is too large
+    m_node_blocks.resize(static_cast<std::size_t>(node_count));
+    m_link_blocks.resize(static_cast<std::size_t>(links.cols()));
+    m_permuted.resize(static_cast<std::size_t>(node_count));
     set_zero();
 }
 

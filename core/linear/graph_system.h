@@ -23,7 +23,8 @@ public:
     using Block = Eigen::Matrix<double, size, size>;
 
     /// `links`: 2×K, the joined pairs of nodes (distinct pairs, no loops), nodes in [0, node_count).
-    /// `elimination_rank`: node → place in the order of elimination; empty: a fill-reducing one is found.
+    /// `elimination_rank`: node → place in the order of elimination; empty: a fill-reducing one is found. Throws Error
+    /// too_large if the factor would need more than k_most_factor_bytes.
     GraphSystem(int node_count, const Eigen::Matrix2Xi& links, std::vector<int> elimination_rank = {});
 
     int node_count() const { return static_cast<int>(m_node_blocks.size()); }

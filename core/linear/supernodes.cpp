@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "linear/limits.h"
+
 namespace chebnet {
 
 namespace {
@@ -151,6 +153,9 @@ std::vector<Panel> fundamental_panels(const std::vector<int>& counts, const std:
 /// The places below each fundamental panel's columns, one panel after the other: the neighbours of its columns and what
 /// its children leave to it, in no order. The panels must be as fundamental_panels() returned them.
 std::vector<int> panel_rows(const OrderedGraph& graph, const std::vector<Panel>& panels, std::vector<int>& start) {
+    double total = 0;
+    for (const Panel& panel : panels) total += panel.rows;
+    check_factor_bytes(graph.size(), total * sizeof(int));
     start.assign(panels.size() + 1, 0);
     for (std::size_t p = 0; p < panels.size(); ++p) start[p + 1] = start[p] + panels[p].rows;
     std::vector<int> rows(static_cast<std::size_t>(start.back()));

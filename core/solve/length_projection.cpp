@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "linear/limits.h"
 #include "linear/ordering.h"
 #include "solve/stopwatch.h"
 
@@ -17,18 +18,26 @@ constexpr int k_most_iterations = 12;
 constexpr double k_shift = 1e-9;
 // The same for its factor in single precision.
 constexpr double k_factor_shift = 1e-6;
+// The edges at a vertex are all coupled with each other: a dense block, whose factor takes as many operations.
+constexpr double k_most_block_operations = 3e9;
+
+void check_size(const Net& net, const Topology& topology) {
+    double couplings = 0, operations = 0;
+    for (int v = 0; v < net.vertex_count(); ++v) {
+        const double valence = topology.valence(v);
+        couplings += valence * (valence - 1) / 2;
+        operations += valence * valence * valence / 3;
+    }
+    // Each coupling is kept here, as a link, and three times as an index while the order is found.
+    check_factor_bytes(net.edge_count(), couplings * (40 + 8 + 12));
+    if (operations > k_most_block_operations) throw Error(ErrorCode::too_large, "too many edges meet at one vertex");
+}
 
 }  // namespace
 
 LengthProjection::LengthProjection(const Net& net, const Topology& topology) : m_net(net) {
-    for (int v = 0; v < net.vertex_count(); ++v) {
-        const std::span<const int> edges = topology.incident_edges(v);
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            for (std::size_t j = i + 1; j < edges.size(); ++j) {
-                const bool same_side = (net.edges()(0, edges[i]) == v) == (net.edges()(0, edges[j]) == v);
-                m_couplings.push_back({edges[i], edges[j], v, same_side ? 1.0 : -1.0});
-            }
-    }
+    check_size(net, topology);
+    couple_edges(topology);
     Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_couplings.size()));
     for (std::size_t k = 0; k < m_couplings.size(); ++k)
         links.col(static_cast<Eigen::Index>(k)) << m_couplings[k].edge_a, m_couplings[k].edge_b;
@@ -40,6 +49,17 @@ LengthProjection::LengthProjection(const Net& net, const Topology& topology) : m
     for (Eigen::VectorXd* vector : {&m_rhs, &m_multipliers, &m_residual, &m_preconditioned, &m_search, &m_image})
         vector->setZero(n);
     m_permuted.setZero(n);
+}
+
+void LengthProjection::couple_edges(const Topology& topology) {
+    for (int v = 0; v < m_net.vertex_count(); ++v) {
+        const std::span<const int> edges = topology.incident_edges(v);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (std::size_t j = i + 1; j < edges.size(); ++j) {
+                const bool same_side = (m_net.edges()(0, edges[i]) == v) == (m_net.edges()(0, edges[j]) == v);
+                m_couplings.push_back({edges[i], edges[j], v, same_side ? 1.0 : -1.0});
+            }
+    }
 }
 
 void LengthProjection::set_free(const std::vector<bool>& is_free) {

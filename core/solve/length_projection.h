@@ -18,7 +18,9 @@ namespace chebnet {
 /// when it has become too old to pay. Nothing is allocated after construction. Keeps a reference to the net.
 class LengthProjection {
 public:
-    /// Orders and analyses the system, whatever the handles will be.
+    /// Orders and analyses the system, whatever the handles will be. Throws Error too_large where it would need more
+    /// than k_most_factor_bytes, and for vertices of so many edges, all of which it couples, that factoring what they
+    /// fill would take long: one of more than 2,000, or several of fewer.
     LengthProjection(const Net& net, const Topology& topology);
 
     /// V: the vertices that may move. The old factor stays a preconditioner.
@@ -34,6 +36,7 @@ public:
     double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last projection
 
 private:
+    void couple_edges(const Topology& topology);
     void assemble(const Positions& positions);
     bool solve();
     bool factorize();

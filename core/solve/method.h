@@ -20,7 +20,8 @@ public:
     virtual ~Method() = default;
 
     /// Does the symbolic work for a set of vertices that stay where they are: exact handles, and what lies outside the
-    /// region that may move (distinct, in range). Net and topology must outlive the method.
+    /// region that may move (distinct, in range). Net and topology must outlive the method. Throws Error too_large where
+    /// a system of the method would take more memory than is allowed, as does iterate() for one that is made late.
     virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
 
     /// Whether set_holds() is heeded.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "net/error.h"
 #include "net/measures.h"
 #include "solve/arap.h"
 #include "solve/degenerate_edges.h"
@@ -56,6 +57,7 @@ private:
     double strongest_pull() const;
     bool can_yield() const { return strongest_pull() > k_least_pull; }
     void yield(const Positions& positions);
+    bool has_lengths();
     void loosen_lengths();
     void enter(Stage stage, Positions& positions);
     Status move_rigidly(Positions& positions, TraceRow& row);
@@ -75,6 +77,7 @@ private:
     std::unique_ptr<ArapStep> m_arap;
     std::unique_ptr<SpringDescent> m_springs;
     std::unique_ptr<LengthProjection> m_lengths;  // for the net, whatever the handles
+    bool m_lengths_too_large = false;
     std::unique_ptr<Method> m_newton;
     bool m_newton_prepared = false;
     double m_yield = 1;   // part of their weights with which the holds pull in stages 2 and 3
@@ -97,7 +100,10 @@ private:
 };
 
 void Projection::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
-    if (m_net != &net) m_lengths.reset();
+    if (m_net != &net) {
+        m_lengths.reset();
+        m_lengths_too_large = false;
+    }
     m_net = &net;
     m_topology = &topology;
     m_handles.assign(handle_vertices.begin(), handle_vertices.end());
@@ -179,6 +185,7 @@ void Projection::enter(Stage stage, Positions& positions) {
             if (m_round == 0) m_springs->start(positions, m_shape);
             break;
         case exact:
+            if (!has_lengths()) return enter(newton, positions);
             m_left = k_patience;
             m_smooth = positions;
             m_best = m_smooth_deviation = m_max_deviation;
@@ -206,9 +213,20 @@ void Projection::yield(const Positions& positions) {
     m_springs->start(positions, m_shape);
 }
 
+/// Whether the net's lengths can be projected on: not where so many edges meet that their system would be too large.
+bool Projection::has_lengths() {
+    if (m_lengths || m_lengths_too_large) return !m_lengths_too_large;
+    try {
+        m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        m_lengths_too_large = true;
+    }
+    return !m_lengths_too_large;
+}
+
 /// Moves of stage 3 are measured in the metric 1 + w, so that holds give way last.
 void Projection::loosen_lengths() {
-    if (!m_lengths) m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology);
     m_lengths->set_free(m_is_free);
     for (const Hold& hold : m_part->holds()) m_lengths->set_mobility(hold.vertex, 1 / (1 + hold.weight));
 }
@@ -273,7 +291,7 @@ Status Projection::relax_springs(Positions& positions, TraceRow& row) {
 Status Projection::relax_by_newton(Positions& positions, TraceRow& row) {
     const Status status = m_newton->iterate(positions, row);
     m_max_deviation = row.max_deviation;
-    if (status == Status::running && is_near()) enter(exact, positions);
+    if (status == Status::running && is_near() && m_lengths) enter(exact, positions);
     return status;
 }
 

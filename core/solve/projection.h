@@ -17,6 +17,8 @@ namespace chebnet {
 ///      when that has had its share of iterations by
 ///   4  Gauss–Newton steps (gauss_newton), each as costly as one of the paper's, which go on to the end if need be.
 ///
+/// Where so many edges meet at a vertex that the system of stage 3 would be too large, stage 4 takes its place at once.
+///
 /// Holds pull the copy in stage 1, which so decides where they are to be; the net's are drawn there by springs of their
 /// own, which become weaker where lengths and holds cannot agree, and give way last in stage 3. Stage 4 ignores them.
 ///

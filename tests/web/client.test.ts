@@ -60,6 +60,7 @@ const scene = freshScene({ recipe: 'vault' });
 let workers: FakeWorker[];
 let news: [number, boolean][];
 let restarts: [string, number | null][];
+let givenUp: string[];
 let client: Client;
 
 const worker = (): FakeWorker => workers.at(-1) ?? expect.fail('no worker');
@@ -69,11 +70,13 @@ beforeEach(() => {
   workers = [];
   news = [];
   restarts = [];
+  givenUp = [];
   client = new Client(
     () => workers[workers.push(new FakeWorker()) - 1]!,
     {
       frame: ({ positions }, settled) => news.push([positions[0] ?? NaN, settled]),
       restarted: (why, opened) => restarts.push([why.message, opened && (opened.frame.positions[0] ?? NaN)]),
+      gaveUp: ({ code }) => givenUp.push(code),
     },
     1000,
   );
@@ -309,5 +312,18 @@ test('a solver that cannot be loaded is an error, and no more workers are starte
   const hello = client.hello();
   worker().say({ id: 0, type: 'error', code: 'crashed', message: 'no WebAssembly' });
   await expect(hello).rejects.toMatchObject({ code: 'worker_lost', message: 'no WebAssembly' });
+  expect(workers).toHaveLength(1);
+});
+
+test('a solve that is given up is told once, and the worker stays', async () => {
+  await opened();
+  const drag = client.drag([{ vertex: 0, target: [1, 1, 1] }]);
+  const { id } = await worker().do();
+  await drag;
+  worker().say({ id, type: 'settled', frame: frame(1) });
+  worker().say({ id, type: 'error', code: 'too_large', message: 'too many' });
+  expect(givenUp).toEqual(['too_large']);
+  expect(client.busy).toBe(false);
+  expect(restarts).toEqual([]);
   expect(workers).toHaveLength(1);
 });

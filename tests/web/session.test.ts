@@ -364,6 +364,28 @@ describe('by hand', () => {
     expect(settled().frame.status).toBe('unreachable');
   });
 
+  test('a net that is too large for a method stays as it is, and the next edit begins anew', () => {
+    const refusing = core.openRecipe(recipe);
+    const solve = refusing.solve.bind(refusing);
+    let room = false;
+    refusing.solve = (budget) => {
+      if (room) return solve(budget);
+      throw Object.assign(new Error('too many vertices'), { code: 'too_large' });
+    };
+    session = new Session({ ...core, openRecipe: () => refusing }, { post: (response) => said.push(response), ...host });
+    ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
+    said = [];
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    run();
+    expect(said.map(({ type }) => type)).toEqual(['done', 'settled', 'error']);
+    expect(settled().frame.status).toBe('running');
+    expect(said.at(-1)).toMatchObject({ code: 'too_large', message: 'too many vertices' });
+    room = true;
+    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    run();
+    expect(settled().frame.status).toBe('converged');
+  });
+
   test('each format is exported as the core writes it', () => {
     for (const format of ['obj', 'ply', 'off', 'stl'] as const) {
       ask({ type: 'export', format });

@@ -94,6 +94,7 @@ export class App {
     this.#client = new Client(spawnWorker, {
       frame: (frame, settled) => this.#showFrame(frame, settled),
       restarted: (why, opened) => this.#restarted(why, opened),
+      gaveUp: (why) => this.report(why),
     });
     this.#comparer = new Comparer(spawnWorker, (comparison) => this.#panels.showComparison(comparison));
     this.#beside = new Beside(createBeside, (camera) => {

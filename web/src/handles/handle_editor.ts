@@ -146,10 +146,11 @@ export class HandleEditor implements HandleWishes {
 
   remove(vertices: Selection): void {
     const chosen = new Set(this.#mirrored(vertices));
-    const leaving = this.#handles.filter(({ vertex, anchor }) => chosen.has(vertex) && !anchor);
+    const leaves = ({ vertex, anchor }: HandleData): boolean => chosen.has(vertex) && !anchor;
+    const leaving = this.#handles.filter(leaves);
     if (unlocked(vertices, this.#handles).length < vertices.length) this.#desk.say(words.handles.lockedStay);
     if (leaving.length === 0) return;
-    const staying = this.#handles.filter((handle) => !leaving.includes(handle));
+    const staying = this.#handles.filter((handle) => !leaves(handle));
     this.#desk.attempt(this.set(staying, ['remove', this.#titleOf(leaving)]));
   }
 

@@ -102,6 +102,7 @@ export const en = {
     lockedStay: 'Locked handles stay. Unlock them first.',
     soft: 'Soft',
     weight: 'Weight',
+    more: (next: number, left: number) => (next < left ? `Show ${next} of ${left} more` : `Show ${left} more`),
     several: 'Several at once: press Select and draw around them; or hold Shift and click, or drag a box.',
     selection: 'Selected handles',
     selected: (count: number) => `${count} handles selected`,

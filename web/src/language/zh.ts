@@ -102,6 +102,7 @@ export const zh: Words = {
     lockedStay: '锁定的手柄保持不动，请先解锁。',
     soft: '柔性',
     weight: '权重',
+    more: (next, left) => (next < left ? `另有 ${left} 个手柄，再显示 ${next} 个` : `再显示 ${left} 个手柄`),
     several: '选择多个手柄：按“选择”后画线圈选；或按住 Shift 单击、拖出选框。',
     selection: '选中的手柄',
     selected: (count) => `已选中 ${count} 个手柄`,

@@ -86,6 +86,10 @@ export class HandleRow {
     this.softness.show(weight);
   }
 
+  focus(): void {
+    this.select.focus();
+  }
+
   private clicked(event: MouseEvent): void {
     // The second click of two belongs to renaming.
     if (event.detail < 2) this.events.select(event.shiftKey || event.ctrlKey || event.metaKey);

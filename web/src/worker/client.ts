@@ -21,6 +21,8 @@ export interface ClientEvents {
   /** A worker was lost, or ended by `cancelOpening`. Another has the net as it last stood, here it is; null: it could not,
    *  and no net is open. */
   restarted(why: SolverError, opened: Opened | null): void;
+  /** A solve was given up; the net stays as the last frame has it. */
+  gaveUp(why: SolverError): void;
 }
 
 /** A failure on the other side, with the core's code and message; or "worker_lost"; or "cancelled", by `cancelOpening`. */
@@ -271,13 +273,14 @@ export class Client {
 
   #answered(response: Response): void {
     const waiting = this.#waiting.get(response.id);
-    if (waiting === undefined) return;
     this.#waiting.delete(response.id);
     if (response.type === 'error') {
+      const why = new SolverError(response.code, words.core.failure(response.code, response.message));
+      if (waiting === undefined) return this.#events.gaveUp(why);
       // What failed changed nothing, so the news of what went on before still counts.
       if (this.#barrier === response.id) this.#barrier = 0;
-      waiting.reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
-    } else {
+      waiting.reject(why);
+    } else if (waiting !== undefined) {
       if (touchesNet(waiting.type)) this.#touched = Math.max(this.#touched, response.id);
       waiting.resolve(response);
     }

@@ -144,5 +144,9 @@ export function touchesNet(type: Request['type']): type is (typeof TOUCHING)[num
   return (TOUCHING as readonly string[]).includes(type);
 }
 
+/** Code of the error when a method cannot take a net of this size. It also comes as news, with the id of the last request that
+ *  touched the net, after a `settled`: the solve was given up, the net stays as it is. */
+export const TOO_LARGE = 'too_large';
+
 /** Code of the error after which the worker that sent it must be discarded: the module itself broke. */
 export const CRASHED = 'crashed';

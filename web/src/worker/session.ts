@@ -5,7 +5,7 @@ import { targetsOf } from '../document/document';
 import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
 import { edgesCsv } from '../export/edges_csv';
 import { describe } from './opened_net';
-import { CRASHED, PROTOCOL_VERSION } from './protocol';
+import { CRASHED, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 
 /** Code of what the core for a first net refuses. */
@@ -265,11 +265,19 @@ export class Session {
       try {
         this.#slice();
       } catch (error) {
-        // Hard problems end with a status; what throws here is broken.
         this.#solving = false;
-        this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+        this.#solveFailed(error);
       }
     });
+  }
+
+  #solveFailed(error: unknown): void {
+    const code = codeOf(error);
+    // Hard problems end with a status; what else throws is broken.
+    if (code !== TOO_LARGE) return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+    this.#judge();
+    this.#settle();
+    this.#refuse(this.#touch, error);
   }
 
   #slice(): void {
