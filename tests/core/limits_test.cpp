@@ -71,7 +71,7 @@ TEST_CASE("A million vertices: the method of the page solves them, one that cann
 
     editor.set_method("projection");
     const double deviation_before = max_deviation(editor.net(), editor.positions());
-    const SolveReport report = editor.solve({.iterations = 4});
+    const SolveReport report = editor.solve({.iterations = 1});
     CHECK(report.iterations > 0);
     CHECK(report.max_deviation < deviation_before);
     CHECK(editor.positions().allFinite());

@@ -18,6 +18,9 @@ export interface Locality {
   edgeLength: number;
 }
 
+/** More handles in hand than this are not held: by what limits each of them the page would be held up itself. */
+const MOST_HELD = 500;
+
 export class DragGuide {
   /** Whether a drag is held to where the net can follow. */
   keepsWithin = true;
@@ -86,6 +89,7 @@ export class DragGuide {
 
   async #findReach(vertices: readonly number[]): Promise<void> {
     const drag = ++this.#drags;
+    if (vertices.length > MOST_HELD) return;
     const reaches = await this.#client.reach(vertices);
     if (drag === this.#drags) this.#limits = limitsOf(this.#inHand, reaches);
   }

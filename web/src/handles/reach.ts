@@ -25,6 +25,8 @@ const MOST_ROUNDS = 1000;
 const TOLERANCE = 1e-9;
 /** Of a radius: closer to a border than this is near it. */
 const NEAR = 0.05;
+/** Of more limits than this, those count that are the nearest to where the handles stand. */
+const MOST_LIMITS = 1000;
 /** So far from where a translation takes them, in parts of it, handles are turned or scaled. */
 const TURNED = 1e-6;
 
@@ -56,12 +58,17 @@ function limitOf(apart: Vec3, moves: Vec3, radius: number): Limit | null {
 /** The smallest first. One that holds all of a smaller one limits nothing. */
 function withoutNeedless(limits: readonly Limit[]): Limit[] {
   const needed: Limit[] = [];
-  for (const limit of [...limits].sort((a, b) => a.radius - b.radius)) {
+  for (const limit of nearest(limits).sort((a, b) => a.radius - b.radius)) {
     const holds = ({ centre, radius, counts }: Limit): boolean =>
       limit.counts.every((each, axis) => each <= counts[axis]!) && distance(limit, centre) + radius <= limit.radius;
     if (!needed.some(holds)) needed.push(limit);
   }
   return needed;
+}
+
+function nearest(limits: readonly Limit[]): Limit[] {
+  const slack = (limit: Limit): number => limit.radius - distance(limit, [0, 0, 0]);
+  return limits.length > MOST_LIMITS ? [...limits].sort((a, b) => slack(a) - slack(b)).slice(0, MOST_LIMITS) : [...limits];
 }
 
 /** The point nearest to `wish` within all limits. Here rather than in the core: the pointer's next place cannot wait for the

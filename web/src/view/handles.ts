@@ -30,6 +30,8 @@ const SMALLEST = 9;
 const LARGEST = 14;
 const PER_EDGE = 0.3;
 const CUBE = 0.7;
+/** So many spheres are drawn coarser: thousands of round ones would be millions of triangles. */
+const MANY = 500;
 
 interface Mark {
   vertex: number;
@@ -46,12 +48,13 @@ export class HandleMarks {
   private radius = SMALLEST;
   // Round enough at their size: there may be hundreds, and not everybody has a graphics card.
   private readonly spheres = new Shape(new SphereGeometry(1, 20, 12));
+  private readonly manySpheres = new Shape(new SphereGeometry(1, 8, 5));
   private readonly cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
   private readonly hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
   private readonly rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
 
   constructor() {
-    for (const { group } of [this.spheres, this.cubes, this.hollow, this.rings]) this.object.add(group);
+    for (const { group } of this.shapes) this.object.add(group);
   }
 
   /** `held`: the handles in a hand at the moment; they stay where the hand has them. */
@@ -105,7 +108,7 @@ export class HandleMarks {
   }
 
   setTheme(theme: Theme): void {
-    this.spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
+    for (const spheres of [this.spheres, this.manySpheres]) spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
     this.rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
@@ -117,14 +120,20 @@ export class HandleMarks {
     this.radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
     const size = this.radius * pixel;
     const points = (which: (mark: Mark) => boolean) => this.visible.filter(which).map(({ point }) => point);
-    this.spheres.place(points(({ locked, soft }) => !locked && !soft), camera, size);
+    const plain = points(({ locked, soft }) => !locked && !soft);
+    this.spheres.place(plain.length > MANY ? [] : plain, camera, size);
+    this.manySpheres.place(plain.length > MANY ? plain : [], camera, size);
     this.hollow.place(points(({ locked, soft }) => !locked && soft), camera, size);
     this.cubes.place(points(({ locked }) => locked), camera, CUBE * size);
     this.rings.place(points(({ selected }) => selected), camera, size);
   }
 
   dispose(): void {
-    for (const shape of [this.spheres, this.cubes, this.hollow, this.rings]) shape.dispose();
+    for (const shape of this.shapes) shape.dispose();
+  }
+
+  private get shapes(): Shape[] {
+    return [this.spheres, this.manySpheres, this.cubes, this.hollow, this.rings];
   }
 
   private get visible(): Mark[] {
