@@ -191,9 +191,9 @@ export class App {
     this.#showDocument();
   }
 
-  /** The document and its history; null before the first net. */
+  /** The document and its history, in the middle of a gesture as before it; null before the first net. */
   project(): Project | null {
-    const now = this.#snapshot();
+    const now = this.#history.beforeGesture ?? this.#snapshot();
     if (now === null || this.#opening === null) return null;
     return { entries: this.#history.entries(now), present: this.#history.present, view: this.#opening.document.view };
   }

@@ -70,7 +70,7 @@ window.chebnet = createScripting(app, ready);
 // Before keys are listened to here: Escape lets go of the picture, whatever else it does.
 if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(error));
 // Once the first net is there: until then the network is busy enough.
-else void ready.then(() => keepOffline((accept) => app.offer(words.offline.newVersion, words.offline.reload, accept)));
+else void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);
@@ -91,6 +91,10 @@ function spawnSolver(): Worker {
   // Called, not dispatched: WebKit dispatches nothing to a worker that has ended.
   whenEnded(worker, name, () => worker.onerror?.(new ErrorEvent('error', { message: words.solver.ended })));
   return worker;
+}
+
+function offerVersion(accept: () => void): void {
+  app.offer(words.offline.newVersion, words.offline.reload, accept);
 }
 
 function element(id: string): HTMLElement {

@@ -59,6 +59,11 @@ export class UndoHistory implements HistoryView {
     return this.#gesture !== null;
   }
 
+  /** The state before the gesture under way; null: none is. */
+  get beforeGesture(): Snapshot | null {
+    return this.#gesture;
+  }
+
   get revision(): number {
     return this.#revision;
   }

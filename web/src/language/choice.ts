@@ -12,7 +12,7 @@ function earlierChoice(): string | null {
   try {
     return globalThis.localStorage?.getItem(CHOICE) ?? null;
   } catch {
-    return null; // Storage is switched off.
+    return new URLSearchParams(location.search).get(CHOICE); // Storage is switched off.
   }
 }
 
@@ -21,6 +21,9 @@ export function chooseLanguage(language: Language): void {
   try {
     localStorage.setItem(CHOICE, language);
   } catch {
-    // Storage is switched off: the browser's language stays.
+    // Storage is switched off: the address keeps it.
+    const address = new URL(location.href);
+    address.searchParams.set(CHOICE, language);
+    history.replaceState(null, '', address);
   }
 }

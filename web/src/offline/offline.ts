@@ -1,10 +1,10 @@
 /** Has the browser keep the page for when there is no network; see service_worker.ts. */
 
-/** @param offer tells the visitor that another version is there; its argument goes over to it. */
-export async function keepOffline(offer: (accept: () => void) => void): Promise<void> {
+/** @param offer tells the visitor that another version is there; its argument goes over to it.
+ *  @param reload loads the page again without a loss. */
+export async function keepOffline(offer: (accept: () => void) => void, reload: () => void): Promise<void> {
   if (!import.meta.env.PROD || !isSecureContext || !('serviceWorker' in navigator)) return;
-  const registration = await navigator.serviceWorker.register('./service_worker.js').catch(() => undefined);
-  // A browser may refuse, in a private window for one. The page works without.
+  const registration = await register();
   if (registration === undefined) return;
   const known = new Set<ServiceWorker>();
   const offerWhenReady = (worker: ServiceWorker | null): void => {
@@ -13,7 +13,7 @@ export async function keepOffline(offer: (accept: () => void) => void): Promise<
     if (worker === null || registration.active === null || known.has(worker)) return;
     known.add(worker);
     const look = (): void => {
-      if (worker.state === 'installed') offer(() => goOverTo(worker));
+      if (worker.state === 'installed') offer(() => goOverTo(worker, reload));
     };
     worker.addEventListener('statechange', look);
     look();
@@ -23,7 +23,16 @@ export async function keepOffline(offer: (accept: () => void) => void): Promise<
   registration.addEventListener('updatefound', () => offerWhenReady(registration.installing));
 }
 
-function goOverTo(worker: ServiceWorker): void {
-  navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
+/** A browser may refuse, in a private window for one; where it keeps nothing, asking alone may fail. The page works without. */
+async function register(): Promise<ServiceWorkerRegistration | undefined> {
+  try {
+    return await navigator.serviceWorker.register('./service_worker.js');
+  } catch {
+    return undefined;
+  }
+}
+
+function goOverTo(worker: ServiceWorker, reload: () => void): void {
+  navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
   worker.postMessage('activate');
 }

@@ -16,6 +16,7 @@ export class Autosave {
   #revision = -1;
   #view: ViewState | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #refused = false;
 
   /**
    * @param failed called when the browser refuses.
@@ -28,12 +29,17 @@ export class Autosave {
   ) {
     if (!keeps) return;
     app.on('changed', () => this.#soon());
-    document.addEventListener('visibilitychange', () => void this.save());
-    addEventListener('pagehide', () => void this.save());
+    document.addEventListener('visibilitychange', () => void this.#keep());
+    addEventListener('pagehide', () => void this.#keep());
   }
 
   get id(): string {
     return this.#id;
+  }
+
+  /** The browser has refused to keep the present net. */
+  get refused(): boolean {
+    return this.#refused;
   }
 
   /** The present net is kept under `id` from now on; if it is not `worth` it yet, once something was done to it. */
@@ -44,19 +50,33 @@ export class Autosave {
     this.#soon();
   }
 
-  /** Keeps the present net at once, unless it is kept as it is. */
+  /** Keeps the present net at once, unless it is kept as it is, or something is under way: then it is kept after that. */
   async save(): Promise<void> {
+    if (!this.keeps || !this.app.isQuiet) return;
     clearTimeout(this.#timer);
+    await this.#keep();
+  }
+
+  /** Also while something is under way: the page may be about to go. */
+  async #keep(): Promise<void> {
     const { revision } = this.app.history;
-    const project = this.keeps && this.app.isQuiet ? this.app.project() : null;
+    const project = this.app.project();
     if (project === null) return;
     const seenAnew = this.#view !== null && this.#view !== project.view;
     if (revision === this.#revision && !seenAnew) return;
-    this.#revision = revision;
+    this.#revision = this.app.isQuiet ? revision : -1;
     this.#view = project.view;
     const present = new Measure();
     present.add(project.entries[project.present]!.state);
-    await keep(this.#id, writeProject(project, present.bytes + LARGEST_HISTORY)).catch(this.failed);
+    try {
+      await keep(this.#id, writeProject(project, present.bytes + LARGEST_HISTORY));
+      this.#refused = false;
+    } catch {
+      this.#refused = true;
+      // To be tried again at the next occasion.
+      this.#revision = -1;
+      this.failed();
+    }
   }
 
   #soon(): void {

@@ -1,5 +1,4 @@
-/** Projects kept in this browser, the newest few. Each tab has one of its own; of two tabs that share one, as after
- *  duplicating a tab, the last to write wins: every write is whole. */
+/** Projects kept in this browser, the newest few. Each tab has one of its own, and every write is whole. */
 import { createStore, delMany, get, set, update } from 'idb-keyval';
 
 /** Reading is checked by whoever reads: what is kept may be of another version of the page. */
@@ -16,8 +15,24 @@ const TAB = 'chebnet.tab';
 
 const store = createStore('chebnet', 'projects');
 
+/** Of this tab alone. */
 export function newId(): string {
-  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+  const id = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+  void claim(id);
+  return id;
+}
+
+/** False: another tab has it, of which this one is a duplicate. The browser takes the claims of a tab back when it ends. */
+export function claim(id: string): Promise<boolean> {
+  const { locks } = navigator;
+  if (locks === undefined) return Promise.resolve(true);
+  return new Promise((resolve) => {
+    const take = (lock: Lock | null): Promise<never> | null => {
+      resolve(lock !== null);
+      return lock && new Promise(() => {});
+    };
+    locks.request(`chebnet.${id}`, { ifAvailable: true }, take).catch(() => resolve(true));
+  });
 }
 
 /** That of this tab before the reload, else the newest; undefined: there is none. */
@@ -28,7 +43,11 @@ export async function findLast(): Promise<KeptProject | undefined> {
 
 /** Whether it is this tab that kept it. */
 export function isOwn(id: string): boolean {
-  return sessionStorage.getItem(TAB) === id;
+  try {
+    return sessionStorage.getItem(TAB) === id;
+  } catch {
+    return false; // Storage is switched off.
+  }
 }
 
 /** The newest but for one. */

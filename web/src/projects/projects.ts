@@ -8,7 +8,7 @@ import { FileError } from '../files/file_error';
 import { words } from '../language/language';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
-import { findLast, findNewest, isOwn, newId } from './kept';
+import { claim, findLast, findNewest, isOwn, newId } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
 import { clearMark, isMarked, setMark } from './mark';
@@ -90,11 +90,13 @@ export class Projects {
     this.#app.say(words.projects.lastRestored);
   }
 
-  /** Loads the page again. What was done to the net comes back, rather than the link it came from. */
+  /** Loads the page again. What was done to the net comes back, rather than the link it came from; where the browser keeps
+   *  nothing, a link of its own carries the net over. */
   async reload(): Promise<void> {
     await this.#autosave.save();
-    if (isOwn(this.#autosave.id)) location.replace(location.pathname + location.search);
-    else location.reload();
+    if (this.#autosave.refused) history.replaceState(null, '', (await linking()).hashOf(this.#app).hash ?? location.hash);
+    else if (isOwn(this.#autosave.id)) return location.replace(location.pathname + location.search);
+    location.reload();
   }
 
   /** Throws FileError if it is too large. */
@@ -141,8 +143,9 @@ export class Projects {
   /** At the start of a tab of its own there is nothing new to keep; in place of another net there is. */
   async #restore({ id, project }: KeptProject): Promise<void> {
     const isFirst = this.#app.opening === null;
+    const goesOn = isFirst && isOwn(id) && (await claim(id));
     await this.#openMarked(id, () => this.#app.openProject(readProject(project)));
-    this.#autosave.begin(isFirst && isOwn(id) ? id : newId(), !isFirst);
+    this.#autosave.begin(goesOn ? id : newId(), !isFirst);
   }
 
   // ------------------------------------------------------------------------------------------------------------- misfortunes
@@ -172,7 +175,7 @@ export class Projects {
   }
 
   #sayNotKept(): void {
-    if (!this.#saidNotKept) this.#app.say(words.projects.notKept);
+    if (!this.#saidNotKept) this.#app.offer(words.projects.notKept, words.projects.menu.save.title, () => this.save());
     this.#saidNotKept = true;
   }
 }

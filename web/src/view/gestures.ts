@@ -112,6 +112,8 @@ export class Gestures {
     above.addEventListener('pointermove', (event) => this.move(event), { signal, capture: true });
     above.addEventListener('pointerup', (event) => this.up(event), { signal, capture: true });
     above.addEventListener('pointercancel', (event) => this.lost(event), { signal, capture: true });
+    // With text selected all over the page, browsers would carry that text away instead of the handle.
+    above.addEventListener('dragstart', (event) => event.preventDefault(), { signal });
     canvas.addEventListener('pointerleave', () => this.leave(), { signal });
     canvas.addEventListener('keydown', (event) => this.key(event), { signal });
     canvas.addEventListener('keyup', (event) => this.keyUp(event), { signal });

@@ -1,16 +1,23 @@
 /** A line in the place of the picture when there can be none. */
 import { words } from '../language/language';
+import { makeButton } from '../panels/dom';
 import type { View } from './view';
 
-export function createNotice(container: HTMLElement): { show(text: string): void; hide(): void; remove(): void } {
+/** @param wayOut what may help, under its name. */
+export function createNotice(container: HTMLElement): {
+  show(text: string, wayOut?: { label: string; run(): void }): void;
+  hide(): void;
+  remove(): void;
+} {
   const element = document.createElement('p');
   element.className = 'view-notice';
   element.setAttribute('role', 'alert');
   element.hidden = true;
   container.append(element);
   return {
-    show(text) {
-      element.textContent = text;
+    show(text, wayOut) {
+      element.replaceChildren(text);
+      if (wayOut) element.append(' ', makeButton(wayOut.label, wayOut.run, { class: 'plain link' }));
       element.hidden = false;
     },
     hide: () => (element.hidden = true),

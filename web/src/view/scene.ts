@@ -118,7 +118,7 @@ class SceneView implements View {
     this.theme = readTheme(container);
     this.applyTheme();
     this.stopThemes = onThemeChange(() => this.readTheme());
-    canvas.addEventListener('webglcontextlost', () => this.notice.show(words.view.pictureLost));
+    canvas.addEventListener('webglcontextlost', () => this.lost());
     canvas.addEventListener('webglcontextrestored', () => this.restored());
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(container);
@@ -374,6 +374,11 @@ class SceneView implements View {
     for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet, this.reach]) part.setTheme(this.theme);
     this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.setAppearance(this.appearance);
+  }
+
+  /** Browsers bring it back, if not always. What was done is kept over a reload. */
+  private lost(): void {
+    this.notice.show(words.view.pictureLost, { label: words.offline.reload, run: () => location.reload() });
   }
 
   private restored(): void {
