@@ -90,6 +90,9 @@ export const MOVING = { reducedMotion: 'no-preference' } as const;
 /** What the browser says about drawing in software, and playwright about what newVisit() asks of it. */
 const EXPECTED = [/GL Driver Message .* GPU stall due to ReadPixels/, /Service Worker registration blocked/];
 
+/** What nobody waits for any longer: the page was left, or a worker ended. */
+const GIVEN_UP = 'net::ERR_ABORTED';
+
 /** Somebody who was never here before. `complaints` collects every error and warning. */
 export interface Visit {
   page: Page;
@@ -114,7 +117,10 @@ export async function newVisit(browser: Browser, options: BrowserContextOptions)
     if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(String(error.stack ?? error)));
-  page.on('requestfailed', (request) => complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
+  page.on('requestfailed', (request) => {
+    const reason = request.failure()?.errorText;
+    if (reason !== GIVEN_UP) complaints.push(`${request.url()}: ${reason}`);
+  });
   page.on('response', (response) => {
     if (response.status() >= 400) complaints.push(`${response.url()}: ${response.status()}`);
   });

@@ -10,6 +10,9 @@ const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
 /** What Firefox says about drawing in software. */
 const EXPECTED = [/WebGL warning/, /GPU stall/];
 
+/** What nobody waits for any longer: the page was left, or a worker ended. */
+const GIVEN_UP = 'NS_BINDING_ABORTED';
+
 export async function startFirefox(): Promise<Engine> {
   const executablePath = [process.env['FIREFOX'] ?? '', ...PROGRAMS].find(existsSync);
   if (executablePath === undefined) throw new Error('no Firefox: install it or set FIREFOX to its path');
@@ -68,6 +71,9 @@ function complaintsOf(page: Page): string[] {
     if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)));
-  page.on('requestfailed', (request) => complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
+  page.on('requestfailed', (request) => {
+    const reason = request.failure()?.errorText;
+    if (reason !== GIVEN_UP) complaints.push(`${request.url()}: ${reason}`);
+  });
   return complaints;
 }

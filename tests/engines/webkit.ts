@@ -95,7 +95,7 @@ class Window implements Driver {
 
   async evaluate(expression: string): Promise<unknown> {
     const script = `const done = arguments[0];
-      Promise.resolve().then(() => (${expression})).then((value) => done({ value }), (error) => done({ error: String(error?.stack ?? error) }));`;
+      Promise.resolve().then(() => (${expression})).then((value) => done({ value }), (error) => done({ error: error + '\\n' + error?.stack }));`;
     const answer = (await this.#post('/execute/async', { script, args: [] })) as { value?: unknown; error?: string };
     if (answer.error !== undefined) throw new Error(answer.error);
     return answer.value;

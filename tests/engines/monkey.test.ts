@@ -1,0 +1,65 @@
+/**
+ * The page under a monkey, in each engine. `tests/run` gives it a moment; `tests/engines/run_monkey --minutes 10` as long as
+ * one likes. Of what it did, the last is told when something breaks; CHEBNET_SEED repeats it.
+ */
+import { expect, test } from 'vitest';
+import { distance } from '../browser/geometry';
+import { printedSeed } from '../web/random';
+import { ENGINE } from './engines';
+import { Monkey } from './monkey';
+import { browserMemory } from './processes';
+import { visitors } from './visitor';
+import type { Visitor } from './visitor';
+
+const MINUTES = Number(process.env['CHEBNET_MONKEY_MINUTES'] ?? 0.3);
+/** The time between two looks at how the page is, s. */
+const ROUND = Math.min(30, MINUTES * 20);
+/** What the browser as a whole may take more at the end than after the first round: heaps, WebAssembly and pictures. */
+const LARGEST_GROWTH = 400e6;
+const SMALL = 'vault:vertices=600';
+
+const { arrive } = visitors();
+
+/** Runs in the page: what a pointer at the handle of a vertex points at. */
+function thingAt(vertex: number): string | undefined {
+  const { x, y } = window.chebnet.screenPosition(vertex);
+  const thing = document.elementFromPoint(x, y);
+  return thing instanceof HTMLCanvasElement ? thing.tagName : thing?.outerHTML.slice(0, 300);
+}
+
+/** Whatever is under way gives way to a small net, which can be dragged. */
+async function expectResponsive(visitor: Visitor): Promise<void> {
+  for (let i = 0; i < 3; ++i) await visitor.press('Escape');
+  await visitor.run(() => document.querySelectorAll('details[open]').forEach((each) => each.removeAttribute('open')));
+  await visitor.run((recipe) => window.chebnet.open({ recipe }), SMALL);
+  await visitor.run(() => window.chebnet.setOptions({ method: 'projection', threshold: 1e-6 }));
+  await visitor.settled();
+  const vertex = (await visitor.handles()).at(-1)!;
+  const placeOf = async () => (await visitor.positions()).subarray(3 * vertex, 3 * vertex + 3);
+  const before = await placeOf();
+  expect(await visitor.run(thingAt, vertex)).toBe('CANVAS');
+  await visitor.drag(vertex, [-40, -30]);
+  expect(distance(await placeOf(), before)).toBeGreaterThan(0);
+}
+
+test('under a monkey nothing breaks, memory stays bounded, and in the end the net can be dragged', { timeout: 60_000 * (MINUTES + 3) }, async () => {
+  const visitor = await arrive();
+  const monkey = new Monkey(visitor, printedSeed(`Monkey in ${ENGINE}`));
+  const memory: number[] = [];
+  const end = Date.now() + 60_000 * MINUTES;
+  try {
+    while (Date.now() < end) {
+      const roundEnd = Date.now() + 1000 * ROUND;
+      while (Date.now() < roundEnd) await monkey.act();
+      await expectResponsive(visitor);
+      expect(await visitor.driver.complaints()).toEqual([]);
+      memory.push(browserMemory());
+    }
+  } catch (error) {
+    console.log(`What the monkey did last:\n${monkey.story}`);
+    await visitor.picture('monkey');
+    throw error;
+  }
+  console.log(`Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB ${memory.map((bytes) => Math.round(bytes / 1e6)).join(' ')}`);
+  expect(memory.at(-1)! - memory[0]!).toBeLessThan(LARGEST_GROWTH);
+});
