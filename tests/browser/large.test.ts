@@ -37,6 +37,23 @@ test('opens and is drawn, and no task of the page lasts long', async () => {
   expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
 });
 
+test('of many handles a hundred are listed until more are asked for, and any that is selected', async () => {
+  const { page } = visit;
+  await page.evaluate(() => window.chebnet.setHandles(Array.from({ length: 350 }, (_, vertex) => ({ vertex }))));
+  await script.settled();
+  await page.getByText('Handles (350)').click();
+  const rows = page.locator('.handles li');
+  expect(await rows.count()).toBe(100);
+  await page.getByRole('spinbutton', { name: 'Vertex number' }).fill('300');
+  await page.keyboard.press('Enter');
+  expect(await rows.count()).toBe(101);
+  await page.getByRole('button', { name: 'Vertex 300', exact: true, expanded: true }).waitFor();
+  await page.getByRole('button', { name: 'Show 100 of 249 more' }).focus();
+  await page.keyboard.press('Enter');
+  expect(await rows.count()).toBe(201);
+  expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('Vertex 100');
+});
+
 test('on its way it can be given up for the net of before; a drag moves it, Escape takes that back', async () => {
   const { page } = visit;
   const [there, { vertices: few }] = [await script.positions(), await script.stats()];
