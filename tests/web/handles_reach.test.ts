@@ -55,6 +55,18 @@ describe('the nearest point within all limits', () => {
 });
 
 describe('the limits of a translation', () => {
+  test('are of bounded number, and of thousands the nearest are among them', () => {
+    const number = random(5);
+    const held = Array.from({ length: 5000 }, (_, i): Ball => {
+      const angle = 2 * Math.PI * number();
+      const slack = i === 4321 ? 0.1 : 3 + number();
+      return { vertex: 100 + i, centre: i === 4321 ? [10, 0, 0] : [10 * Math.cos(angle), 10 * Math.sin(angle), 0], radius: 10 + slack };
+    });
+    const limits = limitsOf(inHand([[0, 0, 0], [1, 1, 1]]), [held]);
+    expect(limits.length).toBeLessThanOrEqual(1000);
+    expect(nearestInAll(limits, [-2, 0, 0])).toEqual([expect.closeTo(-0.1, 9), 0, 0]);
+  });
+
   test('hold it exactly where the net is long enough between what is in hand, what is mirrored and what is held', () => {
     const number = random(3);
     const held: Ball[] = [
