@@ -64,6 +64,20 @@ test('whose work it contains can be read without a network', async () => {
   expect(await text.innerText()).toContain('© 2010');
 });
 
+test('a file that was spoilt where it is kept is fetched anew', async () => {
+  const { page, script } = visit;
+  const spoilt = await page.evaluate(async () => {
+    const [name] = await caches.keys();
+    const cache = await caches.open(name!);
+    const address = document.querySelector<HTMLScriptElement>('script[type=module]')!.src;
+    await cache.put(address, new Response('spoilt', { headers: { 'content-type': 'text/javascript' } }));
+    return address;
+  });
+  await page.reload();
+  await script.waitForNet();
+  expect(await page.evaluate(async (address) => (await (await caches.match(address))!.text()).length, spoilt)).toBeGreaterThan(1000);
+});
+
 test('another version takes over when the visitor wants it', async () => {
   const { page, script } = visit;
   const first = await scriptOf(page);

@@ -13,6 +13,7 @@ const { scope } = self.registration;
 /** The site may hold other pages, even others of this kind. */
 const MINE = `chebnet ${scope} `;
 const CACHE = MINE + version;
+const INTEGRITIES = new Map(Object.entries(now).map(([path, integrity]) => [addressOf(path), integrity]));
 const LATER = new Set(later.map(addressOf));
 
 self.addEventListener('install', (event) => event.waitUntil(download()));
@@ -54,12 +55,27 @@ async function takeOver(): Promise<void> {
   await self.clients.claim();
 }
 
+/** What a disk has spoilt would keep the page from starting, and so from ever being mended. */
+async function isWhole(response: Response, integrity: string): Promise<boolean> {
+  try {
+    const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.clone().arrayBuffer()));
+    return integrity === `sha256-${btoa(String.fromCharCode(...hash))}`;
+  } catch {
+    return false;
+  }
+}
+
 async function answer(request: Request): Promise<Response> {
   const { origin, pathname } = new URL(request.url);
   const address = addressOf((origin + pathname).slice(scope.length));
   const cache = await caches.open(CACHE);
+  const integrity = INTEGRITIES.get(address);
   const kept = (await cache.match(address)) ?? (await caches.match(address));
-  if (kept) return kept;
+  if (kept && (integrity === undefined || (await isWhole(kept, integrity)))) return kept;
+  if (kept && integrity !== undefined) {
+    await keep(cache, address, integrity);
+    return (await cache.match(address))!;
+  }
   const response = await fetch(request);
   if (response.ok && LATER.has(address)) await cache.put(address, response.clone());
   return response;
