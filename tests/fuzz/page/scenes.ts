@@ -114,7 +114,8 @@ function change(tree: unknown, turns: readonly number[], value: unknown): void {
   } else if (value === undefined) {
     delete record[key];
   } else {
-    Object.defineProperty(record, key, { value, enumerable: true, writable: true, configurable: true });
+    // A copy, since a later change may go into it.
+    Object.defineProperty(record, key, { value: structuredClone(value), enumerable: true, writable: true, configurable: true });
   }
 }
 
