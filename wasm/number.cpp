@@ -1,4 +1,5 @@
-// Of chebnet_editor: numbers by JavaScript, which are as exact. The tables of a parser would be a tenth of the module.
+// Of chebnet_editor: numbers by JavaScript, which are as exact. The tables of a parser would be a tenth of the module,
+// and what prints numbers almost as much.
 
 #include "io/number.h"
 
@@ -16,6 +17,11 @@ std::optional<double> parse_number(std::string_view text) {
     const double number = emscripten::val::global("Number")(std::string(text)).as<double>();
     if (std::isnan(number)) return std::nullopt;
     return number;
+}
+
+std::string number_text(double number, int digits) {
+    const auto rounded = emscripten::val(number).call<emscripten::val>("toPrecision", digits);
+    return emscripten::val::global("Number")(rounded).call<std::string>("toString");
 }
 
 }  // namespace chebnet

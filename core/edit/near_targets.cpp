@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace chebnet {
@@ -19,16 +19,12 @@ struct Bound {
     bool operator>(const Bound& other) const { return strain > other.strain; }
 };
 
-std::vector<int> by_distance_moved(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& rest) {
-    std::vector<double> moved(static_cast<std::size_t>(targets.cols()));
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        const auto place = static_cast<Eigen::Index>(i);
-        moved[i] = (targets.col(place) - rest.col(place)).stableNorm();
-    }
-    std::vector<int> order(moved.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return moved[a] < moved[b]; });
-    return order;
+/// (distance from rest, handle), ascending.
+std::vector<std::pair<double, int>> by_distance_moved(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& rest) {
+    std::vector<std::pair<double, int>> moved;
+    for (int i = 0; i < targets.cols(); ++i) moved.emplace_back((targets.col(i) - rest.col(i)).stableNorm(), i);
+    std::sort(moved.begin(), moved.end());
+    return moved;
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ Eigen::Matrix3Xd near_targets(const HandleGraph& graph, double mean_length, cons
         for (const auto& [j, distance] : graph.neighbours(i))
             if (!is_placed[j]) bounds.push({(targets.col(i) - targets.col(j)).stableNorm() / distance, i, j, distance});
     };
-    for (int first : by_distance_moved(targets, rest)) {
+    for (const auto& [moved, first] : by_distance_moved(targets, rest)) {
         place(first, rest.col(first), k_farthest_target * mean_length);
         while (!bounds.empty()) {
             const Bound next = bounds.top();

@@ -25,7 +25,8 @@ FileFormat format_of_name(std::string_view name);
 
 /// Reads a file whatever its format, see read_obj, read_ply and read_off. What the bytes begin with decides between
 /// them before the extension of `name` does, by which messages call the file. STL, which has no vertices shared between
-/// faces, is refused, and so is, by what it is, a file that is plainly something else (see other_format). Throws Error bad_syntax, index_out_of_range, small_face, non_finite, too_large.
+/// faces, is refused, and so is, by what it is, a file that is plainly something else (see other_format). Throws Error
+/// bad_syntax, index_out_of_range, small_face, non_finite, too_large.
 Mesh read_mesh(std::string_view bytes, std::string_view name);
 
 /// The bytes of a file, see write_obj, write_ply, write_off and write_stl. All formats but STL keep faces, order and

@@ -1,10 +1,8 @@
 #include "io/text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <system_error>
 
@@ -71,20 +69,6 @@ double read_coordinate(std::string_view word, std::string_view name, int line) {
     if (!std::isfinite(*coordinate))
         fail_at_line(ErrorCode::non_finite, name, line, "the coordinate " + quoted(word) + " is not finite");
     return *coordinate;
-}
-
-std::string number_text(double number, int digits) {
-    std::array<char, 32> buffer;
-    const int size = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, number);
-    const std::string_view spelled(buffer.data(), static_cast<std::size_t>(size));
-    // What is neither digit nor sign nor letter is the decimal point of the locale.
-    constexpr std::string_view others = "+-0123456789einfa";
-    const std::size_t point = spelled.find_first_not_of(others);
-    std::string text(spelled.substr(0, point));
-    if (point == spelled.npos) return text;
-    text += '.';
-    text += spelled.substr(spelled.find_last_not_of(others) + 1);
-    return text;
 }
 
 std::string row_text(std::span<const double> numbers, int digits) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/number.h"
 #include "net/error.h"
 
 namespace chebnet {
@@ -52,10 +53,6 @@ private:
 
 /// The finite number that `word`, on that line of the text called `name`, spells. Throws Error bad_syntax, non_finite.
 double read_coordinate(std::string_view word, std::string_view name, int line);
-
-/// `number` with `digits` significant digits whatever the locale; 17 keep every double exactly. No stream of the
-/// standard library: they would make up a quarter of the WebAssembly module.
-std::string number_text(double number, int digits);
 
 /// The numbers with a space between them.
 std::string row_text(std::span<const double> numbers, int digits);

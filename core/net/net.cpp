@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -20,18 +19,12 @@ void check_finite(const Positions& positions) {
             throw Error(ErrorCode::non_finite, "vertex " + std::to_string(v) + " has a coordinate that is not finite");
 }
 
-std::string in_words(double number) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1g", number);
-    return text;
-}
-
 void check_size(const Positions& positions) {
+    static_assert(k_largest_size == 1e150);
     for (int v = 0; v < positions.cols(); ++v)
-        if (const double largest = positions.col(v).lpNorm<Eigen::Infinity>(); largest > k_largest_size)
-            throw Error(ErrorCode::bad_scale, "vertex " + std::to_string(v) + " has a coordinate of " +
-                                                  in_words(largest) + "; please scale the net to below " +
-                                                  in_words(k_largest_size));
+        if (positions.col(v).lpNorm<Eigen::Infinity>() > k_largest_size)
+            throw Error(ErrorCode::bad_scale,
+                        "vertex " + std::to_string(v) + " has a coordinate beyond 1e150: please make the net smaller");
 }
 
 }  // namespace
@@ -108,8 +101,7 @@ void Net::choose_rest_lengths(RestLengths choice) {
     // Summing differences keeps the mean of 100,000 equal lengths at that length to the last bit.
     m_mean_length = m_rest_lengths[0] + (m_rest_lengths.array() - m_rest_lengths[0]).mean();
     if (!(m_mean_length > 1 / k_largest_size))
-        throw Error(ErrorCode::bad_scale, "the edges are about " + in_words(m_mean_length) +
-                                              " long; please scale the net to above " + in_words(1 / k_largest_size));
+        throw Error(ErrorCode::bad_scale, "the mean edge is shorter than 1e-150: please make the net larger");
 
     const double shortest = m_rest_lengths.minCoeff() / m_mean_length;
     const double longest = m_rest_lengths.maxCoeff() / m_mean_length;
@@ -119,7 +111,7 @@ void Net::choose_rest_lengths(RestLengths choice) {
     if (m_is_chebyshev) m_rest_lengths.setConstant(m_mean_length);
 }
 
-double Net::unit() const { return std::exp2(std::floor(std::log2(m_mean_length))); }
+double Net::unit() const { return std::ldexp(1, std::ilogb(m_mean_length)); }
 
 Net Net::scaled(double factor) const {
     Net net(*this);

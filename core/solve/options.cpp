@@ -1,7 +1,6 @@
 #include "solve/options.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <variant>
@@ -65,9 +64,8 @@ const Entry& find_entry(std::string_view key) {
 [[noreturn]] void refuse(const OptionInfo& info, std::string_view value) {
     std::string wanted = "on or off";
     if (info.kind != k_flag) {
-        char range[64];
-        std::snprintf(range, sizeof range, " from %g to %g", info.smallest, info.largest);
-        wanted = std::string(info.kind == k_integer ? "a whole number" : "a number") + range;
+        wanted = std::string(info.kind == k_integer ? "a whole number" : "a number") + " from " +
+                 number_text(info.smallest, 6) + " to " + number_text(info.largest, 6);
     }
     throw Error(ErrorCode::bad_option,
                 "option " + std::string(info.name) + " must be " + wanted + ", not " + quoted(value));
