@@ -9,7 +9,7 @@ import { words } from '../language/language';
 import type { Choice } from '../handles/wishes';
 import { Appearance } from './appearance';
 import { ComparisonForm } from './comparison_form';
-import { ComparisonResults } from './comparison_results';
+import { ComparisonPlace } from './comparison_place';
 import { ConvergencePlot } from './convergence_plot';
 import { make, makeButton, makeSection, setSummary, setText } from './dom';
 import { DragPanel } from './drag_panel';
@@ -56,7 +56,7 @@ class Sidebar implements Panels {
   private readonly experiments: ExperimentsPanel;
   private readonly history: HistoryPanel;
   private readonly comparison: ComparisonForm;
-  private readonly results: ComparisonResults;
+  private readonly results: ComparisonPlace;
   private readonly runNotice: RunNotice;
   private readonly openingNotice: OpeningNotice;
   private readonly toolbar: Toolbar;
@@ -96,7 +96,7 @@ class Sidebar implements Panels {
       this.unfold(false); // a phone has no room for the results beside it
       events.compare(wish);
     });
-    this.results = new ComparisonResults(events);
+    this.results = new ComparisonPlace(events, (error) => this.say(String(error instanceof Error ? error.message : error), 'error'));
     this.runNotice = new RunNotice(() => {
       events.showRun(null);
       events.showBeside(null);

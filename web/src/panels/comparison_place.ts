@@ -1,0 +1,52 @@
+/** The place of a comparison's results, which come when they are first wanted. */
+import type { MethodInfo } from '../../../wasm/chebnet';
+import type { Comparison, Run } from '../compare/run';
+import { part } from '../part';
+import type { ComparisonResults } from './comparison_results';
+import { make } from './dom';
+import type { PanelEvents } from './panels';
+
+const loadResults = part(() => import('./comparison_results'));
+
+export class ComparisonPlace {
+  /** Until then. */
+  readonly element = make('section', { hidden: true });
+  private results: ComparisonResults | null = null;
+  private methods: MethodInfo[] = [];
+  private comparison: Comparison | null = null;
+
+  /** @param failed is told why they did not come. */
+  constructor(
+    private readonly events: PanelEvents,
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  showTable(methods: MethodInfo[]): void {
+    this.methods = methods;
+  }
+
+  /** May be called often. */
+  show(comparison: Comparison): void {
+    const isNew = comparison !== this.comparison;
+    this.comparison = comparison;
+    if (this.results) this.results.show(comparison);
+    else if (isNew) this.load().catch(this.failed);
+  }
+
+  showCurrent(run: Run | null, beside: Run | null): void {
+    this.results?.showCurrent(run, beside);
+  }
+
+  netChanged(): void {
+    this.results?.netChanged();
+  }
+
+  private async load(): Promise<void> {
+    const { ComparisonResults } = await loadResults();
+    if (this.results || !this.comparison) return;
+    this.results = new ComparisonResults(this.events);
+    this.results.showTable(this.methods);
+    this.element.replaceWith(this.results.element);
+    this.results.show(this.comparison);
+  }
+}
