@@ -15,7 +15,10 @@ function compressed(file: string): number {
   return gzipSync(readFileSync(file), { level: 9 }).length;
 }
 
-test.each(['en', 'zh-CN'])('in %s the first net is dragged after less than 350 kB', async (locale) => {
+test.each([
+  ['en', 'zh'],
+  ['zh-CN', 'en'],
+])('in %s the first net is dragged after less than 350 kB, without the words of %s', async (locale, other) => {
   const before = served().length;
   const { script } = await arrive('', { locale });
   const files = served().slice(before);
@@ -30,4 +33,5 @@ test.each(['en', 'zh-CN'])('in %s the first net is dragged after less than 350 k
   console.log([...sizes, ['all', sum]].map(([name, size]) => `${String(size).padStart(8)}  ${name}`).join('\n'));
   for (const kind of ['html', 'css', 'js', 'wasm']) expect(sizes.some(([name]) => name.endsWith(`.${kind}`))).toBe(true);
   expect(sum).toBeLessThan(MOST_BYTES);
+  expect(sizes.filter(([name]) => name.startsWith(`assets/${other}-`))).toEqual([]);
 });

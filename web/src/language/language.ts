@@ -1,6 +1,6 @@
 /** Every sentence the page says, in the visitor's language. Workers say theirs in English, with a code: see `words.core`. */
 import { preferredLanguage } from './choice';
-import { en } from './en';
+import type { en } from './en';
 
 /** What every language must have: the same names, texts where English has texts, functions where it has functions. */
 export type Words = Widened<typeof en>;
@@ -11,7 +11,7 @@ export type Widened<T> = T extends (...given: infer Given) => infer Result
     : { [K in keyof T]: Widened<T[K]> };
 
 export const language = preferredLanguage();
-export const words: Words = language === 'zh' ? (await import('./zh')).zh : en;
+export const words: Words = language === 'zh' ? (await import('./zh')).zh : (await import('./en')).en;
 
 /** Puts what stands in the document itself in that language. */
 export function translateDocument(document: Document): void {
