@@ -46,3 +46,16 @@ test('a drag keeps every length; Escape cancels it, undo takes it back, redo rep
   await visitor.press('Control+Shift+z');
   await expect.poll(async () => largestError(await visitor.positions(), after)).toBeLessThan(1e-6 * meanLength);
 });
+
+test('the wheel brings the net nearer, and moves no vertex', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  const apart = async () => {
+    const [a, b] = await visitor.run((vertices) => vertices.map((vertex) => window.chebnet.screenPosition(vertex)), [0, dragged]);
+    return Math.hypot(a!.x - b!.x, a!.y - b!.y);
+  };
+  const before = await apart();
+  await visitor.driver.movePointer(480, 400);
+  await visitor.driver.turnWheel(-200);
+  await expect.poll(apart).toBeGreaterThan(1.05 * before);
+  expect(largestError(await visitor.positions(), restPositions)).toBeLessThan(1e-9);
+});

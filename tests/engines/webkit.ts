@@ -71,6 +71,7 @@ class Window implements Driver {
   readonly #session: string;
   readonly downloads: string;
   readonly #complaints: string[] = [];
+  #pointer = { x: 0, y: 0 };
   readonly #end: () => Promise<void>;
 
   constructor(session: string, downloads: string, end: () => Promise<void>) {
@@ -102,7 +103,8 @@ class Window implements Driver {
   }
 
   movePointer(x: number, y: number): Promise<void> {
-    return this.#act('pointer', { type: 'pointerMove', x: Math.round(x), y: Math.round(y), duration: 0 });
+    this.#pointer = { x: Math.round(x), y: Math.round(y) };
+    return this.#act('pointer', { type: 'pointerMove', ...this.#pointer, duration: 0 });
   }
 
   pressButton(): Promise<void> {
@@ -114,7 +116,7 @@ class Window implements Driver {
   }
 
   turnWheel(dy: number): Promise<void> {
-    return this.#act('wheel', { type: 'scroll', x: 640, y: 400, deltaX: 0, deltaY: Math.round(dy) });
+    return this.#act('wheel', { type: 'scroll', ...this.#pointer, deltaX: 0, deltaY: Math.round(dy) });
   }
 
   pressKey(key: string): Promise<void> {
