@@ -79,7 +79,7 @@ TEST_CASE("A million vertices: the method of the page solves them, one that cann
     CHECK(editor.handle_error() == 0);
 }
 
-TEST_CASE("Where tens of thousands of edges meet, every step stays bounded") {
+TEST_CASE("Where tens of thousands of edges meet, every step stays bounded", "[large]") {
     const int valence = GENERATE(2'000, 20'000, 60'000);
     CAPTURE(valence);
     Editor editor(fan(valence));
