@@ -37,6 +37,33 @@ test('opens and is drawn, and no task of the page lasts long', async () => {
   expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
 });
 
+test('three thousand handles come without a long task', async () => {
+  const count = 3000;
+  await script.open({ recipe: 'vault:vertices=20000' });
+  await script.settled();
+  const { own } = await mainThreadTasks(browser(), async () => {
+    await script.setHandles(Array.from({ length: count }, (_, vertex) => ({ vertex })));
+    await script.settled();
+  });
+  console.log(`longest task while ${count} handles come: ${Math.max(...own)} ms`);
+  expect(await script.stats()).toMatchObject({ handles: count, status: 'converged' });
+  expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
+});
+
+test('twenty thousand triangles around one vertex open, and are solved', async () => {
+  const count = 20_000;
+  const { own } = await mainThreadTasks(browser(), async () => {
+    await script.open({ obj: fan(count) });
+    await script.settled();
+  });
+  console.log(`longest task while a fan of ${count} triangles opens: ${Math.max(...own)} ms`);
+  expect(Math.max(...own)).toBeLessThan(LONGEST_TASK_MS);
+  await script.setHandles([{ vertex: 1 }, { vertex: count / 2 }, { vertex: 0, target: [0, 0, 0.01] }]);
+  await script.settled();
+  expect(await script.stats()).toMatchObject({ vertices: count + 1, handles: 3 });
+  expect((await script.positions()).every(Number.isFinite)).toBe(true);
+});
+
 test('of many handles a hundred are listed until more are asked for, and any that is selected', async () => {
   const { page } = visit;
   await page.evaluate(() => window.chebnet.setHandles(Array.from({ length: 350 }, (_, vertex) => ({ vertex }))));
@@ -99,6 +126,14 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   expect((await script.stats()).status).toBe('running');
   await page.getByText('Stopped before the end').waitFor();
 });
+
+/** As an OBJ: a rim of unit radius around vertex 0. */
+function fan(count: number): string {
+  const angles = Array.from({ length: count }, (_, i) => (2 * Math.PI * i) / count);
+  const rim = angles.map((angle, i) => `v ${Math.cos(angle)} ${Math.sin(angle)} ${0.01 * (i % 3)}`);
+  const faces = angles.map((_, i) => `f 1 ${i + 2} ${((i + 1) % count) + 2}`);
+  return ['v 0 0 0', ...rim, ...faces, ''].join('\n');
+}
 
 function whatIs(recipe: string): { vertices: number; meanLength: number; dragged: number } {
   const editor = core.openRecipe(recipe);

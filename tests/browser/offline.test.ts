@@ -91,6 +91,24 @@ test('another version takes over when the visitor wants it', async () => {
   await script.waitForNet();
 });
 
+test('an update that was cut off half way does not push out the version of an open page', async () => {
+  const { page, script } = visit;
+  const kept = () => page.evaluate(() => caches.keys());
+  const [first = ''] = await kept();
+  const cutOff = first.replace(/[^ ]*$/, 'cut off');
+  await page.evaluate(async (name) => (await caches.open(name)).put('assets/some.js', new Response('half')), cutOff);
+  const other = anotherVersion();
+  served = other.folder;
+  await page.reload();
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction((src) => document.querySelector('script[src]')?.getAttribute('src') === src, other.script);
+  await script.waitForNet();
+  const names = await kept();
+  expect(names).toContain(first);
+  expect(names).not.toContain(cutOff);
+  expect(names).toHaveLength(2);
+});
+
 test('a version that is not whole is not taken', async () => {
   const { page, script } = visit;
   const first = await scriptOf(page);

@@ -15,6 +15,8 @@ const MINE = `chebnet ${scope} `;
 const CACHE = MINE + version;
 const INTEGRITIES = new Map(Object.entries(now).map(([path, integrity]) => [addressOf(path), integrity]));
 const LATER = new Set(later.map(addressOf));
+/** Kept after all else: a browser that ends in the middle of a download leaves a cache without it. */
+const WHOLE = `${scope}?whole`;
 
 self.addEventListener('install', (event) => event.waitUntil(download()));
 self.addEventListener('activate', (event) => event.waitUntil(takeOver()));
@@ -35,6 +37,7 @@ async function download(): Promise<void> {
   const cache = await caches.open(CACHE);
   try {
     await Promise.all(Object.entries(now).map(([path, integrity]) => keep(cache, addressOf(path), integrity)));
+    await cache.put(WHOLE, new Response());
   } catch (error) {
     await caches.delete(CACHE);
     throw error;
@@ -51,7 +54,10 @@ async function keep(cache: Cache, address: string, integrity: string): Promise<v
 /** The version before stays for pages that are still open with it. */
 async function takeOver(): Promise<void> {
   const others = (await caches.keys()).filter((name) => name.startsWith(MINE) && name !== CACHE);
-  await Promise.all(others.slice(0, -1).map((name) => caches.delete(name)));
+  const areWhole = await Promise.all(others.map(async (name) => (await caches.open(name)).match(WHOLE)));
+  // Versions of long ago say of none that it is whole.
+  const before = others.filter((_, i) => areWhole[i]).at(-1) ?? others.at(-1);
+  await Promise.all(others.filter((name) => name !== before).map((name) => caches.delete(name)));
   await self.clients.claim();
 }
 
