@@ -115,7 +115,7 @@ test('a reload in the middle of a drag brings back the net of before it', async 
   await visitor.drag(vertex, [-60, -40]);
   const before = await visitor.positions();
   await expect.poll(() => visitor.run(countKept)).toBe(3);
-  const { x, y } = await visitor.run((v) => window.chebnet.screenPosition(v), vertex);
+  const { x, y } = await visitor.placeInSight(vertex);
   await visitor.driver.movePointer(x, y);
   await visitor.driver.pressButton();
   await visitor.driver.movePointer(x + 60, y + 20);

@@ -39,7 +39,7 @@ test('a solve is plotted', async () => {
 test('a click adds a handle, Delete removes it', async () => {
   await visitor.openNet({ recipe: SHAPE });
   const free = reference.edges.find((vertex) => !suggestedHandles.includes(vertex))!;
-  const place = await visitor.run((vertex) => window.chebnet.screenPosition(vertex), free);
+  const place = await visitor.placeInSight(free);
   const handles = () => visitor.handles();
   await visitor.click(place.x, place.y);
   await expect.poll(handles).toEqual([...suggestedHandles, free]);

@@ -1,6 +1,7 @@
 /** Somebody who visits the page in a window of any engine. */
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { afterAll, afterEach, beforeAll, expect, vi } from 'vitest';
 import type { Scripting, Stats } from '../../web/src/scripting';
@@ -100,9 +101,21 @@ export class Visitor {
     await this.driver.releaseButton();
   }
 
+  /** Where a vertex is on the screen, once the view has come to rest: it may still be on its way to a net just opened. */
+  async placeInSight(vertex: number): Promise<{ x: number; y: number }> {
+    const place = () => this.run((v) => window.chebnet.screenPosition(v), vertex);
+    let before = await place();
+    for (;;) {
+      await sleep(100);
+      const now = await place();
+      if (Math.hypot(now.x - before.x, now.y - before.y) < 0.5) return now;
+      before = now;
+    }
+  }
+
   /** Drags the handle at a vertex across the screen and waits for the net. */
   async drag(vertex: number, [dx, dy]: Point, atEnd?: () => Promise<void>): Promise<void> {
-    const { x, y } = await this.run((v) => window.chebnet.screenPosition(v), vertex);
+    const { x, y } = await this.placeInSight(vertex);
     const steps = 5;
     await this.driver.movePointer(x, y);
     await this.driver.pressButton();

@@ -9,9 +9,9 @@ export function random(seed: number): () => number {
   };
 }
 
-/** A new seed for each run, or the one of CHEBNET_SEED; printed, so that a failure can be repeated. */
-export function printedSeed(what: string): number {
-  const seed = Number(process.env['CHEBNET_SEED'] ?? Math.floor(Math.random() * 2 ** 31));
+/** The one of CHEBNET_SEED, or else a new seed for each run unless one is given; printed, so that a failure can be repeated. */
+export function printedSeed(what: string, usual = Math.floor(Math.random() * 2 ** 31)): number {
+  const seed = Number(process.env['CHEBNET_SEED'] ?? usual);
   console.log(`${what}: CHEBNET_SEED=${seed}`);
   return seed;
 }
