@@ -55,7 +55,7 @@ TEST_CASE("A factor that would fill the memory is refused before it is made, wit
     CHECK(too_large([&] { BlockSystem(n, links); }).empty());
 }
 
-TEST_CASE("A million vertices: the method of the page solves them, one that cannot says so and leaves the net usable",
+TEST_CASE("A million vertices: the method of the page goes to work, one that cannot says so and leaves the net usable",
           "[large]") {
     Editor editor(samples::patch(1000, 1000, 0));
     const Positions rest = editor.positions();

@@ -14,7 +14,6 @@
 #include "net/error.h"
 #include "net/measures.h"
 #include "nets.h"
-#include "solve/stopwatch.h"
 
 namespace chebnet::soak {
 namespace {
