@@ -1,7 +1,9 @@
 #include "solve/length_projection.h"
 
+#include <cmath>
 #include <utility>
 
+#include "linear/dense_kernels.h"
 #include "linear/limits.h"
 #include "linear/ordering.h"
 #include "solve/stopwatch.h"
@@ -20,6 +22,14 @@ constexpr double k_shift = 1e-9;
 constexpr double k_factor_shift = 1e-6;
 // The edges at a vertex are all coupled with each other: a dense block, whose factor takes as many operations.
 constexpr double k_most_block_operations = 3e9;
+
+/// In an order that does not depend on the compiler, as Eigen's do.
+double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return dense::dot(a.data(), b.data(), static_cast<int>(a.size()));
+}
+double dot3(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
 
 void check_size(const Net& net, const Topology& topology) {
     double couplings = 0, operations = 0;
@@ -67,6 +77,8 @@ void LengthProjection::set_free(const std::vector<bool>& is_free) {
     for (std::size_t v = 0; v < is_free.size(); ++v) m_weight[v] = is_free[v] ? 1 : 0;
 }
 
+double LengthProjection::squared_error() const { return dot(m_rhs, m_rhs); }
+
 bool LengthProjection::project(Positions& positions) {
     assemble(positions);
     m_factorisation_ms = 0;
@@ -84,7 +96,7 @@ void LengthProjection::assemble(const Positions& positions) {
     for (int e = 0; e < m_net.edge_count(); ++e) {
         const int a = m_net.edges()(0, e), b = m_net.edges()(1, e);
         const Eigen::Vector3d d = positions.col(a) - positions.col(b);
-        const double length = d.norm(), L = m_net.rest_lengths()[e], weight = m_weight[a] + m_weight[b];
+        const double length = std::sqrt(dot3(d, d)), L = m_net.rest_lengths()[e], weight = m_weight[a] + m_weight[b];
         m_jacobian.col(e) = d / (length * L);
         // An edge between two handles cannot change: a row of its own, with nothing to ask for.
         m_diagonal[e][0] = weight > 0 ? (1 + k_shift) * weight / (L * L) : 1;
@@ -92,7 +104,7 @@ void LengthProjection::assemble(const Positions& positions) {
     }
     for (std::size_t k = 0; k < m_couplings.size(); ++k) {
         const auto& [a, b, vertex, sign] = m_couplings[k];
-        m_off_diagonal[k][0] = m_weight[vertex] * sign * m_jacobian.col(a).dot(m_jacobian.col(b));
+        m_off_diagonal[k][0] = m_weight[vertex] * sign * dot3(m_jacobian.col(a), m_jacobian.col(b));
     }
 }
 
@@ -116,20 +128,20 @@ bool LengthProjection::factorize() {
 bool LengthProjection::solve_by_conjugate_gradients() {
     m_multipliers.setZero();
     m_residual = m_rhs;
-    const double enough = k_tolerance * k_tolerance * m_rhs.squaredNorm();
+    const double enough = k_tolerance * k_tolerance * squared_error();
     double product = 0;
     for (int k = 0; k < k_most_iterations; ++k) {
         precondition(m_residual, m_preconditioned);
-        const double previous = std::exchange(product, m_residual.dot(m_preconditioned));
+        const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
         if (k == 0)
             m_search = m_preconditioned;
         else
             m_search = m_preconditioned + product / previous * m_search;
         multiply(m_search, m_image);
-        const double step = product / m_search.dot(m_image);
+        const double step = product / dot(m_search, m_image);
         m_multipliers += step * m_search;
         m_residual -= step * m_image;
-        if (m_residual.squaredNorm() <= enough) return m_multipliers.allFinite();
+        if (dot(m_residual, m_residual) <= enough) return m_multipliers.allFinite();
     }
     return false;
 }

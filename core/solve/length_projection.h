@@ -15,7 +15,8 @@ namespace chebnet {
 /// share a free vertex. Converges quadratically from close by; from afar it crumples the net.
 ///
 /// The system is solved by conjugate gradients preconditioned with a factor of it in single precision, which is renewed
-/// when it has become too old to pay. Nothing is allocated after construction. Keeps a reference to the net.
+/// when it has become too old to pay. Nothing is allocated after construction. The same bits come out natively and in
+/// WebAssembly. Keeps a reference to the net.
 class LengthProjection {
 public:
     /// Orders and analyses the system, whatever the handles will be. Throws Error too_large where it would need more
@@ -32,7 +33,7 @@ public:
     bool project(Positions& positions);
 
     /// Σ_e c_e² before the last projection.
-    double squared_error() const { return m_rhs.squaredNorm(); }
+    double squared_error() const;
     double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last projection
 
 private:
