@@ -1,5 +1,5 @@
 // In chebnet_editor these stand in for functions of the library, so that the linker takes neither them nor what only
-// they need: files, and the methods of which `projection` has no use itself. Called, they throw the code "left_out".
+// they need: files, shapes that are relaxed, and the methods of which `projection` has no use itself. Called, they throw the code "left_out".
 
 #include <memory>
 #include <string>
@@ -8,6 +8,7 @@
 #include "border.h"
 #include "io/mesh_file.h"
 #include "io/obj.h"
+#include "shapes/smooth_figure.h"
 #include "solve/composite_majorization.h"
 #include "solve/dp.h"
 #include "solve/gradient_descent.h"
@@ -32,6 +33,10 @@ std::unique_ptr<Method> make_dp4() { leave_to_the_whole_core(); }
 std::unique_ptr<Method> make_dp8() { leave_to_the_whole_core(); }
 std::unique_ptr<Method> make_gradient_descent() { leave_to_the_whole_core(); }
 std::unique_ptr<Method> make_lbfgs() { leave_to_the_whole_core(); }
+
+Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Vector3d>, std::span<const Box>) {
+    leave_to_the_whole_core();
+}
 
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }

@@ -3,14 +3,10 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "shapes/placement.h"
 #include "shapes/shapes.h"
 
 namespace chebnet {
-
-/// A block with its sides along the axes.
-struct Box {
-    Eigen::Vector3d low, high;
-};
 
 /// The boundary of a union of blocks, netted with equal squares. The blocks are rounded to whole squares, at least one
 /// thick; the size of the squares is chosen so that about `vertices` of them come out. The handles are the vertices

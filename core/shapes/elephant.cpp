@@ -1,5 +1,6 @@
 #include "shapes/box_figure.h"
 #include "shapes/family.h"
+#include "shapes/smooth_figure.h"
 
 namespace chebnet {
 
@@ -9,17 +10,17 @@ constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(3000),
     {"legs", 2.5, 1, 6, "Length of the legs, where the body is 4 high."},
     {"trunk", 4.5, 1, 6, "Length of the trunk, where the body is 4 high."},
+    smooth_parameter(),
 };
 
 Shape make(const Values& values) {
     const double belly = values["legs"];
-    std::vector<Box> boxes;
+    Boxes boxes;
     const auto add = [&](double x_low, double x_high, double y_low, double y_high, double z_low, double z_high) {
-        boxes.push_back({{x_low, y_low, belly + z_low}, {x_high, y_high, belly + z_high}});
+        boxes.add(x_low, x_high, y_low, y_high, belly + z_low, belly + z_high);
     };
     const auto add_pair = [&](double x_low, double x_high, double y_low, double y_high, double z_low, double z_high) {
-        add(x_low, x_high, y_low, y_high, z_low, z_high);
-        add(-x_high, -x_low, y_low, y_high, z_low, z_high);
+        boxes.add_pair(x_low, x_high, y_low, y_high, belly + z_low, belly + z_high);
     };
     const double trunk_end = 4 - values["trunk"];
     add(-2, 2, -4, 2.5, 0, 4);                           // body
@@ -34,6 +35,7 @@ Shape make(const Values& values) {
 
     const Eigen::Vector3d handles[] = {
         {1.25, -3.25, 0}, {-1.25, -3.25, 0}, {1.25, 1.75, 0}, {-1.25, 1.75, 0}, {0, 6.5, belly + trunk_end + 0.5}};
+    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], handles);
     return make_box_figure(boxes, values["vertices"], handles);
 }
 

@@ -30,12 +30,19 @@ struct Family {
     Shape (*make)(const Values& values);
 };
 
-extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant;
+extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
+    k_shirt;
 
 /// The parameter that every family has.
 constexpr ShapeParameter vertices_parameter(double value) {
     return {"vertices", value, 100, 100000, "About how many vertices the net has."};
 }
+
+/// The parameter of figures of blocks that can also be had smooth.
+constexpr ShapeParameter smooth_parameter() {
+    return {"smooth", 0, 0, 1, "1: smooth but for cones at the corners; 0: of blocks."};
+}
+constexpr bool is_on(double value) { return value >= 0.5; }
 
 /// A surface whose edges all have one length, before it has its size and place.
 struct Surface {

@@ -1,5 +1,6 @@
 #include "shapes/box_figure.h"
 #include "shapes/family.h"
+#include "shapes/smooth_figure.h"
 
 namespace chebnet {
 
@@ -8,6 +9,7 @@ namespace {
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
     {"arm", 1.2, 0.3, 5, "Length of each arm divided by its width."},
+    smooth_parameter(),
 };
 
 Shape make(const Values& values) {
@@ -21,6 +23,7 @@ Shape make(const Values& values) {
         boxes[axis] = {-corner, corner};
         tips.insert(tips.end(), {-tip, tip});
     }
+    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], tips);
     return make_box_figure(boxes, values["vertices"], tips);
 }
 

@@ -9,7 +9,7 @@
 
 namespace chebnet {
 
-/// Nets that are exactly Chebyshev by construction (to 1e-12 of an edge), each made from a recipe.
+/// Nets that are exactly Chebyshev (to 1e-12 of an edge), by construction or relaxed, each made from a recipe.
 ///
 /// A recipe is a short text that fits a link: NAME or NAME:key=value,key=value …, for example `dome` or
 /// `vault:vertices=4000,rise=0.4`. Parameters that are not named take their defaults. Every shape has the parameter

@@ -1,5 +1,5 @@
-// Prints what every method makes of every shape, to the last bit: a line for each frame of a drag, with how it ended, and
-// the hashes of the positions and of what the trace says of the iterations, times apart. Two builds of the same sources
+// Prints every shape and what every method makes of it, to the last bit: a line for each frame of a drag, with how it ended,
+// and the hashes of the positions and of what the trace says of the iterations, times apart. Two builds of the same sources
 // print the same; tests/same_bits compares them.
 
 #include <cinttypes>
@@ -15,6 +15,7 @@ namespace chebnet {
 namespace {
 
 constexpr int k_vertices = 200;    // small enough for sanitizers, large enough for the factorisation's supernodes
+constexpr int k_more_vertices = 2000;  // of a shape alone: enough that it is relaxed twice
 constexpr int k_iterations = 100;  // of one frame: gradient descent would take thousands
 constexpr int k_frames = 2;        // the second starts from the first
 constexpr double k_pull = 0.1;     // of the way to the middle of the anchors, with each frame
@@ -74,6 +75,13 @@ void drag(const std::string& recipe, const Shape& shape, const char* method) {
     }
 }
 
+void print_shape(const std::string& recipe) {
+    const Shape shape = make_shape(recipe);
+    std::printf("%s: positions %016" PRIx64 ", handles", recipe.c_str(), hash(shape.net.rest_positions()));
+    for (const int vertex : shape.suggested_handles) std::printf(" %d", vertex);
+    std::printf("\n");
+}
+
 }  // namespace
 }  // namespace chebnet
 
@@ -83,5 +91,8 @@ int main() {
         const std::string recipe = std::string(info.name) + ":vertices=" + std::to_string(k_vertices);
         const Shape shape = make_shape(recipe);
         for (const MethodInfo& method : method_table()) drag(recipe, shape, method.name);
+        print_shape(std::string(info.name) + ":vertices=" + std::to_string(k_more_vertices));
     }
+    for (const char* name : {"elephant", "jack"})
+        print_shape(std::string(name) + ":smooth=1,vertices=" + std::to_string(k_more_vertices));
 }

@@ -45,7 +45,7 @@ test("no file imports from a worker's entry: WebKit would evaluate the entry a s
   const chunks = readdirSync(ASSETS).filter((name) => name.endsWith('.js'));
   const links = chunks.map((chunk) => ({ chunk, ...linksOf(chunk) }));
   const workers = links.flatMap(({ workers }) => workers);
-  expect(workers.map((name) => name.replace(/-.{8}\.js$/, '')).sort()).toEqual(['equalize_worker', 'export_worker', 'file_worker', 'worker']);
+  expect(workers.map((name) => name.replace(/-.{8}\.js$/, '')).sort()).toEqual(['equalize_worker', 'export_worker', 'file_worker', 'thumbnail_worker', 'worker']);
   expect(links.some(({ chunk, imports }) => chunk.startsWith('worker-') && imports.length > 0)).toBe(true);
   const guilty = links.filter(({ imports }) => imports.some((name) => workers.includes(name)));
   expect(guilty.map(({ chunk }) => chunk)).toEqual([]);

@@ -20,7 +20,9 @@ import type { Action, PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
 import { Client, isCancelled, SolverError } from './worker/client';
 import type { Opened, WorkerLike } from './worker/client';
+import { LEFT_OUT } from './worker/protocol';
 import type { ExportFormat, FrameData, OpenedNet } from './worker/protocol';
+import type { ThumbnailNet } from './worker/thumbnail_net';
 
 /** What an app is made from. */
 export interface AppParts {
@@ -125,7 +127,7 @@ export class App {
   async start(): Promise<void> {
     const tables = await this.#tables;
     this.#optionTable = tables.options;
-    this.#panels.showTables(words.core.tables(tables), (recipe) => this.#client.thumbnail(recipe));
+    this.#panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 
   /** Calls `listener` on every event of that kind; returns what ends this. */
@@ -469,6 +471,16 @@ export class App {
   }
 
   // ------------------------------------------------------------------------------------------------------------ showing
+
+  async #thumbnail(recipe: string): Promise<ThumbnailNet> {
+    try {
+      return await this.#client.thumbnail(recipe);
+    } catch (error) {
+      if (!(error instanceof SolverError) || error.code !== LEFT_OUT) throw error;
+      const { lateThumbnail } = await import('./worker/late_thumbnail');
+      return lateThumbnail(recipe);
+    }
+  }
 
   #showOpened(scene: Scene, { net, frame }: Opened): void {
     this.#showOwnNet();

@@ -5,6 +5,7 @@ import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { ThumbnailNet } from './thumbnail_net';
 
 /** The part of a `Worker` that the client uses. */
 export interface WorkerLike {
@@ -208,7 +209,7 @@ export class Client {
     return (await this.#ask({ type: 'distances', origins: [...origins] }, 'distances')).distances;
   }
 
-  thumbnail(recipe: string): Promise<{ edges: Int32Array; positions: Float32Array }> {
+  thumbnail(recipe: string): Promise<ThumbnailNet> {
     return this.#ask({ type: 'thumbnail', recipe }, 'thumbnail');
   }
 

@@ -148,5 +148,8 @@ export function touchesNet(type: Request['type']): type is (typeof TOUCHING)[num
  *  touched the net, after a `settled`: the solve was given up, the net stays as it is. */
 export const TOO_LARGE = 'too_large';
 
+/** Code of what the core for a first net refuses and the whole one has; the page hears it of thumbnails alone. */
+export const LEFT_OUT = 'left_out';
+
 /** Code of the error after which the worker that sent it must be discarded: the module itself broke. */
 export const CRASHED = 'crashed';

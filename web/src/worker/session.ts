@@ -5,11 +5,10 @@ import { targetsOf } from '../document/document';
 import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
 import { edgesCsv } from '../export/edges_csv';
 import { describe } from './opened_net';
-import { CRASHED, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
+import { thumbnailOf } from './thumbnail_net';
+import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 
-/** Code of what the core for a first net refuses. */
-const LEFT_OUT = 'left_out';
 /** Milliseconds of solving between two looks at the messages; one iteration is the least. */
 const SLICE = 12;
 /**
@@ -74,7 +73,8 @@ export class Session {
     try {
       this.#answer(request);
     } catch (error) {
-      if (codeOf(error) === LEFT_OUT) void this.#answerByWholeCore(request);
+      // A small picture is not worth the wait.
+      if (codeOf(error) === LEFT_OUT && request.type !== 'thumbnail') void this.#answerByWholeCore(request);
       else this.#refuse(request.id, error);
     }
   }
@@ -125,7 +125,7 @@ export class Session {
       case 'distances':
         return this.#distances(request);
       case 'thumbnail':
-        return this.#reply(request, this.#thumbnail(request.recipe));
+        return this.#reply(request, { type: 'thumbnail', ...thumbnailOf(this.#core, request.recipe) });
     }
   }
 
@@ -204,12 +204,6 @@ export class Session {
     return { type: 'measured', measures: { bend: editor.bend(), smallestAngle: editor.smallestAngle(), handleError: editor.handleError() } };
   }
 
-  #thumbnail(recipe: string): Answer {
-    const editor = this.#core.openRecipe(recipe);
-    const { edges, restPositions } = editor;
-    editor.dispose();
-    return { type: 'thumbnail', edges, positions: Float32Array.from(restPositions) };
-  }
 
   // ---------------------------------------------------------------------------------------------------- the whole core
 

@@ -9,6 +9,7 @@ interface ShapeWords {
 }
 
 const VERTICES = '网的大致顶点数。';
+const SMOOTH = '1：光滑，只在角上成锥；0：方块。';
 
 export const SHAPES: Record<string, ShapeWords> = {
   vault: {
@@ -40,7 +41,7 @@ export const SHAPES: Record<string, ShapeWords> = {
   jack: {
     title: '六臂体',
     sentence: '立方体伸出六条方形臂。角上汇集三条或六条边，而非四条。',
-    parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。' },
+    parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。', smooth: SMOOTH },
   },
   steps: {
     title: '阶梯',
@@ -50,7 +51,32 @@ export const SHAPES: Record<string, ShapeWords> = {
   elephant: {
     title: '大象',
     sentence: '由方块搭成的大象。角上汇集三条、五条或六条边，而非四条。',
-    parameters: { vertices: VERTICES, legs: '腿的长度（躯干高度为 4）。', trunk: '象鼻的长度（躯干高度为 4）。' },
+    parameters: { vertices: VERTICES, legs: '腿的长度（躯干高度为 4）。', trunk: '象鼻的长度（躯干高度为 4）。', smooth: SMOOTH },
+  },
+  teddy: {
+    title: '玩具熊',
+    sentence: '坐着的玩具熊，处处光滑，只在汇集三条、五条或六条边之处成锥。',
+    parameters: { vertices: VERTICES },
+  },
+  rabbit: {
+    title: '兔子',
+    sentence: '坐着的兔子，处处光滑，只在汇集三条、五条或六条边之处成锥。',
+    parameters: { vertices: VERTICES },
+  },
+  horse: {
+    title: '木马',
+    sentence: '立在滑轨上的马，处处光滑，只在汇集三条、五条或六条边之处成锥。身下有两个洞。',
+    parameters: { vertices: VERTICES },
+  },
+  jug: {
+    title: '水罐',
+    sentence: '带把手的水罐，处处光滑，只在汇集三条或五条边之处成锥。罐口敞开。',
+    parameters: { vertices: VERTICES },
+  },
+  shirt: {
+    title: '背心',
+    sentence: '无袖衫，下摆、领口和袖口敞开。',
+    parameters: { vertices: VERTICES },
   },
 };
 
@@ -105,6 +131,7 @@ export const NAMES: Record<string, string> = {
   height: '台阶高度',
   legs: '腿长',
   trunk: '鼻长',
+  smooth: '光滑',
   threshold: '阈值',
   energy_tolerance: '能量容差',
   gradient_tolerance: '梯度容差',
