@@ -1,0 +1,113 @@
+/**
+ * What a page of any day made opens for ever: links, projects and what the browser kept, in tests/data/golden, each into the
+ * document beside it. A folder holds what one version of the format wrote, `v1-b84a125` as the page of that commit did.
+ *
+ * Golden files are never changed. What is new (a version, a field, a shape) is added to golden_scenes.ts and, from the page
+ * as it is then,
+ *
+ *     cd web && CHEBNET_GOLDEN=make npx vitest run --project web golden
+ *
+ * makes the files that are missing.
+ */
+import { describe, expect, test } from 'vitest';
+import type { HandleData, Scene, Vec3 } from '../../web/src/document/document';
+import { Host } from '../../web/src/embed/host';
+import { parseProject, readProject } from '../../web/src/document/project';
+import type { Project } from '../../web/src/document/project';
+import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { sceneOf } from '../../web/src/projects/link';
+import { createScripting } from '../../web/src/scripting';
+import { largestDistance, load } from '../wasm/load';
+import { goldens, isMade, keptRecord, readData } from './golden_files';
+import type { ExpectedLink } from './golden_files';
+import { makeGoldens } from './golden_make';
+import { goldenLinks } from './golden_scenes';
+import { openPage } from './page_without_pictures';
+
+/** The folder of what is written today. */
+const TODAY = 'v1';
+/** Rest positions are computed: another compiler may round them otherwise. */
+const ROUNDING = 1e-12;
+
+const core = await load();
+if (process.env['CHEBNET_GOLDEN'] === 'make') await makeGoldens(core, TODAY);
+
+describe('a link opens', () => {
+  test.each(goldens('link'))('$name', async ({ text, expected }) => {
+    const { document, deviations } = expected as ExpectedLink;
+    const scene = sceneOf(text);
+    const { app } = await openPage(core);
+    await app.openScene(scene);
+    const { document: opened, net, frame } = app.opening!;
+
+    expect(withoutPlaces(opened)).toEqual(withoutPlaces(document));
+    const shortest = edgeLengths(net.restPositions, net.edges).reduce((least, length) => Math.min(least, length));
+    expect(largestDistance(frame.positions, document.positions)).toBeLessThanOrEqual(scene.positions === null ? ROUNDING : 1e-4 * shortest);
+    for (const [i, { target }] of document.handles.entries()) {
+      if (seedOf(scene, i) !== null) expect(opened.handles[i]!.target).toEqual(target);
+      else expect(largestDistance(Float64Array.from(opened.handles[i]!.target), Float64Array.from(target))).toBeLessThanOrEqual(ROUNDING);
+    }
+    expect(frame.deviations).toHaveLength(deviations.length);
+    for (const [e, dl] of deviations.entries()) expect(Math.abs(frame.deviations[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
+  });
+});
+
+/** A document but for positions and targets. */
+function withoutPlaces<T extends { positions: unknown; handles: HandleData[] }>({ positions: _, handles, ...rest }: T): object {
+  return { ...rest, handles: handles.map((handle) => ({ ...handle, target: null })) };
+}
+
+/** The target that a scene gives a handle; null: where it rests. */
+function seedOf({ handles }: Scene, i: number): Vec3 | null {
+  return handles === 'suggested' ? null : handles[i]!.target;
+}
+
+describe('a project opens, to the last bit', () => {
+  test.each(goldens('chebnet.json'))('$name', ({ text, expected }) => opens(parseProject(text), expected as Project));
+});
+
+describe('what a browser kept opens, to the last bit', () => {
+  test.each(goldens('kept.json'))('$name', ({ text, expected }) => opens(readProject(keptRecord(text)), expected as Project));
+});
+
+/** With every state of its history. */
+async function opens(project: Project, expected: Project): Promise<void> {
+  expect(project).toEqual(expected);
+  const { app, said } = await openPage(core);
+  await app.openProject(project);
+  expect(app.project()).toEqual(expected);
+  for (const [i, { state }] of expected.entries.entries()) {
+    app.goTo(i);
+    await new Promise((resolve) => setImmediate(resolve));
+    const { view: _, ...opened } = app.opening!.document;
+    expect(opened).toEqual(state);
+  }
+  expect(said).toEqual([]);
+}
+
+test('the calls of a host page do what they did', async () => {
+  const { calls, document } = readData('calls.json') as { calls: unknown[]; document: object };
+  const page = await openPage(core);
+  const answers: unknown[] = [];
+  const host = new Host(createScripting(page.app, Promise.resolve()), (answer) => answers.push(answer));
+  for (const call of calls) {
+    await host.receive(call);
+    await page.solve();
+  }
+  expect(answers).toEqual([1, 'two', 3, 4, 5, 6, 7].map((id) => ({ chebnet: 1, id, result: undefined })));
+  const { positions: _, settled: __, ...opened } = page.app.opening!.document;
+  expect(opened).toEqual(document);
+});
+
+/** Each with so many variants. What it shows may change: a link gives its name, no more. */
+test.each(Object.entries(readData('experiments.json') as Record<string, number>))('the experiment %s has its links', async (name, variants) => {
+  const { app } = await openPage(core);
+  for (const end of ['', ...Array.from({ length: variants }, (_, i) => `&variant=${i + 1}`)]) {
+    await app.openScene(sceneOf(`#experiment=${name}${end}`));
+    expect(app.opening!.document.experiment).toEqual(expect.any(String));
+  }
+});
+
+test('of every scene there is a link as it is written today', () => {
+  expect(Object.keys(goldenLinks(core)).filter((title) => !isMade(`${TODAY}/${title}`, 'link'))).toEqual([]);
+});

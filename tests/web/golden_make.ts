@@ -1,0 +1,102 @@
+/** Makes the golden files of this day's page that are not there yet. Those that are there stay: they are what visitors have. */
+import type { Chebnet } from '../../wasm/chebnet';
+import type { SolverSettings } from '../../web/src/document/document';
+import { projectText, writeProject } from '../../web/src/document/project';
+import type { Project } from '../../web/src/document/project';
+import { hashOf, sceneOf } from '../../web/src/projects/link';
+import { freshScene } from '../../web/src/document/defaults';
+import { isMade, keptText, writeGolden } from './golden_files';
+import type { ExpectedLink } from './golden_files';
+import { CHANGES, goldenLinks, SMALL } from './golden_scenes';
+import type { GoldenLink } from './golden_scenes';
+import { openPage } from './page_without_pictures';
+import type { Page } from './page_without_pictures';
+
+/** @param folder of the version that is written, e.g. `v1`. */
+export async function makeGoldens(core: Chebnet, folder: string): Promise<void> {
+  for (const [title, link] of Object.entries(goldenLinks(core))) {
+    const name = `${folder}/${title}`;
+    if (!isMade(name, 'link')) writeGolden({ name, ...(await makeLink(core, link)) }, 'link');
+  }
+  for (const [title, make] of Object.entries({ lesson, changes, settings })) {
+    const name = `${folder}/${title}`;
+    if (isMade(name, 'chebnet.json')) continue;
+    const expected = await make(core);
+    writeGolden({ name, text: projectText(expected), expected }, 'chebnet.json');
+    writeGolden({ name, text: keptText(writeProject(expected, Infinity)), expected }, 'kept.json');
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------------- links
+
+async function makeLink(core: Chebnet, { scene, drag, unsolved, largest }: GoldenLink): Promise<{ text: string; expected: ExpectedLink }> {
+  const page = await openPage(core);
+  await page.app.openScene(scene);
+  if (!unsolved) await page.solve();
+  if (drag) await dragLast(page, drag);
+  const { document } = page.app.toShare()!;
+  const shared = hashOf(page.app, largest);
+  if (shared.hash === null) throw new Error('too large for a link');
+  const opened = await openPage(core);
+  await opened.app.openScene(sceneOf(shared.hash));
+  const { frame } = opened.app.opening!;
+  const expected = shared.positions ? { ...document, positions: document.positions! } : { ...document, positions: frame.positions, settled: false };
+  return { text: shared.hash, expected: { document: expected, deviations: Array.from(frame.deviations, (x) => Number(x.toPrecision(6))) } };
+}
+
+async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Promise<void> {
+  const { vertex, target: [x, y, z] } = page.app.opening!.document.handles.at(-1)!;
+  await page.app.handles.move([{ vertex, target: [x + dx, y + dy, z + dz] }], 'drag');
+  await page.solve();
+}
+
+// ------------------------------------------------------------------------------------------------------------ histories
+
+/** Of two nets, with two changes undone. */
+async function lesson(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  const { app } = page;
+  await app.openScene(freshScene({ recipe: 'dome:vertices=100' }));
+  await page.solve();
+  await dragLast(page, [0.3, -0.2, -0.4]);
+  app.handles.setLocality(4);
+  await dragLast(page, [0.1, 0, 0.1]);
+  app.handles.setLocality(undefined);
+  app.handles.setSymmetry({ axis: 'x', through: 'centre' });
+  await app.openNet({ recipe: 'vault:vertices=100' });
+  await page.solve();
+  await app.setOptions({ method: 'li2022', initialisation: 'local_global:2', options: { threshold: 1e-7 } });
+  await dragLast(page, [0.5, 0.25, -0.125]);
+  await app.reset();
+  await page.solve();
+  app.undo();
+  await page.solve();
+  app.undo();
+  await page.solve();
+  return app.project()!;
+}
+
+/** Of one state, by all names that a change can have. */
+async function changes(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  await page.app.openScene(freshScene(SMALL));
+  await page.solve();
+  const { entries, view } = page.app.project()!;
+  const { state } = entries[0]!;
+  const names = ['Words of an older page', ...Object.values(CHANGES).flat()];
+  return { entries: names.map((name) => ({ name, state })), present: 3, view };
+}
+
+/** Every method, initialisation and option. */
+async function settings(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  await page.app.openScene(freshScene(SMALL));
+  await page.solve();
+  const usual: SolverSettings = { method: 'projection', initialisation: 'naive', options: {} };
+  const methods = core.methods().map(({ name }) => ({ ...usual, method: name }));
+  const starts = core.initialisations().map(({ name, counted }) => ({ ...usual, initialisation: counted ? `${name}:2` : name }));
+  const options = core.options().map(({ name, kind, value }) => ({ ...usual, options: { [name]: kind === 'flag' ? value === 0 : 2 * value } }));
+  for (const each of [...methods, ...starts, ...options]) await page.app.setOptions(each);
+  await page.solve();
+  return page.app.project()!;
+}

@@ -1,0 +1,54 @@
+/** The page without its pictures: the app, its client and a session over the real core, all in this process. A net is solved
+ *  when a test says so. */
+import type { Editors } from '../../wasm/chebnet';
+import { App } from '../../web/src/app';
+import type { AppParts, AppServices } from '../../web/src/app';
+import type { WorkerLike } from '../../web/src/worker/client';
+import type { Request, Response } from '../../web/src/worker/protocol';
+import { Session } from '../../web/src/worker/session';
+
+export interface Page {
+  app: App;
+  /** What the user was told. */
+  said: string[];
+  /** Solves until nothing is left to be solved. */
+  solve(): Promise<void>;
+}
+
+export async function openPage(core: Editors): Promise<Page> {
+  const tasks: (() => void)[] = [];
+  const said: string[] = [];
+  const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
+  const parts = { createView: () => silent, createBeside: () => silent, createPanels: () => panels, spawnWorker: () => new WorkerHere(core, tasks) };
+  const app = new App(parts as unknown as AppParts, {} as AppServices);
+  const solve = async () => {
+    for (; !app.isQuiet; await new Promise((resolve) => setImmediate(resolve))) tasks.shift()?.();
+  };
+  await app.start();
+  return { app, said, solve };
+}
+
+/** Has every method, none of which does anything. */
+const silent = new Proxy({}, { get: () => () => {} });
+
+class WorkerHere implements WorkerLike {
+  onmessage: WorkerLike['onmessage'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  readonly #session: Session;
+
+  constructor(core: Editors, tasks: (() => void)[]) {
+    const post = (response: Response): void => {
+      const data = structuredClone(response);
+      queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
+    };
+    const soon = (task: () => void) => tasks.push(task);
+    this.#session = new Session(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(core) });
+  }
+
+  postMessage(request: Request): void {
+    this.#session.handle(structuredClone(request));
+  }
+
+  terminate(): void {}
+}
