@@ -12,8 +12,6 @@ const PATIENCE = { timeout: 15_000 };
 
 declare global {
   interface Window {
-    /** Writes that failed. */
-    refused: number;
     workers: Worker[];
   }
 }
@@ -268,23 +266,4 @@ test('a duplicate of a tab keeps a net of its own', async () => {
   await Promise.all([first.script.waitForNet(), second.script.waitForNet()]);
   expect(await standing(first.script)).toEqual(before);
   expect(await standing(second.script)).toEqual(other);
-});
-
-test('a browser that keeps nothing says so once', async () => {
-  const visit = await arrive();
-  const { page, script } = visit;
-  await page.evaluate(() => {
-    window.refused = 0;
-    IDBObjectStore.prototype.put = () => {
-      window.refused += 1;
-      throw new DOMException('full', 'QuotaExceededError');
-    };
-  });
-  await script.open({ recipe: SHAPE });
-  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/does not let the page keep/));
-  await press(visit, 'Dismiss');
-  const refused = await page.evaluate(() => window.refused);
-  await script.open({ recipe: 'dome:vertices=600' });
-  await expect.poll(() => page.evaluate(() => window.refused)).toBeGreaterThan(refused);
-  expect(await said(visit)).not.toContainEqual(expect.stringMatching(/keep/));
 });

@@ -1,6 +1,7 @@
 /** Chromium, by playwright-core. */
 import { join } from 'node:path';
 import { launch, newVisit } from '../browser/site';
+import { STORAGE } from './driver';
 import type { Driver, Engine } from './driver';
 import { newFolder } from './temporary';
 
@@ -11,8 +12,13 @@ export async function startChromium(): Promise<Engine> {
     const { page, complaints } = await newVisit(browser, { serviceWorkers: 'allow' });
     const downloads = newFolder();
     page.on('download', (download) => void download.saveAs(join(downloads.path, download.suggestedFilename())).catch(() => {}));
+    const session = await page.context().newCDPSession(page);
     return {
-      goto: async (url) => void (await page.goto(url)),
+      goto: async (url) => {
+        // Before the page stores anything: what it may take is looked up twice a minute only.
+        await session.send('Storage.overrideQuotaForOrigin', { origin: new URL(url).origin, quotaSize: STORAGE });
+        await page.goto(url);
+      },
       reload: async () => void (await page.reload()),
       evaluate: (expression) => page.evaluate(expression),
       movePointer: (x, y) => page.mouse.move(x, y),

@@ -2,6 +2,9 @@
 
 export type EngineName = 'chromium' | 'firefox' | 'webkit';
 
+/** Bytes that the page may store: few, so that a test can fill them up. WebKit cannot be told. */
+export const STORAGE = 2e7;
+
 /** A running browser. */
 export interface Engine {
   readonly name: EngineName;

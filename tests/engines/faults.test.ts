@@ -2,6 +2,7 @@
 import { availableParallelism, loadavg } from 'node:os';
 import { afterAll, beforeEach, expect, test } from 'vitest';
 import { distance, largestError } from '../browser/geometry';
+import { ENGINE } from './engines';
 import { preparedBy } from './prepared';
 import { visitors } from './visitor';
 import type { Visitor } from './visitor';
@@ -13,6 +14,10 @@ declare global {
     /** Of the page, the oldest first. */
     workers: Worker[];
     graphics: WEBGL_lose_context;
+    /** Of anything into any database, whether it failed or not. */
+    writes: number;
+    /** Nothing more can be written. */
+    full: boolean;
   }
 }
 
@@ -33,6 +38,13 @@ const folder = preparedBy(() => {
       window.workers.push(this);
     }
   };
+  window.writes = 0;
+  const { put } = IDBObjectStore.prototype;
+  IDBObjectStore.prototype.put = function (...given) {
+    window.writes += 1;
+    if (window.full) throw new DOMException('full', 'QuotaExceededError');
+    return put.apply(this, given);
+  };
 });
 afterAll(() => {
   forgetful.remove();
@@ -43,8 +55,8 @@ let served = folder.path;
 beforeEach(() => void (served = folder.path));
 const { arrive } = visitors(() => served);
 
-async function openShape(visitor: Visitor): Promise<number> {
-  await visitor.openNet({ recipe: SHAPE });
+async function openShape(visitor: Visitor, recipe = SHAPE): Promise<number> {
+  await visitor.openNet({ recipe });
   return (await visitor.handles()).at(-1)!;
 }
 
@@ -180,6 +192,59 @@ test('back and forward go from link to link, however fast; undo leads back to wh
   await go(1, 1);
   await expect.poll(present).toBe(vertices[2]);
 });
+
+test('storage that is full: it is said once, what is kept stays, the net can be dragged and saved; with room again it is kept', async () => {
+  const visitor = await arrive();
+  const vertex = await openShape(visitor, 'vault:vertices=3000');
+  await expect.poll(() => visitor.run(countKept)).toBe(2);
+  await visitor.run(ENGINE === 'webkit' ? () => void (window.full = true) : fillStorage);
+
+  await visitor.drag(vertex, [-60, -40]);
+  await visitor.read('does not let the page keep');
+  await visitor.clickOn('Dismiss');
+  const writes = await visitor.run(() => window.writes);
+  await visitor.drag(vertex, [30, 30]);
+  await expect.poll(() => visitor.run(() => window.writes)).toBeGreaterThan(writes);
+  await visitor.drag(vertex, [-30, 30]);
+  expect(await visitor.read('')).not.toContain('does not let the page keep');
+  expect(await visitor.run(countKept)).toBe(2);
+  const { bytes } = await visitor.saved(() => visitor.press('Control+s'));
+  expect(JSON.parse(new TextDecoder().decode(bytes)).states).toHaveLength(5);
+
+  await visitor.run(ENGINE === 'webkit' ? () => void (window.full = false) : emptyStorage);
+  await visitor.drag(vertex, [30, -30]);
+  const before = await visitor.positions();
+  await expect.poll(() => visitor.run(countKept)).toBe(6);
+  await visitor.driver.reload();
+  await visitor.waitForNet();
+  expect(await visitor.positions()).toEqual(before);
+});
+
+/** Runs in the page: leaves less room than the smallest net takes. */
+async function fillStorage(): Promise<void> {
+  const opening = indexedDB.open('filling');
+  opening.onupgradeneeded = () => opening.result.createObjectStore('filling', { autoIncrement: true });
+  await new Promise((done) => (opening.onsuccess = done));
+  const database = opening.result;
+  const isStored = (size: number): Promise<boolean> =>
+    new Promise((done) => {
+      const writing = database.transaction('filling', 'readwrite');
+      // What is all alike would be stored as little.
+      const parts = Array.from({ length: size / 1000 }, () => crypto.getRandomValues(new Uint8Array(1000)));
+      writing.objectStore('filling').put(parts);
+      writing.oncomplete = () => done(true);
+      writing.onabort = () => done(false);
+    });
+  // Firefox refuses the first write after one that was too large, whatever its size.
+  for (let size = 4e6; size >= 1000; size /= 2) for (let i = 0; i < 2; ++i) while (await isStored(size).catch(() => false));
+  database.close();
+}
+
+/** Runs in the page. */
+async function emptyStorage(): Promise<void> {
+  const deleting = indexedDB.deleteDatabase('filling');
+  await new Promise((done) => (deleting.onsuccess = done));
+}
 
 test('a browser that keeps nothing: it is said, the net can be saved, and another language takes it along', async () => {
   served = forgetful.path;

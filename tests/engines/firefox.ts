@@ -2,6 +2,7 @@
 import { existsSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 import type { ConsoleMessage, KeyInput, Page } from 'puppeteer-core';
+import { STORAGE } from './driver';
 import type { Driver, Engine } from './driver';
 import { newFolder, startDisplay } from './temporary';
 
@@ -25,6 +26,8 @@ export async function startFirefox(): Promise<Engine> {
     env: { ...process.env, DISPLAY: display.name },
     extraPrefsFirefox: {
       'webgl.force-enabled': true,
+      // In kB, for all together; each site may take a fifth.
+      'dom.quotaManager.temporaryStorage.fixedLimit': Math.ceil((5 * STORAGE) / 1024),
       'ui.prefersReducedMotion': 1,
       'browser.download.dir': downloads.path,
       'browser.download.folderList': 2,

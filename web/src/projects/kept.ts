@@ -64,7 +64,8 @@ export async function keep(id: string, project: unknown): Promise<void> {
     forgotten = all.slice(MOST);
     return all.slice(0, MOST);
   };
-  await set(id, project, store);
+  // Firefox refuses the first write after one for which there was no room.
+  await set(id, project, store).catch(() => set(id, project, store));
   await update(INDEX, note, store);
   await delMany(forgotten, store);
   sessionStorage.setItem(TAB, id);
