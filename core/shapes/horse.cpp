@@ -27,8 +27,8 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_horse = {
-    {"horse", "Rocking horse",
-     "A horse on rails, smooth but for cones where three, five or six edges meet. Two holes go through it.",
+    {"horse", "Horse",
+     "A rocking horse, smooth but for cones where three, five or six edges meet. Two holes go through it.",
      k_parameters},
     make};
 

@@ -41,6 +41,29 @@ test('the page brings its own strict content security policy', async () => {
   expect(/script-src([^;]*)/.exec(policy)?.[1]).not.toMatch(/unsafe-inline|\*|https?:/);
 });
 
+test('every shape has its picture once the visitor does something, and a relaxed one can be dragged', async () => {
+  const canvases = visit.page.locator('.gallery canvas');
+  const blank = () =>
+    canvases.evaluateAll((all) => {
+      const empty = ({ width, height }: HTMLCanvasElement) =>
+        Object.assign(document.createElement('canvas'), { width, height }).toDataURL();
+      return (all as HTMLCanvasElement[]).filter((canvas) => canvas.toDataURL() === empty(canvas)).length;
+    });
+  expect(await canvases.count()).toBe(chebnet.shapes().length);
+  await canvases.last().scrollIntoViewIfNeeded();
+  await expect.poll(blank, { timeout: 20_000 }).toBeLessThan(chebnet.shapes().length / 2);
+  expect(await blank()).toBeGreaterThan(0);
+  await visit.page.mouse.move(300, 300);
+  await expect.poll(blank, { timeout: 20_000 }).toBe(0);
+
+  await script.open({ recipe: 'teddy:vertices=1000' });
+  await script.settled();
+  const handles = await visit.page.evaluate(() => window.chebnet.handles());
+  await dragBy(script, handles.at(-1)!.vertex, [40, -30]);
+  await script.settled();
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+});
+
 test('the first net can be looked at', async () => {
   await script.settled();
   await visit.page.screenshot({ path: join(OUTPUT, 'first-desktop.png') });

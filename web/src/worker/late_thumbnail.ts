@@ -3,9 +3,14 @@ import type { ThumbnailNet } from './thumbnail_net';
 
 const SIGNS_OF_A_HAND = ['pointermove', 'pointerdown', 'keydown', 'wheel'];
 
-/** Nothing is fetched for them before the visitor has begun to do something: what is seen first comes first. */
+/** From when this module is wanted on. */
+const handSeen = new Promise<unknown>((resolve) => {
+  for (const sign of SIGNS_OF_A_HAND) addEventListener(sign, resolve, { passive: true, once: true });
+});
+
+/** Nothing is fetched for them before the visitor does something: what is seen first comes first. */
 export async function lateThumbnail(recipe: string): Promise<ThumbnailNet> {
-  await handSeen();
+  await handSeen;
   const worker = new Worker(new URL('./thumbnail_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise((resolve, reject) => {
@@ -17,12 +22,4 @@ export async function lateThumbnail(recipe: string): Promise<ThumbnailNet> {
   } finally {
     worker.terminate();
   }
-}
-
-function handSeen(): Promise<void> {
-  return new Promise((resolve) => {
-    const seen = new AbortController();
-    const listen = (sign: string) => addEventListener(sign, () => (seen.abort(), resolve()), { passive: true, signal: seen.signal });
-    SIGNS_OF_A_HAND.forEach(listen);
-  });
 }
