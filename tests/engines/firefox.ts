@@ -12,7 +12,7 @@ const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
 const EXPECTED = [/WebGL warning/, /GPU stall/];
 
 /** What nobody waits for any longer: the page was left, or a worker ended. */
-const GIVEN_UP = 'NS_BINDING_ABORTED';
+const GIVEN_UP = ['NS_BINDING_ABORTED', 'Parent browsing context was disposed'];
 
 export async function startFirefox(): Promise<Engine> {
   const executablePath = [process.env['FIREFOX'] ?? '', ...PROGRAMS].find(existsSync);
@@ -75,8 +75,8 @@ function complaintsOf(page: Page): string[] {
   });
   page.on('pageerror', (error) => complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)));
   page.on('requestfailed', (request) => {
-    const reason = request.failure()?.errorText;
-    if (reason !== GIVEN_UP) complaints.push(`${request.url()}: ${reason}`);
+    const reason = request.failure()?.errorText ?? '';
+    if (!GIVEN_UP.includes(reason)) complaints.push(`${request.url()}: ${reason}`);
   });
   return complaints;
 }

@@ -1,0 +1,95 @@
+/** Pages of others that embed the editor, in each engine: it answers the one that holds it, and hears no other. */
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Answer, CallName, HostCall, News } from '../../web/src/embed/protocol';
+import type { Visitor } from './visitor';
+import { visitors } from './visitor';
+
+/** What a page of the other site tells the one that is visited. */
+type Told = { by: 'beside' | 'host'; heard: unknown } | { by: 'beside' | 'host'; asked: string };
+
+declare global {
+  interface Window {
+    /** What the page that is visited was sent. */
+    mail: (Answer | News | Told)[];
+  }
+}
+
+const { address, open } = visitors();
+
+/** Another site: its pages by their names, '' being the one that is visited. */
+let pages: Record<string, string> = {};
+const elsewhere = createServer(({ url = '/' }, response) => {
+  response.writeHead(200, { 'content-type': 'text/html' }).end(pages[url.slice(1)]);
+});
+beforeAll(() => new Promise<void>((done) => elsewhere.listen(0, '127.0.0.1', done)));
+afterAll(() => {
+  elsewhere.closeAllConnections();
+  elsewhere.close();
+});
+
+const editor = (attributes = '') => `<iframe ${attributes} src="${address()}?embed"></iframe>`;
+const visited = (html: string) => `<script>window.mail = []; addEventListener('message', ({ data }) => mail.push(data));</script>${html}`;
+
+/** A page that asks an editor what the page that is visited wants asked, and tells it what it hears. */
+function puppet(by: 'beside' | 'host', path: string, html = ''): string {
+  const obey = `({ data }) => {
+    if (data.ask) ${path}.postMessage(data.ask, '*');
+    top.postMessage({ by: '${by}', ...(data.ask ? { asked: data.ask.id } : { heard: data }) }, '*');
+  }`;
+  return `<script>addEventListener('message', ${obey});</script>${html}`;
+}
+
+function visitHost(html: string, others: Record<string, string> = {}): Promise<Visitor> {
+  pages = { '': visited(html), ...others };
+  return open(`http://127.0.0.1:${(elsewhere.address() as AddressInfo).port}/`);
+}
+
+const mailOf = (visitor: Visitor) => visitor.run(() => window.mail);
+const gets = (visitor: Visitor, message: object) => expect.poll(() => mailOf(visitor)).toContainEqual(message);
+
+function call(id: string, name: CallName, ...args: unknown[]): HostCall {
+  return { chebnet: 1, id, call: name, args };
+}
+
+/** Posts a message to a frame of the page that is visited. */
+function post(visitor: Visitor, path: number[], message: HostCall | { ask: HostCall }): Promise<void> {
+  return visitor.run((frames, data) => frames.reduce((frame: Window, i) => frame.frames[i]!, window).postMessage(data, '*'), path, message);
+}
+
+test('a page of another site gets answers, also when its frame has a sandbox with an origin', async () => {
+  for (const sandbox of ['', 'sandbox="allow-scripts allow-same-origin"']) {
+    const visitor = await visitHost(editor(sandbox));
+    await gets(visitor, { chebnet: 1, event: 'ready' });
+    await post(visitor, [0], call('mine', 'settled'));
+    await post(visitor, [0], call('handles', 'handles'));
+    await gets(visitor, expect.objectContaining({ id: 'mine' }));
+    await gets(visitor, expect.objectContaining({ id: 'handles' }));
+  }
+});
+
+test('a frame beside it is not heard', async () => {
+  const visitor = await visitHost(editor() + '<iframe src="beside"></iframe>', { beside: puppet('beside', 'parent.frames[0]') });
+  await gets(visitor, { chebnet: 1, event: 'ready' });
+  await post(visitor, [0], call('opened', 'open', { recipe: 'vault:vertices=200' }));
+  await gets(visitor, expect.objectContaining({ id: 'opened' }));
+  await post(visitor, [1], { ask: call('beside', 'setHandles', []) });
+  await gets(visitor, { by: 'beside', asked: 'beside' });
+  await post(visitor, [0], call('mine', 'handles'));
+  await gets(visitor, { chebnet: 1, id: 'mine', result: expect.arrayContaining([expect.objectContaining({ anchor: true })]) });
+  const all = await mailOf(visitor);
+  expect(all.filter((each) => 'id' in each).map(({ id }) => id)).toEqual(['opened', 'mine']);
+  expect(all.filter((each) => 'by' in each)).toEqual([{ by: 'beside', asked: 'beside' }]);
+});
+
+test('a page that holds its host is not heard', async () => {
+  const visitor = await visitHost('<iframe src="host"></iframe>', { host: puppet('host', 'frames[0]', editor()) });
+  await gets(visitor, { by: 'host', heard: { chebnet: 1, event: 'ready' } });
+  await post(visitor, [0, 0], call('above', 'stats'));
+  await post(visitor, [0], { ask: call('mine', 'stats') });
+  await gets(visitor, { by: 'host', heard: expect.objectContaining({ id: 'mine' }) });
+  const all = await mailOf(visitor);
+  expect(all.filter((each) => !('by' in each))).toEqual([]);
+  expect(all).not.toContainEqual({ by: 'host', heard: expect.objectContaining({ id: 'above' }) });
+});
