@@ -49,7 +49,7 @@ function placeOfCrown(visitor: Visitor) {
   });
 }
 
-test('after one visit the page opens without its server, and a net can be dragged', async () => {
+test('after one visit the page opens without its server, a net can be dragged, and it can be read whose work it contains', async () => {
   const visitor = await arrive();
   await vi.waitUntil(() => visitor.run(() => navigator.serviceWorker.controller !== null), PATIENCE);
   closeSite();
@@ -61,4 +61,10 @@ test('after one visit the page opens without its server, and a net can be dragge
   await visitor.drag(vertex, [-60, -40]);
   expect(distance(await place(), before)).toBeGreaterThan(0);
   expect((await visitor.stats()).maxDeviation).toBeLessThan(1e-6);
+
+  await visitor.clickOn('Learn');
+  const address = () => visitor.run(() => document.querySelector<HTMLAnchorElement>('a[href$="licences.txt"]')?.href);
+  const licences = await visitor.run(async (link) => (await fetch(link)).text(), (await vi.waitUntil(address, PATIENCE))!);
+  expect(licences).toContain('Jean-loup Gailly');
+  expect(licences).toContain('© 2010');
 });
