@@ -120,7 +120,7 @@ test('the link comes as a QR code, and as a frame for another page', async () =>
   await dialog.getByText('The link is copied.').waitFor();
   const clipboard = (): Promise<string> => visit.page.evaluate(() => navigator.clipboard.readText());
   const link = await clipboard();
-  expect(link).toMatch(new RegExp(`^${address()}#v1=`));
+  expect(link).toMatch(new RegExp(`^${address()}#v2=`));
   await dialog.getByRole('img', { name: 'QR code' }).waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'share.png') });
   expect(await dialog.getByRole('textbox').inputValue()).toContain(`<iframe src="${link.replace('#', '?embed#')}"`);

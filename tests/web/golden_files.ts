@@ -3,6 +3,9 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 
 import { ROOT } from '../wasm/load';
 import type { ChebnetDocument } from '../../web/src/document/document';
 
+/** Whether what is missing is to be made; see golden.test.ts. */
+export const isMaking = process.env['CHEBNET_GOLDEN'] === 'make';
+
 const GOLDEN = new URL('tests/data/golden/', ROOT);
 
 export interface ExpectedLink {
@@ -47,6 +50,10 @@ export function writeGolden({ name, text, expected }: Golden, kind: Kind): void 
 /** A file of golden data that has no files beside it. */
 export function readData(file: string): unknown {
   return parse(read(file));
+}
+
+export function writeData(file: string, data: unknown): void {
+  writeFileSync(new URL(file, GOLDEN), format(data));
 }
 
 function read(file: string): string {

@@ -37,6 +37,7 @@ const HANDLES: HandleSeed[] = [
 
 const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
   net: { recipe: VAULT },
+  numbering: 0x2fe61a83,
   symmetry: { axis: 'y', through: 'centre' },
   locality: 7.5,
   method: 'projection',

@@ -53,6 +53,7 @@ describe('a project comes back', () => {
       initialisation: pick(['naive', 'arap:5']),
       options: next() < 0.5 ? {} : { threshold: next(), adaptive_p: next() < 0.5 },
       settled: next() < 0.5,
+      ...(next() < 0.7 ? { numbering: Math.floor(2 ** 32 * next()) } : {}),
       ...(next() < 0.3 ? { symmetry: { axis: pick(['x', 'y', 'z']), through: pick(['centre', 'origin']) } } : {}),
       ...(next() < 0.3 ? { experiment: 'long-edges', compare: ['li2022', 'dp4'] } : {}),
     };
@@ -129,7 +130,7 @@ describe('an entry', () => {
 });
 
 describe('a hostile project is refused, and it is said where', () => {
-  const entry: Entry = { name: 'open', state: { ...stateAt(Float64Array.of(1, 2, 3)), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] } };
+  const entry: Entry = { name: 'open', state: { ...stateAt(Float64Array.of(1, 2, 3)), numbering: 7, handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] } };
   const text = projectText({ ...projectOf([entry.state]), entries: [entry] });
 
   test.each([
@@ -138,8 +139,12 @@ describe('a hostile project is refused, and it is said where', () => {
     ['null', /no chebnet project/],
     ['[]', /no chebnet project/],
     ['{"v":1}', /no chebnet project/],
-    ['{"chebnet":2}', /another version/],
+    ['{"chebnet":0}', /another version/],
+    ['{"chebnet":3}', /another version/],
+    ['{"chebnet":"1"}', /another version/],
+    ['{"chebnet":[1]}', /another version/],
     ['{"chebnet":1}', /^nets must be a list/],
+    ['{"chebnet":2}', /^nets must be a list/],
   ])('%s', (foreign, said) => expect(() => parseProject(foreign)).toThrow(said));
 
   test.each([
@@ -158,6 +163,8 @@ describe('a hostile project is refused, and it is said where', () => {
     ['"options":{}', '"options":{"threshold":null}', /^states\[0\]\.options\.threshold must be/],
     ['"options":{}', '"options":{"__proto__":"x"}', /^states\[0\]\.options\.__proto__ must be/],
     ['"settled":true', '"settled":"yes"', /^states\[0\]\.settled must be/],
+    ['"numbering":7', '"numbering":-7', /^states\[0\]\.numbering must be/],
+    ['"numbering":7', '"numbering":"7"', /^states\[0\]\.numbering must be/],
     ['{"recipe":"vault:vertices=1000"}', '{"obj":"v"}', /^nets\[0\]\.name must be/],
     ['{"recipe":"vault:vertices=1000"}', '"vault"', /^nets\[0\] must be/],
     ['"camera":null', '"camera":[1,2,3,1,2,3]', /^view\.camera must be/],
@@ -172,7 +179,7 @@ describe('a hostile project is refused, and it is said where', () => {
   });
 
   test('without any of its fields', () => {
-    for (const [field] of text.matchAll(/"(view|present|states|nets|positions|name|handles|method|options|settled|net|recipe|camera)":/g)) {
+    for (const [field] of text.matchAll(/"(view|present|states|nets|positions|name|handles|method|options|settled|net|numbering|recipe|camera)":/g)) {
       expect(() => parseProject(text.replace(field, '"else":')), field).toThrow();
     }
   });

@@ -34,6 +34,7 @@ describe('a scene comes back', () => {
       { vertex: 37, target: [0.1 + 0.2, -1e-17, 123456.789012345], anchor: false },
       { vertex: 41, target: [1, 2, 3], anchor: false, name: 'Südspitze 南', hidden: true, weight: 0.25 },
     ],
+    numbering: 2 ** 32 - 1,
     symmetry: { axis: 'y', through: 'origin' },
     locality: 12,
     method: 'another',
@@ -44,8 +45,8 @@ describe('a scene comes back', () => {
 
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
-    const { net: source, symmetry, locality, method, initialisation, options } = full;
-    expect(rest).toEqual({ net: source, symmetry, locality, method, initialisation, options, view, settled: true });
+    const { net: source, numbering, symmetry, locality, method, initialisation, options } = full;
+    expect(rest).toEqual({ net: source, numbering, symmetry, locality, method, initialisation, options, view, settled: true });
     expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1], full.handles[2]]);
     expect(positions).toHaveProperty('packed');
     if (positions && 'packed' in positions) {
@@ -80,7 +81,7 @@ describe('a scene comes back', () => {
   });
 
   test('from an address that may stand anywhere', () => {
-    expect(hashOf(full)).toMatch(/^#v1=[\w-]+$/);
+    expect(hashOf(full)).toMatch(/^#v2=[\w-]+$/);
   });
 });
 
@@ -127,15 +128,15 @@ describe('hostile links are refused', () => {
     settled: true,
   };
 
-  function hash(content: Uint8Array): string {
-    return `#v1=${Buffer.from(deflateSync(content)).toString('base64url')}`;
+  function hash(content: Uint8Array, version = 1): string {
+    return `#v${version}=${Buffer.from(deflateSync(content)).toString('base64url')}`;
   }
 
-  function hashOfJson(json: string): string {
+  function hashOfJson(json: string, version = 1): string {
     const text = Buffer.from(json);
     const length = Buffer.alloc(4);
     length.writeUInt32LE(text.length);
-    return hash(Buffer.concat([length, text]));
+    return hash(Buffer.concat([length, text]), version);
   }
 
   function failureOf(text: string): unknown {
@@ -159,11 +160,21 @@ describe('hostile links are refused', () => {
     expect(scene.handles).toEqual([{ vertex: 3, anchor: false, target: [1, 2, 3] }]);
   });
 
-  test.each(['#', '#nonsense', '#%E0%A4%A', '#v2=AAAA', '#v01=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
+  test('nor this one, of the version after it, whose net was not looked at since', () => {
+    const scene = decodeScene(hashOfJson(JSON.stringify({ ...valid, numbering: null }), 2));
+    expect(scene).toMatchObject({ net: { recipe: 'vault' } });
+    expect(scene).not.toHaveProperty('numbering');
+  });
+
+  test.each([undefined, -1, 0.5, 2 ** 32, '7', true, [7]])('of the second version with the numbering %j', (numbering) => {
+    bad(hashOfJson(JSON.stringify({ ...valid, numbering }), 2));
+  });
+
+  test.each(['#', '#nonsense', '#%E0%A4%A', '#v3=AAAA', '#v0=AAAA', '#v01=', '#v1', '#v1.0=', '#v1e0=', '#v=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
     expect(failureOf(text)).toMatchObject({ code: 'foreign_link', message: expect.stringMatching(/link/) });
   });
 
-  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____'])('not deflated: %s', bad);
+  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____', '#v2=', '#v2=AAAA'])('not deflated: %s', bad);
 
   test('cut off anywhere', () => {
     const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });
@@ -249,7 +260,7 @@ describe('hostile links are refused', () => {
     for (let round = 0; round < 300; ++round) {
       const bytes = Buffer.from(whole, 'base64url');
       for (let hit = 0; hit < 3; ++hit) bytes[Math.floor(next() * bytes.length)] = Math.floor(256 * next());
-      const error = failureOf(`#v1=${bytes.toString('base64url')}`);
+      const error = failureOf(`#v2=${bytes.toString('base64url')}`);
       if (error !== null) expect(error).toMatchObject({ code: 'bad_link' });
     }
   });

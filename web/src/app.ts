@@ -334,7 +334,7 @@ export class App {
     const { document } = this.#opening;
     const { net, ...rest } = state;
     if (net !== document.net) return this.#reopen({ ...state, view: { ...document.view, camera: null } });
-    this.#setDocument({ ...state, view: document.view });
+    this.#setDocument({ ...state, numbering: document.numbering, view: document.view });
     this.#showDocument();
     await this.#client.restore(rest);
   }
@@ -490,7 +490,7 @@ export class App {
     const handles = frame.handles.map(({ vertex, target }, i) =>
       scene.handles === 'suggested' ? { vertex, target, anchor: i < last } : { anchor: false, ...scene.handles[i], vertex, target },
     );
-    this.#opening = { net, frame, document: { ...scene, handles, positions: frame.positions } };
+    this.#opening = { net, frame, document: { ...scene, numbering: net.numbering, handles, positions: frame.positions } };
     this.#emit('changed');
     this.handles.netChanged();
     // First, for the view leaves room for what the panels say.

@@ -6,6 +6,7 @@ import { writeState, writeView } from '../../../web/src/document/codec';
 import type { ChebnetDocument } from '../../../web/src/document/document';
 import { LinkError } from '../../../web/src/document/link_error';
 import { decodeScene, encodeScene } from '../../../web/src/document/share';
+import { VERSION } from '../../../web/src/document/versions';
 import { attack, attacks } from './attack';
 import { changed, changes, checkFinite, document, net } from './scenes';
 
@@ -15,14 +16,17 @@ function hashOf(given: ChebnetDocument): string {
   return hash;
 }
 
+/** Of any version that is read, and of one that is not yet. */
+const tag = fc.integer({ min: 1, max: VERSION + 1 }).map((version) => `#v${version}=`);
+
 /** The hash of a header that is none of ours, and of bytes behind it. */
-function forged(header: string, packed: Uint8Array): string {
+function forged(tagged: string, header: string, packed: Uint8Array): string {
   const json = strToU8(header);
   const content = new Uint8Array(4 + json.length + packed.length);
   new DataView(content.buffer).setUint32(0, json.length, true);
   content.set(json, 4);
   content.set(packed, 4 + json.length);
-  return `#v1=${Buffer.from(deflateSync(content)).toString('base64url')}`;
+  return tagged + Buffer.from(deflateSync(content)).toString('base64url');
 }
 
 function checkDecoded(hash: string): void {
@@ -53,8 +57,8 @@ const splice = fc.record({ at: fc.nat(), taken: fc.nat(4), put: fc.string({ maxL
 
 const anyText = fc.oneof(
   fc.string(),
-  bytes.map((each) => `#v1=${Buffer.from(each).toString('base64url')}`),
-  fc.json().map((each) => forged(each, new Uint8Array())),
+  fc.tuple(tag, bytes).map(([tagged, each]) => tagged + Buffer.from(each).toString('base64url')),
+  fc.tuple(tag, fc.json()).map(([tagged, each]) => forged(tagged, each, new Uint8Array())),
 );
 
 attacks('links', {
@@ -64,9 +68,9 @@ attacks('links', {
     for (const { at, taken, put } of splices) characters.splice(at % characters.length, taken, ...put);
     checkDecoded(characters.join(''));
   }),
-  'a forged header': attack(fc.tuple(document, changes, bytes), ([given, list, packed]) => {
+  'a forged header': attack(fc.tuple(tag, document, changes, bytes), ([tagged, given, list, packed]) => {
     const header = { ...writeState(given, net.restPositions), net: given.net, view: writeView(given.view) };
-    checkDecoded(forged(JSON.stringify(changed(header, list)), packed));
+    checkDecoded(forged(tagged, JSON.stringify(changed(header, list)), packed));
   }),
   'any text': attack(anyText, checkDecoded),
 });

@@ -73,6 +73,7 @@ export const document: fc.Arbitrary<ChebnetDocument> = fc
       settled: fc.boolean(),
     }),
     partial({
+      numbering: fc.nat(2 ** 32 - 1),
       symmetry: fc.record({ axis: fc.constantFrom('x' as const, 'y' as const, 'z' as const), through: fc.constantFrom('centre' as const, 'origin' as const) }),
       locality: positive,
       experiment: text,

@@ -1,6 +1,6 @@
 /**
  * The parts of a document as JSON and back; links, project files and what the browser keeps are made of them. A field
- * that is new needs one line here, where it is read: writing takes whatever there is.
+ * that is new needs one line here, where it is read: writing takes whatever there is. See also versions.ts.
  */
 import type { RestLengths } from '../../../wasm/chebnet';
 import { areEnds, LONGEST_NAME } from './document';
@@ -16,8 +16,8 @@ export type State<Handle> = Omit<Snapshot, 'net' | 'positions' | 'handles'> & { 
 // ------------------------------------------------------------------------------------------------------------- writing
 
 /** @param rest targets that are the rest positions need no place; null: all are written. */
-export function writeState({ net, positions, handles, ...settings }: Snapshot, rest: Float64Array | null): object {
-  return { ...settings, handles: handles.map((handle) => writeHandle(handle, rest)) };
+export function writeState({ net, numbering, positions, handles, ...settings }: Snapshot, rest: Float64Array | null): object {
+  return { ...settings, numbering: numbering ?? null, handles: handles.map((handle) => writeHandle(handle, rest)) };
 }
 
 /** `[vertex, anchor]`, the target unless the handle is at rest, and what else is said of it, if anything. */
@@ -49,6 +49,12 @@ export function readState(state: Field): State<HandleSeed> {
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
     }),
   };
+}
+
+/** null: the state is of a version that did not say, and was not looked at since. */
+export function readNumbering(state: Field): { numbering?: number } {
+  const numbering = state.at('numbering');
+  return numbering.value === null ? {} : { numbering: numbering.index(2 ** 32) };
 }
 
 export function readNet(net: Field): NetSource {

@@ -88,6 +88,8 @@ export interface ExperimentPart {
 
 export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   net: NetSource;
+  /** By which handles and positions go; see numbering.ts. Unknown until the net is open. */
+  numbering?: number | undefined;
   handles: HandleData[];
   symmetry?: Symmetry | undefined;
   /** How far from handles being moved the net moves with them, in edge lengths along it; without one, everywhere. */
@@ -102,6 +104,8 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
 /** What can be opened: a document whose handles and positions may still be where the net has them. */
 export interface Scene extends SolverSettings, ExperimentPart {
   net: NetSource;
+  /** A net numbered otherwise is refused. */
+  numbering?: number | undefined;
   /** `suggested`: those that come with the recipe. */
   handles: HandleSeed[] | 'suggested';
   symmetry?: Symmetry | undefined;

@@ -6,7 +6,7 @@
  * Layout: the step as a 64-bit float, little end first; then for each axis the vertices, in the order of `makeWalk`.
  */
 
-/** The part of an opened net that packing looks at; both sides must have the same. */
+/** The part of an opened net that packing looks at; both sides must have the same, numbered alike (numbering.ts). */
 export interface PackingNet {
   restPositions: Float64Array;
   /** The length each edge is to keep. */

@@ -5,17 +5,18 @@
  */
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
-import { readNet, readState, readView, writeState, writeView } from './codec';
+import { writeState, writeView } from './codec';
 import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
 import { Field } from './field';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
 import type { Entry, Snapshot } from './undo';
+import { readerOf, VERSION } from './versions';
+import type { Reader } from './versions';
 
 export const PROJECT_ENDING = '.chebnet.json';
 /** Larger files are not read. */
 export const LARGEST_PROJECT = 64e6;
-const VERSION = 1;
 /** Bytes of nets and positions in a file; as base64 positions take a third more. */
 const LARGEST_STATES = 36e6;
 const MOST_STATES = 10_000;
@@ -103,25 +104,27 @@ export function parseProject(text: string): Project {
 /** The project of a record. Throws FieldError. */
 export function readProject(value: unknown): Project {
   const project = new Field(value);
-  checkVersion(project);
-  const nets = project.at('nets').list().map(readNet);
+  const reader = readerOfProject(project);
+  const nets = project.at('nets').list().map((net) => reader.net(net));
   const positions = project.at('positions').list().map(readPositions);
   const states = project.at('states').list();
   if (states.length === 0 || states.length > MOST_STATES) project.at('states').fail(words.fields.states(MOST_STATES));
-  const entries = states.map((state) => readEntry(state, nets, positions));
-  return { entries, present: project.at('present').index(entries.length), view: readView(project.at('view')) };
+  const entries = states.map((state) => readEntry(reader, state, nets, positions));
+  return { entries, present: project.at('present').index(entries.length), view: reader.view(project.at('view')) };
 }
 
-function checkVersion(project: Field): void {
+function readerOfProject(project: Field): Reader {
   const version = project.isRecord ? project.at('chebnet').value : undefined;
   if (version === undefined) throw new Error(words.projects.foreign);
-  if (version !== VERSION) throw new Error(words.projects.otherVersion);
+  const reader = readerOf(version);
+  if (reader === undefined) throw new Error(words.projects.otherVersion);
+  return reader;
 }
 
-function readEntry(field: Field, nets: readonly NetSource[], positions: readonly Float64Array[]): Entry {
+function readEntry(reader: Reader, field: Field, nets: readonly NetSource[], positions: readonly Float64Array[]): Entry {
   const net = nets[field.at('net').index(nets.length)]!;
   const place = field.at('positions');
-  const { handles, ...settings } = readState(field);
+  const { handles, ...settings } = reader.state(field);
   const state: Snapshot = {
     ...settings,
     handles: handles.map((handle) => withTarget(handle, field.at('handles'))),

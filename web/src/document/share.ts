@@ -1,18 +1,20 @@
 /**
- * Scenes as links. A link carries the scene in its hash: `#v1=` and, deflated and in the base64 of URLs, the length of
- * a JSON header (32 bits, little end first), the header (codec.ts), and the packed positions (packing.ts).
+ * Scenes as links. A link carries the scene in its hash: `#v2=`, where 2 is the version (versions.ts), and, deflated and in
+ * the base64 of URLs, the length of a JSON header (32 bits, little end first), the header (codec.ts), and the packed
+ * positions (packing.ts).
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
-import { readNet, readState, readView, writeState, writeView } from './codec';
+import { writeState, writeView } from './codec';
 import type { ChebnetDocument, Scene } from './document';
 import { Field } from './field';
 import { LinkError } from './link_error';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
+import { readerOf, VERSION } from './versions';
+import type { Reader } from './versions';
 
-const TAG = 'v1=';
 /** Chat programs cut longer links. */
 export const LONG_LINK = 2_000;
 /** Longer links are better sent as a file. */
@@ -41,16 +43,15 @@ export function encodeScene(document: ChebnetDocument, net: PackingNet, threshol
 
 /** The scene of a hash (with or without its `#`). Throws LinkError. */
 export function decodeScene(hash: string): Scene {
-  const text = hash.replace(/^#/, '');
-  if (!text.startsWith(TAG)) {
-    const newer = /^v\d+=/.test(text);
-    throw new LinkError('foreign_link', newer ? words.link.otherVersion : words.link.foreign);
-  }
-  const content = inflate(fromUrl(text.slice(TAG.length)));
+  const tag = /^#?v([1-9]\d*)=/.exec(hash);
+  if (tag === null) throw new LinkError('foreign_link', words.link.foreign);
+  const reader = readerOf(Number(tag[1]));
+  if (reader === undefined) throw new LinkError('foreign_link', words.link.otherVersion);
+  const content = inflate(fromUrl(hash.slice(tag[0].length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
   if (!(headerEnd <= content.length)) throw damaged();
   const packed = content.subarray(headerEnd);
-  return readScene(content.subarray(4, headerEnd), packed.length > 0 ? packed : null);
+  return readScene(reader, content.subarray(4, headerEnd), packed.length > 0 ? packed : null);
 }
 
 /** What to tell a user about the link just made, or null if there is nothing to tell. */
@@ -75,7 +76,7 @@ function toHash(head: object, packed: Uint8Array | null): string {
   new DataView(content.buffer).setUint32(0, json.length, true);
   content.set(json, 4);
   if (packed) content.set(packed, 4 + json.length);
-  return `#${TAG}${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
+  return `#v${VERSION}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
 }
 
 function toUrl(base64: string): string {
@@ -122,10 +123,10 @@ function inflate(deflated: Uint8Array): Uint8Array {
   return content;
 }
 
-function readScene(json: Uint8Array, packed: Uint8Array | null): Scene {
+function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array | null): Scene {
   try {
     const head = new Field(JSON.parse(strFromU8(json)));
-    return { ...readState(head), net: readNet(head.at('net')), view: readView(head.at('view')), positions: packed && { packed } };
+    return { ...reader.state(head), net: reader.net(head.at('net')), view: reader.view(head.at('view')), positions: packed && { packed } };
   } catch {
     throw damaged();
   }

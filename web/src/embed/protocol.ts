@@ -1,7 +1,7 @@
 /**
  * What a page that embeds the editor and the editor say to each other. The editor is embedded as
  *
- *     <iframe src="https://…/index.html?embed#v1=…" title="…"></iframe>
+ *     <iframe src="https://…/index.html?embed#v2=…" title="…"></iframe>
  *
  * and after it has said `{ chebnet: 1, event: 'ready' }` it takes calls of the names, arguments and results of
  * `window.chebnet` (web/src/scripting.ts):

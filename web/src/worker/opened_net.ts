@@ -1,5 +1,6 @@
 /** A net as the page wants to have it. */
 import type { Editor } from '../../../wasm/chebnet';
+import { numberingOf } from '../document/numbering';
 import type { OpenedNet } from './protocol';
 import { fanTriangles, stripTriangles } from './triangles';
 
@@ -8,6 +9,7 @@ export function describe(editor: Editor): OpenedNet {
   const { info, edges, faceStart, faceVertices, restPositions, restLengths, suggestedHandles } = editor;
   return {
     info,
+    numbering: numberingOf(editor),
     // Copies, made here: what the page gets is moved there, for to read it out of the message would hold the page up.
     edges: edges.slice(),
     faceStart: faceStart.slice(),

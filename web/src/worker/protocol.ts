@@ -14,7 +14,7 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 6;
+export const PROTOCOL_VERSION = 7;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
@@ -22,7 +22,7 @@ export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
   | { type: 'hello'; version: number }
-  /** If it fails, the net edited before stays. */
+  /** If it fails, the net edited before stays. A net that is numbered otherwise than the scene says is refused. */
   | { type: 'open'; scene: Omit<Scene, 'view'> }
   | { type: 'handles'; handles: Handle[] }
   /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
@@ -75,6 +75,8 @@ export interface Measures {
 
 export interface OpenedNet {
   info: NetInfo;
+  /** See document/numbering.ts. */
+  numbering: number;
   edges: Int32Array;
   faceStart: Int32Array;
   faceVertices: Int32Array;

@@ -1,5 +1,6 @@
 /** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
 import type { Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
+import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
@@ -143,6 +144,7 @@ export class Session {
   #open(id: number, scene: OpenScene): void {
     const editor = openNet(this.#core, scene.net);
     try {
+      checkNumbering(editor, scene);
       prepare(this.#core, editor, scene);
     } catch (error) {
       editor.dispose();
@@ -380,6 +382,11 @@ function failure(code: string, message: string): Error {
 
 function openNet(core: Editors, net: OpenScene['net']): Editor {
   return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
+}
+
+function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
+  if (numbering === undefined || numbering === numberingOf(editor)) return;
+  throw failure('other_numbering', 'This net is numbered otherwise than when it was saved: its shape and handles would belong to other vertices.');
 }
 
 function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {

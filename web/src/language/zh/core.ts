@@ -189,6 +189,7 @@ const WORKER_ERRORS: Record<string, string> = {
   no_net: '没有打开的网',
   not_loaded: '求解器的其余部分无法加载',
   bad_link: '此链接中的位置数据已损坏，或属于另一张网',
+  other_numbering: '此网的编号与保存时不同，其形状和手柄会对应到错误的顶点',
 };
 
 export const core = {

@@ -1,0 +1,36 @@
+/**
+ * The versions of the format: one number for links (`#v2=…`), project files and what the browser keeps (`"chebnet": 2`). What
+ * any version wrote is read for ever; the newest is written.
+ *
+ * A version more is a row more, of what it reads otherwise than the one before, and golden files (tests/web/golden.test.ts).
+ * It is due when a page of before would misread what is written from now on. A field that it may pass over is none: that is
+ * a line in codec.ts, and a golden file.
+ */
+import { readNet, readNumbering, readState, readView } from './codec';
+import type { State } from './codec';
+import type { HandleSeed, NetSource, ViewState } from './document';
+import type { Field } from './field';
+
+/** Reads the parts of a scene or project. All throw FieldError. */
+export interface Reader {
+  net(net: Field): NetSource;
+  state(state: Field): State<HandleSeed>;
+  view(view: Field): ViewState;
+}
+
+const first: Reader = { net: readNet, state: readState, view: readView };
+/** Says how each net is numbered. */
+const second: Reader = { ...first, state: (state) => ({ ...first.state(state), ...readNumbering(state) }) };
+
+const READERS = new Map<number, Reader>([
+  [1, first],
+  [2, second],
+]);
+
+/** The newest, which is written. */
+export const VERSION = Math.max(...READERS.keys());
+
+/** Undefined: there is no such version, or not yet. */
+export function readerOf(version: unknown): Reader | undefined {
+  return READERS.get(version as number);
+}
