@@ -1,6 +1,7 @@
 /** Makes the golden files of this day's page that are not there yet. Those that are there stay: they are what visitors have. */
 import type { Chebnet } from '../../wasm/chebnet';
 import type { SolverSettings } from '../../web/src/document/document';
+import type { ChangeName } from '../../web/src/document/naming';
 import { projectText, writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
@@ -18,13 +19,19 @@ export async function makeGoldens(core: Chebnet, folder: string): Promise<void> 
     const name = `${folder}/${title}`;
     if (!isMade(name, 'link')) writeGolden({ name, ...(await makeLink(core, link)) }, 'link');
   }
-  for (const [title, make] of Object.entries({ lesson, changes, settings })) {
+  for (const [title, make] of Object.entries(projects(core))) {
     const name = `${folder}/${title}`;
     if (isMade(name, 'chebnet.json')) continue;
     const expected = await make(core);
     writeGolden({ name, text: projectText(expected), expected }, 'chebnet.json');
     writeGolden({ name, text: keptText(writeProject(expected, Infinity)), expected }, 'kept.json');
   }
+}
+
+/** What is not there yet. */
+export function missingGoldens(core: Chebnet, folder: string): string[] {
+  const links = Object.keys(goldenLinks(core)).filter((title) => !isMade(`${folder}/${title}`, 'link'));
+  return [...links, ...Object.keys(projects(core)).filter((title) => !isMade(`${folder}/${title}`, 'chebnet.json'))];
 }
 
 // --------------------------------------------------------------------------------------------------------------- links
@@ -51,6 +58,11 @@ async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Pro
 }
 
 // ------------------------------------------------------------------------------------------------------------ histories
+
+/** A change, a method or an option more is a file more. */
+function projects(core: Chebnet): Record<string, (core: Chebnet) => Promise<Project>> {
+  return { lesson, [`${names().length}-changes`]: changes, [`${allSettings(core).length}-settings`]: settings };
+}
 
 /** Of two nets, with two changes undone. */
 async function lesson(core: Chebnet): Promise<Project> {
@@ -83,20 +95,28 @@ async function changes(core: Chebnet): Promise<Project> {
   await page.solve();
   const { entries, view } = page.app.project()!;
   const { state } = entries[0]!;
-  const names = ['Words of an older page', ...Object.values(CHANGES).flat()];
-  return { entries: names.map((name) => ({ name, state })), present: 3, view };
+  return { entries: names().map((name) => ({ name, state })), present: 3, view };
 }
 
-/** Every method, initialisation and option. */
+function names(): ChangeName[] {
+  return ['Words of an older page', ...Object.values(CHANGES).flat()];
+}
+
+/** Under every one of them. */
 async function settings(core: Chebnet): Promise<Project> {
   const page = await openPage(core);
   await page.app.openScene(freshScene(SMALL));
   await page.solve();
+  for (const each of allSettings(core)) await page.app.setOptions(each);
+  await page.solve();
+  return page.app.project()!;
+}
+
+/** Every method, initialisation and option. */
+function allSettings(core: Chebnet): SolverSettings[] {
   const usual: SolverSettings = { method: 'projection', initialisation: 'naive', options: {} };
   const methods = core.methods().map(({ name }) => ({ ...usual, method: name }));
   const starts = core.initialisations().map(({ name, counted }) => ({ ...usual, initialisation: counted ? `${name}:2` : name }));
   const options = core.options().map(({ name, kind, value }) => ({ ...usual, options: { [name]: kind === 'flag' ? value === 0 : 2 * value } }));
-  for (const each of [...methods, ...starts, ...options]) await page.app.setOptions(each);
-  await page.solve();
-  return page.app.project()!;
+  return [...methods, ...starts, ...options];
 }

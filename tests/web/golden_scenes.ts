@@ -104,7 +104,8 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
   });
   const bent = core.openRecipe('dome:vertices=120').restPositions.map((x, i) => x + 0.05 * Math.sin(i));
   return {
-    everything: { scene: { ...EVERYTHING, handles: HANDLES, positions: null } },
+    // A field more is a file more.
+    [`everything-in-${fieldsIn([EVERYTHING, HANDLE])}-fields`]: { scene: { ...EVERYTHING, handles: HANDLES, positions: null } },
     ...Object.fromEntries(shapes),
     ...named('field', FIELDS),
     ...named('colours', COLOUR_MAPS),
@@ -121,6 +122,12 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
     'out-of-reach': { scene: freshScene({ recipe: 'jack:vertices=120' }), drag: [0, 0, 50] },
     'without-its-positions': { scene: freshScene({ recipe: 'dome:vertices=120' }), drag: SCREW, largest: 400 },
   };
+}
+
+function fieldsIn(value: unknown): number {
+  if (typeof value !== 'object' || value === null) return 0;
+  const below = Object.values(value).reduce((sum: number, each) => sum + fieldsIn(each), 0);
+  return Array.isArray(value) ? below : below + Object.keys(value).length;
 }
 
 function named(kind: string, links: Record<string, GoldenLink>): Record<string, GoldenLink> {
