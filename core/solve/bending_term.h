@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/term.h"
+
+namespace chebnet {
+
+/// Bending of net lines. With t_i = (x_i − x_b) / L_i for the edges at a vertex b, t_i⁰ the same at rest, and (i, j)
+/// the pairs of edges by which net lines go through b,
+///
+///     E = w Σ_b min over rotations R_b of  Σ_(i,j) ‖t_i + t_j − R_b (t_i⁰ + t_j⁰)‖² + k Σ_i ‖t_i − R_b t_i⁰‖².
+///
+/// t_i + t_j is the second difference of the line's positions in edge lengths. The second sum, as rigid as possible
+/// (Sorkine & Alexa 2007) with the small weight k, says how b's neighbourhood has turned where its lines are straight
+/// or where there is no pair. R_b is the minimiser, so E is a function of positions alone, a rigid motion costs
+/// nothing, and the gradient is that for R_b held (envelope theorem).
+///
+/// A line goes through an inner vertex of valence 4 and, along the border, through one of valence 3, as
+/// Topology::net_lines() says. Lines end at other singular vertices, at corners, and at the border when they come from
+/// inside: nothing bends there but what k holds together.
+class BendingTerm : public Term {
+public:
+    enum class Reference {
+        rest,      ///< as above
+        straight,  ///< rods that are straight when free: E = w Σ ‖t_i + t_j‖²
+    };
+
+    /// `weight`: w. Keeps nothing of net and topology.
+    BendingTerm(const Net& net, const Topology& topology, double weight, Reference reference);
+
+    const char* name() const override { return "bending"; }
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
+    /// With R_b free to turn along, linearised as in a rest shape that has turned by R_b: positive semidefinite.
+    void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_bound(QuadraticForm& form) const override;
+
+private:
+    /// An edge as seen from one of its ends, its place in the lists of vertex b being from m_start[b] on.
+    struct Spoke {
+        int vertex;  // the other end
+        double inverse_length;
+        int partner;  // the spoke by which the net line goes on; −1: it ends
+    };
+
+    void remember_rest_shape(const Net& net);
+    void turn_cells();
+    /// Σ_j M_ij v_j for spoke i, M the form of E in the tangents of one vertex.
+    Eigen::Vector3d formed(const Eigen::Matrix3Xd& v, int i) const {
+        const Eigen::Vector3d own = v.col(i);
+        return m_spokes[i].partner < 0
+                   ? Eigen::Vector3d(m_cell_weight * own)
+                   : Eigen::Vector3d(m_cell_weight * own + m_weight * (own + v.col(m_spokes[i].partner)));
+    }
+    Eigen::Vector3d tangent(const Eigen::Matrix3Xd& x, int b, int i) const {
+        return m_spokes[i].inverse_length * (x.col(m_spokes[i].vertex) - x.col(b));
+    }
+
+    double m_weight, m_cell_weight;
+    bool m_turns;              // whether there are rotations
+    std::vector<int> m_start;  // V + 1, into the spokes
+    std::vector<Spoke> m_spokes;
+    Eigen::Matrix3Xd m_rest;                    // spokes: t_i⁰
+    Eigen::Matrix3Xd m_rest_formed;             // spokes: Σ_j M_ij t_j⁰
+    std::vector<Eigen::Matrix3d> m_compliance;  // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
+    std::vector<Eigen::Quaterniond> m_quaternions;
+    std::vector<Eigen::Matrix3d> m_rotations, m_covariances;
+    Eigen::Matrix3Xd m_tangents;  // of the last evaluation, then differences from R t⁰
+    Eigen::Matrix3Xd m_levers;    // spokes: R_b Σ_j M_ij t_j⁰
+};
+
+}  // namespace chebnet

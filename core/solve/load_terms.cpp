@@ -1,0 +1,39 @@
+#include "solve/load_terms.h"
+
+namespace chebnet {
+
+PullTerm::PullTerm(const Net& net, std::span<const Hold> holds)
+    : m_scale(1 / (net.mean_length() * net.mean_length())), m_holds(holds.begin(), holds.end()) {}
+
+double PullTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
+    double energy = 0;
+    for (const Hold& hold : m_holds) {
+        const Eigen::Vector3d off = x.col(hold.vertex) - hold.target;
+        energy += m_scale * hold.weight * off.squaredNorm();
+        gradient.col(hold.vertex) += 2 * m_scale * hold.weight * off;
+    }
+    return energy;
+}
+
+void PullTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
+    for (const Hold& hold : m_holds) product.col(hold.vertex) += 2 * m_scale * hold.weight * d.col(hold.vertex);
+}
+
+void PullTerm::add_bound(QuadraticForm& form) const {
+    for (const Hold& hold : m_holds) form.add_vertex(hold.vertex, 2 * m_scale * hold.weight);
+}
+
+GravityTerm::GravityTerm(const Net& net, double g, const Eigen::Vector3d& down)
+    : m_gradient(Eigen::Matrix3Xd::Zero(3, net.vertex_count())) {
+    const double L = net.mean_length();
+    for (int e = 0; e < net.edge_count(); ++e)
+        for (int side = 0; side < 2; ++side)
+            m_gradient.col(net.edges()(side, e)) -= g * net.rest_lengths()[e] / (2 * L * L) * down;
+}
+
+double GravityTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
+    gradient += m_gradient;
+    return m_gradient.cwiseProduct(x).sum();
+}
+
+}  // namespace chebnet

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "net/net.h"
+#include "solve/hold.h"
+#include "solve/term.h"
+
+namespace chebnet {
+
+/// The pull of soft handles and of the border of a locality: E = Σ_h w_h ‖x_h − c_h‖² / L², L the net's mean length.
+class PullTerm : public Term {
+public:
+    PullTerm(const Net& net, std::span<const Hold> holds);
+
+    const char* name() const override { return "pull"; }
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
+    void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_bound(QuadraticForm& form) const override;
+
+private:
+    double m_scale;  // 1 / L²
+    std::vector<Hold> m_holds;
+};
+
+/// The net's own weight, E = −g Σ_e L_e / L · down · (x_a + x_b) / 2L: edges are heavy, each by its length, and `g` is
+/// the weight of one of mean length L in the units of the other energies. Without handles it would fall for ever.
+class GravityTerm : public Term {
+public:
+    /// `down`: a unit vector.
+    GravityTerm(const Net& net, double g, const Eigen::Vector3d& down);
+
+    const char* name() const override { return "gravity"; }
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
+    void add_curvature(const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&) const override {}
+    void add_bound(QuadraticForm&) const override {}
+
+private:
+    Eigen::Matrix3Xd m_gradient;  // constant
+};
+
+}  // namespace chebnet

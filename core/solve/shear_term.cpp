@@ -1,0 +1,57 @@
+#include "solve/shear_term.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chebnet {
+
+ShearTerm::ShearTerm(const Net& net, double weight, Reference reference) : m_weight(weight) {
+    const Positions& rest = net.rest_positions();
+    const auto distance = [&](int a, int b) { return (rest.col(a) - rest.col(b)).norm(); };
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> q = net.faces()[f];
+        if (q.size() != 4) continue;
+        for (int k = 0; k < 2; ++k) {
+            const double square = std::hypot(distance(q[k], q[k + 1]), distance(q[k + 1], q[k + 2]));
+            const double length = reference == Reference::rest ? distance(q[k], q[k + 2]) : square;
+            if (length > 0) m_diagonals.push_back({q[k], q[k + 2], length});
+        }
+    }
+    m_directions.resize(3, static_cast<Eigen::Index>(m_diagonals.size()));
+    m_across.resize(static_cast<Eigen::Index>(m_diagonals.size()));
+}
+
+double ShearTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
+    double energy = 0;
+    for (std::size_t i = 0; i < m_diagonals.size(); ++i) {
+        const auto& [a, b, length] = m_diagonals[i];
+        const Eigen::Vector3d d = x.col(a) - x.col(b);
+        const double now = d.norm(), strain = now / length - 1;
+        energy += m_weight * strain * strain;
+        const auto k = static_cast<Eigen::Index>(i);
+        m_directions.col(k) = now > 0 ? Eigen::Vector3d(d / now) : Eigen::Vector3d::Zero();
+        m_across[k] = now > 0 ? std::max(0.0, 1 - length / now) : 0;
+        const Eigen::Vector3d force = 2 * m_weight * strain / length * m_directions.col(k);
+        gradient.col(a) += force;
+        gradient.col(b) -= force;
+    }
+    return energy;
+}
+
+void ShearTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
+    for (std::size_t i = 0; i < m_diagonals.size(); ++i) {
+        const auto& [a, b, length] = m_diagonals[i];
+        const auto k = static_cast<Eigen::Index>(i);
+        const Eigen::Vector3d u = m_directions.col(k), move = d.col(a) - d.col(b);
+        const Eigen::Vector3d force =
+            2 * m_weight / (length * length) * (m_across[k] * move + (1 - m_across[k]) * u.dot(move) * u);
+        product.col(a) += force;
+        product.col(b) -= force;
+    }
+}
+
+void ShearTerm::add_bound(QuadraticForm& form) const {
+    for (const auto& [a, b, length] : m_diagonals) form.add_link(a, b, 2 * m_weight / (length * length));
+}
+
+}  // namespace chebnet

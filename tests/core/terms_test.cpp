@@ -1,0 +1,225 @@
+#include <catch2/catch.hpp>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "sample_nets.h"
+#include "solve/bending_term.h"
+#include "solve/distance_constraint.h"
+#include "solve/load_terms.h"
+#include "solve/shear_term.h"
+
+using namespace chebnet;
+
+namespace {
+
+/// A patch with an own length for each edge.
+Net uneven_patch(std::mt19937& random) {
+    const Net even = samples::patch(6, 5);
+    return Net(samples::shaken(even.rest_positions(), 0.1, random), even.faces(), RestLengths::own);
+}
+
+Net sample_net(int which, std::mt19937& random) {
+    switch (which) {
+        case 0:
+            return samples::patch(6, 5);
+        case 1:
+            return samples::cube();
+        case 2:
+            return samples::mixed_mesh();
+        case 3:
+            return samples::ring(6, 5, true);
+        default:
+            return uneven_patch(random);
+    }
+}
+
+std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
+    const Topology topology(net);
+    const std::vector<Hold> holds{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
+    std::vector<std::unique_ptr<Term>> terms;
+    for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
+        terms.push_back(std::make_unique<BendingTerm>(net, topology, 1.5, reference));
+    for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
+        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference));
+    terms.push_back(std::make_unique<PullTerm>(net, holds));
+    terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
+    return terms;
+}
+
+double energy(Term& term, const Positions& x) {
+    Eigen::Matrix3Xd ignored = Eigen::Matrix3Xd::Zero(3, x.cols());
+    return term.evaluate(x, ignored);
+}
+
+Eigen::Matrix3Xd gradient(Term& term, const Positions& x) {
+    Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, x.cols());
+    term.evaluate(x, sum);
+    return sum;
+}
+
+Eigen::Matrix3Xd curvature(const Term& term, const Eigen::Matrix3Xd& d) {
+    Eigen::Matrix3Xd product = Eigen::Matrix3Xd::Zero(3, d.cols());
+    term.add_curvature(d, product);
+    return product;
+}
+
+double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
+
+/// The value of a QuadraticForm along some moves.
+class FormAlong : public QuadraticForm {
+public:
+    explicit FormAlong(const Eigen::Matrix3Xd& d) : m_d(d) {}
+    void add_link(int a, int b, double weight) override { value += weight * (m_d.col(a) - m_d.col(b)).squaredNorm(); }
+    void add_vertex(int a, double weight) override { value += weight * m_d.col(a).squaredNorm(); }
+    double value = 0;
+
+private:
+    const Eigen::Matrix3Xd& m_d;
+};
+
+double bound(const Term& term, const Eigen::Matrix3Xd& d) {
+    FormAlong form(d);
+    term.add_bound(form);
+    return form.value;
+}
+
+Positions rigidly_moved(const Positions& x, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
+    turn.normalize();
+    return (turn.toRotationMatrix() * x).colwise() + Eigen::Vector3d(normal(random), normal(random), normal(random));
+}
+
+struct Random {
+    unsigned seed = std::random_device{}();
+    std::mt19937 engine{seed};
+};
+
+}  // namespace
+
+TEST_CASE("The gradient of each term is its energy's derivative") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
+    const Positions x = samples::shaken(net.rest_positions(), 0.15, random.engine);
+    const Eigen::Matrix3Xd d = samples::shaken(Positions::Zero(3, x.cols()), 1, random.engine);
+    for (const auto& term : terms_of(net)) {
+        CAPTURE(term->name());
+        const double h = 1e-5;
+        const double slope = (energy(*term, x + h * d) - energy(*term, x - h * d)) / (2 * h);
+        CHECK(dot(gradient(*term, x), d) == Approx(slope).epsilon(1e-6).margin(1e-7));
+    }
+}
+
+TEST_CASE(
+    "The curvature of each term is symmetric, positive, below its bound, and the Hessian where nothing is strained") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
+    const Positions x = samples::shaken(net.rest_positions(), 0.15, random.engine);
+    const auto direction = [&] { return samples::shaken(Positions::Zero(3, x.cols()), 1, random.engine); };
+    for (const auto& term : terms_of(net)) {
+        CAPTURE(term->name());
+        gradient(*term, x);
+        for (int k = 0; k < 10; ++k) {
+            const Eigen::Matrix3Xd d = direction(), e = direction();
+            const double along = dot(d, curvature(*term, d));
+            CHECK(along >= -1e-12);
+            CHECK(along <= bound(*term, d) * (1 + 1e-12) + 1e-12);
+            CHECK(dot(e, curvature(*term, d)) == Approx(dot(d, curvature(*term, e))).margin(1e-10));
+        }
+    }
+    // Turned as a whole, so that rotations matter.
+    const Positions rest = rigidly_moved(net.rest_positions(), random.engine);
+    const Topology topology(net);
+    BendingTerm bending(net, topology, 1.5, BendingTerm::Reference::rest);
+    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest);
+    for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
+        CAPTURE(term->name());
+        const Eigen::Matrix3Xd d = direction();
+        const double h = 1e-5;
+        const Eigen::Matrix3Xd change = (gradient(*term, rest + h * d) - gradient(*term, rest - h * d)) / (2 * h);
+        gradient(*term, rest);
+        CHECK((curvature(*term, d) - change).norm() < 1e-5 * change.norm());
+    }
+}
+
+TEST_CASE("A rigid motion costs neither bending nor shear; straight rods turn freely too") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
+    const Topology topology(net);
+    const Positions moved = rigidly_moved(net.rest_positions(), random.engine);
+    BendingTerm bending(net, topology, 1, BendingTerm::Reference::rest);
+    ShearTerm shear(net, 1, ShearTerm::Reference::rest);
+    for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
+        CHECK(std::abs(energy(*term, moved)) < 1e-15);
+        CHECK(gradient(*term, moved).norm() < 1e-7);
+    }
+    BendingTerm rods(net, topology, 1, BendingTerm::Reference::straight);
+    CHECK(energy(rods, moved) == Approx(energy(rods, net.rest_positions())).margin(1e-12));
+}
+
+TEST_CASE("Rods: a line on a circle has the bending energy of its turning angles") {
+    // A prism of quads with n sides: n rows of lines around, which turn by 2π/n at each vertex, straight along.
+    const int n = 12, rows = 3;
+    Positions x(3, n * rows);
+    Faces faces;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < n; ++i) {
+            x.col(j * n + i) << std::cos(2 * EIGEN_PI * i / n), std::sin(2 * EIGEN_PI * i / n), 0.5 * j;
+            if (j + 1 < rows) faces.add({j * n + i, j * n + (i + 1) % n, (j + 1) * n + (i + 1) % n, (j + 1) * n + i});
+        }
+    const Net net(x, faces, RestLengths::own);
+    BendingTerm rods(net, Topology(net), 2, BendingTerm::Reference::straight);
+    const double turn = 2 * std::sin(EIGEN_PI / n);  // ‖t_i + t_j‖ of unit tangents that turn by 2π/n
+    CHECK(energy(rods, x) == Approx(2 * n * rows * turn * turn));
+}
+
+TEST_CASE("Constraints: Jacobian and curvature are derivatives, and rows of the Jacobian act as their transposes") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
+    const Positions x = samples::shaken(net.rest_positions(), 0.1, random.engine);
+    const auto direction = [&] { return samples::shaken(Positions::Zero(3, x.cols()), 1, random.engine); };
+    for (DistanceConstraint constraint : {edge_lengths(net), shear_limit(net, 0.5)}) {
+        CAPTURE(constraint.name());
+        const Eigen::Matrix3Xd d = direction(), e = direction();
+        const Eigen::VectorXd y = Eigen::VectorXd::NullaryExpr(
+            constraint.count(), [&] { return std::uniform_real_distribution<double>(-1, 1)(random.engine); });
+        const double h = 1e-5;
+        const Eigen::VectorXd change = (constraint.evaluate(x + h * d) - constraint.evaluate(x - h * d)) / (2 * h);
+        const auto pulled = [&](const Positions& at) {
+            constraint.evaluate(at);
+            Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, x.cols());
+            constraint.add_transposed(y, sum);
+            return sum;
+        };
+        const Eigen::Matrix3Xd pull_change = (pulled(x + h * d) - pulled(x - h * d)) / (2 * h);
+        const Eigen::Matrix3Xd pull = pulled(x);
+        CHECK((constraint.multiply(d) - change).norm() <= 1e-6 * (1 + change.norm()));
+        CHECK(constraint.multiply(e).dot(y) == Approx(dot(e, pull)).margin(1e-10));
+        Eigen::Matrix3Xd curved = Eigen::Matrix3Xd::Zero(3, x.cols());
+        constraint.add_curvature(y, d, curved);
+        CHECK((curved - pull_change).norm() <= 1e-5 * (1 + pull_change.norm()));
+    }
+}
+
+TEST_CASE("The shear limit holds exactly when no corner of a quad is sharper, nor blunter than its supplement") {
+    for (const double degrees : {25.0, 30.0, 35.0, 90.0, 145.0, 150.0, 155.0}) {
+        const double angle = degrees * EIGEN_PI / 180;
+        Positions rhombus(3, 4);
+        rhombus << 0, 1, 1 + std::cos(angle), std::cos(angle),  //
+            0, 0, std::sin(angle), std::sin(angle),             //
+            0, 0, 0, 0;
+        Faces faces;
+        faces.add({0, 1, 2, 3});
+        const Net net(rhombus, faces);
+        DistanceConstraint limit = shear_limit(net, 30 * EIGEN_PI / 180);
+        CAPTURE(degrees);
+        CHECK(limit.count() == 2);
+        CHECK((limit.evaluate(rhombus).minCoeff() >= -1e-12) == (degrees >= 30 && degrees <= 150));
+    }
+    CHECK(shear_limit(samples::mixed_mesh(), 0.5).count() == 2);  // of three faces one is a quad
+}
