@@ -91,7 +91,9 @@ export interface UnreachablePair {
 }
 
 export interface TraceRow {
+  /** From 1; those of an initialisation end at 0. */
   iteration: number;
+  /** 0 in an initialisation. */
   stage: number;
   p: number;
   energy: number;

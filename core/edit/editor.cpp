@@ -235,7 +235,9 @@ void Editor::store_positions() {
     snap_handles();
 }
 
-Status Editor::begin_solve() {
+/// Adds what the initialisation does to the trace.
+Status Editor::begin_solve(Trace& trace) {
+    const Stopwatch watch;
     if (!m_prepared) prepare();
     draw_targets_near();
     collect_holds();
@@ -243,7 +245,11 @@ Status Editor::begin_solve() {
     m_iterations = 0;
     m_elapsed_ms = 0;
     load_positions();
-    if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) m_initialisation.apply(m_unit_positions);
+    if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
+        const double prepared_ms = watch.milliseconds();
+        trace = m_initialisation.apply(m_unit_positions);
+        for (TraceRow& row : trace) row.total_ms += prepared_ms;
+    }
     return m_method->start(m_unit_positions, m_options, m_reachable);
 }
 
@@ -278,7 +284,7 @@ void Editor::refuse_size(const std::string& reason) {
 SolveReport Editor::go_on(const Budget& budget) {
     Stopwatch watch;
     SolveReport report;
-    report.status = m_running ? Status::running : begin_solve();
+    report.status = m_running ? Status::running : begin_solve(report.trace);
     while (report.status == Status::running) {
         if (m_iterations >= m_options.max_iterations) {
             report.status = m_reachable ? Status::max_iterations : Status::unreachable;

@@ -141,7 +141,7 @@ private:
     void store_positions();
     SolveReport go_on(const Budget& budget);
     [[noreturn]] void refuse_size(const std::string& reason);
-    Status begin_solve();
+    Status begin_solve(Trace& trace);
     Status iterate(TraceRow& row);
     bool are_joined(int a, int b) const;
     bool is_out_of_reach(const UnreachablePair& pair) const;

@@ -5,8 +5,10 @@
 
 #include "io/text.h"
 #include "net/error.h"
+#include "net/measures.h"
 #include "solve/arap.h"
 #include "solve/local_global.h"
+#include "solve/stopwatch.h"
 
 namespace chebnet {
 
@@ -56,11 +58,29 @@ void Initialisation::prepare(const Net& net, std::span<const int> handle_vertice
     m_step = m_make_step(*m_part);
 }
 
-void Initialisation::apply(Positions& positions) {
-    if (m_make_step == nullptr) return;
+Trace Initialisation::apply(Positions& positions) {
+    const Stopwatch watch;
+    Trace trace;
     Positions moved = positions;
-    for (int k = 0; k < m_iterations; ++k) m_step->iterate(moved);
-    if (moved.allFinite()) positions = std::move(moved);
+    for (int k = 1; k <= m_iterations; ++k) {
+        m_step->iterate(moved);
+        trace.push_back(row_of(k - m_iterations, moved));
+        trace.back().total_ms = watch.milliseconds();
+    }
+    if (!moved.allFinite()) return {};
+    positions = std::move(moved);
+    return trace;
+}
+
+TraceRow Initialisation::row_of(int iteration, const Positions& positions) const {
+    const Net& net = m_part->net();
+    TraceRow row;
+    row.iteration = iteration;
+    row.energy = m_step->energy(positions) / (net.mean_length() * net.mean_length());
+    row.max_deviation = max_deviation(net, positions);
+    row.step = 1;
+    row.free_vertices = m_part->part().size();
+    return row;
 }
 
 }  // namespace chebnet

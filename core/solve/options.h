@@ -20,6 +20,7 @@ struct Options {
     double reduction_deviation = 1e-4;  ///< ε_dL2: all vertices free until max dL is below
     double active_fraction = 0.25;      ///< ε_4 = active_fraction · ε_3: edges with a larger dL keep their ends free
     int active_rings = 2;               ///< and so many rings of neighbours around them
+    bool reduce_once = false;           ///< section 3.3 to the letter: these vertices are chosen once, and stay
     bool direct_energy = false;         ///< li2022 minimises E_p (eq. 2) itself in place of energy (3)
 };
 

@@ -58,7 +58,8 @@ Status StagedDescent::iterate(Positions& positions, TraceRow& row) {
     if (!std::isfinite(row.gradient_norm)) return Status::non_finite;
     if (!moved || has_settled(m_options, m_reachable, energy_before, m_total_energy, row.gradient_norm))
         return at_minimum();
-    if (m_stage == 3 && m_max_deviation > k_reduced_progress * deviation_before) free_all_vertices();
+    const bool is_slow = m_max_deviation > k_reduced_progress * deviation_before;
+    if (m_stage == 3 && is_slow && !m_options.reduce_once) free_all_vertices();
     return Status::running;
 }
 
@@ -66,9 +67,8 @@ Status StagedDescent::iterate(Positions& positions, TraceRow& row) {
 /// energy.
 bool StagedDescent::step(Positions& positions, TraceRow& row) {
     Stopwatch watch;
-    std::unique_ptr<FreePart> reduced;
-    if (m_stage == 3) reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges());
-    const FreePart& part = reduced ? *reduced : *m_all;
+    reduce_if_needed();
+    const FreePart& part = m_stage == 3 ? *m_reduced : *m_all;
     const Eigen::Matrix3Xd slope = gradient(part, positions);
     row.stage = m_stage;
     row.p = m_p;
@@ -88,6 +88,12 @@ bool StagedDescent::step(Positions& positions, TraceRow& row) {
     return row.step > 0;
 }
 
+/// In stage 3, chooses the vertices to move.
+void StagedDescent::reduce_if_needed() {
+    if (m_stage != 3 || (m_reduced && m_options.reduce_once)) return;
+    m_reduced = std::make_unique<FreePart>(*m_net, vertices_near_bad_edges());
+}
+
 /// Stages only go forward within one solve.
 void StagedDescent::choose_stage() {
     int stage = m_stage;
@@ -100,13 +106,14 @@ void StagedDescent::enter_stage(int stage) {
     m_stage = stage;
     m_p = stage == 1 ? m_options.p_start : m_options.p_end;
     m_energy = m_make_energy(m_p, m_options);
+    m_reduced.reset();
     m_direction->restart();
 }
 
 /// The energy can fall no further with this stage's exponent and free vertices.
 Status StagedDescent::at_minimum() {
     if (!m_reachable) return Status::unreachable;
-    if (m_stage == 2) return Status::stalled;
+    if (m_stage == 2 || (m_stage == 3 && m_options.reduce_once)) return Status::stalled;
     if (m_stage == 3)
         free_all_vertices();
     else

@@ -19,8 +19,8 @@ namespace chebnet {
 ///
 /// A solve ends when max dL < threshold, or when the energy's relative change or the gradient falls below its
 /// tolerance. Where the paper is silent: a minimum in stage 1 goes on to stage 2, since a larger exponent evens out
-/// what is left; a minimum in stage 3 that is none of the whole net's frees all vertices again for the rest of the
-/// solve.
+/// what is left. Where this departs from it unless the option reduce_once is on: stage 3 chooses its vertices anew each
+/// iteration, and a minimum there that is none of the whole net's frees all vertices again for the rest of the solve.
 class StagedDescent : public Method {
 public:
     using MakeEnergy = std::unique_ptr<EdgeEnergy> (*)(double p, const Options& options);
@@ -45,6 +45,7 @@ private:
     void measure(const Positions& positions);
     Status at_minimum();
     void free_all_vertices();
+    void reduce_if_needed();
 
     MakeEnergy m_make_energy;
     std::unique_ptr<DescentDirection> m_direction;
@@ -53,7 +54,8 @@ private:
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
     std::vector<bool> m_is_free;
-    std::unique_ptr<FreePart> m_all;  // every vertex but the handles
+    std::unique_ptr<FreePart> m_all;      // every vertex but the handles
+    std::unique_ptr<FreePart> m_reduced;  // of stage 3
     Options m_options;
     bool m_reachable = true;
 

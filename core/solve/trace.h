@@ -19,8 +19,8 @@ const char* to_string(Status status);
 
 /// What one iteration did.
 struct TraceRow {
-    int iteration = 0;         ///< from 1, counted since the solve was started
-    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3); 1 for a method without stages
+    int iteration = 0;         ///< from 1, counted since the solve was started; an initialisation's end at 0
+    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3); 1 for a method without stages, 0 before it
     double p = 0;              ///< exponent of the energy; 0 if it has none
     double energy = 0;         ///< the method's own energy after the iteration; 0 where all edges have their length
     double max_deviation = 0;  ///< max dL after the iteration, over all edges
@@ -41,8 +41,8 @@ struct SolveReport {
     double max_deviation = std::numeric_limits<double>::infinity();  ///< over all edges, at the positions held
     double milliseconds = 0;                                         ///< of this call
     double factorisation_ms = 0;                                     ///< part of it
-    int iterations = 0;                                              ///< of this call
-    Trace trace;                                                     ///< a row for each iteration of this call
+    int iterations = 0;                                              ///< of this call, by the method
+    Trace trace;  ///< a row for each iteration of this call, by the initialisation and by the method
 };
 
 }  // namespace chebnet

@@ -41,8 +41,16 @@ TEST_CASE("An initialisation is so many iterations of its step, from where the n
         CHECK(initialisation.name() == name);
         initialisation.prepare(editor.net(), k_handles);
         Positions x = editor.positions();
-        initialisation.apply(x);
+        const Trace trace = initialisation.apply(x);
         CHECK(x == expected);
+        REQUIRE(trace.size() == (name == std::string("naive") ? 0 : 5));
+        for (std::size_t k = 0; k < trace.size(); ++k) {
+            CHECK(trace[k].iteration == static_cast<int>(k) - 4);
+            CHECK(trace[k].stage == 0);
+            if (k > 0) CHECK(trace[k].energy <= trace[k - 1].energy);
+            if (k > 0) CHECK(trace[k].total_ms >= trace[k - 1].total_ms);
+        }
+        if (!trace.empty()) CHECK(trace.back().max_deviation == max_deviation(editor.net(), x));
         for (int h : k_handles) CHECK(x.col(h) == editor.positions().col(h));
     }
 }
@@ -61,6 +69,17 @@ TEST_CASE("Other texts are refused and then nothing changes") {
         }
     }
     CHECK(editor.initialisation() == "arap:3");
+}
+
+TEST_CASE("The trace of a solve begins with what its initialisation did; iterations are the method's") {
+    Editor editor = pulled_patch();
+    editor.set_initialisation("local_global:5");
+    const SolveReport first = editor.solve({2});
+    REQUIRE(first.trace.size() == 7);
+    CHECK(first.iterations == 2);
+    for (int k = 0; k < 7; ++k) CHECK(first.trace[k].iteration == k - 4);
+    for (int k = 1; k < 7; ++k) CHECK(first.trace[k].total_ms >= first.trace[k - 1].total_ms);
+    CHECK(editor.solve({1}).trace.front().iteration == 3);
 }
 
 TEST_CASE("The editor initialises each solve once, for whatever handles there are") {

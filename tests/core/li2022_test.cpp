@@ -29,7 +29,7 @@ struct WholeNet {
             value += energy.value(r);
             gradient.segment<3>(a) += energy.slope(r) / L * u;
             gradient.segment<3>(b) -= energy.slope(r) / L * u;
-            // As solver-notes write it: B = (p/L²) [r^(p−2) I + ((p−2) r^(p−2) + 2p r^(−p−2)) u uᵀ].
+            // The majorizer's Hessian written out: B = (p/L²) [r^(p−2) I + ((p−2) r^(p−2) + 2p r^(−p−2)) u uᵀ].
             const Eigen::Matrix3d B =
                 p / (L * L) *
                 (std::pow(r, p - 2) * Eigen::Matrix3d::Identity() +
@@ -49,6 +49,20 @@ struct WholeNet {
 Editor li2022_editor(Net net) {
     Editor editor(std::move(net));
     editor.set_method("li2022");
+    return editor;
+}
+
+constexpr int k_spot = 15 * 30 + 15;
+
+/// A net that is exact but for one spot, so that the third stage comes first.
+Editor spoilt_patch() {
+    Editor editor = li2022_editor(samples::patch(30, 30));
+    Positions x = editor.net().rest_positions();
+    x(2, k_spot) += 0.05;
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 29, 870, 899}));
+    editor.set_option("adaptive_p", "off");
+    editor.set_option("reduction_deviation", "1");
+    editor.set_positions(x);
     return editor;
 }
 
@@ -170,24 +184,56 @@ TEST_CASE("Each strategy can be switched off") {
 }
 
 TEST_CASE("Reduced iterations move only vertices within two rings of an edge with dL > ε4") {
-    Editor editor = li2022_editor(samples::patch(30, 30));
-    // A net that is exact but for one spot: only that spot may move.
-    Positions x = editor.net().rest_positions();
-    const int spot = 15 * 30 + 15;
-    x(2, spot) += 0.05;
-    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 29, 870, 899}));
-    editor.set_option("adaptive_p", "off");
-    editor.set_option("reduction_deviation", "1");
-    editor.set_positions(x);
+    Editor editor = spoilt_patch();
+    const Positions x = editor.positions();
     const SolveReport report = editor.solve({1});
     REQUIRE(report.trace.size() == 1);
     CHECK(report.trace[0].stage == 3);
     // Ends of the four bad edges (5 vertices) and two rings: all within three steps of the spot.
     CHECK(report.trace[0].free_vertices == 25);
-    const std::vector<double> distance = editor.topology().distances_from(spot);
+    const std::vector<double> distance = editor.topology().distances_from(k_spot);
     for (int v = 0; v < editor.net().vertex_count(); ++v)
         if (distance[v] > 3.5) CHECK(editor.positions().col(v) == x.col(v));
     CHECK(report.max_deviation < max_deviation(editor.net(), x));
+}
+
+TEST_CASE("Reduced once, as section 3.3 has it, the same vertices move to the end; else they are chosen anew") {
+    for (const bool once : {true, false}) {
+        Editor editor = spoilt_patch();
+        editor.set_option("reduce_once", once ? "on" : "off");
+        editor.set_option("threshold", "1e-12");
+        const Positions before = editor.positions();
+        std::set<int> sizes;
+        const SolveReport report = editor.solve();
+        for (const TraceRow& row : report.trace)
+            if (row.stage == 3) sizes.insert(row.free_vertices);
+        CAPTURE(once);
+        REQUIRE(report.trace.size() > 2);
+        CHECK((sizes.size() == 1) == once);
+        const auto moved = ((editor.positions() - before).array() != 0).colwise().any().count();
+        if (once) CHECK(moved <= *sizes.begin());
+    }
+}
+
+TEST_CASE("Reduced once, vertices that cannot mend the net end the solve; else all are freed again") {
+    for (const bool once : {true, false}) {
+        Editor editor = li2022_editor(samples::patch(30, 30));
+        // All edges between two columns are too long; their ends alone cannot make room for that.
+        Positions x = editor.net().rest_positions();
+        for (int v = 0; v < editor.net().vertex_count(); ++v) x(0, v) += v % 30 >= 15 ? 0.1 : 0;
+        editor.set_handles({{0, x.col(0)}, {29, x.col(29)}, {870, x.col(870)}, {899, x.col(899)}});
+        editor.set_option("adaptive_p", "off");
+        editor.set_option("reduction_deviation", "1");
+        editor.set_option("active_rings", "0");
+        editor.set_option("reduce_once", once ? "on" : "off");
+        editor.set_positions(x);
+        const SolveReport report = editor.solve();
+        std::set<int> stages;
+        for (const TraceRow& row : report.trace) stages.insert(row.stage);
+        CAPTURE(once);
+        CHECK(report.status == (once ? Status::stalled : Status::converged));
+        CHECK(stages == (once ? std::set<int>{3} : std::set<int>{2, 3}));
+    }
 }
 
 TEST_CASE("The three stopping rules end a solve each") {

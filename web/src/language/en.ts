@@ -163,7 +163,7 @@ export const en = {
     empty: 'Drag a handle: the curve of each solve appears here.',
     iterations: 'Iterations',
     milliseconds: 'Milliseconds',
-    stage: (stage: number) => `Stage ${stage}`,
+    stage: (stage: number) => (stage === 0 ? 'Start' : `Stage ${stage}`),
   },
   status: {
     loading: 'Loading the solver',
@@ -204,7 +204,7 @@ export const en = {
     numbers: { iteration: 'Iteration', energy: 'Energy', step: 'Step size', move: 'Move, edges' },
     /** `p`: null if the energy has no exponent. */
     stage: (stage: number, p: number | null, vertices: string) =>
-      `Stage ${stage}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
+      `${stage === 0 ? 'Start' : `Stage ${stage}`}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
   },
   experiment: {
     label: 'Experiment',

@@ -162,7 +162,7 @@ export const zh: Words = {
     empty: '拖动手柄，每次求解的曲线就显示在这里。',
     iterations: '迭代次数',
     milliseconds: '毫秒',
-    stage: (stage) => `阶段 ${stage}`,
+    stage: (stage) => (stage === 0 ? '起始' : `阶段 ${stage}`),
   },
   status: {
     loading: '正在加载求解器',
@@ -201,7 +201,7 @@ export const zh: Words = {
     arrowsHint: '从顶点原来的位置指向新的位置；最长的箭头画成四条边长',
     idle: '求解一次迭代后停止。箭头表示移动的方向。',
     numbers: { iteration: '迭代', energy: '能量', step: '步长', move: '位移（边长）' },
-    stage: (stage, p, vertices) => `阶段 ${stage}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
+    stage: (stage, p, vertices) => `${stage === 0 ? '起始' : `阶段 ${stage}`}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
   },
   experiment: {
     label: '实验',

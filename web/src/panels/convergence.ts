@@ -13,6 +13,7 @@ export function decade(deviation: number): number | null {
 }
 
 interface Solve {
+  lastIteration: number;
   /** Since the solve began. */
   milliseconds: number[];
   maxDeviations: number[];
@@ -34,8 +35,10 @@ export class Convergence {
 
   add(rows: readonly TraceRow[]): void {
     for (const { iteration, stage, maxDeviation, totalMs } of rows) {
-      if (iteration === 1 || this.solves.length === 0) this.beginSolve();
+      // What an initialisation does has numbers up to 0.
+      if (!(iteration > (this.solves.at(-1)?.lastIteration ?? Infinity))) this.beginSolve();
       const solve = this.solves.at(-1)!;
+      solve.lastIteration = iteration;
       solve.milliseconds.push(totalMs);
       solve.maxDeviations.push(maxDeviation);
       solve.stages.push(stage);
@@ -75,7 +78,7 @@ export class Convergence {
 
   private beginSolve(): void {
     if (this.rested) this.clear();
-    this.solves.push({ milliseconds: [], maxDeviations: [], stages: [] });
+    this.solves.push({ lastIteration: -Infinity, milliseconds: [], maxDeviations: [], stages: [] });
   }
 }
 

@@ -113,6 +113,7 @@ export const OPTIONS: Record<string, string> = {
   reduction_deviation: '最大 dL 低于此值时减少变量。',
   active_fraction: 'dL 高于阈值的这一比例时，该边视为仍有偏差（ε4）。',
   active_rings: '有偏差的边周围保持自由的邻域环数。',
+  reduce_once: '像论文那样，临近结束时只选定一次要移动的顶点，而不是每次重新选定。',
   direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
 };
 
@@ -144,6 +145,7 @@ export const NAMES: Record<string, string> = {
   reduction_deviation: '减少变量的偏差',
   active_fraction: '活动比例',
   active_rings: '活动环数',
+  reduce_once: '只选一次',
   direct_energy: '直接能量',
   duplicate_vertices: '重复顶点',
   degenerate_faces: '退化面',
