@@ -22,11 +22,6 @@ constexpr int k_file_handles = 4;    // of an edit made for a file: three anchor
 constexpr double k_reserve = 1.1;    // the edit taken this much farther must still be within reach of the net
 constexpr double k_shrinking = 0.7;  // of the motion, as long as it is not
 
-std::string recipe_of_size(const std::string& recipe, int vertices) {
-    const std::string shape = recipe.substr(0, recipe.find(':'));
-    return vertices == 0 ? recipe : shape + std::string(k_size_key) + std::to_string(vertices);
-}
-
 /// Vertices far from one another along the net; the first is far from vertex 0.
 std::vector<int> spread_vertices(const Net& net, int count) {
     const Topology topology(net);
@@ -43,36 +38,12 @@ std::vector<int> spread_vertices(const Net& net, int count) {
     return chosen;
 }
 
-Shape open_shape(const EditCase& edit, const Change& change) {
-    if (edit.is_recipe()) return make_shape(recipe_of_size(edit.net, change.vertices));
+Shape open_shape(const EditCase& edit) {
+    if (edit.is_recipe()) return make_shape(edit.net);
     Mesh mesh = read_obj(read_file(edit.net), edit.net);
     Net net(std::move(mesh.positions), std::move(mesh.faces));
     std::vector<int> handles = spread_vertices(net, k_file_handles);
     return {std::move(net), std::move(handles)};
-}
-
-void add_cut(std::span<const int> quad, bool other_way, Faces& faces) {
-    const auto [a, b, c, d] = std::array{quad[0], quad[1], quad[2], quad[3]};
-    if (other_way) {
-        faces.add({a, b, d});
-        faces.add({b, c, d});
-    } else {
-        faces.add({a, b, c});
-        faces.add({a, c, d});
-    }
-}
-
-/// The net with diagonals in its quads; each edge keeps its own length.
-Net cut_quads(const Net& net, Cut cut) {
-    Faces faces;
-    for (int f = 0; f < net.face_count(); ++f) {
-        const auto face = net.faces()[f];
-        if (face.size() == 4 && (cut == Cut::all || f % 2 == 0))
-            add_cut(face, f % 3 == 0, faces);
-        else
-            faces.add(face);
-    }
-    return Net(net.rest_positions(), std::move(faces), RestLengths::own);
 }
 
 double diagonal(const Net& net) {
@@ -117,24 +88,6 @@ std::vector<Handle> generate_edit(const Net& net, const std::vector<int>& vertic
     return move_last(net, vertices, kind, amount);
 }
 
-/// Many handles for which a net is known to exist: the places of their vertices in a solution with the few.
-std::vector<Handle> more_handles(const Net& net, const std::vector<Handle>& few, int count) {
-    Editor editor(net);
-    editor.set_handles(few);
-    editor.set_option("threshold", "1e-12");
-    editor.solve();
-    std::vector<Handle> handles;
-    for (const int vertex : spread_vertices(net, count)) handles.push_back({vertex, editor.positions().col(vertex)});
-    return handles;
-}
-
-void shorten(const Net& net, std::vector<Handle>& handles, double amount) {
-    for (Handle& handle : handles) {
-        const Eigen::Vector3d rest = net.rest_positions().col(handle.vertex);
-        handle.target = rest + amount * (handle.target - rest);
-    }
-}
-
 }  // namespace
 
 std::string EditCase::name() const {
@@ -149,15 +102,12 @@ const std::vector<std::string>& edit_kinds() {
     return kinds;
 }
 
-Problem make_problem(const EditCase& edit, const Change& change) {
-    Shape shape = open_shape(edit, change);
-    // Diagonals are short cuts: the edit is made for the mesh as it will be, else it would be out of reach.
-    Net net = change.cut == Cut::none ? std::move(shape.net) : cut_quads(shape.net, change.cut);
-    std::vector<Handle> handles = edit.edit_file.empty() ? generate_edit(net, shape.suggested_handles, edit.kind)
-                                                         : read_edit(edit.edit_file, net.vertex_count());
-    if (change.handles > 0) handles = more_handles(net, handles, change.handles);
-    if (change.amount != 1) shorten(net, handles, change.amount);
-    return {std::move(net), std::move(handles)};
+Problem make_problem(const EditCase& edit) {
+    Shape shape = open_shape(edit);
+    std::vector<Handle> handles = edit.edit_file.empty()
+                                      ? generate_edit(shape.net, shape.suggested_handles, edit.kind)
+                                      : read_edit(edit.edit_file, shape.net.vertex_count());
+    return {std::move(shape.net), std::move(handles)};
 }
 
 std::vector<EditCase> cases_of_folder(const std::string& nets_folder, const std::string& edits_folder) {

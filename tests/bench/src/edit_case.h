@@ -8,21 +8,6 @@
 
 namespace chebnet::bench {
 
-/// What is done to the faces of a net before it is edited.
-enum class Cut {
-    none,
-    some,  ///< a diagonal in every second quad: a mixed mesh
-    all,   ///< a diagonal in every quad: a triangle mesh
-};
-
-/// How a variant departs from the edit as it stands.
-struct Change {
-    int vertices = 0;  ///< another size of a recipe's net; 0: as it is
-    Cut cut = Cut::none;
-    int handles = 0;      ///< so many handles, well spread, at their places in a solution of the edit; 0: as they are
-    double amount = 1.0;  ///< part of the edit's motion
-};
-
 /// An edit by name: a recipe or an OBJ file, and a kind of motion or an edit file.
 struct EditCase {
     std::string net;
@@ -43,7 +28,7 @@ struct Problem {
 const std::vector<std::string>& edit_kinds();
 
 /// Makes net and handles. Always the same for the same input. Throws Error.
-Problem make_problem(const EditCase& edit, const Change& change);
+Problem make_problem(const EditCase& edit);
 
 /// Every OBJ file of a folder, with its edits: NAME.KIND.json in `edits_folder` if that is not empty, else one of each
 /// kind. Throws Error.

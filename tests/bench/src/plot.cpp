@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "markup.h"
+
 namespace chebnet::bench {
 namespace {
 
@@ -18,19 +20,6 @@ constexpr double k_left = 62, k_right = 24, k_top = 30, k_bottom = 46;         /
 constexpr double k_legend_line = 20, k_legend_entry = 210, k_legend_top = 14;  // px
 
 std::string px(double value) { return formatted("%.1f", value); }
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '<')
-            safe += "&lt;";
-        else if (c == '&')
-            safe += "&amp;";
-        else
-            safe += c;
-    }
-    return safe;
-}
 
 std::string text_at(double x, double y, const std::string& text, const char* attributes) {
     return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" " + attributes + ">" + escaped(text) + "</text>\n";
@@ -115,7 +104,16 @@ std::string curve(const Series& series, std::size_t key, const Axis& x, const Ax
             dots += "<circle cx=\"" + at_x + "\" cy=\"" + at_y + "\" r=\"2.5\" fill=\"" +
                     k_colours[key % k_colours.size()] + "\"/>\n";
     }
+    for (const Point& circle : series.circles)
+        if (x.shows(circle.x) && y.shows(circle.y))
+            dots += "<circle cx=\"" + px(x(circle.x)) + "\" cy=\"" + px(y(circle.y)) + "\" r=\"6\" stroke-width=\"1.5\" stroke=\"" +
+                    k_ink + "\" fill=\"none\"/>\n";
     return "<path d=\"" + path + "\" " + stroke(key) + "/>\n" + dots;
+}
+
+std::string dotted_line(double x) {
+    return "<line x1=\"" + px(x) + "\" y1=\"" + px(k_top) + "\" x2=\"" + px(x) + "\" y2=\"" + px(k_height - k_bottom) +
+           "\" stroke=\"" + k_ink + "\" stroke-width=\"1.5\" stroke-dasharray=\"2 4\"/>\n";
 }
 
 std::string axes(const Axis& x, const Axis& y, const Panel& panel) {
@@ -144,6 +142,7 @@ std::string draw(const Panel& panel, const std::vector<std::string>& keys) {
     x.finish();
     y.finish();
     std::string svg = axes(x, y, panel);
+    for (const double at : panel.lines) svg += dotted_line(x(at));
     for (const Series& series : panel.series)
         svg += curve(series, static_cast<std::size_t>(std::ranges::find(keys, series.key) - keys.begin()), x, y);
     return svg;

@@ -11,6 +11,7 @@ namespace chebnet::bench {
 struct Series {
     std::string key;
     std::vector<Point> points;
+    std::vector<Point> circles = {};  ///< drawn around points of it
 };
 
 /// One pair of axes. On a logarithmic axis only positive values are drawn.
@@ -18,6 +19,7 @@ struct Panel {
     std::string title, x_label, y_label;
     bool log_x, log_y;
     std::vector<Series> series;
+    std::vector<double> lines = {};  ///< x of dotted lines
 };
 
 /// The panels as an SVG picture, row by row, that can be read on a light and on a dark page.

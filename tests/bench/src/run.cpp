@@ -1,6 +1,8 @@
 #include "run.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "net/measures.h"
@@ -12,14 +14,24 @@ double longer_share(const Editor& editor) {
     return (edge_ratios(editor.net(), editor.positions()).array() > 1).cast<double>().mean();
 }
 
+void add_iteration(const SolveReport& report, const Editor& editor, const Positions& before, Run& result) {
+    for (const TraceRow& row : report.trace) {
+        const int last_stage = result.samples.empty() ? 0 : result.samples.back().row.stage;
+        if (last_stage > 0 && row.stage != last_stage) result.snapshots.push_back({last_stage, before});
+        const bool is_start = row.stage == 0;
+        result.samples.push_back({row, is_start ? std::numeric_limits<double>::quiet_NaN() : longer_share(editor)});
+    }
+}
+
 /// One iteration at a time, so that the net can be looked at in between; that time does not count.
 void solve(Editor& editor, Run& result) {
     do {
+        const Positions before = editor.positions();
         const SolveReport report = editor.solve({.iterations = 1});
         result.status = report.status;
         result.max_deviation = report.max_deviation;
         result.iterations += report.iterations;
-        for (const TraceRow& row : report.trace) result.samples.push_back({row, longer_share(editor)});
+        add_iteration(report, editor, before, result);
         result.milliseconds = result.samples.empty() ? report.milliseconds : result.samples.back().row.total_ms;
     } while (result.status == Status::running);
 }
@@ -36,51 +48,63 @@ void add_frame(const Editor& editor, const SolveReport& report, int frame, Run& 
     if (report.status != Status::converged) result.status = report.status;
 }
 
-void drag(Editor& editor, const Variant& variant, Run& result) {
+void drag(Editor& editor, int frames, Run& result) {
     const std::vector<Handle> goal = editor.handles();
     result.status = Status::converged;
     editor.reset();
-    for (int frame = 1; frame <= variant.frames; ++frame) {
-        if (variant.frame_start == FrameStart::rest) editor.reset();
+    for (int frame = 1; frame <= frames; ++frame) {
         for (const Handle& handle : goal) {
             const Eigen::Vector3d rest = editor.net().rest_positions().col(handle.vertex);
-            editor.move_handle(handle.vertex, rest + (handle.target - rest) * frame / variant.frames);
+            editor.move_handle(handle.vertex, rest + (handle.target - rest) * frame / frames);
         }
         add_frame(editor, editor.solve(), frame, result);
     }
 }
 
-Run run_once(const EditCase& edit, const Variant& variant) {
-    Problem problem = make_problem(edit, variant.change);
-    Editor editor(std::move(problem.net));
+Run run_once(const NamedEdit& edit, const std::shared_ptr<const Problem>& problem, const Variant& variant) {
+    Editor editor(problem->net);
     editor.set_method(variant.method);
     editor.set_initialisation(variant.initialisation);
     for (const auto& [key, value] : variant.options) editor.set_option(key, value);
-    editor.set_handles(problem.handles);
+    editor.set_handles(problem->handles);
 
     Run result;
-    result.edit = edit.name();
-    result.variant = variant.label;
-    result.vertices = editor.net().vertex_count();
-    result.handles = static_cast<int>(problem.handles.size());
+    result.edit = edit.name;
+    result.variant = &variant;
+    result.problem = problem;
     if (variant.frames > 0)
-        drag(editor, variant, result);
+        drag(editor, variant.frames, result);
     else
         solve(editor, result);
+    result.positions = editor.positions();
     result.bend = bend(editor.net(), editor.topology(), editor.positions());
+    result.smallest_angle = corner_angle_range(editor.net(), editor.positions()).smallest;
     result.handle_error = editor.handle_error();
     return result;
 }
 
 }  // namespace
 
-Run run(const EditCase& edit, const Variant& variant, int repeats) {
-    Run fastest = run_once(edit, variant);
+Run run(const NamedEdit& edit, const Variant& variant, int repeats) {
+    const auto problem = std::make_shared<const Problem>(edit.open());
+    Run fastest = run_once(edit, problem, variant);
     for (int i = 1; i < repeats; ++i) {
-        Run again = run_once(edit, variant);
+        Run again = run_once(edit, problem, variant);
         if (again.milliseconds < fastest.milliseconds) fastest = std::move(again);
     }
     return fastest;
+}
+
+double distance(const Run& a, const Run& b) {
+    return std::sqrt((a.positions - b.positions).squaredNorm() / a.vertices()) / a.problem->net.mean_length();
+}
+
+int edges_at_rest_since(const Run& run, const Snapshot& snapshot) {
+    int count = 0;
+    const auto is_at_rest = [&](int v) { return run.positions.col(v) == snapshot.positions.col(v); };
+    for (int e = 0; e < run.problem->net.edge_count(); ++e)
+        count += is_at_rest(run.problem->net.edges()(0, e)) && is_at_rest(run.problem->net.edges()(1, e));
+    return count;
 }
 
 }  // namespace chebnet::bench

@@ -1,50 +1,53 @@
 #pragma once
 
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "edit_case.h"
+#include "figures.h"
 #include "solve/trace.h"
 
 namespace chebnet::bench {
-
-/// How a frame of a drag begins.
-enum class FrameStart { last_frame, rest };
-
-/// One way to solve an edit.
-struct Variant {
-    std::string label;
-    std::string method = "li2022";
-    std::string initialisation = "naive";
-    std::vector<std::pair<std::string, std::string>> options = {};
-    Change change = {};
-    int frames = 0;  ///< 0: handles jump to their targets; else they are dragged there in so many frames
-    FrameStart frame_start = FrameStart::last_frame;
-};
 
 /// The state after one iteration, or, in a drag, after one frame: then `iteration` is the frame and `total_ms` its
 /// time.
 struct Sample {
     TraceRow row;
-    double longer_share;  ///< edges longer than their rest length, as part of all
+    double longer_share = 0;  ///< edges longer than their rest length, as part of all; NaN in an initialisation
+};
+
+/// The net where a stage of the workflow ends and the next begins.
+struct Snapshot {
+    int stage;  ///< that has ended
+    Positions positions;
 };
 
 /// What became of an edit under a variant.
 struct Run {
-    std::string edit, variant;
-    int vertices = 0, handles = 0;
+    std::string edit;
+    const Variant* variant = nullptr;
+    std::shared_ptr<const Problem> problem;
     Status status = Status::running;  ///< of a drag: `converged` if every frame is
-    int iterations = 0;               ///< of all frames
-    double milliseconds = 0;          ///< likewise
+    int iterations = 0;               ///< of all frames, by the method
+    double milliseconds = 0;          ///< likewise, with the initialisation's
     double max_deviation = 0;         ///< of a drag: the worst frame's
-    double bend = 0, handle_error = 0;
+    double bend = 0;                  ///< RMS change of second differences, in units of L; a measure of noise
+    double smallest_angle = 0;        ///< radians
+    double handle_error = 0;
     std::vector<Sample> samples;
+    std::vector<Snapshot> snapshots;
+    Positions positions;  ///< at the end
 
     bool converged() const { return status == Status::converged; }
+    int vertices() const { return problem->net.vertex_count(); }
 };
 
 /// Solves, `repeats` times; the fastest run counts. Throws Error.
-Run run(const EditCase& edit, const Variant& variant, int repeats);
+Run run(const NamedEdit& edit, const Variant& variant, int repeats);
+
+/// Of vertices, RMS, in mean edge lengths. Both runs are of one net.
+double distance(const Run& a, const Run& b);
+/// Edges of which no end has moved since a stage ended.
+int edges_at_rest_since(const Run& run, const Snapshot& snapshot);
 
 }  // namespace chebnet::bench

@@ -107,7 +107,7 @@ Plan make_plan(const PlanArguments& arguments) {
     std::map<std::string, Problem> made;  // several sections measure the same edit
     for (const auto& [section, edit, series] : wishes) {
         auto known = made.find(edit.name());
-        if (known == made.end()) known = made.emplace(edit.name(), make_problem(edit, {})).first;
+        if (known == made.end()) known = made.emplace(edit.name(), make_problem(edit)).first;
         const Problem& problem = known->second;
         plan.tasks.push_back({section, edit.name(), series, edit.net, problem.net.vertex_count(), problem.handles});
     }
