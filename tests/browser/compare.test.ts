@@ -27,7 +27,7 @@ test('four methods run on the same edit, with curves, a table and files', async 
   await edit(SHAPE);
   const own = await script.positions();
   await compare();
-  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
 
   const rows = await table();
   expect(rows).toHaveLength(4);
@@ -42,13 +42,14 @@ test('four methods run on the same edit, with curves, a table and files', async 
   await visit.page.screenshot({ path: join(OUTPUT, 'compare-desktop.png') });
 
   const lines = (await saved('Table CSV')).trim().split('\n');
-  expect(lines.map((line) => line.split(',')[0])).toEqual(['method', ...METHODS]);
+  expect(lines.map((line) => line.split(',')[1])).toEqual(['method', ...METHODS]);
   const traces = (await saved('Traces CSV')).trim().split('\n').map((line) => line.split(','));
-  expect(traces[0]?.slice(0, 4)).toEqual(['method', 'iteration', 'milliseconds', 'max_deviation']);
+  expect(traces[0]?.slice(0, 4)).toEqual(['run', 'iteration', 'milliseconds', 'max_deviation']);
   const starts = traces.filter(([, iteration]) => iteration === '0');
-  expect(starts.map(([method]) => method)).toEqual(METHODS);
+  const names = ['Li et al. 2022', 'Projection', 'Composite majorization', 'Local–global'].map((name) => Buffer.from(name).toString('latin1'));
+  expect(starts.map(([run]) => run)).toEqual(names);
   expect(new Set(starts.map(([, , , deviation]) => deviation)).size).toBe(1);
-  expect(traces.filter(([method]) => method === 'li2022')).toHaveLength(1 + Number(rows[0]?.iterations));
+  expect(traces.filter(([run]) => run === 'Li et al. 2022')).toHaveLength(1 + Number(rows[0]?.iterations));
   expect((await saved('Plots PNG')).slice(1, 4)).toBe('PNG');
 
   expect(largestError(await script.positions(), own)).toBe(0);
@@ -57,7 +58,7 @@ test('four methods run on the same edit, with curves, a table and files', async 
 test('a row shows its net until the user goes back or goes on', async () => {
   await edit(SHAPE);
   await compare();
-  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
   const notice = visit.page.getByText('Showing the result of Local–global');
   const row = visit.page.getByRole('button', { name: 'Local–global', exact: true });
 
@@ -78,15 +79,15 @@ test('a row shows its net until the user goes back or goes on', async () => {
 test('two nets stand side by side, seen from the same place', async () => {
   await edit(SHAPE);
   await compare();
-  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
   const { page } = visit;
   await page.getByRole('button', { name: 'Local–global beside the other net' }).click();
-  await page.getByText('Left: your net. Right: Local–global').waitFor();
+  await page.getByText('From left to right: your net | Local–global').waitFor();
   await page.waitForTimeout(300);
   await page.screenshot({ path: join(OUTPUT, 'compare-beside.png') });
 
   const before = await script.screenPosition(dragged);
-  const box = (await page.locator('#beside canvas').boundingBox())!;
+  const box = (await page.locator('#beside-1 canvas').boundingBox())!;
   await page.mouse.move(box.x + 30, box.y + box.height - 30);
   await page.mouse.down();
   await page.mouse.move(box.x + 130, box.y + box.height - 50, { steps: 5 });
@@ -105,7 +106,7 @@ test('methods that know no soft handles say so in their rows', async () => {
   await script.setHandles(handles.map((handle) => (handle.vertex === dragged ? { ...handle, weight: 1 } : handle)));
   await script.settled();
   await compare();
-  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
   const refused = expect.stringContaining(`handle ${dragged} is soft`);
   expect((await table()).map(({ status }) => status)).toEqual([refused, 'Converged', refused, refused]);
   expect(await drawnCurves()).toEqual([1, 1]);
@@ -139,7 +140,7 @@ test('a phone has room for it', async () => {
   await edit(SHAPE);
   await visit.page.getByRole('button', { name: 'Controls' }).click();
   await compare();
-  await expect.poll(said, { timeout: 60_000 }).toBe('4 methods');
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
   const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
   await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
@@ -168,7 +169,7 @@ function said(): Promise<string> {
 function table() {
   return visit.page.locator('.comparison tbody tr').evaluateAll((rows) =>
     rows.map(({ children }) => {
-      const [, iterations, milliseconds, , , angle, handleError, status] = [...children].map(({ textContent }) => textContent);
+      const [, iterations, milliseconds, , , angle, , handleError, status] = [...children].map(({ textContent }) => textContent);
       return { iterations, milliseconds, angle, handleError, status };
     }),
   );

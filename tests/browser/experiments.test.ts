@@ -1,5 +1,6 @@
-/** A link to an experiment: the net, what to look for, and one step of the solve with its direction. */
+/** The paper's figures on the page: by link, as a list, with the note on what is claimed, and all variants run at once. */
 import { join } from 'node:path';
+import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { OUTPUT, visits } from './page';
 
@@ -7,12 +8,15 @@ const PHONE = { viewport: { width: 390, height: 844 } };
 
 const { arrive } = visits();
 
-test('a link opens an experiment, unsolved, and steps show where they lead', async () => {
+const noteOf = (page: Page) => page.getByRole('region', { name: 'Experiment' });
+
+test('a link opens a figure, unsolved, with what the paper claims, and steps show where they lead', async () => {
   const { page, script } = await arrive('#experiment=long-edges');
-  const note = page.getByRole('region', { name: 'Experiment' });
-  expect(await note.innerText()).toMatch(/Figure 8: Longer on the way/);
-  expect(await note.innerText()).toMatch(/composite majorization/i);
-  expect(await script.stats()).toMatchObject({ vertices: 1505, method: 'composite_majorization', iterations: 0 });
+  const note = noteOf(page);
+  await note.getByText('Figure 8: Composite majorization without a smooth start').waitFor();
+  expect(await note.getByRole('listitem').allInnerTexts()).toContainEqual(expect.stringMatching(/^It takes more iterations\.\n/));
+  expect(await note.innerText()).toMatch(/Computer Graphics Forum 41\(2\), 2022/);
+  expect(await script.stats()).toMatchObject({ method: 'composite_majorization', iterations: 0 });
 
   await page.locator('summary', { hasText: /^Step$/ }).click();
   const arrows = page.getByLabel('Direction as arrows');
@@ -20,15 +24,15 @@ test('a link opens an experiment, unsolved, and steps show where they lead', asy
   await note.getByRole('button', { name: 'One step' }).click();
   await expect.poll(async () => (await script.stats()).iterations).toBe(1);
   await script.settled();
-  await expect.poll(() => page.locator('[role=status]').allInnerTexts()).toContainEqual(expect.stringMatching(/Stage 1/));
+  await expect.poll(() => page.locator('[role=status]').allInnerTexts()).toContainEqual(expect.stringMatching(/Stage 2/));
   await expect.poll(() => page.locator('.sidebar').innerText()).toMatch(/Move, edges\s+\d/);
   await page.screenshot({ path: join(OUTPUT, 'experiment-desktop.png') });
-  const net = { x: 500, y: 150, width: 300, height: 550 };
+  const net = { x: 400, y: 150, width: 400, height: 550 };
   const withArrows = await page.screenshot({ clip: net });
   await arrows.uncheck();
   await expect.poll(async () => (await page.screenshot({ clip: net })).equals(withArrows)).toBe(false);
 
-  await note.getByRole('link', { name: 'The paper’s method' }).click();
+  await note.getByRole('link', { name: 'Li et al. 2022' }).click();
   await expect.poll(async () => (await script.stats()).method).toBe('li2022');
   await note.getByRole('button', { name: 'Solve' }).click();
   await expect.poll(async () => (await script.stats()).status, { timeout: 20_000 }).toBe('converged');
@@ -42,25 +46,42 @@ test('a link opens an experiment, unsolved, and steps show where they lead', asy
   expect(await script.positions()).toEqual(solved);
 });
 
-test('the list of experiments is links, and a link to the one that is open begins it again', async () => {
+test('the list of figures is links, and a link to the one that is open begins it again', async () => {
   const { page, script } = await arrive();
   await page.locator('summary', { hasText: /^Experiments$/ }).click();
   const link = page.getByRole('link', { name: 'General meshes' });
   for (const _ of ['first', 'again']) {
     await link.click();
-    await expect.poll(async () => script.stats()).toMatchObject({ vertices: 1369, iterations: 0 });
-    await script.move(684, [0.14, -0.03, 3]);
-    await script.settled();
-    expect((await script.stats()).iterations).toBeGreaterThan(0);
+    await expect.poll(async () => script.stats()).toMatchObject({ method: 'li2022', iterations: 0 });
+    await page.getByRole('button', { name: 'One step' }).first().click();
+    await expect.poll(async () => (await script.stats()).iterations).toBe(1);
   }
+  expect(await link.getAttribute('aria-current')).toBe('true');
+});
+
+test('links lead to other edits with the same variant, and to other variants with the same edit', async () => {
+  const { page } = await arrive('#experiment=starts&variant=1');
+  const note = noteOf(page);
+  await note.getByText('Figure 18').waitFor();
+  const [edits, variants] = ['Edits', 'Variants'].map((name) => note.getByRole('navigation', { name }));
+  const current = () => Promise.all([edits!, variants!].map((links) => links.locator('[aria-current=true]').innerText()));
+  const [first, other] = await edits!.getByRole('link').allInnerTexts();
+  expect(await current()).toEqual([first, '5 × ARAP']);
+  await edits!.getByRole('link', { name: other! }).click();
+  await expect.poll(current).toEqual([other, '5 × ARAP']);
+  await variants!.getByRole('link', { name: '5 × local–global' }).click();
+  await expect.poll(current).toEqual([other, '5 × local–global']);
 });
 
 test('a phone shows net and note without scrolling sideways', async () => {
-  const { page } = await arrive('#experiment=singular-vertices', PHONE);
-  await expect.poll(() => page.getByRole('region', { name: 'Experiment' }).isVisible()).toBe(true);
+  const { page } = await arrive('#experiment=competitors', PHONE);
+  await noteOf(page).getByText('Figure 17').waitFor();
   await page.waitForTimeout(500);
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone.png') });
   expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
+  await noteOf(page).getByText('Figure 17').click();
+  await noteOf(page).getByText('A larger p does not help D_p.').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'experiment-phone-open.png') });
 });
 
 test('an unknown experiment shows the first net and says so', async () => {
@@ -68,3 +89,50 @@ test('an unknown experiment shows the first net and says so', async () => {
   await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/experiment/);
   expect((await script.stats()).vertices).toBeGreaterThan(1000);
 });
+
+// ------------------------------------------------------------------------------------------------------ what is claimed
+
+test('figure 4: three nets with every edge at its length, apart from each other', async () => {
+  const { page } = await arrive('#experiment=shear');
+  const rows = await runAll(page);
+  expect(rows.map(({ status }) => status)).toEqual(['Converged', 'Converged', 'Converged']);
+  const [, ...distances] = rows.map(({ distance }) => distance);
+  for (const distance of distances) expect(distance).toBeGreaterThan(0.05);
+
+  await page.getByRole('button', { name: 'Side by side' }).click();
+  await expect.poll(() => page.locator('#view canvas, #beside canvas').count()).toBe(3);
+  await page.waitForTimeout(500);
+  await page.screenshot({ path: join(OUTPUT, 'experiment-abreast.png') });
+  await page.getByRole('button', { name: 'Back to your net' }).click();
+  await expect.poll(() => page.locator('#beside canvas').count()).toBe(0);
+});
+
+test('figure 16: nets of other sizes are run, but not shown in place of the one that is open', async () => {
+  const { page } = await arrive('#experiment=resolutions');
+  const rows = await runAll(page);
+  expect(rows.map(({ status }) => status)).toEqual(['Converged', 'Converged', 'Converged']);
+  const buttons = page.locator('.comparison tbody th button');
+  expect(await buttons.evaluateAll((all) => all.map((each) => (each as HTMLButtonElement).disabled))).toEqual([false, true, true]);
+});
+
+test('figure 17: competitors with other energies end above the threshold', async () => {
+  const { page } = await arrive('#experiment=competitors');
+  const [paper, ...competitors] = await runAll(page);
+  expect(paper!.status).toBe('Converged');
+  const others = competitors.filter(({ name }) => name !== 'Composite majorization');
+  expect(others.map(({ name }) => name)).toEqual(['ARAP', 'Local–global', 'D_p, p = 4', 'D_p, p = 8']);
+  for (const { status, deviation } of others) {
+    expect(status).not.toBe('Converged');
+    expect(deviation).toBeGreaterThan(1e-6);
+  }
+});
+
+/** Presses the button, and reads the table when all is done. */
+async function runAll(page: Page) {
+  await noteOf(page).getByRole('button', { name: 'Run all' }).click();
+  await page.locator('.comparison [role=status]', { hasText: /^\d+ runs$/ }).waitFor({ timeout: 90_000 });
+  const cells = await page.locator('.comparison tbody tr').evaluateAll((rows) => rows.map(({ children }) => [...children].map((cell) => cell.textContent ?? '')));
+  return cells.map(([name = '', , , deviation = '', , , distance = '', , status]) => {
+    return { name, deviation: Number(deviation), distance: Number(distance), status };
+  });
+}

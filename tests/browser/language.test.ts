@@ -80,8 +80,8 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   await page.getByRole('button', { name: '单步迭代' }).first().click();
   await unfoldAll(page);
   await page.getByRole('button', { name: '开始比较' }).click();
-  const results = page.getByRole('region', { name: '方法比较' });
-  await results.getByText('2 种方法').waitFor();
+  const results = page.getByRole('region', { name: '比较结果' });
+  await results.getByText('2 次求解').waitFor();
   await results.getByRole('button', { name: 'Li 等 2022', exact: true }).click();
   await page.getByText('正在显示').waitFor();
   expect(await foreignWords(page)).toEqual([]);

@@ -83,7 +83,7 @@ test('methods are compared on the same edit, with curves and a table', async () 
   await visitor.settled();
   await visitor.clickOn('Compare methods');
   await visitor.clickOn('Compare');
-  const text = await visitor.read('4 methods', '.comparison');
+  const text = await visitor.read('4 runs', '.comparison');
   expect(text.match(/Converged/g)?.length).toBeGreaterThanOrEqual(3);
   await vi.waitUntil(async () => (await coloursOf('.comparison canvas')) > 10, PATIENCE);
   await visitor.picture('comparison');

@@ -8,8 +8,8 @@ const { arrive, open, closeSite } = visitors();
 
 test('a link opens an experiment, which goes on by one step', async () => {
   const visitor = await arrive('#experiment=long-edges');
-  await visitor.read(/Figure 8: Longer on the way/);
-  expect(await visitor.stats()).toMatchObject({ vertices: 1505, method: 'composite_majorization', iterations: 0 });
+  await visitor.read(/Figure 8: Composite majorization/);
+  expect(await visitor.stats()).toMatchObject({ method: 'composite_majorization', iterations: 0 });
   await visitor.clickOn('One step');
   await expect.poll(async () => (await visitor.stats()).iterations).toBe(1);
 });

@@ -2,7 +2,7 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { Comparer } from '../../web/src/compare/comparer';
 import { tableCsv, tracesCsv } from '../../web/src/compare/csv';
-import type { Comparison } from '../../web/src/compare/run';
+import { type Comparison, type RunPlan, startLength } from '../../web/src/compare/run';
 import { freshScene } from '../../web/src/document/defaults';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
@@ -18,6 +18,14 @@ const handles = Array.from(reference.suggestedHandles, (vertex, i) => {
   return { vertex, target: [x, y, z - (isLast ? 1 : 0)] as [number, number, number], anchor: !isLast };
 });
 const scene = { ...freshScene({ recipe }), handles, options: { max_iterations: 60 } };
+const plan = (method: string, change: Partial<RunPlan['scene']> = {}): RunPlan => ({
+  label: method,
+  style: 0,
+  scene: { ...scene, method, ...change },
+  threshold: 1e-6,
+  isOfOpenNet: true,
+});
+const plans = (...methods: string[]): RunPlan[] => methods.map((method) => plan(method));
 
 class FakeWorker implements WorkerLike {
   onmessage: WorkerLike['onmessage'] = null;
@@ -68,7 +76,7 @@ const comparison = (): Comparison => seen ?? expect.fail('no news');
 const states = () => comparison().runs.map(({ state }) => state);
 
 test('each method starts alike and ends with numbers', async () => {
-  await comparer.start(scene, 1e-6, ['li2022', 'arap', 'li2022']);
+  await comparer.start(plans('li2022', 'arap', 'li2022'));
   expect(comparison().running).toBe(false);
   expect(states()).toEqual(['ended', 'ended', 'ended']);
   expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
@@ -83,8 +91,29 @@ test('each method starts alike and ends with numbers', async () => {
   }
 });
 
+test('a net is as far from the first as its vertices are', async () => {
+  const other = plan('li2022', { net: { recipe: 'dome:vertices=300' }, handles: 'suggested' });
+  await comparer.start([...plans('li2022', 'arap'), other]);
+  const [first, arap, dome] = comparison().runs;
+  const [a, b] = [first!.frame!.positions, arap!.frame!.positions];
+  const squares = a.reduce((sum, x, i) => sum + (x - b[i]!) ** 2, 0) / (a.length / 3);
+  expect(first?.distance).toBe(0);
+  expect(arap?.distance).toBeCloseTo(Math.sqrt(squares) / reference.info.meanLength, 12);
+  expect(arap?.distance).toBeGreaterThan(0);
+  expect(dome?.distance).toBeNull();
+});
+
+test('a run begins with the iterations of its initialisation', async () => {
+  await comparer.start([plan('li2022'), plan('li2022', { initialisation: 'arap:5' })]);
+  const [naive, arap] = comparison().runs;
+  expect([naive, arap].map((run) => startLength(run!))).toEqual([0, 5]);
+  expect(arap?.trace.map(({ iteration }) => iteration)).toEqual(arap?.trace.map((_, i) => i - 4));
+  expect(arap?.frame?.iterations).toBe(arap!.trace.length - 5);
+  expect(arap?.startDeviation).toBe(naive?.startDeviation);
+});
+
 test('a method that fails does not keep the others from running', async () => {
-  await comparer.start(scene, 1e-6, ['magic', 'li2022']);
+  await comparer.start(plans('magic', 'li2022'));
   expect(states()).toEqual(['failed', 'ended']);
   expect(comparison().runs[0]?.fault).toMatch(/magic/);
   expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
@@ -92,7 +121,7 @@ test('a method that fails does not keep the others from running', async () => {
 
 test('a method that knows no soft handles says so; the others soften them', async () => {
   const soft = handles.map((handle) => (handle.anchor ? handle : { ...handle, weight: 1 }));
-  await comparer.start({ ...scene, handles: soft }, 1e-6, ['li2022', 'projection', 'arap']);
+  await comparer.start(['li2022', 'projection', 'arap'].map((method) => plan(method, { handles: soft })));
   expect(states()).toEqual(['failed', 'ended', 'failed']);
   const [li, projection, arap] = comparison().runs;
   for (const run of [li, arap]) expect(run?.fault).toMatch(/handle \d+ is soft/);
@@ -104,7 +133,7 @@ describe('cancelled', () => {
     changed = ({ runs }) => {
       if (runs[1]?.frame) setTimeout(() => comparer.cancel());
     };
-    await comparer.start(scene, 1e-6, ['li2022', 'arap', 'lbfgs']);
+    await comparer.start(plans('li2022', 'arap', 'lbfgs'));
     expect(states()).toEqual(['ended', 'cancelled', 'cancelled']);
     expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
     seen = null;
@@ -113,8 +142,8 @@ describe('cancelled', () => {
   });
 
   test('by the next one', async () => {
-    const before = comparer.start(scene, 1e-6, ['arap']);
-    await comparer.start(scene, 1e-6, ['li2022']);
+    const before = comparer.start(plans('arap'));
+    await comparer.start(plans('li2022'));
     await before;
     expect(states()).toEqual(['ended']);
     expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
@@ -122,18 +151,24 @@ describe('cancelled', () => {
 });
 
 test('tables for other programs are whole', async () => {
-  await comparer.start(scene, 1e-6, ['li2022', 'magic']);
+  await comparer.start([plan('li2022', { initialisation: 'arap:2', options: { max_iterations: 60, p_end: 20 } }), ...plans('magic')]);
   const cells = (csv: string) => csv.trim().split('\n').map((line) => line.split(','));
   const [header, li, magic] = cells(tableCsv(comparison()));
   const { frame, trace } = comparison().runs[0]!;
-  expect(header).toHaveLength(8);
-  expect(li?.slice(0, 5)).toEqual(['li2022', 'converged', ...[frame?.iterations, frame?.milliseconds, frame?.maxDeviation].map(String)]);
-  expect(magic).toEqual(['magic', 'failed', '', '', '', '', '', '']);
+  expect(header).toHaveLength(12);
+  expect(li?.slice(0, 5)).toEqual(['li2022', 'li2022', 'arap:2', 'max_iterations=60 p_end=20', 'converged']);
+  expect(li?.slice(5, 8)).toEqual([frame?.iterations, frame?.milliseconds, frame?.maxDeviation].map(String));
+  expect(magic).toEqual(['magic', 'magic', 'naive', 'max_iterations=60', 'failed', ...Array(7).fill('')]);
 
   const traces = cells(tracesCsv(comparison()));
   expect(new Set(traces.map(({ length }) => length))).toEqual(new Set([13]));
-  expect(traces.slice(1).map(([method, iteration]) => [method, Number(iteration)])).toEqual(
-    [0, ...trace.map(({ iteration }) => iteration)].map((iteration) => ['li2022', iteration]),
+  expect(traces.slice(1).map(([run, iteration]) => [run, Number(iteration)])).toEqual(
+    [-2, ...trace.map(({ iteration }) => iteration)].map((iteration) => ['li2022', iteration]),
   );
   expect(Number(traces.at(-1)?.[3])).toBe(trace.at(-1)?.maxDeviation);
+});
+
+test('a name with a comma is one cell', async () => {
+  await comparer.start([{ ...plan('magic'), label: 'Li, "again"' }]);
+  expect(tableCsv(comparison()).split('\n')[1]).toMatch(/^"Li, ""again""",magic,/);
 });

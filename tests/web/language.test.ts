@@ -2,9 +2,11 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
+import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { zh } from '../../web/src/language/zh';
 import { CORE_ERRORS, DEFECTS, INITIALISATIONS, METHODS, NAMES, OPTIONS, SHAPES } from '../../web/src/language/zh/core';
+import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import { load, ROOT } from '../wasm/load';
 
@@ -18,8 +20,8 @@ function leaves(words: object, path = ''): Map<string, unknown> {
   return found;
 }
 
-const english = leaves({ ...en, lesson: lessonInEnglish });
-const chinese = leaves({ ...zh, lesson: lessonInChinese });
+const english = leaves({ ...en, lesson: lessonInEnglish, experiments: experimentsInEnglish });
+const chinese = leaves({ ...zh, lesson: lessonInChinese, experiments: experimentsInChinese });
 
 /** What stays as it is in Chinese. */
 const SAME: string[] = [];
@@ -109,7 +111,6 @@ test('no text stands outside of language/', () => {
     '(prefers-color-scheme: dark)',
     'linear-gradient(to right, …)',
     'swatch dashed',
-    'squares and triangles.obj',
     // Keys.
     'Backspace',
     'Delete',

@@ -3,7 +3,7 @@
 import type { Handle, OptionInfo } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
-import type { ComparisonWish, Run } from './compare/run';
+import type { ComparisonWish, Run, RunPlan, RunWish } from './compare/run';
 import { netChange, netTitle, settingsChange } from './document/changes';
 import type { NamedChange } from './document/changes';
 import { freshScene } from './document/defaults';
@@ -27,8 +27,8 @@ import type { ThumbnailNet } from './worker/thumbnail_net';
 /** What an app is made from. */
 export interface AppParts {
   createView(events: ViewEvents): View;
-  /** Another view, to the right of it. */
-  createBeside(events: ViewEvents): View;
+  /** Another view, in the first or second place to the right of it. */
+  createBeside(events: ViewEvents, place: number): View;
   createPanels(events: PanelEvents): Panels;
   spawnWorker(): WorkerLike;
 }
@@ -80,13 +80,14 @@ export class App {
     restarted: new Set(),
   };
   #optionTable: OptionInfo[] = [];
+  #methods: string[] = [];
   #opening: Opening | null = null;
   /** Nets on their way. */
   #awaited = 0;
   /** The run whose net the view shows in place of the user's. */
   #shownRun: Run | null = null;
-  /** The run whose net stands beside it. */
-  #runBeside: Run | null = null;
+  /** The runs whose nets stand beside it. */
+  #runsBeside: readonly Run[] = [];
   #saidUnreachable = false;
 
   constructor(
@@ -127,6 +128,7 @@ export class App {
   async start(): Promise<void> {
     const tables = await this.#tables;
     this.#optionTable = tables.options;
+    this.#methods = tables.methods.map(({ name }) => name);
     this.#panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 
@@ -213,7 +215,7 @@ export class App {
   toShare(): { document: ChebnetDocument; net: OpenedNet; threshold: number } | null {
     if (this.#opening === null) return null;
     const { document, net } = this.#opening;
-    return { document: { ...document, settled: this.#isSettled() }, net, threshold: this.#threshold() };
+    return { document: { ...document, settled: this.#isSettled() }, net, threshold: this.#threshold(document) };
   }
 
   /** The present net as the bytes of a file. */
@@ -270,10 +272,35 @@ export class App {
   /** Runs methods on the present edit, in a worker of their own. */
   compare({ methods, start }: ComparisonWish): void {
     if (this.#opening === null) return;
-    this.#showOwnNet();
     const { document } = this.#opening;
-    const scene = { ...document, positions: start === 'rest' ? null : document.positions };
-    void this.#comparer.start(scene, this.#threshold(), methods);
+    const positions = start === 'rest' ? null : document.positions;
+    const planOf = (method: string): RunPlan => ({
+      label: words.core.method(method),
+      style: this.#methods.indexOf(method), // the same in every comparison
+      scene: { ...document, method, positions },
+      threshold: this.#threshold(document),
+      isOfOpenNet: true,
+    });
+    this.#run(methods.map(planOf));
+  }
+
+  /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
+  runAll(wishes: readonly RunWish[]): void {
+    if (this.#opening === null) return;
+    const { document } = this.#opening;
+    const planOf = ({ label, edit, ...settings }: RunWish, style: number): RunPlan => ({
+      label,
+      style,
+      scene: { ...document, ...settings, ...edit, positions: null },
+      threshold: this.#threshold(settings),
+      isOfOpenNet: edit === undefined,
+    });
+    this.#run(wishes.map(planOf));
+  }
+
+  #run(plans: readonly RunPlan[]): void {
+    this.#showOwnNet();
+    void this.#comparer.start(plans);
   }
 
   /** Puts the net of a run in the place of the user's, which comes back with null or whenever it changes. */
@@ -281,23 +308,23 @@ export class App {
     if (run === this.#shownRun || this.#opening === null) return;
     this.#shownRun = run;
     this.#view.showFrame(run?.frame ?? this.#opening.frame);
-    this.#panels.showRuns(run, this.#runBeside);
+    this.#panels.showRuns(run, this.#runsBeside);
     this.#showDocument();
   }
 
-  /** Shows the net of a run beside the other, seen from the same place; null: no longer. */
-  showBeside(run: Run | null): void {
-    if (run === this.#runBeside || this.#opening === null) return;
-    this.#runBeside = run;
+  /** Shows the nets of these runs beside the other, seen from the same place, and no more. */
+  showBeside(runs: readonly Run[]): void {
+    if (this.#opening === null || (runs.length === 0 && this.#runsBeside.length === 0)) return;
+    this.#runsBeside = runs;
     const { net, document } = this.#opening;
-    if (run?.frame) this.#beside.show(net, run.frame, { ...document.view, camera: this.#view.camera() });
-    else this.#beside.hide();
-    this.#panels.showRuns(this.#shownRun, run);
+    const frames = runs.flatMap(({ frame }) => frame ?? []);
+    this.#beside.show(net, frames, { ...document.view, camera: this.#view.camera() });
+    this.#panels.showRuns(this.#shownRun, runs);
   }
 
   #showOwnNet(): void {
     this.showRun(null);
-    this.showBeside(null);
+    this.showBeside([]);
   }
 
   // -------------------------------------------------------------------------------------------------------------- undo
@@ -410,9 +437,10 @@ export class App {
       cancel: () => this.#try(this.#client.cancel()),
       reset: () => this.#try(this.reset()),
       compare: (wish) => this.compare(wish),
+      runAll: (wishes) => this.runAll(wishes),
       cancelComparison: () => this.#comparer.cancel(),
       showRun: (run) => this.showRun(run),
-      showBeside: (run) => this.showBeside(run),
+      showBeside: (runs) => this.showBeside(runs),
       undo: () => this.undo(),
       redo: () => this.redo(),
       goTo: (index) => this.goTo(index),
@@ -451,9 +479,9 @@ export class App {
 
   // ---------------------------------------------------------------------------------------------------------- the state
 
-  #threshold(): number {
+  #threshold({ options }: Pick<SolverSettings, 'options'>): number {
     const usual = this.#optionTable.find(({ name }) => name === 'threshold')?.value;
-    return Number(this.#opening?.document.options.threshold ?? usual);
+    return Number(options.threshold ?? usual);
   }
 
   #handles(): HandleData[] {

@@ -50,7 +50,7 @@ const services: AppServices = {
 const app = new App(
   {
     createView: (events) => createView(element('view'), events),
-    createBeside: (events) => createView(element('beside'), events),
+    createBeside: (events, place) => createView(element(`beside-${place + 1}`), events),
     createPanels: (events) => createPanels(element('panels'), events),
     spawnWorker: spawnSolver,
   },

@@ -3,7 +3,7 @@ import type { Scene } from '../document/document';
 import { words } from '../language/language';
 import { SolverError } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
-import type { FrameData, Measures, Request, Response } from '../worker/protocol';
+import type { FrameData, Measures, OpenedNet, Request, Response } from '../worker/protocol';
 
 export type BenchScene = Omit<Scene, 'view'>;
 
@@ -22,17 +22,20 @@ export class Bench {
     this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', words.solver.garbled));
   }
 
-  /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. */
-  solve(scene: BenchScene, news: (frame: FrameData) => void, milliseconds?: number): Promise<void> {
+  /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. Returns the
+   *  net. */
+  solve(scene: BenchScene, news: (frame: FrameData) => void, milliseconds?: number): Promise<OpenedNet> {
     const id = this.#post({ type: 'open', scene });
     const stop = () => this.#post({ type: 'cancel' });
     const timer = milliseconds === undefined ? undefined : setTimeout(stop, milliseconds);
-    const solved = new Promise<void>((resolve, reject) => {
+    const solved = new Promise<OpenedNet>((resolve, reject) => {
+      let net: OpenedNet;
       this.#reject = reject;
       this.#take = (response) => {
         if (response.id < id) return; // of the scene before
+        if (response.type === 'opened') ({ net } = response);
         if ('frame' in response) news(response.frame);
-        if (response.type === 'settled') resolve();
+        if (response.type === 'settled') resolve(net);
       };
     });
     return solved.finally(() => clearTimeout(timer));

@@ -1,49 +1,53 @@
-/** A second net beside the user's, seen from the same place: for looking only. */
+/** Other nets beside the user's, seen from the same place: for looking only. */
 import type { HandleData, ViewState } from '../document/document';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
-export class Beside {
-  readonly #create: (events: ViewEvents) => View;
-  readonly #cameraMoved: ViewEvents['cameraMoved'];
-  #view: View | null = null;
+type Camera = NonNullable<ViewState['camera']>;
 
-  /** @param cameraMoved is told when a hand turns this view. */
-  constructor(create: (events: ViewEvents) => View, cameraMoved: ViewEvents['cameraMoved']) {
+export class Beside {
+  readonly #create: (events: ViewEvents, place: number) => View;
+  readonly #cameraMoved: ViewEvents['cameraMoved'];
+  #views: View[] = [];
+
+  /** @param cameraMoved is told when a hand turns one of these views. */
+  constructor(create: (events: ViewEvents, place: number) => View, cameraMoved: ViewEvents['cameraMoved']) {
     this.#create = create;
     this.#cameraMoved = cameraMoved;
   }
 
-  show(net: OpenedNet, frame: FrameData, look: ViewState): void {
-    if (this.#view === null) this.#view = this.#open(net, frame, look);
-    this.#view.showFrame(frame);
-    // Locked all: no hand takes hold of them here.
-    const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
-    this.#view.showHandles(handles, { selection: [], mode: 'translate', selecting: false });
-  }
-
-  hide(): void {
-    this.#view?.dispose();
-    this.#view = null;
+  /** As many as there are frames, and no more. */
+  show(net: OpenedNet, frames: readonly FrameData[], look: ViewState): void {
+    for (const view of this.#views.splice(frames.length)) view.dispose();
+    frames.forEach((frame, place) => {
+      const view = (this.#views[place] ??= this.#open(place, net, frame, look));
+      view.showFrame(frame);
+      // Locked all: no hand takes hold of them here.
+      const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
+      view.showHandles(handles, { selection: [], mode: 'translate', selecting: false });
+    });
   }
 
   setAppearance(look: ViewState): void {
-    this.#view?.setAppearance(look);
+    for (const view of this.#views) view.setAppearance(look);
   }
 
-  setCamera(camera: NonNullable<ViewState['camera']>): void {
-    this.#view?.setCamera(camera);
+  setCamera(camera: Camera): void {
+    for (const view of this.#views) view.setCamera(camera);
   }
 
-  #open(net: OpenedNet, frame: FrameData, look: ViewState): View {
-    const view = this.#create({
-      ...LOOKING_ONLY,
-      // Not while it is being opened: it stands where the other does, which must still fit itself to half the room.
-      cameraMoved: (camera) => this.#view && this.#cameraMoved(camera),
-    });
+  #open(place: number, net: OpenedNet, frame: FrameData, look: ViewState): View {
+    const view = this.#create({ ...LOOKING_ONLY, cameraMoved: (camera) => this.#turned(view, camera) }, place);
     view.setAppearance(look);
     view.showNet(net, frame, look.camera);
     return view;
+  }
+
+  #turned(turned: View, camera: Camera): void {
+    // Not while it is being opened: it stands where the other does, which must still fit itself to the room left to it.
+    if (!this.#views.includes(turned)) return;
+    for (const view of this.#views) if (view !== turned) view.setCamera(camera);
+    this.#cameraMoved(camera);
   }
 }

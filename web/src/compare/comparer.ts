@@ -1,13 +1,12 @@
-/** Runs methods one after another on the same scene, and tells how far they are. */
+/** Runs one scene after another, and tells how far they are. */
 import type { WorkerLike } from '../worker/client';
 import type { FrameData } from '../worker/protocol';
 import { Bench } from './bench';
-import type { BenchScene } from './bench';
 import { newRun } from './run';
-import type { Comparison, Run } from './run';
+import type { Comparison, Run, RunPlan } from './run';
 
-/** Each method is first run for so long, again and again if it is fast, and that is thrown away: engines compile what they
- *  run, and the first method would pay for all. */
+/** Each scene is first run for so long, again and again if it is fast, and that is thrown away: engines compile what they
+ *  run, and the first one would pay for all. */
 const WARM_UP_MS = 400;
 
 export class Comparer {
@@ -22,14 +21,14 @@ export class Comparer {
     this.#changed = changed;
   }
 
-  /** Ends the comparison before, if it still runs. Never fails: a method that does says so in its run. */
-  async start(scene: BenchScene, threshold: number, methods: readonly string[]): Promise<void> {
+  /** Ends the comparison before, if it still runs. Never fails: a run that does says so. */
+  async start(plans: readonly RunPlan[]): Promise<void> {
     this.cancel();
-    const comparison: Comparison = { runs: methods.map(newRun), threshold, running: true };
+    const comparison: Comparison = { runs: plans.map(newRun), running: true };
     this.#comparison = comparison;
     for (const run of comparison.runs) {
       if (!comparison.running) return;
-      await this.#run(comparison, run, { ...scene, method: run.method, settled: false });
+      await this.#run(comparison, run);
     }
     if (comparison.running) this.#end(comparison);
   }
@@ -43,11 +42,11 @@ export class Comparer {
     this.#end(comparison);
   }
 
-  async #run(comparison: Comparison, run: Run, scene: BenchScene): Promise<void> {
+  async #run(comparison: Comparison, run: Run): Promise<void> {
     run.state = 'running';
     this.#changed(comparison);
     try {
-      await this.#solve(comparison, run, scene);
+      await this.#solve(comparison, run);
       run.state = 'ended';
     } catch (error) {
       if (!comparison.running) return;
@@ -58,16 +57,18 @@ export class Comparer {
     this.#changed(comparison);
   }
 
-  async #solve(comparison: Comparison, run: Run, scene: BenchScene): Promise<void> {
+  async #solve(comparison: Comparison, run: Run): Promise<void> {
+    const scene = { ...run.scene, settled: false };
     const bench = (this.#bench ??= new Bench(this.#spawn));
     await bench.solve(scene, () => {}, 0); // what the method is still to load is not counted as warming up
     const end = performance.now() + WARM_UP_MS;
     while (performance.now() < end) await bench.solve(scene, () => {}, end - performance.now());
-    await bench.solve(scene, (frame) => {
+    const { info } = await bench.solve(scene, (frame) => {
       note(run, frame);
       this.#changed(comparison);
     });
     run.measures = await bench.measure();
+    run.distance = distanceBetween(run, comparison.runs[0]!, info.meanLength);
   }
 
   #end(comparison: Comparison): void {
@@ -86,4 +87,11 @@ function note(run: Run, frame: FrameData): void {
   run.startDeviation ??= frame.maxDeviation;
   run.trace.push(...frame.trace);
   run.frame = frame;
+}
+
+function distanceBetween(a: Run, b: Run, length: number): number | null {
+  const [from, to] = [a.frame?.positions, b.frame?.positions];
+  if (a.scene.net !== b.scene.net || from === undefined || to === undefined || b.measures === null) return null;
+  const squares = from.reduce((sum, x, i) => sum + (x - to[i]!) ** 2, 0);
+  return Math.sqrt(squares / (from.length / 3)) / length;
 }

@@ -1,13 +1,33 @@
 /** What a comparison consists of, as plain data. */
 import type { TraceRow } from '../../../wasm/chebnet';
+import type { HandleSeed, NetSource, SolverSettings } from '../document/document';
 import type { FrameData, Measures } from '../worker/protocol';
+import type { BenchScene } from './bench';
+
+/** Settings to run the edit with that is open. */
+export interface RunWish extends SolverSettings {
+  label: string;
+  /** Another edit in its place, from rest. */
+  edit?: { net: NetSource; handles: HandleSeed[] };
+}
+
+/** A run before it is made. */
+export interface RunPlan {
+  /** What it is called in curves and table. */
+  readonly label: string;
+  /** Which of the styles of curves it takes. */
+  readonly style: number;
+  readonly scene: BenchScene;
+  /** dL below which it has converged. */
+  readonly threshold: number;
+  /** Its net is the one that is open, which it can stand in for. */
+  readonly isOfOpenNet: boolean;
+}
 
 /** `ended`: the solver came to an end of its own, good or bad; `frame.status` says which. */
 export type RunState = 'waiting' | 'running' | 'ended' | 'failed' | 'cancelled';
 
-/** One method on the edit compared. */
-export interface Run {
-  readonly method: string;
+export interface Run extends RunPlan {
   state: RunState;
   /** Largest dL before the first iteration; null until then. */
   startDeviation: number | null;
@@ -16,14 +36,15 @@ export interface Run {
   frame: FrameData | null;
   /** Of the last frame; null until the run has ended. */
   measures: Measures | null;
+  /** How far its vertices are from those of the first run: root mean square, in mean edge lengths. null until both have
+   *  ended, and if their nets are not the same. */
+  distance: number | null;
   /** Why it failed. */
   fault: string | null;
 }
 
 export interface Comparison {
   readonly runs: readonly Run[];
-  /** dL below which a run has converged. */
-  readonly threshold: number;
   running: boolean;
 }
 
@@ -35,6 +56,16 @@ export interface ComparisonWish {
   start: StartingPoint;
 }
 
-export function newRun(method: string): Run {
-  return { method, state: 'waiting', startDeviation: null, trace: [], frame: null, measures: null, fault: null };
+export function newRun(plan: RunPlan): Run {
+  return { ...plan, state: 'waiting', startDeviation: null, trace: [], frame: null, measures: null, distance: null, fault: null };
+}
+
+/** Whether its net can be shown in the place of the one that is open. */
+export function canShow({ isOfOpenNet, frame }: Run): boolean {
+  return isOfOpenNet && frame !== null;
+}
+
+/** How many iterations the initialisation made before those of the method. */
+export function startLength({ trace }: Pick<Run, 'trace'>): number {
+  return trace.filter(({ iteration }) => iteration <= 0).length;
 }

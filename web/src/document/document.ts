@@ -80,7 +80,7 @@ export interface ViewState {
 
 /** What a document says that was opened as an experiment. */
 export interface ExperimentPart {
-  /** Its name; see experiments/list.ts. */
+  /** The name of a figure in experiments/figures.json, or of what showed it in older versions. */
   experiment?: string | undefined;
   /** Methods worth comparing on it. */
   compare?: string[] | undefined;

@@ -1,5 +1,4 @@
 /** The place of a comparison's results, which come when they are first wanted. */
-import type { MethodInfo } from '../../../wasm/chebnet';
 import type { Comparison, Run } from '../compare/run';
 import { part } from '../part';
 import type { ComparisonResults } from './comparison_results';
@@ -12,7 +11,6 @@ export class ComparisonPlace {
   /** Until then. */
   readonly element = make('section', { hidden: true });
   private results: ComparisonResults | null = null;
-  private methods: MethodInfo[] = [];
   private comparison: Comparison | null = null;
 
   /** @param failed is told why they did not come. */
@@ -20,10 +18,6 @@ export class ComparisonPlace {
     private readonly events: PanelEvents,
     private readonly failed: (error: unknown) => void,
   ) {}
-
-  showTable(methods: MethodInfo[]): void {
-    this.methods = methods;
-  }
 
   /** May be called often. */
   show(comparison: Comparison): void {
@@ -33,7 +27,7 @@ export class ComparisonPlace {
     else if (isNew) this.load().catch(this.failed);
   }
 
-  showCurrent(run: Run | null, beside: Run | null): void {
+  showCurrent(run: Run | null, beside: readonly Run[]): void {
     this.results?.showCurrent(run, beside);
   }
 
@@ -45,7 +39,6 @@ export class ComparisonPlace {
     const { ComparisonResults } = await loadResults();
     if (this.results || !this.comparison) return;
     this.results = new ComparisonResults(this.events);
-    this.results.showTable(this.methods);
     this.element.replaceWith(this.results.element);
     this.results.show(this.comparison);
   }

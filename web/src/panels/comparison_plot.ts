@@ -1,14 +1,17 @@
-/** Curves of several methods in one picture: log₁₀ max dL against iterations or milliseconds. */
+/** Curves of several runs in one picture: log₁₀ max dL against iterations or milliseconds, from the beginning of the
+ *  initialisation; where one ends and the method begins stands a circle. */
 import type uPlot from 'uplot';
-import type { Comparison, Run } from '../compare/run';
+import { type Comparison, type Run, startLength } from '../compare/run';
 import { words } from '../language/language';
 import { decade } from './convergence';
 import { make } from './dom';
 import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange } from './plot_parts';
 
 const HEIGHT = 172;
+/** Of a circle, in pixels. */
+const RADIUS = 4;
 
-/** How the curve of a method looks. Dashes help where colours are hard to tell apart. */
+/** How the curve of a run looks. Dashes help where colours are hard to tell apart. */
 export interface CurveStyle {
   /** Name of the colour in the style sheet. */
   colour: string;
@@ -24,7 +27,7 @@ export class ComparisonPlot {
 
   constructor(
     private readonly axis: 'iterations' | 'milliseconds',
-    private readonly styleOf: (method: string) => CurveStyle,
+    private readonly styleOf: (run: Run) => CurveStyle,
   ) {
     const caption = words.comparison.plots[axis];
     this.host.setAttribute('aria-label', words.comparison.plotLabel(caption));
@@ -65,14 +68,15 @@ export class ComparisonPlot {
 
   private curve({ startDeviation, trace }: Run): uPlot.AlignedData {
     if (startDeviation === null) return [[], []];
-    const x = trace.map(({ iteration, totalMs }) => (this.axis === 'iterations' ? iteration : totalMs));
+    const x = trace.map(({ totalMs }, i) => (this.axis === 'iterations' ? i + 1 : totalMs));
     return [
       [0, ...x],
       [decade(startDeviation), ...trace.map(({ maxDeviation }) => decade(maxDeviation))],
     ];
   }
 
-  private options({ runs, threshold }: Comparison, width: number): uPlot.Options {
+  private options({ runs }: Comparison, width: number): uPlot.Options {
+    const thresholds = [...new Set(runs.map(({ threshold }) => threshold))];
     return {
       width,
       height: HEIGHT,
@@ -81,16 +85,34 @@ export class ComparisonPlot {
       cursor: { show: false },
       scales: {
         x: { time: false, range: (_, low, high) => roomyRange(low, high) },
-        y: { range: (_, low, high) => decadeRange(low, high, threshold) },
+        y: { range: (_, low, high) => decadeRange(low, high, Math.min(...thresholds)) },
       },
       series: [{}, ...runs.map((run) => this.series(run))],
       axes: plotAxes(this.element),
-      hooks: { drawClear: [(plot) => drawThreshold(plot, threshold, this.element)] },
+      hooks: {
+        drawClear: [(plot) => thresholds.forEach((each) => drawThreshold(plot, each, this.element))],
+        draw: [(plot) => runs.forEach((run) => this.drawBeginning(plot, run))],
+      },
     };
   }
 
-  private series({ method }: Run): uPlot.Series {
-    const { colour, dashed } = this.styleOf(method);
+  /** Of the method, if something else came before it. */
+  private drawBeginning({ ctx, valToPos }: uPlot, run: Run): void {
+    const [x, y] = this.curve(run).map((values) => values[startLength(run)]);
+    if (startLength(run) === 0 || x == null || y == null) return;
+    ctx.save();
+    ctx.lineWidth = 1.5 * devicePixelRatio;
+    ctx.strokeStyle = plotColour(this.element, this.styleOf(run).colour);
+    ctx.fillStyle = plotColour(this.element, '--panel');
+    ctx.beginPath();
+    ctx.arc(valToPos(x, 'x', true), valToPos(y, 'y', true), RADIUS * devicePixelRatio, 0, 2 * Math.PI);
+    ctx.fill();
+    ctx.stroke();
+    ctx.restore();
+  }
+
+  private series(run: Run): uPlot.Series {
+    const { colour, dashed } = this.styleOf(run);
     const stroke = () => plotColour(this.element, colour);
     return { stroke, width: 1.75, points: { show: false }, ...(dashed ? { dash: [6, 3] } : {}) };
   }

@@ -1,7 +1,6 @@
 /** The results of a comparison, below the picture: curves that grow, a table, and files of both. */
-import type { MethodInfo } from '../../../wasm/chebnet';
 import { tableCsv, tracesCsv } from '../compare/csv';
-import type { Comparison, Run } from '../compare/run';
+import { canShow, type Comparison, type Run } from '../compare/run';
 import { download } from '../files/download';
 import { words } from '../language/language';
 import { savePicture } from './comparison_picture';
@@ -12,9 +11,11 @@ import type { PanelEvents } from './panels';
 
 /** Numbers that change more often cannot be read. */
 const REFRESH_MS = 120;
-/** Colours for curves in the style sheet; the later half of the methods is dashed besides. */
+/** Colours for curves in the style sheet; the later half of the styles is dashed besides. */
 const CURVE_COLOURS = 10;
 const FIRST_DASHED = 5;
+/** Nets side by side; a phone has room for two. */
+const ABREAST = { desktop: 3, phone: 2 };
 
 export class ComparisonResults {
   readonly element: HTMLElement;
@@ -22,24 +23,23 @@ export class ComparisonResults {
   private readonly stop: HTMLButtonElement;
   private readonly plots: ComparisonPlot[];
   private readonly table: ComparisonTable;
-  private methods: string[] = [];
+  private readonly abreast = makeButton(words.comparison.abreast, () => this.toggleAbreast(), { title: words.comparison.abreastHint });
   private comparison: Comparison | null = null;
   private current: Run | null = null;
-  private beside: Run | null = null;
+  private beside: readonly Run[] = [];
   private netIsOpen = true;
   private timer = 0;
 
   constructor(private readonly events: PanelEvents) {
-    const styleOf = (method: string) => this.styleOf(method);
     this.plots = [new ComparisonPlot('iterations', styleOf), new ComparisonPlot('milliseconds', styleOf)];
     this.table = new ComparisonTable(styleOf, {
       show: (run) => events.showRun(run === this.current ? null : run),
-      showBeside: (run) => events.showBeside(run === this.beside ? null : run),
+      showBeside: (run) => this.toggleBeside(run),
     });
     this.stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
     this.element = make(
       'section',
-      { class: 'comparison', 'aria-label': words.comparison.label, hidden: true },
+      { class: 'comparison', 'aria-label': words.comparison.heading, hidden: true },
       make(
         'header',
         {},
@@ -53,18 +53,14 @@ export class ComparisonResults {
     );
   }
 
-  showTable(table: MethodInfo[]): void {
-    this.methods = table.map(({ name }) => name);
-  }
-
   /** May be called often. */
   show(comparison: Comparison): void {
     if (comparison !== this.comparison) this.begin(comparison);
     if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), comparison.running ? REFRESH_MS : 0);
   }
 
-  /** The run whose net is in the view (null: the user's own is), and the one beside it. */
-  showCurrent(run: Run | null, beside: Run | null): void {
+  /** The run whose net is in the view (null: the user's own is), and those beside it. */
+  showCurrent(run: Run | null, beside: readonly Run[]): void {
     [this.current, this.beside] = [run, beside];
     this.refreshTable();
   }
@@ -93,6 +89,25 @@ export class ComparisonResults {
 
   private refreshTable(): void {
     this.table.refresh(this.current, this.beside, this.netIsOpen);
+    this.abreast.disabled = !this.netIsOpen || this.toShowAbreast().length < 2;
+    this.abreast.setAttribute('aria-pressed', String(this.current !== null && this.beside.length > 0));
+  }
+
+  /** The first runs with a net to show. */
+  private toShowAbreast(): Run[] {
+    return this.comparison?.runs.filter(canShow).slice(0, mostAbreast()) ?? [];
+  }
+
+  private toggleAbreast(): void {
+    const [first = null, ...others] = this.abreast.getAttribute('aria-pressed') === 'true' ? [] : this.toShowAbreast();
+    this.events.showRun(first);
+    this.events.showBeside(others);
+  }
+
+  private toggleBeside(run: Run): void {
+    const others = this.beside.filter((each) => each !== run);
+    const isThere = others.length < this.beside.length;
+    this.events.showBeside(isThere ? others : [...others, run].slice(1 - mostAbreast()));
   }
 
   private actions(): HTMLElement {
@@ -103,6 +118,7 @@ export class ComparisonResults {
       'div',
       { class: 'actions' },
       this.stop,
+      this.abreast,
       makeButton(words.comparison.tableCsv, save('comparison.csv', tableCsv)),
       makeButton(words.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
       makeButton(words.comparison.plotsPng, () => this.savePlots()),
@@ -110,28 +126,31 @@ export class ComparisonResults {
   }
 
   private savePlots(): void {
-    const methods = this.comparison?.runs.map(({ method }) => ({ title: words.core.method(method), ...this.styleOf(method) })) ?? [];
-    void savePicture(this.element, this.plots, methods);
+    const curves = this.comparison?.runs.map((run) => ({ title: run.label, ...styleOf(run) })) ?? [];
+    void savePicture(this.element, this.plots, curves);
   }
 
   private close(): void {
     this.events.cancelComparison();
     this.events.showRun(null);
-    this.events.showBeside(null);
+    this.events.showBeside([]);
     this.element.hidden = true;
   }
+}
 
-  /** The same for a method in every comparison. */
-  private styleOf(method: string): CurveStyle {
-    const index = Math.max(0, this.methods.indexOf(method)) % CURVE_COLOURS;
-    return { colour: `--curve-${index + 1}`, dashed: index >= FIRST_DASHED };
-  }
+function styleOf({ style }: Run): CurveStyle {
+  const index = style % CURVE_COLOURS;
+  return { colour: `--curve-${index + 1}`, dashed: index >= FIRST_DASHED };
+}
+
+function mostAbreast(): number {
+  return matchMedia('(max-width: 720px)').matches ? ABREAST.phone : ABREAST.desktop;
 }
 
 function progress({ runs, running }: Comparison): string {
   const done = runs.filter(({ state }) => state === 'ended' || state === 'failed').length;
   const current = runs.find(({ state }) => state === 'running');
-  if (running && current) return words.comparison.running(words.core.method(current.method), done + 1, runs.length);
+  if (running && current) return words.comparison.running(current.label, done + 1, runs.length);
   if (done < runs.length) return words.comparison.cancelled(done, runs.length);
   const idle = runs.every(({ frame }) => frame?.iterations === 0);
   return idle ? words.comparison.idle : words.comparison.done(done);

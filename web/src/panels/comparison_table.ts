@@ -1,5 +1,5 @@
-/** The numbers of a comparison, one row a method. A click on a row asks for its net. */
-import type { Run } from '../compare/run';
+/** The numbers of a comparison, one line a run. A click on a line asks for its net. */
+import { canShow, type Run } from '../compare/run';
 import { words } from '../language/language';
 import type { CurveStyle } from './comparison_plot';
 import { make, makeButton, setText } from './dom';
@@ -15,12 +15,14 @@ const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined
   { ...columns.maxDeviation, text: ({ frame }) => frame ? small(frame.maxDeviation) : undefined },
   { ...columns.bend, text: ({ measures }) => measures ? small(measures.bend) : undefined },
   { ...columns.smallestAngle, text: ({ measures }) => measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined },
+  { ...columns.distance, text: ({ distance }) => distance === null ? undefined : small(distance) },
   { ...columns.handleError, text: ({ measures }) => measures ? small(measures.handleError) : undefined },
   { ...columns.status, text: runWords },
 ];
 
 interface TableEvents {
   show(run: Run): void;
+  /** Or no longer, if it is there. */
   showBeside(run: Run): void;
 }
 
@@ -36,7 +38,7 @@ export class ComparisonTable {
   private rows: Row[] = [];
 
   constructor(
-    private readonly styleOf: (method: string) => CurveStyle,
+    private readonly styleOf: (run: Run) => CurveStyle,
     private readonly events: TableEvents,
   ) {}
 
@@ -45,31 +47,31 @@ export class ComparisonTable {
     this.rows = runs.map((run) => this.makeRow(run));
     const body = make('tbody', {}, ...this.rows.map((row) => this.makeLine(row)));
     this.element.replaceChildren(
-      make('table', {}, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.method), ...heads, make('td'))), body),
+      make('table', {}, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.run), ...heads, make('td'))), body),
     );
   }
 
   /** @param current the run whose net is in the view. @param open whether nets of this comparison can be shown. */
-  refresh(current: Run | null, beside: Run | null, open: boolean): void {
+  refresh(current: Run | null, beside: readonly Run[], open: boolean): void {
     for (const row of this.rows) {
       const { run, cells } = row;
       row.button.setAttribute('aria-pressed', String(run === current));
-      row.beside.setAttribute('aria-pressed', String(run === beside));
-      row.button.disabled = row.beside.disabled = !open || run.frame === null;
+      row.beside.setAttribute('aria-pressed', String(beside.includes(run)));
+      row.button.disabled = row.beside.disabled = !open || !canShow(run);
       COLUMNS.forEach(({ text }, i) => setText(cells[i]!, text(run) ?? NOTHING));
     }
   }
 
   private makeRow(run: Run): Row {
-    const { colour, dashed } = this.styleOf(run.method);
+    const { colour, dashed } = this.styleOf(run);
     const swatch = make('i', { class: dashed ? 'swatch dashed' : 'swatch' });
     swatch.style.setProperty('color', `var(${colour})`);
-    const button = makeButton(swatch, () => {}, { class: 'plain', title: words.comparison.show });
-    button.append(words.core.method(run.method));
+    const button = makeButton(swatch, () => {}, { class: 'plain', title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet });
+    button.append(run.label);
     const beside = makeButton(words.comparison.beside, () => this.events.showBeside(run), {
       class: 'plain link',
       title: words.comparison.besideHint,
-      'aria-label': words.comparison.besideOther(words.core.method(run.method)),
+      'aria-label': words.comparison.besideOther(run.label),
     });
     return { run, button, beside, cells: COLUMNS.map(() => make('td')) };
   }

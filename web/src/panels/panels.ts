@@ -1,6 +1,6 @@
 /** The contract between the page and its controls; built from native HTML elements. Panels show state and report
  *  intentions; they never change the document themselves. */
-import type { Comparison, ComparisonWish, Run } from '../compare/run';
+import type { Comparison, ComparisonWish, Run, RunWish } from '../compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { SaveWish } from '../export/kinds';
@@ -40,13 +40,15 @@ export interface PanelEvents {
   redo(): void;
   /** Goes to an entry of the history. */
   goTo(index: number): void;
-  /** Run these methods side by side on the present edit. */
+  /** Run these methods one after another on the present edit. */
   compare(wish: ComparisonWish): void;
+  /** Run these from rest, those without an edit of their own on the present one. */
+  runAll(wishes: readonly RunWish[]): void;
   cancelComparison(): void;
   /** Show the net of a run in place of one's own; null: one's own again. */
   showRun(run: Run | null): void;
-  /** Show the net of a run beside the other; null: no longer. */
-  showBeside(run: Run | null): void;
+  /** Show the nets of these runs, two at most, beside the other, and no more. */
+  showBeside(runs: readonly Run[]): void;
   /** Pass on a link to what is seen. */
   share(): void;
   /** Save the net as a file. */
@@ -80,8 +82,8 @@ export interface Panels {
   showHandles(handles: readonly HandleData[], choice: Choice): void;
   /** Whenever there is news of it. */
   showComparison(comparison: Comparison): void;
-  /** The run whose net is in the view (null: one's own is), and the one beside it, if any. */
-  showRuns(run: Run | null, beside: Run | null): void;
+  /** The run whose net is in the view (null: one's own is), and those beside it. */
+  showRuns(run: Run | null, beside: readonly Run[]): void;
   /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error', action?: Action): void;
   /** A line with a button; it stays until that is pressed or the line is dismissed. */

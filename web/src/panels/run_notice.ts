@@ -13,11 +13,10 @@ export class RunNotice {
     this.line = make('p', { class: 'message' }, this.words, makeButton(words.comparison.back, back));
   }
 
-  show(run: Run | null, beside: Run | null): void {
-    if (run === null && beside === null) return this.element.replaceChildren();
-    const left = run ? words.core.method(run.method) : words.comparison.yourNet;
-    const right = beside && words.core.method(beside.method);
-    setText(this.words, right ? words.comparison.showingBoth(left, right) : words.comparison.showing(left));
+  show(run: Run | null, beside: readonly Run[]): void {
+    if (run === null && beside.length === 0) return this.element.replaceChildren();
+    const names = [run?.label ?? words.comparison.yourNet, ...beside.map(({ label }) => label)];
+    setText(this.words, beside.length === 0 ? words.comparison.showing(names[0]!) : words.comparison.showingAll(names));
     this.element.replaceChildren(this.line);
   }
 }

@@ -13,7 +13,7 @@ import { ComparisonPlace } from './comparison_place';
 import { ConvergencePlot } from './convergence_plot';
 import { make, makeButton, makeSection, setSummary, setText } from './dom';
 import { DragPanel } from './drag_panel';
-import { ExperimentsPanel } from './experiments_panel';
+import { ExperimentsPlace } from './experiments_place';
 import { Gallery } from './gallery';
 import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
@@ -53,7 +53,7 @@ class Sidebar implements Panels {
   private readonly solver: SolverPanel;
   private readonly step: StepPanel;
   private readonly learn: LearnPanel;
-  private readonly experiments: ExperimentsPanel;
+  private readonly experiments: ExperimentsPlace;
   private readonly history: HistoryPanel;
   private readonly comparison: ComparisonForm;
   private readonly results: ComparisonPlace;
@@ -91,15 +91,15 @@ class Sidebar implements Panels {
     this.solver = new SolverPanel(events);
     this.step = new StepPanel(events);
     this.learn = new LearnPanel(events);
-    this.experiments = new ExperimentsPanel(events);
+    this.experiments = new ExperimentsPlace(events, (error) => this.sayFault(error));
     this.comparison = new ComparisonForm((wish) => {
       this.unfold(false); // a phone has no room for the results beside it
       events.compare(wish);
     });
-    this.results = new ComparisonPlace(events, (error) => this.say(String(error instanceof Error ? error.message : error), 'error'));
+    this.results = new ComparisonPlace(events, (error) => this.sayFault(error));
     this.runNotice = new RunNotice(() => {
       events.showRun(null);
-      events.showBeside(null);
+      events.showBeside([]);
     });
     this.openingNotice = new OpeningNotice(() => events.cancelOpening());
     this.history = new HistoryPanel((index) => events.goTo(index));
@@ -120,7 +120,7 @@ class Sidebar implements Panels {
       makeSection(words.sections.appearance, false, ...this.appearance.content),
       makeSection(words.sections.solver, false, ...this.solver.content),
       this.history.section,
-      makeSection(words.sections.experiments, false, ...this.experiments.content),
+      this.experiments.section,
       makeSection(words.sections.compare, false, ...this.comparison.content),
     );
     root.append(
@@ -163,7 +163,6 @@ class Sidebar implements Panels {
     this.gallery.showShapes(shapes, thumbnail);
     this.solver.showTables(tables);
     this.comparison.showTable(tables.methods);
-    this.results.showTable(tables.methods);
   }
 
   showDocument(document: ChebnetDocument, choice: Choice): void {
@@ -173,7 +172,7 @@ class Sidebar implements Panels {
     this.parameters.show(recipe, this.shapes);
     this.fileName.hidden = recipe !== null;
     setText(this.fileName, 'name' in net ? net.name : '');
-    this.experiments.show(document.experiment);
+    this.experiments.show(document);
     this.comparison.propose(document.compare);
     this.appearance.show(view);
     this.legend.show(view);
@@ -231,7 +230,7 @@ class Sidebar implements Panels {
     this.results.show(comparison);
   }
 
-  showRuns(run: Run | null, beside: Run | null): void {
+  showRuns(run: Run | null, beside: readonly Run[]): void {
     const frame = run?.frame ?? this.pending?.frame;
     if (frame) this.legend.showFrame(frame);
     this.results.showCurrent(run, beside);
@@ -244,6 +243,10 @@ class Sidebar implements Panels {
 
   offer(message: string, button: string, accept: () => void): void {
     this.messages.offer(message, button, accept);
+  }
+
+  private sayFault(error: unknown): void {
+    this.say(error instanceof Error ? error.message : String(error), 'error');
   }
 
   private refresh(): void {

@@ -3,7 +3,7 @@ import type { App } from '../app';
 import type { Scene } from '../document/document';
 import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';
-import { experimentScene, isExperimentLink } from '../experiments/experiment';
+import { experimentScene, isExperimentLink } from '../experiments/links';
 
 export { linkAdvice } from '../document/share';
 
@@ -14,6 +14,6 @@ export function hashOf(app: App, largest?: number): Shared {
 }
 
 /** The scene of a hash. Throws LinkError. */
-export function sceneOf(hash: string): Scene {
+export async function sceneOf(hash: string): Promise<Scene> {
   return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
 }

@@ -136,7 +136,7 @@ export class Projects {
   async #openLink(hash: string): Promise<void> {
     const isFirst = this.#app.opening === null;
     const { sceneOf } = await linking();
-    await this.#app.openScene(sceneOf(hash), { name: ['link'], key: null });
+    await this.#app.openScene(await sceneOf(hash), { name: ['link'], key: null });
     if (isFirst) this.#autosave.begin(newId(), false);
   }
 

@@ -1,99 +1,39 @@
-/** The experiments: what each is called, and what to look for. */
-import type { Words } from '../language';
+import type { experiments as en } from '../en/experiments';
+import type { Widened } from '../language';
 
-export const experiments: Words['experiments'] = {
-  exponent: {
-    title: '取哪个指数？',
-    text:
-      '较小的指数 p 能很快分散误差，但会留下少数偏差大的边；较大的指数能将其抹平，但起步缓慢。' +
-      '用每个指数各求解一次，观察曲线的斜率；自适应 p 意在兼取二者之长。',
+export const experiments: Widened<typeof en> = {
+  label: '实验',
+  about: '论文的各项论断，在我们自己的网上试验。结论由本机程序测得，所列数值取自第一个编辑。',
+  paper: 'Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022。',
+  figure: (figure) => (figure === null ? '第 4 节' : `图 ${figure}`),
+  heading: (figure, title) => `${figure}：${title}`,
+  claims: '论文的论断，以及我们的测量',
+  verdicts: { holds: '成立', differs: '有出入', 'does not hold': '不成立' },
+  unmeasured: '未测量',
+  held: (held, asked) => `${asked} 个编辑中 ${held} 个成立`,
+  units: {
+    iterations: (value) => `${value} 次迭代`,
+    ms: (value) => `${value} 毫秒`,
+    times: (value) => `${value} 倍`,
+    dL: (value) => `dL 为 ${value}`,
+    L: (value) => `${value} L`,
+    degrees: (value) => `${value} 度`,
+    vertices: (value) => `${value} 个顶点`,
+    percent: (value) => `${value}%`,
+    share: (value) => `${value}%`,
+    frames: (value) => `每秒 ${value} 帧`,
+    none: (value) => value.trim(),
   },
-  'adaptive-exponent': {
-    title: '自适应指数',
-    text:
-      '求解从 p = 2 开始，最大 dL 低于 0.01 时改用 p = 50。' +
-      '数一数使用与不使用自适应时的迭代次数：若一开始就用 p = 50，几乎只看得到最差的边。',
-  },
-  'fewer-variables': {
-    title: '临近结束时减少变量',
-    text:
-      '在阶段 3，只有仍有偏差的边附近的顶点可以移动。单步迭代到该阶段开始，看看还剩多少顶点。' +
-      '迭代次数几乎不变；问题在于最后几次迭代各需多少时间。',
-  },
-  'long-edges': {
-    title: '途中变长',
-    text:
-      '管子受到挤压。复合优超不给受压的边横向刚度，因此第一步之后几乎所有的边都过长。' +
-      '打开箭头单步迭代，与论文的方法比较管壁鼓出多少。',
-  },
-  majorizers: {
-    title: '三种优超函数',
-    text: '同一个能量，用三种凸函数代替其 Hessian 矩阵。最终长度都相同；看看各需多少次迭代，每次迭代的时间是否不同。',
-  },
-  energies: {
-    title: '取哪个能量？',
-    text:
-      '将能量 (3) 与 dL 本身的幂以及 |r − 1| 的 4 次幂和 8 次幂比较。' +
-      '留意那些在阈值之上停下来的能量：梯度消失之处，边长仍然不对。',
-  },
-  initialisations: {
-    title: '从哪里开始',
-    text:
-      '一个手柄跳到远处时，可以从网的当前状态开始，也可以先用五次 ARAP 或局部–全局迭代将变形分散开。' +
-      '看看更好的起点能否减少迭代次数，得到的形状是否更光顺。',
-  },
-  arap: {
-    title: '尽可能刚性',
-    text:
-      'ARAP 保持局部形状，不保持长度：它很快稳定下来，但仍有红色的边。' +
-      '再用论文的方法从同一起点求解：网可以剪切变形，而每条边的长度保持不变。',
-  },
-  'local-global': {
-    title: '局部–全局法',
-    text:
-      '每次迭代代价都低，因为线性方程组始终不变。曲线先快速下降，然后变平：' +
-      '看看迭代用尽时曲线停在哪里，再与论文方法所用的毫秒数比较。',
-  },
-  'first-order': {
-    title: '只用梯度',
-    text:
-      '对论文的能量使用最速下降和 L-BFGS，最多 1000 次迭代。打开箭头单步迭代：' +
-      '梯度只移动手柄附近的部分，而一步牛顿迭代同时移动整张网。',
-  },
-  drag: {
-    title: '拖动它',
-    text: '抓住橙色小球四处移动。每一帧都从上一帧开始，因此几次迭代就够了；拖动时请观察“收敛”一栏中的上次求解时间。',
-  },
-  'many-handles': {
-    title: '许多手柄',
-    text:
-      '二十五个手柄同时跳到先前一次编辑所留下的位置。每个手柄都精确固定，其间的网仍能恢复各边的长度。' +
-      '再稍微移动其中一个：手柄靠得近，留给网的余地就少。',
-  },
-  size: {
-    title: '更大的网',
-    text:
-      '对 4000 个和 1500 个顶点的网作同样的编辑。两者都求解，比较迭代次数和毫秒数：' +
-      '看看每次迭代的代价是否超过比例，迭代次数的增长又有多慢。',
-  },
-  'singular-vertices': {
-    title: '奇异顶点',
-    text:
-      '在大象的角上汇集三条、五条或六条边，而非四条。此方法并不要求四条；看看角附近的边是否最后才达到长度。',
-  },
-  'general-meshes': {
-    title: '一般网格',
-    text:
-      '一排排正方形与一排排三角形交替，每条边各自保持自己的长度，而非统一的长度。' +
-      '三角形不能剪切变形，因此网在可弯之处弯曲；把手柄拖得很远，就会无解。',
-  },
-};
-
-export const variants: Words['variants'] = {
-  without: '不使用',
-  paper: '论文的方法',
-  powers: 'dL 的幂',
-  arap: '先用 ARAP',
-  localGlobal: '先用局部–全局法',
-  vertices: (count) => `${count} 个顶点`,
+  value: (label, value) => `${label}：${value}`,
+  runAll: '全部运行',
+  runAllHint: '从初始形状起运行所有变体，并给出曲线和数值',
+  edits: '编辑',
+  edit: (shape, vertices) => `${shape} ${vertices}`.trim(),
+  meshes: { hexagons: '六边形', mixed: '方格与三角形', triangles: '三角形' },
+  variants: '变体',
+  ours: '本页',
+  oursHint: '论文中没有',
+  unknown: '此链接所指的实验不存在。',
+  noVariant: (title) => `实验“${title}”没有这个变体。`,
+  noEdit: (title) => `实验“${title}”没有这个编辑。`,
 };

@@ -1,0 +1,53 @@
+/** Experiments as links: `#experiment=NAME`, with `&edit=N` and `&variant=N` for others than the first, counted from 0. They
+ *  open unsolved, so that whoever looks can watch the solve. */
+import { DEFAULT_VIEW } from '../document/defaults';
+import type { Scene } from '../document/document';
+import { LinkError } from '../document/link_error';
+import { editScene } from './edits';
+import { type Figure, findFigure, settingsOf, textOf } from './figures';
+import { texts } from './texts';
+
+const LINK = '#experiment=';
+
+export function isExperimentLink(hash: string): boolean {
+  return hash.startsWith(LINK);
+}
+
+export function experimentLink(name: string, edit = 0, variant = 0): string {
+  return LINK + name + (edit > 0 ? `&edit=${edit}` : '') + (variant > 0 ? `&variant=${variant}` : '');
+}
+
+/** The scene of a link. Throws LinkError. */
+export async function experimentScene(hash: string): Promise<Scene> {
+  const query = new URLSearchParams(hash.slice(1));
+  const name = query.get('experiment');
+  const figure = findFigure(name);
+  if (name === null || figure === undefined) throw refusal(texts.unknown);
+  const variant = figure.variants[placeOf(figure, name, numberIn(query, 'variant'))];
+  if (variant === undefined) throw refusal(texts.noVariant(textOf(figure.title)));
+  const edit = figure.edits[numberIn(query, 'edit')];
+  if (edit === undefined) throw refusal(texts.noEdit(textOf(figure.title)));
+  const methods = [...new Set(figure.variants.map(({ method }) => method))];
+  return {
+    ...(await editScene(variant.edit ?? edit, figure.rest)),
+    ...settingsOf(variant),
+    view: { ...DEFAULT_VIEW, field: figure.field ?? DEFAULT_VIEW.field },
+    positions: null,
+    settled: true,
+    experiment: figure.name,
+    ...(methods.length > 1 ? { compare: methods } : {}),
+  };
+}
+
+function numberIn(query: URLSearchParams, name: string): number {
+  return Number(query.get(name) ?? 0);
+}
+
+/** Where the variant stands now that a link means; those of an older version have moved. */
+function placeOf(figure: Figure, name: string, variant: number): number {
+  return name === figure.name ? variant : (figure.was?.[name]?.[variant] ?? NaN);
+}
+
+function refusal(sentence: string): LinkError {
+  return new LinkError('foreign_link', sentence);
+}
