@@ -112,7 +112,7 @@ std::string section(const Result& result) {
     std::string content = element("h2", figure.place() + ": " + escaped(figure.title));
     std::string claims;
     for (const Verdict& verdict : judge(result)) claims += claim(verdict, result.groups);
-    content += element("ol", claims);
+    content += element("p", "<em>What to look for on the page:</em> " + escaped(figure.look)) + element("ol", claims);
     for (const Group& group : result.groups)
         content += element("h3", escaped(group.runs.front().edit)) + pictures(figure, group) + table(group);
     content += "<img class=\"plot\" src=\"" + figure.name + ".svg\" alt=\"Plots of " + escaped(figure.title) + "\">\n";
