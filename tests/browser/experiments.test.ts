@@ -4,6 +4,8 @@ import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { OUTPUT, visits } from './page';
 
+/** A picture that is drawn fast, again and again. */
+const SMALL = { viewport: { width: 800, height: 320 } };
 const PHONE = { viewport: { width: 390, height: 844 } };
 
 const { arrive } = visits();
@@ -107,6 +109,19 @@ test('figure 4: three nets with every edge at its length, apart from each other'
   await expect.poll(() => page.locator('#beside canvas').count()).toBe(0);
 });
 
+test('figure 8: composite majorization makes more edges longer than L on its way, and the legend says how many', async () => {
+  const peaks: number[] = [];
+  for (const variant of ['Composite majorization', 'Li et al. 2022']) {
+    const { page } = await arrive('#experiment=long-edges', SMALL);
+    await noteOf(page).getByRole('link', { name: variant }).click();
+    await noteOf(page).locator('[aria-current=true]', { hasText: variant }).waitFor();
+    const shares = await stepToEnd(page);
+    peaks.push(Math.max(...shares));
+    await expect.poll(() => page.locator('.legend .words').innerText()).toBe(`Net: ${(100 * shares.at(-1)!).toFixed(1)} % longer than L`);
+  }
+  expect(peaks[0]).toBeGreaterThan(peaks[1]!);
+});
+
 test('figure 16: nets of other sizes are run, but not shown in place of the one that is open', async () => {
   const { page } = await arrive('#experiment=resolutions');
   const rows = await runAll(page);
@@ -126,6 +141,29 @@ test('figure 17: competitors with other energies end above the threshold', async
     expect(deviation).toBeGreaterThan(1e-6);
   }
 });
+
+/** By a few steps at a time; the part of the edges longer than L after each few. */
+function stepToEnd(page: Page): Promise<number[]> {
+  return page.evaluate(async () => {
+    const { chebnet } = window;
+    const edges = chebnet.edges();
+    const lengths = () => {
+      const at = chebnet.positions();
+      const along = (edge: number, axis: number) => at[3 * edges[2 * edge]! + axis]! - at[3 * edges[2 * edge + 1]! + axis]!;
+      return Array.from({ length: edges.length / 2 }, (_, edge) => Math.hypot(along(edge, 0), along(edge, 1), along(edge, 2)));
+    };
+    // All have it at rest; now some have been stretched by handles that were moved.
+    const length = lengths().sort((a, b) => a - b)[edges.length >> 2]!;
+    const step = [...document.querySelectorAll<HTMLButtonElement>('.experiment button')].find(({ textContent }) => textContent === 'One step')!;
+    const shares: number[] = [];
+    do {
+      for (let i = 0; i < 4; ++i) step.click();
+      await chebnet.settled();
+      shares.push(lengths().filter((each) => each > (1 + 1e-8) * length).length / (edges.length / 2));
+    } while (chebnet.stats().status === 'running' && shares.length < 15);
+    return shares;
+  });
+}
 
 /** Presses the button, and reads the table when all is done. */
 async function runAll(page: Page) {

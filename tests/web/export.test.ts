@@ -178,19 +178,21 @@ describe('glTF', () => {
   });
 });
 
-test('a vertex takes the colour of its worst edge, or of its angle', () => {
-  const colours = { good: [0, 0, 1], bad: [1, 0, 0], narrow: [0, 1, 0], right: [0, 0, 0], wide: [1, 1, 0], dark: false } as const;
+test('a vertex takes the colour of its worst edge, of its angle, or of most of its edges', () => {
+  const colours = { good: [0, 0, 1], bad: [1, 0, 0], narrow: [0, 1, 0], right: [0, 0, 0], wide: [1, 1, 0], longer: [1, 0, 1], dark: false } as const;
   const frame = {
-    positions: new Float64Array(9),
+    positions: Float64Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0),
     deviations: Float32Array.of(1e-9, 1),
     cornerAngles: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
   } as FrameData;
-  const edges = Int32Array.of(0, 1, 1, 2);
-  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, edges)]).toEqual([0, 0, 255, 255, 0, 0, 255, 0, 0]);
-  const [, green, , ...others] = vertexColours(scaleOf('angle', 'paper', colours), 'angle', frame, edges);
+  const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1) };
+  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, net)]).toEqual([0, 0, 255, 255, 0, 0, 255, 0, 0]);
+  const [, green, , ...others] = vertexColours(scaleOf('angle', 'paper', colours), 'angle', frame, net);
   expect(green).toBe(255);
   expect(Math.max(...others.slice(0, 3))).toBeLessThan(3);
   expect(others.slice(3)).toEqual([255, 255, 0]);
+  const longer = [...vertexColours(scaleOf('longer', 'paper', colours), 'longer', frame, net)];
+  expect([longer.slice(0, 3), longer.slice(6)]).toEqual([[0, 0, 0], [255, 0, 255]]);
 });
 
 test('a QR code has room for links of its capacity and no more', () => {

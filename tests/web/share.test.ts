@@ -70,6 +70,11 @@ describe('a scene comes back', () => {
     expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual(source);
   });
 
+  test.each(['deviation', 'angle', 'longer'] as const)('in its colours, by %s', (field) => {
+    const document = documentAt(null);
+    expect(decodeScene(hashOf({ ...document, view: { ...document.view, field } })).view.field).toBe(field);
+  });
+
   test('as the experiment that it was opened as', () => {
     const part = { experiment: 'long-edges', compare: ['li2022', 'dp4'] };
     expect(decodeScene(hashOf({ ...documentAt(null), ...part }))).toMatchObject(part);

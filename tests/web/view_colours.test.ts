@@ -8,6 +8,7 @@ const COLOURS: MapColours = {
   narrow: [0, 1, 1],
   right: [0.5, 0.5, 0.5],
   wide: [1, 0.5, 0],
+  longer: [1, 0, 1],
   dark: false,
 };
 
@@ -48,6 +49,11 @@ test('a right angle has the middle colour, others lean to either side', () => {
   expect(colourOf(angle, 170)).toEqual(COLOURS.wide);
 });
 
+test('an edge is longer than it is to be, or not', () => {
+  const longer = scaleOf('longer', 'paper', COLOURS, [0.2, 0.3]);
+  expect([0, 1].map((value) => colourOf(longer, value))).toEqual([COLOURS.right, COLOURS.longer]);
+});
+
 describe('with ends set by hand', () => {
   test.each(['paper', 'log'] as const)('the %s map goes from one to the other by decades', (map) => {
     const scale = scaleOf('deviation', map, COLOURS, [1e-8, 1e-4]);
@@ -71,7 +77,7 @@ describe('with ends set by hand', () => {
 });
 
 test('every tick lies on the legend', () => {
-  for (const { ticks, shown } of [paper, log, angle, scaleOf('angle', 'paper', COLOURS, [80, 85])]) {
+  for (const { ticks, shown } of [paper, log, angle, scaleOf('longer', 'paper', COLOURS), scaleOf('angle', 'paper', COLOURS, [80, 85])]) {
     for (const { value } of ticks) {
       expect(value).toBeGreaterThanOrEqual(shown[0]);
       expect(value).toBeLessThanOrEqual(shown[1]);

@@ -1,6 +1,7 @@
 /** What the graphics card reads: made once a net, written in place ever after. */
 import { describe, expect, test } from 'vitest';
 import { load } from '../wasm/load';
+import { isLonger, shareOfLonger } from '../../web/src/view/longer';
 import { ColourTexture, NetData, netUniforms } from '../../web/src/view/net_data';
 import { NetLines } from '../../web/src/view/net_lines';
 import { Space } from '../../web/src/view/space';
@@ -29,13 +30,47 @@ function dataOf(shown: OpenedNet): NetData {
   return new NetData(shown, Space.of(shown.restPositions));
 }
 
+/** Stretched along x. */
+function stretched({ restPositions }: OpenedNet, factor: number): Float64Array {
+  return restPositions.map((x, i) => (i % 3 === 0 ? factor * x : x));
+}
+
+describe('edges longer than they are to be', () => {
+  const along = (e: number) => Math.abs(net.restPositions[3 * net.edges[2 * e]!]! - net.restPositions[3 * net.edges[2 * e + 1]!]!);
+  const notAcross = Array.from({ length: edges }, (_, e) => along(e) > 1e-3 * net.info.meanLength);
+
+  test('are none at rest, where lengths are off by rounding alone', () => {
+    expect(shareOfLonger(net, net.restPositions)).toBe(0);
+    expect(shareOfLonger(net, stretched(net, 1 + 1e-12))).toBe(0);
+  });
+
+  test('are those that a stretch reaches, and none of them when it shrinks', () => {
+    expect(notAcross.some(Boolean)).toBe(true);
+    expect(notAcross.map((_, e) => isLonger(net, stretched(net, 1.1), e))).toEqual(notAcross);
+    expect(shareOfLonger(net, stretched(net, 1.1))).toBeCloseTo(notAcross.filter(Boolean).length / edges, 12);
+    expect(shareOfLonger(net, stretched(net, 0.9))).toBe(0);
+  });
+
+  test('are marked on the graphics card when they are what is shown', () => {
+    const data = dataOf(net);
+    const uniforms = netUniforms();
+    data.putInto(uniforms);
+    const { data: values } = uniforms.edgeValues.value!.image as { data: Float32Array };
+    const frame = { ...frameOf(net, 0.25), positions: stretched(net, 1.1) };
+    data.show(frame, 'longer');
+    expect([...values.subarray(0, edges)]).toEqual(notAcross.map(Number));
+    data.show(frame, 'deviation');
+    expect([...values.subarray(0, edges)]).toEqual(Array(edges).fill(0.25));
+  });
+});
+
 describe('the textures of a net', () => {
   const data = dataOf(net);
   const uniforms = netUniforms();
   data.putInto(uniforms);
 
   test('hold every vertex and edge, by number', () => {
-    data.show(frameOf(net, 0));
+    data.show(frameOf(net, 0), 'deviation');
     const { data: points } = uniforms.vertices.value!.image as { data: Float32Array };
     const { data: ends } = uniforms.ends.value!.image as { data: Int32Array };
     expect(points).toBe(data.points);
@@ -47,7 +82,7 @@ describe('the textures of a net', () => {
     const kept = Object.values(uniforms).map(({ value }) => value);
     const arrays = kept.map((texture) => (texture.image as { data: unknown }).data);
     const versions = kept.map(({ version }) => version);
-    for (const shift of [0.1, 0.2, 0.3]) data.show(frameOf(net, shift));
+    for (const shift of [0.1, 0.2, 0.3]) data.show(frameOf(net, shift), 'deviation');
     expect(Object.values(uniforms).map(({ value }) => value)).toEqual(kept);
     kept.forEach((texture, i) => expect((texture.image as { data: unknown }).data).toBe(arrays[i]));
     expect(kept.map(({ version }, i) => version - versions[i]!)).toEqual([3, 3, 0, 0]);

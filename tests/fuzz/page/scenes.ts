@@ -43,7 +43,7 @@ export const view: fc.Arbitrary<ViewState> = fc
   .tuple(
     fc.record({
       camera: fc.option(camera),
-      field: fc.constantFrom('deviation' as const, 'angle' as const),
+      field: fc.constantFrom('deviation' as const, 'angle' as const, 'longer' as const),
       colourMap: fc.constantFrom('paper' as const, 'log' as const),
       showFaces: fc.boolean(),
     }),

@@ -4,7 +4,7 @@
  */
 import type { RestLengths } from '../../../wasm/chebnet';
 import { areEnds, LONGEST_NAME } from './document';
-import type { Ends, HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
+import type { Ends, HandleData, HandleSeed, NetSource, ScaledField, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import type { Field } from './field';
 import { words } from '../language/language';
@@ -109,7 +109,7 @@ function readOptions(options: Field): SolverOptions {
 export function readView(view: Field): Scene['view'] {
   return {
     camera: view.at('camera').value === null ? null : readCamera(view.at('camera')),
-    field: view.at('field').oneOf(['deviation', 'angle']),
+    field: view.at('field').oneOf(['deviation', 'angle', 'longer']),
     colourMap: view.at('colourMap').oneOf(['paper', 'log']),
     showFaces: view.at('showFaces').flag(),
     ...given({
@@ -120,7 +120,7 @@ export function readView(view: Field): Scene['view'] {
 }
 
 function readEnds(ends: Field): ViewState['ends'] {
-  const read = (name: 'deviation' | 'angle') =>
+  const read = (name: ScaledField) =>
     ends.at(name).maybe((pair): Ends => {
       const [low = NaN, high = NaN, ...more] = pair.list().map((each) => each.number());
       return more.length === 0 && areEnds(name, [low, high]) ? [low, high] : pair.fail(words.fields.ends);

@@ -55,7 +55,10 @@ export interface SolverSettings {
   options: SolverOptions;
 }
 
-export type Field = 'deviation' | 'angle';
+/** `longer`: edges longer than their rest length, against all others. */
+export type Field = 'deviation' | 'angle' | 'longer';
+/** Those whose colours go from one end to another. */
+export type ScaledField = Exclude<Field, 'longer'>;
 export type ColourMap = 'paper' | 'log';
 export type UpAxis = 'y' | 'z';
 
@@ -63,7 +66,7 @@ export type UpAxis = 'y' | 'z';
 export type Ends = readonly [low: number, high: number];
 
 /** Whether a map can go from one to the other. */
-export function areEnds(field: Field, [low, high]: Ends): boolean {
+export function areEnds(field: ScaledField, [low, high]: Ends): boolean {
   return low < high && Number.isFinite(high - low) && (field === 'angle' || low > 0);
 }
 
@@ -72,10 +75,15 @@ export interface ViewState {
   field: Field;
   colourMap: ColourMap;
   /** Set by hand; a field without takes those of its map. */
-  ends?: { [Each in Field]?: Ends | undefined };
+  ends?: { [Each in ScaledField]?: Ends | undefined };
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;
+}
+
+/** Those set by hand for what is shown. */
+export function endsOf({ field, ends }: Pick<ViewState, 'field' | 'ends'>): Ends | undefined {
+  return field === 'longer' ? undefined : ends?.[field];
 }
 
 /** What a document says that was opened as an experiment. */

@@ -1,5 +1,6 @@
 /** Saves the net that is open as a file of some kind. */
 import type { App, Opening } from '../app';
+import { endsOf } from '../document/document';
 import { download } from '../files/download';
 import { words } from '../language/language';
 import { scaleOf } from '../view/colour_map';
@@ -43,8 +44,8 @@ function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: O
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
   if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, lines, handles: document.handles, name, edgeMm };
-  const { field, colourMap, ends, upAxis: up = 'z' } = document.view;
-  const colours = vertexColours(scaleOf(field, colourMap, theme, ends?.[field]), field, frame, edges);
+  const { field, colourMap, upAxis: up = 'z' } = document.view;
+  const colours = vertexColours(scaleOf(field, colourMap, theme, endsOf(document.view)), field, frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 

@@ -16,6 +16,7 @@ export class Appearance {
     const fields = [
       { value: 'deviation', text: words.appearance.deviation },
       { value: 'angle', text: words.appearance.angle },
+      { value: 'longer', text: words.appearance.longer },
     ];
     const maps = [
       { value: 'paper', text: words.appearance.paper },
@@ -37,8 +38,8 @@ export class Appearance {
   show({ field, colourMap, showFaces, upAxis }: ViewState): void {
     setValue(this.field, field);
     setValue(this.map, colourMap);
-    // Angles have one map of their own.
-    this.mapRow.hidden = field === 'angle';
+    // The others have one map of their own.
+    this.mapRow.hidden = field !== 'deviation';
     this.faces.checked = showFaces;
     setValue(this.up, upAxis ?? 'z');
   }

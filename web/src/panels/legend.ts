@@ -1,9 +1,10 @@
 /** The colour map with its ends, which can be set by hand, and below it the range of the data. */
-import type { ViewState } from '../document/document';
+import { endsOf, type ViewState } from '../document/document';
 import { words } from '../language/language';
 import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
+import { shareOfLonger } from '../view/longer';
 import { onThemeChange, readTheme } from '../view/theme';
-import type { FrameData } from '../worker/protocol';
+import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from './dom';
 import { MapEnds } from './map_ends';
 import type { PanelEvents } from './panels';
@@ -25,6 +26,7 @@ export class Legend {
   private view: Coloured = { field: 'deviation', colourMap: 'paper' };
   private scale: Scale | null = null;
   private frame: FrameData | null = null;
+  private net: OpenedNet | null = null;
 
   constructor({ setView }: Pick<PanelEvents, 'setView'>) {
     this.ends = new MapEnds((ends) => setView({ ends: { ...this.view.ends, [this.view.field]: ends } }));
@@ -48,6 +50,11 @@ export class Legend {
     if (!same) this.draw();
   }
 
+  showNet(net: OpenedNet): void {
+    this.net = net;
+    this.frame = null;
+  }
+
   showFrame(frame: FrameData): void {
     this.frame = frame;
     this.drawData();
@@ -55,6 +62,7 @@ export class Legend {
 
   private drawData(): void {
     if (!this.scale || !this.frame) return;
+    if (this.view.field === 'longer') return this.writeShare(this.frame);
     const byAngle = this.view.field === 'angle';
     const [low, high] = byAngle ? this.frame.angleRange : this.frame.deviationRange;
     const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
@@ -65,11 +73,17 @@ export class Legend {
     setText(this.words, words.legend.net(byAngle ? angleRange(from, to) : deviationRange(from, to)));
   }
 
+  private writeShare({ positions }: FrameData): void {
+    if (this.net) setText(this.words, words.legend.share((100 * shareOfLonger(this.net, positions)).toFixed(1)));
+  }
+
   private draw(): void {
-    const { field, colourMap, ends } = this.view;
-    const scale = scaleOf(field, colourMap, readTheme(document.documentElement), ends?.[field]);
+    const { field, colourMap } = this.view;
+    const ends = endsOf(this.view);
+    const scale = scaleOf(field, colourMap, readTheme(document.documentElement), ends);
     this.scale = scale;
-    this.ends.show(field, scale, ends?.[field] !== undefined);
+    this.data.hidden = this.ends.element.hidden = field === 'longer';
+    if (field !== 'longer') this.ends.show(field, scale, ends !== undefined);
     setText(this.name, scale.title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {

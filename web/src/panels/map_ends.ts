@@ -1,6 +1,6 @@
 /** The ends of the colour map by hand; the map's own again by one click. */
 import { areEnds } from '../document/document';
-import type { Ends, Field } from '../document/document';
+import type { Ends, ScaledField } from '../document/document';
 import { words } from '../language/language';
 import { endText, type Scale } from '../view/colour_map';
 import { make, makeButton, setValue } from './dom';
@@ -13,7 +13,7 @@ export class MapEnds {
     return input;
   });
   private readonly automatic: HTMLButtonElement;
-  private field: Field = 'deviation';
+  private field: ScaledField = 'deviation';
 
   /** @param choose what the user wants; undefined: the map's own. */
   constructor(private readonly choose: (ends: Ends | undefined) => void) {
@@ -22,7 +22,7 @@ export class MapEnds {
     this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
   }
 
-  show(field: Field, { low, high }: Scale, byHand: boolean): void {
+  show(field: ScaledField, { low, high }: Scale, byHand: boolean): void {
     this.field = field;
     this.automatic.setAttribute('aria-pressed', String(!byHand));
     this.inputs.forEach((input, i) => {

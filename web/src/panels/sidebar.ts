@@ -191,6 +191,7 @@ class Sidebar implements Panels {
 
   showNet(net: OpenedNet): void {
     this.numbers.showNet(net);
+    this.legend.showNet(net);
     this.results.netChanged();
     this.step.showNet(net);
     this.learn.showNet(net);

@@ -15,12 +15,14 @@ export interface MapColours {
   narrow: Rgb;
   right: Rgb;
   wide: Rgb;
+  /** Edges longer than they are to be; others take the colour of a right angle. */
+  longer: Rgb;
   dark: boolean;
 }
 
 export interface Scale {
   title: string;
-  /** Ends of the map: dL, or an angle in degrees. Values beyond take the colour of the end. */
+  /** Ends of the map: dL, an angle in degrees, or 0 and 1 for no and yes. Values beyond take the colour of the end. */
   low: number;
   high: number;
   logarithmic: boolean;
@@ -41,6 +43,7 @@ const PLASMA_DARK = [0.36, 1] as const;
 
 /** @param ends in place of the map's own. */
 export function scaleOf(field: Field, map: ColourMap, colours: MapColours, ends?: Ends): Scale {
+  if (field === 'longer') return longerScale(colours);
   if (field === 'angle') return angleScale(colours, ends);
   const scale = map === 'paper' ? paperScale(colours) : logScale(colours);
   if (ends === undefined) return scale;
@@ -140,5 +143,21 @@ function angleScale({ narrow, right, wide }: MapColours, ends: Ends = [45, 135])
       const value = low + (high - low) * t;
       return low < 90 && value <= 90 ? mix(narrow, right, (value - low) / (90 - low)) : mix(right, wide, (value - 90) / (high - 90));
     },
+  };
+}
+
+/** Two colours and nothing between them. */
+function longerScale({ right, longer }: MapColours): Scale {
+  return {
+    title: words.legend.longer,
+    low: 0,
+    high: 1,
+    logarithmic: false,
+    shown: [0, 1],
+    ticks: [
+      { value: 0, label: words.legend.notLonger },
+      { value: 1, label: words.legend.isLonger },
+    ],
+    colour: (t) => (t > 0.5 ? longer : right),
   };
 }

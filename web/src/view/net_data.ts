@@ -13,8 +13,10 @@ import {
   type Texture,
   type TextureDataType,
 } from 'three';
+import type { Field } from '../document/document';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { lookupTable, type Scale } from './colour_map';
+import { isLonger } from './longer';
 import type { Space } from './space';
 
 const DEGREES = 180 / Math.PI;
@@ -22,7 +24,7 @@ const DEGREES = 180 / Math.PI;
 /** Shaders that include this read vertex `i` and edge `e` of the net. */
 export const READ_NET = /* glsl */ `
 uniform highp sampler2D vertices;
-uniform highp sampler2D deviations;
+uniform highp sampler2D edgeValues;
 uniform highp sampler2D mobilities;
 uniform highp isampler2D ends;
 ivec2 place(int i, int width) { return ivec2(i % width, i / width); }
@@ -32,20 +34,21 @@ vec4 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertic
 ivec2 readEnds(int e) { return texelFetch(ends, place(e, textureSize(ends, 0).x), 0).rg; }
 /** How freely a vertex moves with a drag: 1, or less where a region is shown. */
 float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(mobilities, 0).x), 0).r; }
-float readDeviation(int e) { return texelFetch(deviations, place(e, textureSize(deviations, 0).x), 0).r; }
+/** Its deviation, or whether it is longer than it is to be. */
+float readEdge(int e) { return texelFetch(edgeValues, place(e, textureSize(edgeValues, 0).x), 0).r; }
 `;
 
 /** Where shaders find the net of the moment. All materials of a view share it and outlive the net: to compile them anew for
  *  each net would hold the page up. */
 export interface NetUniforms {
   vertices: { value: Texture | null };
-  deviations: { value: Texture | null };
+  edgeValues: { value: Texture | null };
   mobilities: { value: Texture | null };
   ends: { value: Texture | null };
 }
 
 export function netUniforms(): NetUniforms {
-  return { vertices: { value: null }, deviations: { value: null }, mobilities: { value: null }, ends: { value: null } };
+  return { vertices: { value: null }, edgeValues: { value: null }, mobilities: { value: null }, ends: { value: null } };
 }
 
 export class NetData {
@@ -55,25 +58,25 @@ export class NetData {
   /** Mean length of an edge, in the scene. */
   readonly edgeLength: number;
   private readonly vertices: DataTexture;
-  private readonly deviations: DataTexture;
+  private readonly edgeTexture: DataTexture;
   private readonly mobilities: DataTexture;
   private readonly mobilityValues: Float32Array<ArrayBuffer>;
   private readonly ends: DataTexture;
-  private readonly deviationValues: Float32Array<ArrayBuffer>;
+  private readonly edgeValues: Float32Array<ArrayBuffer>;
 
   constructor(
-    net: OpenedNet,
+    private readonly net: OpenedNet,
     readonly space: Space,
   ) {
     this.vertexCount = net.restPositions.length / 3;
     this.edgeLength = net.info.meanLength * space.scale;
     const edges = net.edges.length / 2;
     this.points = new Float32Array(4 * texels(this.vertexCount));
-    this.deviationValues = new Float32Array(texels(edges));
+    this.edgeValues = new Float32Array(texels(edges));
     const ends = new Int32Array(2 * texels(edges));
     ends.set(net.edges);
     this.vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
-    this.deviations = table(this.deviationValues, edges, RedFormat, FloatType);
+    this.edgeTexture = table(this.edgeValues, edges, RedFormat, FloatType);
     this.mobilityValues = new Float32Array(texels(this.vertexCount)).fill(1);
     this.mobilities = table(this.mobilityValues, this.vertexCount, RedFormat, FloatType);
     this.mobilities.needsUpdate = true;
@@ -81,7 +84,8 @@ export class NetData {
     this.ends.needsUpdate = true;
   }
 
-  show({ positions, cornerAngles, deviations }: FrameData): void {
+  /** @param field what of the edges is wanted. */
+  show({ positions, cornerAngles, deviations }: FrameData, field: Field): void {
     const { points, vertexCount } = this;
     const { scale, centre, axisY, axisZ, signY } = this.space;
     const [cx, cy, cz] = [centre[0], centre[axisY], centre[axisZ]];
@@ -92,9 +96,10 @@ export class NetData {
       points[to + 2] = (positions[from + axisZ]! - cz) * scale;
       points[to + 3] = cornerAngles[i]! * DEGREES;
     }
-    this.deviationValues.set(deviations);
+    if (field === 'longer') for (let edge = 0; edge < deviations.length; edge++) this.edgeValues[edge] = Number(isLonger(this.net, positions, edge));
+    else this.edgeValues.set(deviations);
     this.vertices.needsUpdate = true;
-    this.deviations.needsUpdate = true;
+    this.edgeTexture.needsUpdate = true;
   }
 
   /** null: all vertices move freely. */
@@ -107,12 +112,12 @@ export class NetData {
   putInto(uniforms: NetUniforms): void {
     uniforms.mobilities.value = this.mobilities;
     uniforms.vertices.value = this.vertices;
-    uniforms.deviations.value = this.deviations;
+    uniforms.edgeValues.value = this.edgeTexture;
     uniforms.ends.value = this.ends;
   }
 
   dispose(): void {
-    for (const texture of [this.vertices, this.deviations, this.mobilities, this.ends]) texture.dispose();
+    for (const texture of [this.vertices, this.edgeTexture, this.mobilities, this.ends]) texture.dispose();
   }
 }
 
@@ -124,6 +129,7 @@ export class ColourTexture {
     low: { value: 0 },
     high: { value: 1 },
     byAngle: { value: false },
+    byDecade: { value: true },
   };
 
   constructor() {
@@ -138,6 +144,7 @@ export class ColourTexture {
     low.value = scale.logarithmic ? Math.log10(scale.low) : scale.low;
     high.value = scale.logarithmic ? Math.log10(scale.high) : scale.high;
     this.uniforms.byAngle.value = byAngle;
+    this.uniforms.byDecade.value = scale.logarithmic;
   }
 
   dispose(): void {

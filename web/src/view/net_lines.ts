@@ -1,4 +1,4 @@
-/** The edges as lines with a width. Each edge is a strip of four vertices; the card reads both ends and the deviation from the
+/** The edges as lines with a width. Each edge is a strip of four vertices; the card reads both ends and the number it is coloured by from the
  *  net's textures (net_data.ts), so nothing is written per edge when the net moves. That draws half the vertices of three's
  *  LineSegments2 and uploads a sixth as much, so one kind of line serves nets of every size. Plain vertices, not instances:
  *  graphics cards, and still more their stand-ins in software, are slow at instances as small as these. */
@@ -21,7 +21,7 @@ uniform float width;        // device pixels
 uniform float near;
 uniform float lift;
 uniform vec2 fadeRange;     // distances from the camera
-uniform bool byAngle;
+uniform bool byAngle, byDecade;
 out float value;
 out float across;
 out float away;
@@ -51,8 +51,8 @@ void main() {
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
   across = side * reach;
-  float dL = readDeviation(edge);
-  value = byAngle ? (second ? b.w : a.w) : log(max(dL, 1e-30)) / log(10.0);
+  float number = readEdge(edge);
+  value = byAngle ? (second ? b.w : a.w) : byDecade ? log(max(number, 1e-30)) / log(10.0) : number;
   mobility = readMobility(second ? vertex.y : vertex.x);
   away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
 }`;

@@ -1,6 +1,6 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
 import { Color, DirectionalLight, HemisphereLight, Matrix4, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import { endsOf, type HandleData, type Symmetry, type Vec3, type ViewState } from '../document/document';
 import type { Film } from '../export/recording';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
@@ -142,7 +142,7 @@ class SceneView implements View {
   showFrame(frame: FrameData): void {
     if (!this.shown) return;
     this.latest = frame;
-    this.shown.show(frame);
+    this.shown.show(frame, this.appearance.field);
     this.stepArrows.show(frame, this.shown.space, this.shown.edgeLength);
     this.netMoved = true;
     this.requestDraw();
@@ -186,11 +186,12 @@ class SceneView implements View {
   }
 
   setAppearance(appearance: Appearance): void {
-    const turned = appearance.upAxis !== this.appearance.upAxis;
+    const before = this.appearance;
     this.appearance = appearance;
-    if (turned) this.turn();
-    const { field, colourMap, ends, showFaces } = appearance;
-    this.colours.show(scaleOf(field, colourMap, this.theme, ends?.[field]), field === 'angle');
+    const { field, colourMap, showFaces } = appearance;
+    if (appearance.upAxis !== before.upAxis) this.turn();
+    else if (field !== before.field && this.latest) this.shown?.show(this.latest, field);
+    this.colours.show(scaleOf(field, colourMap, this.theme, endsOf(appearance)), field === 'angle');
     this.faces.object.visible = showFaces;
     this.lines.setOverColours(showFaces && field === 'angle');
     this.requestDraw();

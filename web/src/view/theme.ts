@@ -35,6 +35,7 @@ export function readTheme(element: Element): Theme {
     narrow: colour('map-narrow'),
     right: colour('map-right'),
     wide: colour('map-wide'),
+    longer: colour('map-longer'),
     accent: colour('accent'),
     anchor: colour('view-anchor'),
     ink: colour('ink'),
