@@ -1,7 +1,7 @@
 /** Keeps the document in the browser, soon after each change, while nothing is under way. */
 import type { App } from '../app';
 import type { ViewState } from '../document/document';
-import { writeProject } from '../document/project';
+import { type Project, writeProject } from '../document/project';
 import { Measure } from '../document/undo';
 import { keep, newId } from './kept';
 
@@ -16,6 +16,8 @@ export class Autosave {
   #revision = -1;
   #view: ViewState | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Of what was kept last. */
+  #writing = Promise.resolve();
   #refused = false;
 
   /**
@@ -63,9 +65,14 @@ export class Autosave {
     const project = this.app.project();
     if (project === null) return;
     const seenAnew = this.#view !== null && this.#view !== project.view;
-    if (revision === this.#revision && !seenAnew) return;
+    if (revision === this.#revision && !seenAnew) return this.#writing;
     this.#revision = this.app.isQuiet ? revision : -1;
     this.#view = project.view;
+    this.#writing = this.#write(project);
+    return this.#writing;
+  }
+
+  async #write(project: Project): Promise<void> {
     const present = new Measure();
     present.add(project.entries[project.present]!.state);
     try {
