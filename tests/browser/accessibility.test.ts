@@ -96,6 +96,22 @@ describe.each([
     expect(found).toEqual({ first: [], keys: [], share: [], menu: [], sections: [], equalise: [], comparison: [], file: [] });
   });
 
+  test('a figure of the paper, and its nets side by side', async () => {
+    const { page } = await site.arrive('#experiment=shear', options);
+    const note = page.getByRole('region', { name: 'Experiment' });
+    await note.getByText('Figure 4').waitFor();
+    await note.evaluate((each) => (each.querySelector('details')!.open = true));
+    const found: Record<string, string[]> = { note: await faults(page) };
+    await page.screenshot(picture('figure'));
+    await note.getByRole('button', { name: 'Run all' }).click();
+    await page.getByText('3 runs').waitFor();
+    await page.getByRole('button', { name: 'Side by side' }).click();
+    await page.locator('#beside canvas').first().waitFor();
+    found.abreast = await faults(page);
+    await page.screenshot(picture('abreast'));
+    expect(found).toEqual({ note: [], abreast: [] });
+  });
+
   test('a lesson with the editor in it', async () => {
     const { page } = await site.open('lesson.html', options);
     await page.getByText('The largest dL of its').waitFor();
