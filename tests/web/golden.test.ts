@@ -35,7 +35,7 @@ if (isMaking) await makeGoldens(core, TODAY);
 describe('a link opens', () => {
   test.each(goldens('link'))('$name', async ({ text, expected }) => {
     const { document, deviations } = expected as ExpectedLink;
-    const scene = sceneOf(text);
+    const scene = await sceneOf(text);
     const { app } = await openPage(core);
     await app.openScene(scene);
     const { document: opened, net, frame } = app.opening!;
@@ -106,7 +106,7 @@ test('the calls of a host page do what they did', async () => {
 test.each(Object.entries(readData('experiments.json') as Record<string, number>))('the experiment %s has its links', async (name, variants) => {
   const { app } = await openPage(core);
   for (const end of ['', ...Array.from({ length: variants }, (_, i) => `&variant=${i + 1}`)]) {
-    await app.openScene(sceneOf(`#experiment=${name}${end}`));
+    await app.openScene(await sceneOf(`#experiment=${name}${end}`));
     expect(app.opening!.document.experiment).toEqual(expect.any(String));
   }
 });

@@ -45,7 +45,7 @@ async function makeLink(core: Chebnet, { scene, drag, unsolved, largest }: Golde
   const shared = hashOf(page.app, largest);
   if (shared.hash === null) throw new Error('too large for a link');
   const opened = await openPage(core);
-  await opened.app.openScene(sceneOf(shared.hash));
+  await opened.app.openScene(await sceneOf(shared.hash));
   const { frame } = opened.app.opening!;
   const expected = shared.positions ? { ...document, positions: document.positions! } : { ...document, positions: frame.positions, settled: false };
   return { text: shared.hash, expected: { document: expected, deviations: Array.from(frame.deviations, (x) => Number(x.toPrecision(6))) } };

@@ -71,7 +71,11 @@ function seen(change: Partial<ViewState>): GoldenLink {
 }
 
 /** One table for each type that is a choice, with a link for each of its values. */
-const FIELDS: Record<Field, GoldenLink> = { deviation: seen({ field: 'deviation' }), angle: seen({ field: 'angle' }) };
+const FIELDS: Record<Field, GoldenLink> = {
+  deviation: seen({ field: 'deviation' }),
+  angle: seen({ field: 'angle' }),
+  longer: seen({ field: 'longer' }),
+};
 const COLOUR_MAPS: Record<ColourMap, GoldenLink> = { paper: seen({ colourMap: 'paper' }), log: seen({ colourMap: 'log' }) };
 const UP_AXES: Record<UpAxis, GoldenLink> = { y: seen({ upAxis: 'y' }), z: seen({ upAxis: 'z' }) };
 const AXES: Record<Symmetry['axis'], GoldenLink> = {

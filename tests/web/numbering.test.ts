@@ -112,14 +112,14 @@ describe('when a core numbers the edges of domes the other way round,', () => {
 
   test('a link to one is refused, and the net before stays', async () => {
     const before = page.app.opening;
-    await expect(page.app.openScene(sceneOf(golden('link', 'v2/shape-dome')))).rejects.toEqual(REFUSAL);
+    await expect(page.app.openScene(await sceneOf(golden('link', 'v2/shape-dome')))).rejects.toEqual(REFUSAL);
     expect(page.app.opening).toBe(before);
-    await page.app.openScene(sceneOf(golden('link', 'v2/shape-vault')));
+    await page.app.openScene(await sceneOf(golden('link', 'v2/shape-vault')));
     expect(page.app.opening!.net.info.vertices).toBe(117);
   });
 
   test('what a link of the first version packed comes out wrong: it cannot tell', async () => {
-    const { positions, ...scene } = sceneOf(golden('link', 'v1/shape-dome'));
+    const { positions, ...scene } = await sceneOf(golden('link', 'v1/shape-dome'));
     await page.app.openScene({ ...scene, positions, settled: true });
     expect(page.app.opening!.frame.maxDeviation).toBeGreaterThan(1e-3);
   });
