@@ -291,7 +291,7 @@ export class App {
     const planOf = ({ label, edit, ...settings }: RunWish, style: number): RunPlan => ({
       label,
       style,
-      scene: { ...document, ...settings, ...edit, positions: null },
+      scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
       threshold: this.#threshold(settings),
       isOfOpenNet: edit === undefined,
     });
