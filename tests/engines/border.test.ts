@@ -38,8 +38,9 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   const whole = calls.includes('readMesh');
   const editor = core.openRecipe('vault:vertices=300');
   const broken: Mesh = { positions: new Float64Array(9), faceStart: Int32Array.of(0, 3), faceVertices: Int32Array.of(0, 1, 7) };
+  let inTurn = false;
   const attempts: Record<string, () => unknown> = {
-    openRecipe: () => core.openRecipe('nonsense'),
+    openRecipe: () => core.openRecipe((inTurn = !inTurn) || whole ? 'nonsense' : 'teddy'),
     openObj: () => core.openObj('v 0 0 0\nf 1 2 3\n'),
     openMesh: () => core.openMesh(broken),
     setMethod: () => editor.setMethod(whole ? 'nonsense' : 'li2022'),
@@ -88,7 +89,7 @@ const CODES = {
   moveHandle: ['index_out_of_range'],
   setPositions: ['non_finite'],
 };
-const LEFT_OUT = { openObj: ['left_out'], setMethod: ['left_out'], toObj: ['left_out'], toFile: ['left_out'] };
+const LEFT_OUT = { openRecipe: ['bad_option', 'left_out'], openObj: ['left_out'], setMethod: ['left_out'], toObj: ['left_out'], toFile: ['left_out'] };
 const WHOLE = {
   openObj: ['index_out_of_range'],
   setMethod: ['bad_option'],
