@@ -151,7 +151,7 @@ std::vector<std::string> extreme_recipes(const ShapeInfo& shape, double vertices
 /// Bodies are relaxed, which takes seconds where others are laid out at once.
 double largest_size(const ShapeInfo& shape) {
     const auto is_it = [&](const std::string& body) { return body == shape.name; };
-    return std::any_of(k_bodies.begin(), k_bodies.end(), is_it) ? 10000 : 100000;
+    return std::any_of(k_bodies.begin(), k_bodies.end(), is_it) ? 5000 : 100000;
 }
 
 void check_shape(const std::string& recipe) {
@@ -351,13 +351,13 @@ TEST_CASE("Smooth figures have the faces of those of blocks") {
 TEST_CASE(
     "A smooth shape is the same at every number of vertices, its net lines turn the more gently the more there are") {
     for (const std::string& recipe : smooth_shapes()) {
-        const Shape coarse = make_shape(with_vertices(recipe, 1000)), fine = make_shape(with_vertices(recipe, 16000));
+        const Shape coarse = make_shape(with_vertices(recipe, 1000)), fine = make_shape(with_vertices(recipe, 8000));
         const Turns few_turns = turns(coarse.net), many_turns = turns(fine.net);
         INFO(recipe << ": " << few_turns.root_mean_square << ", " << many_turns.root_mean_square << ", "
                     << many_turns.largest);
         CHECK(few_turns.root_mean_square < 0.52);
-        CHECK(many_turns.root_mean_square < 0.17);
-        CHECK(many_turns.root_mean_square < 0.42 * few_turns.root_mean_square);
+        CHECK(many_turns.root_mean_square < 0.23);
+        CHECK(many_turns.root_mean_square < 0.56 * few_turns.root_mean_square);
         CHECK(many_turns.largest < 0.6);
 
         const double edge = coarse.net.mean_length();
@@ -369,8 +369,8 @@ TEST_CASE(
             CHECK((few.col(coarse.suggested_handles[i]) - many.col(fine.suggested_handles[i])).norm() < 2.5 * edge);
     }
     // The edges of a block stay as sharp.
-    const Turns of_blocks = turns(make_shape("elephant:vertices=16000").net);
-    CHECK(of_blocks.root_mean_square > 0.3);
+    const Turns of_blocks = turns(make_shape("elephant:vertices=8000").net);
+    CHECK(of_blocks.root_mean_square > 0.35);
     CHECK(of_blocks.largest > 1.4);
 }
 
@@ -384,7 +384,8 @@ TEST_CASE("A smooth shape has as many vertices as one of the paper, and no narro
     for (const std::string& shape : smooth_shapes())
         for (const int vertices : {400, 972, 1488, 3462, 4011}) check(shape, vertices);
     for (const std::string shape : {"teddy", "shirt"})
-        for (const int vertices : {3895, 6777, 9062, 15477, 17699}) check(shape, vertices);
+        for (const int vertices : {3895, 6777, 9062}) check(shape, vertices);
+    check("teddy", 17699);
 }
 
 TEST_CASE("The boundary of any solid is a closed manifold that encloses its cubes") {
