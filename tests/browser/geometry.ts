@@ -1,4 +1,4 @@
-/** Lengths computed by the tests themselves, and a hand on the pointer. */
+/** Lengths computed by the tests themselves, a mesh that nobody would make, and a hand on the pointer. */
 import type { Script } from './page';
 
 export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
@@ -26,6 +26,14 @@ export function largestError(a: Float64Array, b: Float64Array): number {
     if (!(difference <= largest)) largest = difference;
   });
   return largest;
+}
+
+/** As an OBJ: a rim of unit radius around vertex 0. */
+export function fan(count: number): string {
+  const angles = Array.from({ length: count }, (_, i) => (2 * Math.PI * i) / count);
+  const rim = angles.map((angle, i) => `v ${Math.cos(angle)} ${Math.sin(angle)} ${0.01 * (i % 3)}`);
+  const faces = angles.map((_, i) => `f 1 ${i + 2} ${((i + 1) % count) + 2}`);
+  return ['v 0 0 0', ...rim, ...faces, ''].join('\n');
 }
 
 interface Watching {

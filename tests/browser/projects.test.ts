@@ -244,26 +244,3 @@ test('two tabs keep a net each', async () => {
   expect(await standing(first.script)).toEqual(before);
   expect((await second.script.stats()).vertices).toBeGreaterThan(1000);
 });
-
-test('a duplicate of a tab keeps a net of its own', async () => {
-  const first = await arrive();
-  await first.script.open({ recipe: SHAPE });
-  const before = await standing(first.script);
-  await expect.poll(() => kept(first), PATIENCE).toHaveLength(2);
-
-  // As a browser makes it: with a copy of what the tab has stored.
-  const opened = first.page.waitForEvent('popup');
-  await first.page.evaluate(() => void window.open(location.href));
-  const page = await opened;
-  const second = { ...first, page, script: new Script(page) };
-  await second.script.waitForNet();
-  expect(await standing(second.script)).toEqual(before);
-  await second.script.open({ recipe: 'dome:vertices=600' });
-  const other = await standing(second.script);
-  await expect.poll(() => kept(second), PATIENCE).toHaveLength(3);
-
-  await Promise.all([first.page.reload(), page.reload()]);
-  await Promise.all([first.script.waitForNet(), second.script.waitForNet()]);
-  expect(await standing(first.script)).toEqual(before);
-  expect(await standing(second.script)).toEqual(other);
-});

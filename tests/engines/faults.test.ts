@@ -1,10 +1,10 @@
 /** Misfortunes, in each engine: nothing is lost, and what happened is said. */
 import { availableParallelism, loadavg } from 'node:os';
-import { afterAll, beforeEach, expect, test } from 'vitest';
+import { afterAll, beforeEach, expect, test, vi } from 'vitest';
 import { distance, largestError } from '../browser/geometry';
 import { ENGINE } from './engines';
 import { preparedBy } from './prepared';
-import { visitors } from './visitor';
+import { PATIENCE, visitors } from './visitor';
 import type { Visitor } from './visitor';
 
 const SHAPE = 'vault:vertices=600';
@@ -18,6 +18,8 @@ declare global {
     writes: number;
     /** Nothing more can be written. */
     full: boolean;
+    /** A duplicate of this tab. */
+    twin: Window;
   }
 }
 
@@ -62,14 +64,14 @@ async function openShape(visitor: Visitor, recipe = SHAPE): Promise<number> {
 
 const placeOf = async (visitor: Visitor, vertex: number) => (await visitor.positions()).subarray(3 * vertex, 3 * vertex + 3);
 
-/** Runs in the page: the states that the browser keeps of this tab. */
-async function countKept(): Promise<number> {
+/** Runs in the page: the states that the browser keeps of this tab, or of its duplicate. */
+async function countKept(ofTwin = false): Promise<number> {
   const done = <T>(request: IDBRequest<T>) =>
     new Promise<T>((resolve, reject) => {
       request.onsuccess = () => resolve(request.result);
       request.onerror = () => reject(request.error);
     });
-  const tab = sessionStorage.getItem('chebnet.tab');
+  const tab = (ofTwin ? window.twin : window).sessionStorage.getItem('chebnet.tab');
   if (tab === null) return 0;
   const database = await done(indexedDB.open('chebnet'));
   const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as { states: unknown[] };
@@ -192,6 +194,43 @@ test('back and forward go from link to link, however fast; undo leads back to wh
   await go(1, 1);
   await expect.poll(present).toBe(vertices[2]);
 });
+
+test('a duplicate of a tab keeps a net of its own', async () => {
+  const visitor = await arrive();
+  await openShape(visitor);
+  const before = await visitor.positions();
+  await expect.poll(() => visitor.run(countKept)).toBe(2);
+
+  // As a browser makes it: with a copy of what the tab has stored.
+  await visitor.run(() => addEventListener('click', () => (window.twin = window.open(location.href)!), { once: true }));
+  await visitor.clickOn('Learn');
+  await waitForTwin(visitor);
+  expect(await positionsOfTwin(visitor)).toEqual(before);
+  await visitor.run(() => window.twin.chebnet.open({ recipe: 'dome:vertices=600' }).then(() => window.twin.chebnet.settled()));
+  const other = await positionsOfTwin(visitor);
+  await expect.poll(() => visitor.run(countKept, true)).toBe(3);
+
+  await visitor.run(async () => {
+    const before = window.twin.document;
+    window.twin.location.reload();
+    while (window.twin.document === before) await new Promise((done) => setTimeout(done, 10));
+  });
+  await waitForTwin(visitor);
+  expect(await positionsOfTwin(visitor)).toEqual(other);
+  await visitor.driver.reload();
+  await visitor.waitForNet();
+  expect(await visitor.positions()).toEqual(before);
+});
+
+async function waitForTwin(visitor: Visitor): Promise<void> {
+  const hasNet = () => visitor.run(() => window.twin.chebnet?.stats().vertices > 0);
+  await vi.waitUntil(hasNet, PATIENCE);
+  await visitor.run(() => window.twin.chebnet.settled());
+}
+
+async function positionsOfTwin(visitor: Visitor): Promise<Float64Array> {
+  return Float64Array.from(await visitor.run(() => Array.from(window.twin.chebnet.positions())));
+}
 
 test('storage that is full: it is said once, what is kept stays, the net can be dragged and saved; with room again it is kept', async () => {
   const visitor = await arrive();
