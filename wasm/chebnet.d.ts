@@ -4,7 +4,7 @@
  */
 
 /**
- * An `Error` whose `code` is a name from core/net/error.h, e.g. "non_manifold_edge", and whose message is the core's.
+ * An `Error` whose `code` is a name from core/base/error.h, e.g. "non_manifold_edge", and whose message is the core's.
  * Three codes more: "disposed" (the editor was used after dispose), "left_out" (see wasm/editors.d.ts) and "internal" (a
  * fault of chebnet itself). Only a trap of the module, a `WebAssembly.RuntimeError`, carries no code: then nothing of it
  * may be used any more.

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "edit/equalize.h"
-#include "io/text.h"
 #include "mesh_border.h"
 
 namespace chebnet {

@@ -1,5 +1,5 @@
-// In chebnet_editor these stand in for functions of the library, so that the linker takes neither them nor what only
-// they need: files, shapes that are relaxed, and the methods of which `projection` has no use itself. Called, they throw the code "left_out".
+// What chebnet_editor has in place of sources that it does without (left_out.cmake): files, and shapes that are
+// relaxed. Called, they throw the code "left_out".
 
 #include <memory>
 #include <string>
@@ -9,12 +9,6 @@
 #include "io/mesh_file.h"
 #include "io/obj.h"
 #include "shapes/smooth_figure.h"
-#include "solve/composite_majorization.h"
-#include "solve/dp.h"
-#include "solve/gradient_descent.h"
-#include "solve/lbfgs.h"
-#include "solve/li2022.h"
-#include "solve/projected_newton.h"
 
 namespace chebnet {
 
@@ -25,14 +19,6 @@ namespace {
 }
 
 }  // namespace
-
-std::unique_ptr<Method> make_li2022() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_composite_majorization() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_projected_newton() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_dp4() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_dp8() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_gradient_descent() { leave_to_the_whole_core(); }
-std::unique_ptr<Method> make_lbfgs() { leave_to_the_whole_core(); }
 
 Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Vector3d>, std::span<const Box>) {
     leave_to_the_whole_core();

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "border.h"
 #include "edit/editor.h"
 #include "io/mesh_file.h"
-#include "io/text.h"
 #include "net/mesh.h"
 
 namespace chebnet {

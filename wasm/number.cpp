@@ -1,7 +1,7 @@
 // Of chebnet_editor: numbers by JavaScript, which are as exact. The tables of a parser would be a tenth of the module,
 // and what prints numbers almost as much.
 
-#include "io/number.h"
+#include "base/number.h"
 
 #include <emscripten/val.h>
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "io/file.h"
-#include "io/text.h"
-#include "net/error.h"
 
 namespace chebnet {
 namespace {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
 #include "command.h"
-#include "io/number.h"
-#include "io/text.h"
-#include "net/error.h"
 #include "net_argument.h"
 #include "net_output.h"
 #include "report.h"

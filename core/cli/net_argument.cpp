@@ -4,9 +4,9 @@
 #include <iostream>
 #include <utility>
 
+#include "base/error.h"
 #include "io/file.h"
 #include "io/mesh_file.h"
-#include "net/error.h"
 #include "net/repair.h"
 #include "shapes/shapes.h"
 

@@ -1,8 +1,8 @@
 #include "net_output.h"
 
+#include "base/error.h"
 #include "io/file.h"
 #include "io/mesh_file.h"
-#include "net/error.h"
 
 namespace chebnet {
 namespace {

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 
 namespace chebnet {

@@ -5,10 +5,10 @@
 #include <new>
 #include <utility>
 
+#include "base/error.h"
+#include "base/stopwatch.h"
 #include "edit/near_targets.h"
-#include "net/error.h"
 #include "net/measures.h"
-#include "solve/stopwatch.h"
 
 namespace chebnet {
 

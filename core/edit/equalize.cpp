@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "net/error.h"
+#include "base/error.h"
+#include "base/stopwatch.h"
 #include "net/measures.h"
-#include "solve/nearest_rotation.h"
-#include "solve/stopwatch.h"
+#include "solve/parts/nearest_rotation.h"
 
 namespace chebnet {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <vector>
 
-#include "net/error.h"
+#include "base/error.h"
 
 namespace chebnet {
 

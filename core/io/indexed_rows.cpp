@@ -1,6 +1,6 @@
 #include "io/indexed_rows.h"
 
-#include "io/text.h"
+#include "base/text.h"
 
 namespace chebnet {
 

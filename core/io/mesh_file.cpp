@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "io/file.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/other_format.h"
 #include "io/ply.h"
 #include "io/stl.h"
-#include "io/text.h"
-#include "net/error.h"
 
 namespace chebnet {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "io/file.h"
 #include "io/indexed_rows.h"
-#include "io/text.h"
-#include "net/error.h"
 
 namespace chebnet {
 

@@ -6,13 +6,13 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
 #include "io/bytes.h"
 #include "io/file.h"
 #include "io/indexed_rows.h"
-#include "io/number.h"
 #include "io/ply_header.h"
-#include "io/text.h"
-#include "net/error.h"
 
 namespace chebnet {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "net/error.h"
+#include "base/error.h"
 
 namespace chebnet::ply {
 

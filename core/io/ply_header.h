@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text.h"
+#include "base/text.h"
 
 namespace chebnet::ply {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/error.h"
 #include "io/bytes.h"
-#include "net/error.h"
 
 namespace chebnet {
 

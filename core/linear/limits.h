@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "net/error.h"
+#include "base/error.h"
 
 namespace chebnet {
 

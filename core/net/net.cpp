@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "net/error.h"
+#include "base/error.h"
 
 namespace chebnet {
 

@@ -15,7 +15,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "net/error.h"
+#include "base/error.h"
 
 namespace chebnet {
 

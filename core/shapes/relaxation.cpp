@@ -11,7 +11,7 @@
 
 #include "linear/graph_system.h"
 #include "net/topology.h"
-#include "solve/length_projection.h"
+#include "solve/parts/length_projection.h"
 
 namespace chebnet {
 

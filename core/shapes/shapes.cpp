@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "io/number.h"
-#include "io/text.h"
-#include "net/error.h"
+#include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
 #include "shapes/family.h"
 
 namespace chebnet {

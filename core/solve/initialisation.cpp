@@ -3,12 +3,12 @@
 #include <charconv>
 #include <utility>
 
-#include "io/text.h"
-#include "net/error.h"
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
 #include "net/measures.h"
-#include "solve/arap.h"
-#include "solve/local_global.h"
-#include "solve/stopwatch.h"
+#include "solve/parts/arap_step.h"
+#include "solve/parts/local_global_step.h"
 
 namespace chebnet {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "net/net.h"
-#include "solve/alternating_step.h"
-#include "solve/laplacian_part.h"
+#include "solve/parts/alternating_step.h"
+#include "solve/parts/laplacian_part.h"
 #include "solve/trace.h"
 
 namespace chebnet {
@@ -38,8 +38,8 @@ public:
     /// Does the symbolic and numeric work for a set of handles. The net must outlive this.
     void prepare(const Net& net, std::span<const int> handle_vertices);
     /// Moves free vertices of `positions` (3×V), whose handles stand at their targets. Leaves them if the result would
-    /// not be finite. Returns a row for each iteration: stage 0, the last one's number is 0, times from the beginning of
-    /// this call. Only after prepare().
+    /// not be finite. Returns a row for each iteration: stage 0, the last one's number is 0, times from the beginning
+    /// of this call. Only after prepare().
     Trace apply(Positions& positions);
 
 private:

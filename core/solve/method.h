@@ -20,8 +20,9 @@ public:
     virtual ~Method() = default;
 
     /// Does the symbolic work for a set of vertices that stay where they are: exact handles, and what lies outside the
-    /// region that may move (distinct, in range). Net and topology must outlive the method. Throws Error too_large where
-    /// a system of the method would take more memory than is allowed, as does iterate() for one that is made late.
+    /// region that may move (distinct, in range). Net and topology must outlive the method. Throws Error too_large
+    /// where a system of the method would take more memory than is allowed, as does iterate() for one that is made
+    /// late.
     virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
 
     /// Whether set_holds() is heeded.
@@ -38,17 +39,19 @@ public:
     virtual Status iterate(Positions& positions, TraceRow& row) = 0;
 };
 
+using MakeMethod = std::unique_ptr<Method> (*)();
+
 /// One line of the table by which the command line, the page and the tests find a method.
 struct MethodInfo {
     const char* name;
     const char* sentence;
     const char* citation;
-    std::unique_ptr<Method> (*make)();
+    MakeMethod make;  ///< null in a build that has the method's words only
 };
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.
 inline constexpr std::string_view k_default_method = "projection";
-/// Throws Error bad_option, naming the known methods.
+/// Throws Error bad_option, naming the known methods, or left_out for one that this build only has the words of.
 std::unique_ptr<Method> make_method(std::string_view name);
 
 }  // namespace chebnet

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "io/number.h"
-#include "io/text.h"
-#include "net/error.h"
+#include "base/error.h"
+#include "base/number.h"
+#include "base/text.h"
 
 namespace chebnet {
 
@@ -47,7 +47,8 @@ const Entry k_entries[] = {
      &Options::active_fraction},
     {{"active_rings", k_integer, 0, 100, "Rings of neighbours that stay free around an edge that is off."},
      &Options::active_rings},
-    {{"reduce_once", k_flag, 0, 1, "Choose the vertices to move near the end once, as the paper does, not anew each time."},
+    {{"reduce_once", k_flag, 0, 1,
+      "Choose the vertices to move near the end once, as the paper does, not anew each time."},
      &Options::reduce_once},
     {{"direct_energy", k_flag, 0, 1, "Method li2022 minimises the p-th powers of dL themselves (eq. 2)."},
      &Options::direct_energy},

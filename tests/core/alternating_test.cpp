@@ -1,4 +1,4 @@
-#include "solve/alternating.h"
+#include "solve/parts/alternating.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -8,9 +8,9 @@
 
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/arap.h"
-#include "solve/local_global.h"
-#include "solve/nearest_rotation.h"
+#include "solve/parts/arap_step.h"
+#include "solve/parts/local_global_step.h"
+#include "solve/parts/nearest_rotation.h"
 
 using namespace chebnet;
 

@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "base/error.h"
 #include "counting_method.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/li2022.h"
+#include "solve/methods/methods.h"
 
 using namespace chebnet;
 
@@ -55,7 +55,7 @@ TEST_CASE("Handles are refused by name and then nothing changes") {
 TEST_CASE("Moving handles keeps the symbolic factorisation; changing the set renews it") {
     int prepared = 0;
     Editor editor = held_patch();
-    editor.set_method(std::make_unique<samples::CountingMethod>(make_li2022(), prepared), "counted");
+    editor.set_method(std::make_unique<samples::CountingMethod>(k_li2022.make(), prepared), "counted");
     for (int frame = 1; frame <= 5; ++frame) {
         editor.move_handle(71, editor.net().rest_positions().col(71) + 0.1 * frame * k_pull);
         CHECK(editor.solve().status == Status::converged);

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "../soak/invariants.h"
+#include "base/error.h"
 #include "edit/near_targets.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"

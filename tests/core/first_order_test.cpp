@@ -4,8 +4,7 @@
 #include "energy/power_energy.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/gradient_descent.h"
-#include "solve/lbfgs.h"
+#include "solve/parts/lbfgs_direction.h"
 
 using namespace chebnet;
 

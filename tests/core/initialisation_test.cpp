@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/arap.h"
-#include "solve/local_global.h"
+#include "solve/parts/arap_step.h"
+#include "solve/parts/local_global_step.h"
 
 using namespace chebnet;
 

@@ -1,5 +1,3 @@
-#include "solve/li2022.h"
-
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -10,7 +8,8 @@
 #include "energy/power_energy.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/free_part.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/free_part.h"
 
 using namespace chebnet;
 
@@ -103,7 +102,7 @@ TEST_CASE("Eliminating the handles gives the step of the KKT system (5)") {
     rhs.head(n) = -whole.gradient;
     const Eigen::VectorXd step = kkt.fullPivLu().solve(rhs).head(n);
 
-    const auto method = make_li2022();
+    const auto method = k_li2022.make();
     method->prepare(net, topology, handles);
     Options options;
     options.p_start = p;

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "edit/editor.h"
 #include "linear/graph_system.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/length_projection.h"
+#include "solve/parts/length_projection.h"
 
 using namespace chebnet;
 

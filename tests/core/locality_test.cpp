@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
 #include "edit/editor.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/mesh.h"
 
 namespace chebnet::samples {

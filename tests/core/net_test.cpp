@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "sample_nets.h"

@@ -7,10 +7,8 @@
 #include "energy/projected_power_energy.h"
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/composite_majorization.h"
-#include "solve/li2022.h"
-#include "solve/newton_direction.h"
-#include "solve/projected_newton.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/newton_direction.h"
 
 using namespace chebnet;
 
@@ -104,13 +102,13 @@ TEST_CASE("Newton's method converges quadratically, the paper's majorizer linear
         }
         return norms;
     };
-    for (const auto& make : {make_projected_newton, make_composite_majorization}) {
+    for (const auto& make : {k_projected_newton.make, k_composite_majorization.make}) {
         const std::vector<double> norms = gradient_norms(make());
         for (std::size_t k = 1; k < norms.size(); ++k)
             if (norms[k - 1] < 0.1) CHECK(norms[k] < norms[k - 1] * norms[k - 1] + k_rounding);
         CHECK(norms.back() < k_rounding);
     }
-    const std::vector<double> paper = gradient_norms(make_li2022());
+    const std::vector<double> paper = gradient_norms(k_li2022.make());
     for (std::size_t k = 1; k < paper.size(); ++k) CHECK(paper[k] < paper[k - 1]);
     CHECK(paper.back() > 10 * k_rounding);
 }

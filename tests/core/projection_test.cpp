@@ -1,5 +1,3 @@
-#include "solve/projection.h"
-
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <random>
@@ -7,9 +5,10 @@
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"
-#include "solve/length_projection.h"
-#include "solve/local_global.h"
-#include "solve/spring_descent.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/length_projection.h"
+#include "solve/parts/local_global_step.h"
+#include "solve/parts/spring_descent.h"
 
 using namespace chebnet;
 

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "base/error.h"
 #include "edit/editor.h"
-#include "net/error.h"
 #include "sample_nets.h"
 
 using namespace chebnet;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "shapes/voxel_solid.h"

@@ -3,15 +3,15 @@
 #include <limits>
 #include <random>
 
+#include "base/error.h"
 #include "counting_method.h"
 #include "edit/editor.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"
-#include "solve/laplacian_part.h"
-#include "solve/projection.h"
-#include "solve/spring_descent.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/laplacian_part.h"
+#include "solve/parts/spring_descent.h"
 
 using namespace chebnet;
 
@@ -148,7 +148,7 @@ TEST_CASE("A soft handle gives way to an exact one that is dragged, and every fr
 TEST_CASE("Weights and targets of soft handles keep the symbolic work; softening a handle renews it") {
     int prepared = 0;
     Editor editor = softly_held_patch(1);
-    editor.set_method(std::make_unique<samples::CountingMethod>(make_projection(), prepared), "counted");
+    editor.set_method(std::make_unique<samples::CountingMethod>(k_projection.make(), prepared), "counted");
     editor.solve();
     std::vector<Handle> handles = editor.handles();
     handles.back().weight = 5;

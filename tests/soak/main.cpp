@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "edits.h"
 #include "invariants.h"
-#include "net/error.h"
 #include "net/measures.h"
 #include "nets.h"
 

@@ -7,7 +7,7 @@
  *     await chebnet.settled();
  *     chebnet.stats().maxDeviation; // below 1e-6
  *
- * Vertices count from 0. Every failure is a rejected promise: an `Error` whose `code` is a name from core/net/error.h,
+ * Vertices count from 0. Every failure is a rejected promise: an `Error` whose `code` is a name from core/base/error.h,
  * e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits for the page to be ready.
  */
 import type { ChebnetError, Status } from '../../wasm/chebnet';

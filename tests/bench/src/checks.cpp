@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "base/error.h"
 #include "energy/direct_energy.h"
 #include "energy/power_energy.h"
-#include "net/error.h"
 #include "numbers.h"
 
 namespace chebnet::bench {
@@ -130,7 +130,8 @@ bool true_of_energies(bool (*good)(double p, double r)) {
 }
 
 constexpr const char* k_step_length =
-    "Near the solution the paper's majorizer has the radial weight p(3p − 1) where the energy's own Hessian has 2p², so "
+    "Near the solution the paper's majorizer has the radial weight p(3p − 1) where the energy's own Hessian has 2p², "
+    "so "
     "its steps are about two thirds of what is needed; composite majorization takes the whole step there.";
 
 const Check k_checks[] = {
@@ -156,7 +157,9 @@ const Check k_checks[] = {
                         {{"paper", 1000 / ms, "frames"}, {"ours", 1000 / median_frame_ms(g["ours"]), "frames"}}};
      }},
     {"shapes_differ", "Any two of the nets are at least 0.1 L apart, RMS over vertices.", "", false,
-     [](const Group& g) { return Outcome{smallest_distance(g) >= k_other, distances(g)}; }},
+     [](const Group& g) {
+         return Outcome{smallest_distance(g) >= k_other, distances(g)};
+     }},
     {"shapes_alike", "Those that converge are no more than 0.5 L from the first, RMS over vertices.",
      "Equal lengths leave the shear free (figure 4): another way there ends at another net.", false,
      [](const Group& g) { return within(g, k_similar); }},
@@ -179,8 +182,8 @@ const Check k_checks[] = {
      "", false,
      [](const Group&) {
          return Outcome{true_of_energies([](double p, double r) {
-                            return PowerEnergy(p).value(r) >= DirectEnergy(p).value(r) && PowerEnergy(p).value(1) == 0 &&
-                                   DirectEnergy(p).value(1) == 0;
+                            return PowerEnergy(p).value(r) >= DirectEnergy(p).value(r) &&
+                                   PowerEnergy(p).value(1) == 0 && DirectEnergy(p).value(1) == 0;
                         }),
                         {}};
      }},
@@ -215,14 +218,21 @@ const Check k_checks[] = {
                         {{"composite", composite, "share"}, {"paper", paper, "share"}}};
      }},
     {"composite_takes_longer", "Li et al. 2022 converges in no more iterations.", k_step_length, false,
-     [](const Group& g) { return no_more_than(g, iterations, "iterations", {"paper", "composite"}); }},
-    {"composite_is_noisy",
-     "Its second differences, against those at rest, are larger (RMS in units of L).", "", false,
-     [](const Group& g) { return no_more_than(g, bend, "L", {"paper", "composite"}); }},
+     [](const Group& g) {
+         return no_more_than(g, iterations, "iterations", {"paper", "composite"});
+     }},
+    {"composite_is_noisy", "Its second differences, against those at rest, are larger (RMS in units of L).", "", false,
+     [](const Group& g) {
+         return no_more_than(g, bend, "L", {"paper", "composite"});
+     }},
     {"small_p_begins_faster", "p = 2 reaches max dL < 1e-2 in no more iterations than p = 50.", "", false,
-     [](const Group& g) { return no_more_than(g, iterations_to_near, "iterations", {"p_2", "p_50"}); }},
+     [](const Group& g) {
+         return no_more_than(g, iterations_to_near, "iterations", {"p_2", "p_50"});
+     }},
     {"small_p_ends_slower", "p = 50 goes from max dL < 1e-2 to 1e-6 in no more iterations than p = 2.", "", false,
-     [](const Group& g) { return no_more_than(g, iterations_from_near, "iterations", {"p_50", "p_2"}); }},
+     [](const Group& g) {
+         return no_more_than(g, iterations_from_near, "iterations", {"p_50", "p_2"});
+     }},
     {"adaptive_p_is_best", "It converges, in no more iterations than any fixed exponent.", "", false,
      [](const Group& g) {
          return no_more_than(g, iterations, "iterations", {"adaptive", "p_2", "p_4", "p_10", "p_50"});
@@ -234,22 +244,27 @@ const Check k_checks[] = {
                          {{"paper", fixed_in_third_stage(run), "vertices"}}};
          for (const Snapshot& snapshot : run.snapshots)
              if (snapshot.stage == 2)
-                 outcome.values.push_back(
-                     {"paper", static_cast<double>(edges_at_rest_since(run, snapshot)), "edges"});
+                 outcome.values.push_back({"paper", static_cast<double>(edges_at_rest_since(run, snapshot)), "edges"});
          return outcome;
      }},
     {"reduction_saves_time", "It converges, in no more time than without (3 % are noise).",
      "The last iterations become cheap, but a new part of the net has to be ordered and factored, and sometimes more "
      "iterations are needed.",
-     true, [](const Group& g) { return no_longer_than(g, {"paper", "without"}); }},
-    {"reduction_changes_little", "The nets with and without are no more than 0.05 L apart, RMS over vertices.", "", false,
+     true,
+     [](const Group& g) {
+         return no_longer_than(g, {"paper", "without"});
+     }},
+    {"reduction_changes_little", "The nets with and without are no more than 0.05 L apart, RMS over vertices.", "",
+     false,
      [](const Group& g) {
          const double apart = distance(g["paper"], g["without"]);
          return Outcome{apart <= k_same, {{"paper", apart, "L"}}};
      }},
     {"literal_reduction_ends_well", "With the vertices of the third stage chosen once, the solve converges.",
      "Fixed vertices take from the others what they would need.", false,
-     [](const Group& g) { return Outcome{g["paper"].converged(), {{"paper", g["paper"].max_deviation, "dL"}}}; }},
+     [](const Group& g) {
+         return Outcome{g["paper"].converged(), {{"paper", g["paper"].max_deviation, "dL"}}};
+     }},
     {"three_stages", "The trace has the stages 1, 2 and 3 in this order, and ends below 1e-6.", "", false,
      [](const Group& g) {
          const Run& run = g["paper"];
@@ -289,7 +304,9 @@ const Check k_checks[] = {
          return Outcome{few <= some && some <= many && few < many, values_of(g, fixed_in_third_stage, "vertices")};
      }},
     {"quarter_is_fastest", "It converges, in no more time than with ε₃ and ε₃/25 (3 % are noise).", "", true,
-     [](const Group& g) { return no_longer_than(g, {"quarter", "whole", "twentyfifth"}); }},
+     [](const Group& g) {
+         return no_longer_than(g, {"quarter", "whole", "twentyfifth"});
+     }},
     {"adaptive_p_saves_time", "Both take no more time than Reduction, and Adaptive p no more than Neither.", "", true,
      [](const Group& g) {
          return both(no_longer_than(g, {"both", "reduction"}), no_longer_than(g, {"adaptive_p", "neither"}));
@@ -320,16 +337,21 @@ const Check k_checks[] = {
          return outcome;
      }},
     {"more_p_in_dp_does_not_help", "D_p with p = 8 ends with no smaller max dL than with p = 4.", "", false,
-     [](const Group& g) { return no_more_than(g, max_deviation, "dL", {"dp4", "dp8"}); }},
-    {"starts_make_no_difference", "From either start the method takes within 25 % of the iterations from the naive one.",
-     "", false,
+     [](const Group& g) {
+         return no_more_than(g, max_deviation, "dL", {"dp4", "dp8"});
+     }},
+    {"starts_make_no_difference",
+     "From either start the method takes within 25 % of the iterations from the naive one.", "", false,
      [](const Group& g) {
          const double naive = iterations(g["naive"]);
          const auto near = [naive](const Run& run) { return std::abs(iterations(run) - naive) <= 0.25 * naive; };
-         return Outcome{naive < k_infinity && std::ranges::all_of(g.runs, near), values_of(g, iterations, "iterations")};
+         return Outcome{naive < k_infinity && std::ranges::all_of(g.runs, near),
+                        values_of(g, iterations, "iterations")};
      }},
     {"hard_handles_fail", "It does not converge.", "", false,
-     [](const Group& g) { return Outcome{!g["paper"].converged(), {{"paper", g["paper"].max_deviation, "dL"}}}; }},
+     [](const Group& g) {
+         return Outcome{!g["paper"].converged(), {{"paper", g["paper"].max_deviation, "dL"}}};
+     }},
     {"quads_collapse", "The smallest corner angle is below 5°.", "", false,
      [](const Group& g) {
          const double angle = k_degrees * g["paper"].smallest_angle;

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
+#include "base/error.h"
 #include "edit_file.h"
 #include "io/obj.h"
-#include "net/error.h"
 #include "shapes/shapes.h"
 
 namespace chebnet::bench {
@@ -104,9 +104,8 @@ const std::vector<std::string>& edit_kinds() {
 
 Problem make_problem(const EditCase& edit) {
     Shape shape = open_shape(edit);
-    std::vector<Handle> handles = edit.edit_file.empty()
-                                      ? generate_edit(shape.net, shape.suggested_handles, edit.kind)
-                                      : read_edit(edit.edit_file, shape.net.vertex_count());
+    std::vector<Handle> handles = edit.edit_file.empty() ? generate_edit(shape.net, shape.suggested_handles, edit.kind)
+                                                         : read_edit(edit.edit_file, shape.net.vertex_count());
     return {std::move(shape.net), std::move(handles)};
 }
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "io/file.h"
 #include "io/obj.h"
-#include "net/error.h"
 #include "shapes/shapes.h"
 
 namespace chebnet::bench {

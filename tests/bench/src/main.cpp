@@ -5,11 +5,11 @@
 #include <iostream>
 #include <limits>
 
+#include "base/error.h"
+#include "base/stopwatch.h"
 #include "io/file.h"
-#include "net/error.h"
 #include "page_of_figures.h"
 #include "plots_of_runs.h"
-#include "solve/stopwatch.h"
 
 namespace {
 
@@ -51,7 +51,8 @@ bool is_about_time(const Figure& figure) {
 
 Result run_figure(const Figure& figure, const std::vector<NamedEdit>& more_edits, std::size_t most_edits) {
     std::vector<NamedEdit> edits = figure.edits;
-    const bool has_own_edits = std::ranges::any_of(figure.variants, [](const Variant& v) { return v.edit.has_value(); });
+    const bool has_own_edits =
+        std::ranges::any_of(figure.variants, [](const Variant& v) { return v.edit.has_value(); });
     if (!has_own_edits) edits.insert(edits.end(), more_edits.begin(), more_edits.end());
     edits.resize(std::min(edits.size(), most_edits));
     Result result{&figure, {}};
@@ -69,8 +70,10 @@ Result run_figure(const Figure& figure, const std::vector<NamedEdit>& more_edits
 constexpr const char* k_table_introduction =
     "# The paper, figure by figure\n\n"
     "What became of each claim of Li et al. 2022 that a figure or section 4 makes, on nets of our own. Written by\n"
-    "`tests/bench/experiments --record`, whose page `build/experiments/figures.html` has the criteria, the nets, the plots\n"
-    "and all numbers. A claim holds if it is true of every edit tried, does not hold if of none, and else differs. Times are\n"
+    "`tests/bench/experiments --record`, whose page `build/experiments/figures.html` has the criteria, the nets, the "
+    "plots\n"
+    "and all numbers. A claim holds if it is true of every edit tried, does not hold if of none, and else differs. "
+    "Times are\n"
     "of one thread.\n\n";
 
 /// What the repository keeps of a run: for the page the verdicts and the plot of figure 6, and the table for readers.
@@ -105,7 +108,8 @@ void run_all(const Arguments& arguments, const std::vector<Figure>& figures) {
 }
 
 int run_program(int argc, char** argv) {
-    CLI::App program("Makes the figures of Li et al. 2022 again, on our own nets, and judges their claims.", "experiments");
+    CLI::App program("Makes the figures of Li et al. 2022 again, on our own nets, and judges their claims.",
+                     "experiments");
     Arguments arguments;
     program.add_flag("--list", arguments.list, "List the figures");
     program.add_option("--only", arguments.only, "Run this figure; may be repeated")->type_name("NAME");
@@ -114,7 +118,8 @@ int run_program(int argc, char** argv) {
         ->type_name("N");
     program.add_flag("--record", arguments.record, "Renew the verdicts that the page shows and the README links");
     program.add_option("--nets", arguments.nets, "Add the OBJ files of a folder, four edits each")->type_name("DIR");
-    program.add_option("--edits", arguments.edits_of_nets, "Edits of these, NET.KIND.json; generated where there is none")
+    program
+        .add_option("--edits", arguments.edits_of_nets, "Edits of these, NET.KIND.json; generated where there is none")
         ->type_name("DIR");
     program.add_option("--figures", arguments.figures, "Another description of figures")->type_name("FILE");
     program.add_option("-o,--output", arguments.output, "Folder for the results")->type_name("DIR")->take_last();
@@ -124,7 +129,8 @@ int run_program(int argc, char** argv) {
         run_all(arguments, figures);
         return 0;
     }
-    for (const Figure& figure : figures) std::cout << figure.name << "  " << figure.place() << ": " << figure.title << '\n';
+    for (const Figure& figure : figures)
+        std::cout << figure.name << "  " << figure.place() << ": " << figure.title << '\n';
     return 0;
 }
 

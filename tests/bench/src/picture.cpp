@@ -7,20 +7,21 @@
 #include <limits>
 #include <numbers>
 
-#include "net/error.h"
+#include "base/error.h"
 #include "net/measures.h"
 
 namespace chebnet::bench {
 namespace {
 
 constexpr int k_width = 560, k_height = 480;
-constexpr int k_fine = 3;         // each way, pixels drawn for one of the picture
+constexpr int k_fine = 3;  // each way, pixels drawn for one of the picture
 constexpr double k_margin = 0.05;
 constexpr double k_collapsed = 5 * std::numbers::pi / 180;
 
 using Rgb = Eigen::Vector3f;  // 0 … 1
 const Rgb k_white(1, 1, 1), k_face(0.93F, 0.93F, 0.91F), k_blue(0.13F, 0.38F, 0.78F), k_red(0.84F, 0.12F, 0.1F);
-const Rgb k_pink(0.93F, 0.27F, 0.6F), k_grey(0.62F, 0.62F, 0.62F), k_dark(0.12F, 0.12F, 0.12F), k_orange(0.95F, 0.5F, 0.05F);
+const Rgb k_pink(0.93F, 0.27F, 0.6F), k_grey(0.62F, 0.62F, 0.62F), k_dark(0.12F, 0.12F, 0.12F),
+    k_orange(0.95F, 0.5F, 0.05F);
 
 Rgb mix(const Rgb& a, const Rgb& b, double t) { return a + static_cast<float>(std::clamp(t, 0.0, 1.0)) * (b - a); }
 
@@ -42,14 +43,15 @@ public:
     }
 
     /// Corners are (column, row, depth).
-    void fill_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Rgb& colour) {
+    void fill_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                       const Rgb& colour) {
         const double area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
         if (std::abs(area) < 1e-9) return;
         const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
         const auto [top, bottom] = std::minmax({a.y(), b.y(), c.y()});
         for (int row = std::max(0, static_cast<int>(top)); row <= std::min(k_rows - 1, static_cast<int>(bottom)); ++row)
-            for (int column = std::max(0, static_cast<int>(left)); column <= std::min(k_columns - 1, static_cast<int>(right));
-                 ++column) {
+            for (int column = std::max(0, static_cast<int>(left));
+                 column <= std::min(k_columns - 1, static_cast<int>(right)); ++column) {
                 const double x = column + 0.5, y = row + 0.5;
                 const double s = ((x - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (y - a.y())) / area;
                 const double t = ((b.x() - a.x()) * (y - a.y()) - (x - a.x()) * (b.y() - a.y())) / area;
@@ -116,8 +118,8 @@ public:
         Eigen::AlignedBox3d seen;
         for (int corner = 0; corner < 8; ++corner)
             seen.extend(m_axes * camera.room.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-        m_scale = (1 - 2 * k_margin) *
-                  std::min(Canvas::k_columns / seen.sizes().x(), Canvas::k_rows / seen.sizes().y());
+        m_scale =
+            (1 - 2 * k_margin) * std::min(Canvas::k_columns / seen.sizes().x(), Canvas::k_rows / seen.sizes().y());
         m_shift = Eigen::Vector3d(Canvas::k_columns, Canvas::k_rows, 0) / 2 - m_scale * seen.center();
     }
 
@@ -162,13 +164,15 @@ double smallest_angle(std::span<const int> face, const Positions& positions) {
     const std::size_t size = face.size();
     for (std::size_t i = 0; i < size; ++i) {
         const Eigen::Vector3d at = positions.col(face[i]);
-        const Eigen::Vector3d a = positions.col(face[(i + 1) % size]) - at, b = positions.col(face[(i + size - 1) % size]) - at;
+        const Eigen::Vector3d a = positions.col(face[(i + 1) % size]) - at,
+                              b = positions.col(face[(i + size - 1) % size]) - at;
         smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
     }
     return smallest;
 }
 
-void draw_faces(const Net& net, const Positions& positions, Colouring colouring, const Projection& project, Canvas& canvas) {
+void draw_faces(const Net& net, const Positions& positions, Colouring colouring, const Projection& project,
+                Canvas& canvas) {
     for (int f = 0; f < net.face_count(); ++f) {
         const auto face = net.faces()[f];
         const double shear = 1 - smallest_angle(face, positions) / (std::numbers::pi / 2);
@@ -176,8 +180,8 @@ void draw_faces(const Net& net, const Positions& positions, Colouring colouring,
         const Rgb colour = base * static_cast<float>(0.62 + 0.38 * project.facing(normal_of(face, positions)));
         const Eigen::Vector3d centre = project(centre_of(face, positions));
         for (std::size_t i = 0; i < face.size(); ++i)
-            canvas.fill_triangle(centre, project(positions.col(face[i])), project(positions.col(face[(i + 1) % face.size()])),
-                                 colour);
+            canvas.fill_triangle(centre, project(positions.col(face[i])),
+                                 project(positions.col(face[(i + 1) % face.size()])), colour);
     }
 }
 
@@ -195,11 +199,13 @@ void draw_net(const Net& net, const Positions& positions, const std::vector<Hand
     const double width = std::clamp(0.12 * edge, 1.5, 5.0);
     const std::vector<Rgb> colours = edge_colours(net, positions, colouring);
     for (int e = 0; e < net.edge_count(); ++e)
-        canvas.draw_line(project(positions.col(net.edges()(0, e))) + nearer, project(positions.col(net.edges()(1, e))) + nearer,
-                         width, colours[static_cast<std::size_t>(e)]);
+        canvas.draw_line(project(positions.col(net.edges()(0, e))) + nearer,
+                         project(positions.col(net.edges()(1, e))) + nearer, width,
+                         colours[static_cast<std::size_t>(e)]);
     for (const Handle& handle : handles) {
         const bool is_anchor = handle.target == net.rest_positions().col(handle.vertex);
-        canvas.fill_disc(project(positions.col(handle.vertex)) + 3 * nearer, 4.5 * k_fine, is_anchor ? k_dark : k_orange);
+        canvas.fill_disc(project(positions.col(handle.vertex)) + 3 * nearer, 4.5 * k_fine,
+                         is_anchor ? k_dark : k_orange);
     }
     if (colouring == Colouring::angle)
         for (int f = 0; f < net.face_count(); ++f)

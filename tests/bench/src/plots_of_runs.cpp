@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.h"
 #include "energy/direct_energy.h"
 #include "energy/power_energy.h"
-#include "net/error.h"
 
 namespace chebnet::bench {
 namespace {
@@ -45,7 +45,9 @@ Panel energies_of_run(const Group& g) { return curves(g, "iteration", "energy", 
 Panel longer(const Group& g) {
     return curves(g, "iteration", "edges longer than L, %", false, iteration, longer_percent);
 }
-Panel free_by_iteration(const Group& g) { return curves(g, "iteration", "free vertices", false, iteration, free_vertices); }
+Panel free_by_iteration(const Group& g) {
+    return curves(g, "iteration", "free vertices", false, iteration, free_vertices);
+}
 Panel frame_times(const Group& g) { return curves(g, "frame", "ms a frame, this run", true, iteration, time_ms); }
 
 /// With a dotted line where each stage of the first run begins.
@@ -122,8 +124,8 @@ struct PlotOfEdit {
     Panel (*draw)(const Group& group);
 };
 constexpr PlotOfEdit k_plots[] = {
-    {"deviation/iteration", by_iteration}, {"deviation/ms", by_time},       {"stages/iteration", stages_by_iteration},
-    {"energy/iteration", energies_of_run}, {"longer/iteration", longer},    {"free/iteration", free_by_iteration},
+    {"deviation/iteration", by_iteration}, {"deviation/ms", by_time},    {"stages/iteration", stages_by_iteration},
+    {"energy/iteration", energies_of_run}, {"longer/iteration", longer}, {"free/iteration", free_by_iteration},
     {"frame_ms/frame", frame_times},       {"angles", angles},
 };
 
@@ -135,7 +137,8 @@ Plots plots_of_runs(const Figure& figure, const std::vector<Group>& groups) {
     for (const Group& group : groups)
         for (const std::string& name : figure.plots) {
             if (name == "ms/vertices") continue;
-            const auto* plot = std::ranges::find(k_plots, name, [](const PlotOfEdit& each) { return std::string(each.name); });
+            const auto* plot =
+                std::ranges::find(k_plots, name, [](const PlotOfEdit& each) { return std::string(each.name); });
             if (plot == std::end(k_plots)) throw Error(ErrorCode::bad_option, "there is no plot \"" + name + "\"");
             plots.panels.push_back(plot->draw(group));
         }

@@ -46,7 +46,7 @@ export type Answer =
   | { chebnet: 1; id: number | string; result: unknown }
   | { chebnet: 1; id: number | string; error: Failure };
 
-/** `code` as in core/net/error.h; besides, `unknown_call`, `bad_arguments`, `busy` and `no_origin`. */
+/** `code` as in core/base/error.h; besides, `unknown_call`, `bad_arguments`, `busy` and `no_origin`. */
 export interface Failure {
   code: string;
   message: string;

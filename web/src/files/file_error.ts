@@ -1,4 +1,4 @@
-/** A file that could not be read. `code` as in core/net/error.h. */
+/** A file that could not be read. `code` as in core/base/error.h. */
 export class FileError extends Error {
   constructor(
     readonly code: string,

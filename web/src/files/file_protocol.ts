@@ -20,5 +20,5 @@ export type FileResponse =
   /** OBJ text of the mesh. */
   | { type: 'text'; obj: string }
   | { type: 'net'; net: OpenedNet }
-  /** `code` as in core/net/error.h. */
+  /** `code` as in core/base/error.h. */
   | { type: 'error'; code: string; message: string };

@@ -10,7 +10,7 @@
 
 #include "linear/graph_system.h"
 #include "net/topology.h"
-#include "solve/free_part.h"
+#include "solve/parts/free_part.h"
 
 namespace chebnet::bench {
 namespace {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/error.h"
 #include "compare.h"
 #include "io/obj.h"
 #include "measure.h"
-#include "net/error.h"
 #include "page.h"
 
 namespace {

@@ -2,10 +2,10 @@
 #include <limits>
 #include <numbers>
 
+#include "base/stopwatch.h"
 #include "measure.h"
 #include "net/measures.h"
 #include "open_net.h"
-#include "solve/stopwatch.h"
 
 namespace chebnet::bench {
 namespace {
@@ -57,7 +57,7 @@ void add_frame(Editor& editor, DragResult& result) {
 }  // namespace
 
 bool fell_back(const SolveReport& report) {
-    constexpr int fallback_stage = 4;  // see make_projection()
+    constexpr int fallback_stage = 4;  // see k_projection.make()
     return std::ranges::any_of(report.trace, [](const TraceRow& row) { return row.stage == fallback_stage; });
 }
 

@@ -14,10 +14,10 @@
 #include <utility>
 
 #include "../numbers.h"
+#include "base/error.h"
+#include "base/stopwatch.h"
 #include "measure.h"
-#include "net/error.h"
 #include "open_net.h"
-#include "solve/stopwatch.h"
 
 namespace chebnet::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "../edit_case.h"
-#include "net/error.h"
+#include "base/error.h"
 #include "shapes/shapes.h"
 
 namespace chebnet::bench {

@@ -165,7 +165,7 @@ export const DEFECTS: Record<Defect, { found: string; repair: string }> = {
   unused_vertices: { found: '个顶点不属于任何面', repair: '将舍弃' },
 };
 
-/** The codes of core/net/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */
+/** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */
 export const CORE_ERRORS: Record<string, string> = {
   no_faces: '网没有面',
   index_out_of_range: '所指的顶点不存在',

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "kernels.h"
 #include "open_net.h"
-#include "solve/stopwatch.h"
 
 namespace {
 

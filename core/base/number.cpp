@@ -1,0 +1,34 @@
+#include "base/number.h"
+
+#include <fast_float/fast_float.h>
+
+#include <array>
+#include <cstdio>
+#include <system_error>
+
+namespace chebnet {
+
+std::optional<double> parse_number(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = fast_float::from_chars(text.data(), end, number);
+    if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
+    return number;
+}
+
+std::string number_text(double number, int digits) {
+    std::array<char, 32> buffer;
+    const int size = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, number);
+    const std::string_view spelled(buffer.data(), static_cast<std::size_t>(size));
+    // What is neither digit nor sign nor letter is the decimal point of the locale.
+    constexpr std::string_view others = "+-0123456789einfa";
+    const std::size_t point = spelled.find_first_not_of(others);
+    std::string text(spelled.substr(0, point));
+    if (point == spelled.npos) return text;
+    text += '.';
+    text += spelled.substr(spelled.find_last_not_of(others) + 1);
+    return text;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,24 @@
+#include "energy/projected_power_energy.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/newton_direction.h"
+#include "solve/parts/staged_descent.h"
+
+namespace chebnet {
+
+namespace {
+
+std::unique_ptr<Method> make() {
+    return std::make_unique<StagedDescent>(make_energy<ProjectedPowerEnergy>, std::make_unique<NewtonDirection>());
+}
+
+}  // namespace
+
+/// Newton's method on the paper's energy, each edge's Hessian projected to be positive semi-definite, with the paper's
+/// stages. See StagedDescent.
+constinit const MethodInfo k_projected_newton = {
+    "projected_newton", "The paper's energy and stages; the true Hessian, made positive semi-definite edge by edge.",
+    "Teran, Sifakis, Irving, Fedkiw: Robust Quasistatic Finite Elements and Flesh Simulation. Symposium on Computer "
+    "Animation 2005",
+    in_this_build(make)};
+
+}  // namespace chebnet
