@@ -5,7 +5,7 @@
 namespace chebnet {
 
 /// `make`; or null in sources compiled for their words only.
-static consteval MakeMethod in_this_build(MakeMethod make) {
+static consteval MakeMethod in_this_build([[maybe_unused]] MakeMethod make) {
 #ifdef CHEBNET_WORDS_OF_METHODS_ONLY
     return nullptr;
 #else
