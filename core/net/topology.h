@@ -39,7 +39,8 @@ public:
     /// holds where faces are no quads.
     std::vector<std::vector<int>> net_lines() const;
     /// How net lines go through vertices: one entry for each edge at each vertex, vertex by vertex in the order of
-    /// `incident_edges`. It is the place in this list of the edge straight on at the same vertex, −1 where the line ends.
+    /// `incident_edges`. It is the place in this list of the edge straight on at the same vertex, −1 where the line
+    /// ends.
     std::vector<int> slots_across() const;
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;

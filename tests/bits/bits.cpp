@@ -1,6 +1,6 @@
-// Prints every shape and what every method makes of it, to the last bit: a line for each frame of a drag, with how it ended,
-// and the hashes of the positions and of what the trace says of the iterations, times apart. Two builds of the same sources
-// print the same; tests/same_bits compares them.
+// Prints every shape and what every method makes of it, to the last bit: a line for each frame of a drag, with how it
+// ended, and the hashes of the positions and of what the trace says of the iterations, times apart. Two builds of the
+// same sources print the same; tests/same_bits compares them.
 
 #include <cinttypes>
 #include <cstdint>
@@ -14,11 +14,11 @@
 namespace chebnet {
 namespace {
 
-constexpr int k_vertices = 200;    // small enough for sanitizers, large enough for the factorisation's supernodes
+constexpr int k_vertices = 200;        // small enough for sanitizers, large enough for the factorisation's supernodes
 constexpr int k_more_vertices = 2000;  // of a shape alone: enough that it is relaxed twice
-constexpr int k_iterations = 100;  // of one frame: gradient descent would take thousands
-constexpr int k_frames = 2;        // the second starts from the first
-constexpr double k_pull = 0.1;     // of the way to the middle of the anchors, with each frame
+constexpr int k_iterations = 100;      // of one frame: gradient descent would take thousands
+constexpr int k_frames = 2;            // the second starts from the first
+constexpr double k_pull = 0.1;         // of the way to the middle of the anchors, with each frame
 
 /// FNV-1a, 64 bits.
 class Hash {
@@ -44,14 +44,16 @@ std::uint64_t hash(const Trace& trace) {
     Hash hash;
     for (const TraceRow& row : trace) {
         for (const int number : {row.iteration, row.stage, row.free_vertices}) hash.add(number);
-        for (const double number : {row.p, row.energy, row.max_deviation, row.gradient_norm, row.step}) hash.add(number);
+        for (const double number : {row.p, row.energy, row.max_deviation, row.gradient_norm, row.step})
+            hash.add(number);
     }
     return hash.value();
 }
 
 std::vector<Handle> handles_at_rest(const Shape& shape) {
     std::vector<Handle> handles;
-    for (const int vertex : shape.suggested_handles) handles.push_back({vertex, shape.net.rest_positions().col(vertex)});
+    for (const int vertex : shape.suggested_handles)
+        handles.push_back({vertex, shape.net.rest_positions().col(vertex)});
     return handles;
 }
 
@@ -70,8 +72,9 @@ void drag(const std::string& recipe, const Shape& shape, const char* method) {
     for (int frame = 1; frame <= k_frames; ++frame) {
         editor.move_handle(handles.back().vertex, handles.back().target + frame * k_pull * inward(handles));
         const SolveReport report = editor.solve({.iterations = k_iterations});
-        std::printf("%s %s frame %d: %s, %d iterations, positions %016" PRIx64 ", trace %016" PRIx64 "\n", recipe.c_str(), method,
-                    frame, to_string(report.status), report.iterations, hash(editor.positions()), hash(report.trace));
+        std::printf("%s %s frame %d: %s, %d iterations, positions %016" PRIx64 ", trace %016" PRIx64 "\n",
+                    recipe.c_str(), method, frame, to_string(report.status), report.iterations,
+                    hash(editor.positions()), hash(report.trace));
     }
 }
 

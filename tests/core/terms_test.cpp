@@ -4,10 +4,10 @@
 #include <random>
 
 #include "sample_nets.h"
-#include "solve/bending_term.h"
-#include "solve/distance_constraint.h"
-#include "solve/load_terms.h"
-#include "solve/shear_term.h"
+#include "solve/terms/bending_term.h"
+#include "solve/terms/distance_constraint.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/shear_term.h"
 
 using namespace chebnet;
 

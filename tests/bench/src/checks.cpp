@@ -204,10 +204,13 @@ const Check k_checks[] = {
          return Outcome{grows, {}};
      }},
     {"new_energy_gets_farther", "At the limit of iterations, max dL is smaller under the new energy.",
-     "The paper does not say how it makes the Hessian of E_p positive; here it is the majorizer of the split at r = 1, whose "
+     "The paper does not say how it makes the Hessian of E_p positive; here it is the majorizer of the split at r = 1, "
+     "whose "
      "steps near the solution are whole ones, where the paper's own are two thirds.",
      false,
-     [](const Group& g) { return no_more_than(g, max_deviation, "dL", {"new", "direct"}); }},
+     [](const Group& g) {
+         return no_more_than(g, max_deviation, "dL", {"new", "direct"});
+     }},
     {"composite_lengthens",
      "Under composite majorization at least 90 % of the edges are too long at some iteration, and more than under Li "
      "et al. 2022 at any.",

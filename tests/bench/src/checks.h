@@ -20,7 +20,7 @@ struct Group {
 /// A number that speaks for or against a claim. The page knows the same units.
 struct Value {
     std::string variant;
-    double value;  ///< infinity: never
+    double value;      ///< infinity: never
     const char* unit;  ///< iterations, ms, times, dL, L, degrees, vertices, edges, share, frames; or none
 };
 

@@ -26,7 +26,9 @@ std::string file_of_picture(const Figure& figure, const Run& run, const std::str
 std::string stage_name(const Snapshot& snapshot) { return "after_stage_" + std::to_string(snapshot.stage); }
 
 /// Stages are what figure 11 shows.
-bool shows_stages(const Figure& figure) { return figure.variants.size() == 1 && figure.plots.front() == "stages/iteration"; }
+bool shows_stages(const Figure& figure) {
+    return figure.variants.size() == 1 && figure.plots.front() == "stages/iteration";
+}
 
 // Pictures.
 
@@ -95,13 +97,17 @@ std::string table(const Group& group) {
 std::string claim(const Verdict& verdict, const std::vector<Group>& groups) {
     const std::string word = verdict.word();
     std::string content = "<strong>" + escaped(verdict.claim->text) + "</strong> <mark class=\"" +
-                          (word == "holds" ? "holds" : word == "differs" ? "differs" : "not") + "\">" + word + "</mark> " +
-                          std::to_string(verdict.held()) + " of " + std::to_string(verdict.outcomes.size()) +
-                          ". <span>" + escaped(verdict.check->criterion) + "</span>";
+                          (word == "holds"     ? "holds"
+                           : word == "differs" ? "differs"
+                                               : "not") +
+                          "\">" + word + "</mark> " + std::to_string(verdict.held()) + " of " +
+                          std::to_string(verdict.outcomes.size()) + ". <span>" + escaped(verdict.check->criterion) +
+                          "</span>";
     std::string numbers;
     for (std::size_t i = 0; i < groups.size(); ++i)
-        numbers += element("li", escaped(groups[i].runs.front().edit) + ": " + (verdict.outcomes[i].holds ? "yes" : "no") + ". " +
-                                     escaped(to_words(verdict.outcomes[i].values, groups[i])));
+        numbers +=
+            element("li", escaped(groups[i].runs.front().edit) + ": " + (verdict.outcomes[i].holds ? "yes" : "no") +
+                              ". " + escaped(to_words(verdict.outcomes[i].values, groups[i])));
     if (verdict.held() < static_cast<int>(groups.size()) && *verdict.check->if_not != 0)
         content += " Possible reason: " + escaped(verdict.check->if_not);
     return element("li", content + element("ul", numbers));
@@ -116,7 +122,8 @@ std::string section(const Result& result) {
     for (const Group& group : result.groups)
         content += element("h3", escaped(group.runs.front().edit)) + pictures(figure, group) + table(group);
     content += "<img class=\"plot\" src=\"" + figure.name + ".svg\" alt=\"Plots of " + escaped(figure.title) + "\">\n";
-    content += element("p", "<a href=\"" + figure.name + ".csv\">Traces</a>; again with <code>--only " + figure.name + "</code>.");
+    content += element(
+        "p", "<a href=\"" + figure.name + ".csv\">Traces</a>; again with <code>--only " + figure.name + "</code>.");
     return element("section", content, "id=\"" + figure.name + '"');
 }
 

@@ -106,8 +106,8 @@ std::string curve(const Series& series, std::size_t key, const Axis& x, const Ax
     }
     for (const Point& circle : series.circles)
         if (x.shows(circle.x) && y.shows(circle.y))
-            dots += "<circle cx=\"" + px(x(circle.x)) + "\" cy=\"" + px(y(circle.y)) + "\" r=\"6\" stroke-width=\"1.5\" stroke=\"" +
-                    k_ink + "\" fill=\"none\"/>\n";
+            dots += "<circle cx=\"" + px(x(circle.x)) + "\" cy=\"" + px(y(circle.y)) +
+                    "\" r=\"6\" stroke-width=\"1.5\" stroke=\"" + k_ink + "\" fill=\"none\"/>\n";
     return "<path d=\"" + path + "\" " + stroke(key) + "/>\n" + dots;
 }
 

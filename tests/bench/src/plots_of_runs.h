@@ -9,8 +9,8 @@
 
 namespace chebnet::bench {
 
-/// What a figure plots (Figure::plots), by name: an edit in each row, a plot in each column; trends over the variants and
-/// functions of one edge once for all edits. Throws Error bad_option for a name that is not known.
+/// What a figure plots (Figure::plots), by name: an edit in each row, a plot in each column; trends over the variants
+/// and functions of one edge once for all edits. Throws Error bad_option for a name that is not known.
 struct Plots {
     std::vector<Panel> panels;
     int columns;

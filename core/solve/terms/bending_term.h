@@ -6,7 +6,7 @@
 
 #include "net/net.h"
 #include "net/topology.h"
-#include "solve/term.h"
+#include "solve/terms/term.h"
 
 namespace chebnet {
 

@@ -1,4 +1,4 @@
-#include "solve/shear_term.h"
+#include "solve/terms/shear_term.h"
 
 #include <algorithm>
 #include <cmath>

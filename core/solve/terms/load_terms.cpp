@@ -1,4 +1,4 @@
-#include "solve/load_terms.h"
+#include "solve/terms/load_terms.h"
 
 namespace chebnet {
 

@@ -1,4 +1,4 @@
-#include "solve/distance_constraint.h"
+#include "solve/terms/distance_constraint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "net/net.h"
-#include "solve/constraint.h"
+#include "solve/terms/constraint.h"
 
 namespace chebnet {
 

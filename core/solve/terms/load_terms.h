@@ -5,7 +5,7 @@
 
 #include "net/net.h"
 #include "solve/hold.h"
-#include "solve/term.h"
+#include "solve/terms/term.h"
 
 namespace chebnet {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "net/net.h"
-#include "solve/term.h"
+#include "solve/terms/term.h"
 
 namespace chebnet {
 

@@ -1,8 +1,8 @@
-#include "solve/bending_term.h"
+#include "solve/terms/bending_term.h"
 
 #include <Eigen/LU>
 
-#include "solve/nearest_rotation.h"
+#include "solve/parts/nearest_rotation.h"
 
 namespace chebnet {
 
