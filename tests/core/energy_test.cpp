@@ -200,7 +200,8 @@ TEST_CASE("Proposition 3: neither composite majorization's majorizer nor its Hes
             const RandomEdge edge(random), other(random);
             CAPTURE(p, edge.r, other.r);
             const Eigen::Vector3d elsewhere = other.d / other.L * edge.L;
-            CHECK(composite_bound(edge.L, edge.d, elsewhere) <= paper_bound(edge.L, edge.d, elsewhere) * (1 + 1e-9) + 1e-9);
+            CHECK(composite_bound(edge.L, edge.d, elsewhere) <=
+                  paper_bound(edge.L, edge.d, elsewhere) * (1 + 1e-9) + 1e-9);
             const Curvature composite = CompositePowerEnergy(p).curvature(edge.r);
             const Curvature paper = PowerEnergy(p).curvature(edge.r);
             CHECK(composite.radial <= paper.radial * (1 + 1e-12));

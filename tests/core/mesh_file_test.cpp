@@ -94,7 +94,8 @@ TEST_CASE("A file that is something else under the name of a mesh is called what
         {" {\"asset\": {}}"s, "a JSON document"}};
     for (const auto& [bytes, kind] : beginnings)
         for (const std::string name : {"net.obj", "net.ply", "net.off", "net"})
-            CHECK(refusal(bytes, name) == "bad_syntax " + name + ": this is " + kind + "; meshes are read from OBJ, PLY and OFF");
+            CHECK(refusal(bytes, name) ==
+                  "bad_syntax " + name + ": this is " + kind + "; meshes are read from OBJ, PLY and OFF");
 }
 
 TEST_CASE("The name of a file says how it is written") {
