@@ -180,6 +180,7 @@ export const CORE_ERRORS: Record<string, string> = {
   bad_option: '名称不存在，或设置不适用',
   too_large: '超出大小限制',
   file_access: '无法访问文件',
+  left_out: '此模块不含这一部分',
   internal: '内部错误',
   disposed: '编辑器已关闭',
   crashed: '求解器出现故障',
