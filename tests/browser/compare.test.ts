@@ -55,6 +55,19 @@ test('four methods run on the same edit, with curves, a table and files', async 
   expect(largestError(await script.positions(), own)).toBe(0);
 });
 
+test('no two of all methods are drawn alike', async () => {
+  await edit('dome:vertices=100');
+  await visit.page.locator('summary', { hasText: /^Compare methods$/ }).click();
+  for (const box of await visit.page.locator('fieldset.methods input').all()) await box.check();
+  await visit.page.getByRole('button', { name: 'Compare', exact: true }).click();
+  const swatches = visit.page.locator('.comparison .swatch');
+  await expect.poll(() => swatches.count()).toBe(chebnet.methods().length);
+  const looks = await swatches.evaluateAll((all) =>
+    all.map((swatch) => [getComputedStyle(swatch).color, getComputedStyle(swatch).borderTopStyle].join(' ')),
+  );
+  expect(new Set(looks).size).toBe(looks.length);
+});
+
 test('a row shows its net until the user goes back or goes on', async () => {
   await edit(SHAPE);
   await compare();

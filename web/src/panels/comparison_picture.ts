@@ -1,6 +1,6 @@
 /** Both plots of a comparison and what their curves mean, as one picture in a file. */
 import { download } from '../files/download';
-import type { ComparisonPlot, CurveStyle } from './comparison_plot';
+import { DASHES, type ComparisonPlot, type CurveStyle } from './comparison_plot';
 import { plotColour } from './plot_parts';
 
 const MARGIN = 16;
@@ -55,10 +55,10 @@ function placeKeys(curves: readonly (CurveStyle & { title: string })[], width: n
   return { placed, height: LINE * Math.ceil(curves.length / columns) };
 }
 
-function drawKey(context: CanvasRenderingContext2D, element: HTMLElement, { title, colour, dashed, x, y }: Key): void {
+function drawKey(context: CanvasRenderingContext2D, element: HTMLElement, { title, colour, line, x, y }: Key): void {
   context.strokeStyle = plotColour(element, colour);
   context.lineWidth = 2;
-  context.setLineDash(dashed ? [6, 3] : []);
+  context.setLineDash([...DASHES[line]]);
   context.beginPath();
   context.moveTo(x, y);
   context.lineTo(x + SWATCH, y);

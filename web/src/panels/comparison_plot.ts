@@ -11,11 +11,15 @@ const HEIGHT = 172;
 /** Of a circle, in pixels. */
 const RADIUS = 4;
 
+/** What lines are made of, in pixels: drawn, left out. */
+export const DASHES = { solid: [], dashed: [6, 3], dotted: [2, 3] } as const;
+export type LineStyle = keyof typeof DASHES;
+
 /** How the curve of a run looks. Dashes help where colours are hard to tell apart. */
 export interface CurveStyle {
   /** Name of the colour in the style sheet. */
   colour: string;
-  dashed: boolean;
+  line: LineStyle;
 }
 
 export class ComparisonPlot {
@@ -112,8 +116,8 @@ export class ComparisonPlot {
   }
 
   private series(run: Run): uPlot.Series {
-    const { colour, dashed } = this.styleOf(run);
+    const { colour, line } = this.styleOf(run);
     const stroke = () => plotColour(this.element, colour);
-    return { stroke, width: 1.75, points: { show: false }, ...(dashed ? { dash: [6, 3] } : {}) };
+    return { stroke, width: 1.75, points: { show: false }, dash: [...DASHES[line]] };
   }
 }

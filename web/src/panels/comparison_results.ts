@@ -4,16 +4,17 @@ import { canShow, type Comparison, type Run } from '../compare/run';
 import { download } from '../files/download';
 import { words } from '../language/language';
 import { savePicture } from './comparison_picture';
-import { ComparisonPlot, type CurveStyle } from './comparison_plot';
+import { ComparisonPlot, type CurveStyle, type LineStyle } from './comparison_plot';
 import { ComparisonTable } from './comparison_table';
 import { make, makeButton, setText } from './dom';
 import type { PanelEvents } from './panels';
 
 /** Numbers that change more often cannot be read. */
 const REFRESH_MS = 120;
-/** Colours for curves in the style sheet; the later half of the styles is dashed besides. */
+/** Colours for curves in the style sheet; every five styles the line is another. */
 const CURVE_COLOURS = 10;
-const FIRST_DASHED = 5;
+const CURVES_OF_A_LINE = 5;
+const LINES: readonly LineStyle[] = ['solid', 'dashed', 'dotted'];
 /** Nets side by side; a phone has room for two. */
 const ABREAST = { desktop: 3, phone: 2 };
 
@@ -139,8 +140,8 @@ export class ComparisonResults {
 }
 
 function styleOf({ style }: Run): CurveStyle {
-  const index = style % CURVE_COLOURS;
-  return { colour: `--curve-${index + 1}`, dashed: index >= FIRST_DASHED };
+  const round = Math.floor(style / CURVES_OF_A_LINE) % LINES.length;
+  return { colour: `--curve-${(style % CURVE_COLOURS) + 1}`, line: LINES[round]! };
 }
 
 function mostAbreast(): number {

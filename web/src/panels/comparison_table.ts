@@ -63,8 +63,8 @@ export class ComparisonTable {
   }
 
   private makeRow(run: Run): Row {
-    const { colour, dashed } = this.styleOf(run);
-    const swatch = make('i', { class: dashed ? 'swatch dashed' : 'swatch' });
+    const { colour, line } = this.styleOf(run);
+    const swatch = make('i', { class: `swatch ${line}` });
     swatch.style.setProperty('color', `var(${colour})`);
     const button = makeButton(swatch, () => {}, { class: 'plain', title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet });
     button.append(run.label);
