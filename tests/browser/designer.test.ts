@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import rhino3dm from 'rhino3dm';
 import { expect, test } from 'vitest';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { glbParts } from '../web/glb_parts';
 import { uneven } from '../web/nets';
 import { load } from '../wasm/load';

@@ -1,7 +1,7 @@
 /** Equalising: a mesh with unequal edges is dropped, equalised in sight, and opened as a net whose edges have one length. */
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
-import { edgeLengths, spreadOf } from '../../web/src/files/edge_lengths';
+import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
 import { load } from '../wasm/load';
 import { uneven } from '../web/nets';
 import { largestDeviation, largestError } from './geometry';

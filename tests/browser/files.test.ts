@@ -3,7 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';

@@ -2,7 +2,7 @@
 import rhino3dm from 'rhino3dm';
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js';
 import { beforeEach, expect, test } from 'vitest';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { distance, largestError } from '../browser/geometry';
 import { load } from '../wasm/load';
 import { glbParts } from '../web/glb_parts';

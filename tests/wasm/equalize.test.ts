@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, test } from 'vitest';
 import type { EqualizeOptions, EqualizeReport, Mesh } from '../../wasm/chebnet';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { objText } from '../../web/src/files/obj_text';
 import { ROOT, failure, largestDistance, load } from './load';
 

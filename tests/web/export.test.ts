@@ -9,7 +9,7 @@ import { vertexColours } from '../../web/src/export/paint';
 import { patternSvg } from '../../web/src/export/pattern_svg';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { listsOf } from '../../web/src/handles/lines';
 import { scaleOf } from '../../web/src/view/colour_map';
 import { fanTriangles } from '../../web/src/worker/triangles';

@@ -2,8 +2,8 @@
 import { describe, expect, test } from 'vitest';
 import type { NetSource } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
-import { edgesCsv } from '../../web/src/export/edges_csv';
-import { edgeLengths, spreadOf } from '../../web/src/files/edge_lengths';
+import { edgesCsv } from '../../web/src/net/edges_csv';
+import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
 import { fileNameOf, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, Stage } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';

@@ -15,7 +15,7 @@ import { parseProject, readProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
 import { VERSION } from '../../web/src/document/versions';
 import { Host } from '../../web/src/embed/host';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { sceneOf } from '../../web/src/projects/link';
 import { createScripting } from '../../web/src/scripting';
 import { largestDistance, load } from '../wasm/load';

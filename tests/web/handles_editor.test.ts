@@ -1,7 +1,7 @@
 /** The editor of handles over a document on the desk and a solver that takes everything. */
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Handle } from '../../wasm/chebnet';
-import type { Opening } from '../../web/src/app';
+import type { Opening } from '../../web/src/worker/opening';
 import type { HandleData, Vec3 } from '../../web/src/document/document';
 import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
 import { DragGuide } from '../../web/src/handles/drag_guide';

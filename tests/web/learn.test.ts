@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { energy, worstRatio } from '../../web/src/learn/energy';
+import { energy, worstRatio } from '../../web/src/net/energy';
 import type { FrameData, OpenedNet } from '../../web/src/worker/protocol';
 
 test('the energy of an edge is least where its length is right, and steeper with a larger exponent', () => {

@@ -2,7 +2,7 @@
 import { DEFAULT_VIEW } from '../../web/src/document/defaults';
 import type { ChebnetDocument } from '../../web/src/document/document';
 import type { PackingNet } from '../../web/src/document/packing';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 
 /** A flat grid of unit squares, some of them cut into triangles. */
 export function grid(columns: number, rows: number, isCut: () => boolean = () => false): PackingNet {

@@ -4,7 +4,7 @@ import type { Chebnet, Editor, Handle } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { Scene, SolverOptions } from '../../web/src/document/document';
 import { packPositions } from '../../web/src/document/packing';
-import { edgeLengths } from '../../web/src/files/edge_lengths';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
 import { Session } from '../../web/src/worker/session';

@@ -20,6 +20,7 @@ import type { Action, PanelEvents, Panels } from './panels/panels';
 import type { View, ViewEvents } from './view/view';
 import { Client, isCancelled, SolverError } from './worker/client';
 import type { Opened, WorkerLike } from './worker/client';
+import type { Opening } from './worker/opening';
 import { LEFT_OUT } from './worker/protocol';
 import type { ExportFormat, FrameData, OpenedNet } from './worker/protocol';
 import type { ThumbnailNet } from './worker/thumbnail_net';
@@ -48,13 +49,6 @@ export type AppServices = Pick<
   | 'showKeys'
   | 'showLesson'
 >;
-
-/** A net that is open, and all that belongs to it. */
-export interface Opening {
-  document: ChebnetDocument;
-  net: OpenedNet;
-  frame: FrameData;
-}
 
 /** Whoever waits longer than this wants to be told what for. */
 const LATE_MS = 250;

@@ -1,7 +1,7 @@
 /** Comes when it is wanted: the editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
 import type { App } from '../app';
 import { words } from '../language/language';
-import { make, makeButton } from '../panels/dom';
+import { make, makeButton } from '../elements/dom';
 import { hashOf } from '../projects/link';
 import type { Scripting } from '../scripting';
 import { Host } from './host';

@@ -1,5 +1,5 @@
 /** A net on its way from one shape to another, as a view shows it. */
-import { edgeLengths } from '../files/edge_lengths';
+import { edgeLengths } from '../net/edge_lengths';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** Positions, and the length against which edges are coloured. */

@@ -1,10 +1,11 @@
 /** Saves the net that is open as a file of some kind. */
-import type { App, Opening } from '../app';
+import type { App } from '../app';
 import { endsOf } from '../document/document';
 import { download } from '../files/download';
 import { words } from '../language/language';
 import { scaleOf } from '../view/colour_map';
 import type { Theme } from '../view/theme';
+import type { Opening } from '../worker/opening';
 import type { PatternFault } from './flat_pattern';
 import type { ExportAnswer, ExportJob } from './job';
 import { baseNameOf, fileNameOf, typeOf } from './kinds';

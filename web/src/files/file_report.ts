@@ -1,7 +1,7 @@
 /** What a user should know of a file before it is opened. */
 import type { Chebnet, Editor, Finding, Mesh, NetInfo } from '../../../wasm/chebnet';
-import { edgeLengths, spreadOf } from './edge_lengths';
-import type { LengthSpread } from './edge_lengths';
+import { edgeLengths, spreadOf } from '../net/edge_lengths';
+import type { LengthSpread } from '../net/edge_lengths';
 
 export interface FileReport extends Pick<NetInfo, 'vertices' | 'edges' | 'faces' | 'boundaryLoops' | 'components' | 'singularVertices'> {
   /** Number of corners → how many faces. */

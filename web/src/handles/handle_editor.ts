@@ -1,6 +1,5 @@
 /** The one place that changes handles: keeps document, history, solver and the mirror image in step. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { Opening } from '../app';
 import { handlesTitle, traitsChange } from '../document/changes';
 import { targetsOf } from '../document/document';
 import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/document';
@@ -8,6 +7,7 @@ import type { ChangeName, Term } from '../document/naming';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
 import type { Client } from '../worker/client';
+import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
 import type { DragGuide, Locality } from './drag_guide';
 import { listsThrough } from './lines';

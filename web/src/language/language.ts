@@ -1,14 +1,8 @@
 /** Every sentence the page says, in the visitor's language. Workers say theirs in English, with a code: see `words.core`. */
 import { preferredLanguage } from './choice';
-import type { en } from './en';
+import type { Words } from './words';
 
-/** What every language must have: the same names, texts where English has texts, functions where it has functions. */
-export type Words = Widened<typeof en>;
-export type Widened<T> = T extends (...given: infer Given) => infer Result
-  ? (...given: Given) => Result extends string ? string : Result
-  : T extends string
-    ? string
-    : { [K in keyof T]: Widened<T[K]> };
+export type { Words } from './words';
 
 export const language = preferredLanguage();
 export const words: Words = language === 'zh' ? (await import('./zh')).zh : (await import('./en')).en;

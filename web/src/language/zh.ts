@@ -1,5 +1,5 @@
 /** Simplified Chinese. */
-import type { Words } from './language';
+import type { Words } from './words';
 import { core } from './zh/core';
 
 export const zh: Words = {

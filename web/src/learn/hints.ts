@@ -1,7 +1,8 @@
 /** Three hints for newcomers, one after another, each where the action is; gone once it is done or dismissed, for good. */
-import type { App, Opening } from '../app';
+import type { App } from '../app';
 import { words } from '../language/language';
-import { make, makeButton, setText } from '../panels/dom';
+import type { Opening } from '../worker/opening';
+import { make, makeButton, setText } from '../elements/dom';
 
 const HINTS = ['drag', 'add', 'share'] as const;
 type Hint = (typeof HINTS)[number];

@@ -1,7 +1,7 @@
 /** What the colours mean and whether faces are drawn. */
 import type { ColourMap, Field, UpAxis, ViewState } from '../document/document';
 import { words } from '../language/language';
-import { makeSelect, makeSwitch, setValue } from './dom';
+import { makeSelect, makeSwitch, setValue } from '../elements/dom';
 import type { PanelEvents } from './panels';
 
 export class Appearance {

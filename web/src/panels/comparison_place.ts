@@ -2,7 +2,7 @@
 import type { Comparison, Run } from '../compare/run';
 import { part } from '../part';
 import type { ComparisonResults } from './comparison_results';
-import { make } from './dom';
+import { make } from '../elements/dom';
 import type { PanelEvents } from './panels';
 
 const loadResults = part(() => import('./comparison_results'));

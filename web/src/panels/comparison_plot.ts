@@ -4,7 +4,7 @@ import type uPlot from 'uplot';
 import { type Comparison, type Run, startLength } from '../compare/run';
 import { words } from '../language/language';
 import { decade } from './convergence';
-import { make } from './dom';
+import { make } from '../elements/dom';
 import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange } from './plot_parts';
 
 const HEIGHT = 172;

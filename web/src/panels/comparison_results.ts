@@ -6,7 +6,7 @@ import { words } from '../language/language';
 import { savePicture } from './comparison_picture';
 import { ComparisonPlot, type CurveStyle, type LineStyle } from './comparison_plot';
 import { ComparisonTable } from './comparison_table';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 import type { PanelEvents } from './panels';
 
 /** Numbers that change more often cannot be read. */

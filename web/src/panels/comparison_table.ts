@@ -2,7 +2,7 @@
 import { canShow, type Run } from '../compare/run';
 import { words } from '../language/language';
 import type { CurveStyle } from './comparison_plot';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 import { count, milliseconds, runWords, small } from './words';
 
 const DEGREES = 180 / Math.PI;

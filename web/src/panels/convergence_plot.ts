@@ -3,7 +3,7 @@ import type uPlot from 'uplot';
 import type { TraceRow } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { Convergence, type Curve } from './convergence';
-import { make, makeSelect } from './dom';
+import { make, makeSelect } from '../elements/dom';
 import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange, strokeLine } from './plot_parts';
 
 const HEIGHT = 168;

@@ -1,7 +1,7 @@
 /** How a drag shapes the net: how far from the hand it moves, and whether the hand is held to where the net can follow. */
 import type { HandleWishes } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeSwitch } from './dom';
+import { make, makeSwitch } from '../elements/dom';
 
 /** Steps of the slider: at the first everything moves. */
 const STEPS = 40;

@@ -1,7 +1,7 @@
 /** The energy of an edge against its length, for some exponents, and where the worst edge of the net stands. */
-import { energy } from '../learn/energy';
+import { energy } from '../net/energy';
 import { words } from '../language/language';
-import { setText } from './dom';
+import { setText } from '../elements/dom';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const [WIDTH, HEIGHT, LEFT, BOTTOM, TOP] = [296, 168, 24, 18, 8];

@@ -11,7 +11,7 @@ import type { EqualizerLike } from '../files/import';
 import { words } from '../language/language';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 import { EqualizeForm } from './equalize_form';
 import { EqualizeResults } from './equalize_results';
 import { small } from './words';

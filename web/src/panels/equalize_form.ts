@@ -1,7 +1,7 @@
 /** Which length all edges are to have, and whether handles hold. */
 import type { EqualizeOptions, EqualizeReport } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import { make, makeSwitch, setText } from './dom';
+import { make, makeSwitch, setText } from '../elements/dom';
 import { lengthWords } from './file_words';
 
 const TEXT = words.equalize;

@@ -1,7 +1,7 @@
 /** How equalising goes on, and what came of it. */
 import type { EqualizeReport } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import { make, setText } from './dom';
+import { make, setText } from '../elements/dom';
 import { lengthWords, percentWords } from './file_words';
 import { count, milliseconds, small } from './words';
 

@@ -2,7 +2,7 @@
 import { type Figure, textOf } from '../experiments/figures';
 import { texts } from '../experiments/texts';
 import { type Finding, findingOf, type Unit } from '../experiments/verdicts';
-import { make } from './dom';
+import { make } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from './words';
 
 const PICTURES = import.meta.glob<string>('../experiments/*.svg', { query: '?url', import: 'default', eager: true });

@@ -6,7 +6,7 @@ import { experimentLink } from '../experiments/links';
 import { texts } from '../experiments/texts';
 import { variationsOf } from '../experiments/variations';
 import { words } from '../language/language';
-import { make, makeButton } from './dom';
+import { make, makeButton } from '../elements/dom';
 import { makeClaims, makePicture } from './experiment_claims';
 import type { PanelEvents } from './panels';
 import { count } from './words';

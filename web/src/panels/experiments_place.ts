@@ -3,7 +3,7 @@
 import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
 import { part } from '../part';
-import { make, makeSection } from './dom';
+import { make, makeSection } from '../elements/dom';
 import type { ExperimentGuide } from './experiment_guide';
 import type { PanelEvents } from './panels';
 

@@ -2,7 +2,7 @@
 import type { FileKind, SaveWish } from '../export/kinds';
 import { filmType } from '../export/recording';
 import { words } from '../language/language';
-import { make } from './dom';
+import { make } from '../elements/dom';
 import { Menu } from './menu';
 import type { MenuItem } from './menu';
 import type { PanelEvents } from './panels';

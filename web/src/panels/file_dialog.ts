@@ -5,7 +5,7 @@ import type { Stage } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
 import type { FileChoice, FileDialogLike } from '../files/import';
 import { words } from '../language/language';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
 import { count } from './words';
 

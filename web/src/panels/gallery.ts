@@ -1,7 +1,7 @@
 /** The shapes to begin with, each with a picture that is drawn when it comes into sight and nothing else is going on. */
 import type { ShapeInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import { make, makeButton, makeIcon } from './dom';
+import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Idle } from './idle';
 import { drawThumbnail, type Wireframe } from './thumbnail';
 

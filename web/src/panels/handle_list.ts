@@ -3,7 +3,7 @@ import type { HandleData, Symmetry } from '../document/document';
 import { toggled } from '../handles/selection';
 import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 import { HandleRow } from './handle_row';
 import type { PanelEvents } from './panels';
 import { SelectionForm } from './selection_form';

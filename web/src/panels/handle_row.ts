@@ -4,7 +4,7 @@ import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/wishes';
 import { words } from '../language/language';
 import type { KeyRow } from '../keys';
-import { make, makeButton, makeIcon, setText, setValue } from './dom';
+import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
 import { ICONS } from './icons';
 import { Softness } from './softness';
 import { coordinate } from './words';

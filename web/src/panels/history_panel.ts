@@ -1,7 +1,7 @@
 /** What was done, as a list: the present entry is marked, and a click on another goes there. */
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
-import { make, makeButton, makeSection, setText } from './dom';
+import { make, makeButton, makeSection, setText } from '../elements/dom';
 
 export class HistoryPanel {
   readonly section: HTMLDetailsElement;

@@ -1,7 +1,7 @@
 /** The sheet of keys. */
 import type { KeyRow } from '../keys';
 import { words } from '../language/language';
-import { make, makeButton } from './dom';
+import { make, makeButton } from '../elements/dom';
 
 const TEXT = words.keys;
 

@@ -1,7 +1,7 @@
 /** The languages, each by its own name. */
 import type { Language } from '../language/choice';
 import { language, words } from '../language/language';
-import { make, makeButton } from './dom';
+import { make, makeButton } from '../elements/dom';
 
 const NAMES: readonly [Language, string][] = [
   ['en', 'English'],

@@ -1,9 +1,9 @@
 /** What a Chebyshev net is and how it is solved, with the net in the picture for a figure. */
-import { worstRatio } from '../learn/energy';
-import type { Lesson } from '../learn/lessons';
+import { worstRatio } from '../net/energy';
+import type { Lesson } from './lessons';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { make, makeButton, makeSection, setText } from './dom';
+import { make, makeButton, makeSection, setText } from '../elements/dom';
 import { EnergyGraph } from './energy_graph';
 import type { PanelEvents } from './panels';
 

@@ -5,7 +5,7 @@ import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
 import { shareOfLonger } from '../view/longer';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { make, setText } from './dom';
+import { make, setText } from '../elements/dom';
 import { MapEnds } from './map_ends';
 import type { PanelEvents } from './panels';
 import { ROUNDING, small } from './words';

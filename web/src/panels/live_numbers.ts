@@ -1,7 +1,7 @@
 /** The numbers of the moment. */
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { make, setText } from './dom';
+import { make, setText } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from './words';
 
 const LABELS = words.numbers;

@@ -3,7 +3,7 @@ import { areEnds } from '../document/document';
 import type { Ends, ScaledField } from '../document/document';
 import { words } from '../language/language';
 import { endText, type Scale } from '../view/colour_map';
-import { make, makeButton, setValue } from './dom';
+import { make, makeButton, setValue } from '../elements/dom';
 
 export class MapEnds {
   readonly element: HTMLElement;

@@ -1,6 +1,6 @@
 /** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
 import { words } from '../language/language';
-import { make, makeButton } from './dom';
+import { make, makeButton } from '../elements/dom';
 import type { Action } from './panels';
 
 const INFO_MS = 6000;

@@ -1,7 +1,7 @@
 /** Method and initialisation, each chosen from the core's table, with what it does and where it comes from. */
 import type { InitialisationInfo, MethodInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import { make, makeSelect, setValue } from './dom';
+import { make, makeSelect, setValue } from '../elements/dom';
 
 /** The paper does so many iterations of an initialisation. */
 const USUAL_COUNT = 5;

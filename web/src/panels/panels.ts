@@ -6,7 +6,7 @@ import type { HistoryView } from '../document/undo';
 import type { SaveWish } from '../export/kinds';
 import type { Language } from '../language/choice';
 import type { Choice, HandleWishes, LineName } from '../handles/wishes';
-import type { Lesson } from '../learn/lessons';
+import type { Lesson } from './lessons';
 import type { FrameData, OpenedNet, Tables } from '../worker/protocol';
 
 export interface PanelEvents {

@@ -1,7 +1,7 @@
 /** Says over the picture that it is being recorded, and for how long. */
 import { LONGEST } from '../export/recording';
 import { words } from '../language/language';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 
 export class RecordingNotice {
   private readonly time = make('span', { class: 'time' });

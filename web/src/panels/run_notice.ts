@@ -1,7 +1,7 @@
 /** Says over the picture that the net in it is not one's own, and leads back. */
 import type { Run } from '../compare/run';
 import { words } from '../language/language';
-import { make, makeButton, setText } from './dom';
+import { make, makeButton, setText } from '../elements/dom';
 
 export class RunNotice {
   // In the page before anything is said, or screen readers miss it.

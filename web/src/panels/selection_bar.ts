@@ -3,7 +3,7 @@ import type { HandleData } from '../document/document';
 import { type Choice, GIZMO_MODES, type GizmoMode, type LineName } from '../handles/wishes';
 import { unlocked } from '../handles/selection';
 import { words } from '../language/language';
-import { make, makeButton, makeIcon, setText } from './dom';
+import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from './icons';
 import type { PanelEvents } from './panels';
 

@@ -4,7 +4,7 @@ import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, setText, setValue } from './dom';
+import { make, setText, setValue } from '../elements/dom';
 import { makeCoordinates } from './handle_row';
 import type { PanelEvents } from './panels';
 import { Softness } from './softness';

@@ -1,7 +1,7 @@
 /** Sliders for what the recipe of the present shape can vary. */
 import type { ShapeInfo, ShapeParameter } from '../../../wasm/chebnet';
 import { words } from '../language/language';
-import { make } from './dom';
+import { make } from '../elements/dom';
 import { formatRecipe, fromSlider, parseRecipe, SLIDER_STEPS, toSlider, type Recipe } from './recipe';
 import { count } from './words';
 

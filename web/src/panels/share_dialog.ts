@@ -3,7 +3,7 @@ import { frameCode } from '../export/frame_code';
 import type { QrCode } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
 import { words } from '../language/language';
-import { make, makeButton, makeSvg, setText } from './dom';
+import { make, makeButton, makeSvg, setText } from '../elements/dom';
 
 export interface ShareParts {
   /** For a QR code: the link in so many characters, without the positions if need be; null: it takes more. */

@@ -11,7 +11,7 @@ import { Appearance } from './appearance';
 import { ComparisonForm } from './comparison_form';
 import { ComparisonPlace } from './comparison_place';
 import { ConvergencePlot } from './convergence_plot';
-import { make, makeButton, makeSection, setSummary, setText } from './dom';
+import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
 import { DragPanel } from './drag_panel';
 import { ExperimentsPlace } from './experiments_place';
 import { Gallery } from './gallery';

@@ -1,7 +1,7 @@
 /** Whether handles are soft, and how hard they pull then. */
 import type { HandleTraits } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeSwitch, setText, setValue } from './dom';
+import { make, makeSwitch, setText, setValue } from '../elements/dom';
 import { small } from './words';
 
 /** Weights as powers of ten, and the one a handle begins with. */

@@ -3,7 +3,7 @@ import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import { words } from '../language/language';
 import type { Tables } from '../worker/protocol';
-import { make, makeButton, makeSwitch, setValue } from './dom';
+import { make, makeButton, makeSwitch, setValue } from '../elements/dom';
 import { InitialisationChoice, MethodChoice } from './method_choice';
 import type { PanelEvents } from './panels';
 

@@ -3,7 +3,7 @@ import type { TraceRow } from '../../../wasm/chebnet';
 import { longestMove } from '../document/longest_move';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { make, makeButton, makeSwitch, setText } from './dom';
+import { make, makeButton, makeSwitch, setText } from '../elements/dom';
 import type { PanelEvents } from './panels';
 import { count, NOTHING, small, stageWords } from './words';
 

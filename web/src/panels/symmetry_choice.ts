@@ -2,7 +2,7 @@
 import type { Symmetry } from '../document/document';
 import { AXES } from '../handles/transform';
 import { words } from '../language/language';
-import { makeSelect, setValue } from './dom';
+import { makeSelect, setValue } from '../elements/dom';
 
 const OFF = 'off';
 

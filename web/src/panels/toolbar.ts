@@ -1,7 +1,7 @@
 /** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
-import { make, makeButton, makeIcon } from './dom';
+import { make, makeButton, makeIcon } from '../elements/dom';
 import { createExportMenu } from './export_menu';
 import type { PanelEvents } from './panels';
 import { createProjectMenu } from './project_menu';

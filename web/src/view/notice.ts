@@ -1,6 +1,6 @@
 /** A line in the place of the picture when there can be none. */
 import { words } from '../language/language';
-import { makeButton } from '../panels/dom';
+import { makeButton } from '../elements/dom';
 import type { View } from './view';
 
 /** @param wayOut what may help, under its name. */

@@ -4,7 +4,7 @@ import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
-import { edgesCsv } from '../export/edges_csv';
+import { edgesCsv } from '../net/edges_csv';
 import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';

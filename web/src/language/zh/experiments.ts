@@ -1,5 +1,5 @@
 import type { experiments as en } from '../en/experiments';
-import type { Widened } from '../language';
+import type { Widened } from '../words';
 
 export const experiments: Widened<typeof en> = {
   label: '实验',

@@ -1,5 +1,5 @@
 import type { lesson as en } from '../en/lesson';
-import type { Widened } from '../language';
+import type { Widened } from '../words';
 
 export const lesson: Widened<typeof en> = {
   locale: 'zh-CN',

@@ -1,5 +1,17 @@
 /** The energy of an edge, and the edge that has most of it. */
-import type { FrameData, OpenedNet } from '../worker/protocol';
+
+interface Edges {
+  /** 2 vertices an edge. */
+  edges: Int32Array;
+  restLengths: Float64Array;
+}
+
+interface Placed {
+  /** 3 numbers a vertex. */
+  positions: Float64Array;
+  /** dL of each edge. */
+  deviations: Float32Array;
+}
 
 /** r^p + r^-p, with r = length / rest length; 2 at its least. */
 export function energy(r: number, p: number): number {
@@ -7,7 +19,7 @@ export function energy(r: number, p: number): number {
 }
 
 /** r of the edge with the largest deviation. */
-export function worstRatio({ edges, restLengths }: OpenedNet, { positions, deviations }: FrameData): number {
+export function worstRatio({ edges, restLengths }: Edges, { positions, deviations }: Placed): number {
   const worst = deviations.reduce((worst, dL, e) => (dL > deviations[worst]! ? e : worst), 0);
   const [a, b] = [3 * edges[2 * worst]!, 3 * edges[2 * worst + 1]!];
   const along = (axis: number): number => positions[a + axis]! - positions[b + axis]!;

@@ -1,5 +1,5 @@
 /** The edges of a net as a table for other programs: numbers whole, vertices from 0, one header line. */
-import { edgeLengths } from '../files/edge_lengths';
+import { edgeLengths } from './edge_lengths';
 
 interface Edges {
   /** 2 vertices an edge. */

@@ -1,0 +1,75 @@
+/** Imports of the page go down: no circle of files, and no arrow from a room to one above it but those that are listed. */
+import { readFileSync, readdirSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from 'vitest';
+import { ROOT } from '../wasm/load';
+
+const SOURCES = fileURLToPath(new URL('web/src', ROOT));
+
+/** From the ground up. A file beside the rooms is a room of its own. */
+const ROOMS = [
+  ...['language', 'part.ts', 'elements', 'net', 'document', 'worker', 'files', 'equalize', 'handles', 'offline', 'view', 'export'],
+  ...['compare', 'experiments', 'panels', 'app.ts', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
+];
+
+/** What goes up all the same, and why. */
+const UP: Record<string, string> = {
+  'equalize/subject.ts -> export/kinds.ts': 'a file that was equalised is named as an exported one is',
+  'files/import.ts -> equalize/subject.ts': 'a file that cannot be a net is offered to Equalise',
+  'files/openers.ts -> app.ts': 'what a visitor opens goes to the app: the type alone',
+  'files/openers.ts -> equalize/subject.ts': 'as above',
+  'files/openers.ts -> panels/equalize_dialog.ts': 'a file with faults is shown before it is opened',
+  'files/openers.ts -> panels/file_dialog.ts': 'as above',
+  'files/openers.ts -> view/scene.ts': 'and drawn',
+  'export/save.ts -> app.ts': 'what is saved is the app\'s: the type alone',
+  'language/en/core.ts -> worker/protocol.ts': 'the tables of the core, whose sentences are put into words: the type alone',
+  'language/zh/core.ts -> worker/protocol.ts': 'as above',
+  'panels/handle_row.ts -> keys.ts': 'keys are shown beside what they do',
+  'panels/key_sheet.ts -> keys.ts': 'as above',
+  'view/gestures.ts -> keys.ts': 'keys move the view',
+  'view/scene.ts -> export/recording.ts': 'a film is of the view: the type alone',
+  'view/view.ts -> export/recording.ts': 'as above',
+};
+
+const imports = readImports();
+
+test('the page has no room that is not listed', () => {
+  const rooms = new Set([...imports.keys()].map(roomOf));
+  expect([...rooms].filter((room) => !ROOMS.includes(room) && !room.endsWith('.d.ts'))).toEqual([]);
+});
+
+test('no file imports itself by way of others', () => {
+  const done = new Set<string>();
+  const visit = (file: string, path: string[]): void => {
+    if (path.includes(file)) throw new Error(`a circle: ${[...path.slice(path.indexOf(file)), file].join(' -> ')}`);
+    if (done.has(file)) return;
+    for (const next of imports.get(file) ?? []) visit(next, [...path, file]);
+    done.add(file);
+  };
+  for (const file of imports.keys()) visit(file, []);
+  expect(done.size).toBe(imports.size);
+});
+
+test('imports go down, but for those with a reason', () => {
+  const level = (file: string) => ROOMS.indexOf(roomOf(file));
+  const up = [...imports].flatMap(([file, all]) => all.filter((next) => level(next) > level(file)).map((next) => `${file} -> ${next}`));
+  expect(up.sort()).toEqual(Object.keys(UP).sort());
+});
+
+function roomOf(file: string): string {
+  return file.split('/')[0]!;
+}
+
+/** Of each source the sources that it imports when it is loaded; what it loads later, by import(), is another matter. */
+function readImports(): Map<string, string[]> {
+  const files = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.ts'));
+  const known = new Set(files);
+  const of = (file: string) => {
+    const text = readFileSync(join(SOURCES, file), 'utf8').replace(/\/\*[^]*?\*\//g, '');
+    const found = [...text.matchAll(/^(?:import|export)\s[^'"]*?'(\.[^']+)'|^import '(\.[^']+)'/gm)];
+    const paths = found.map(([, from, alone]) => relative('.', join(dirname(file), (from ?? alone)!)));
+    return paths.flatMap((path) => [`${path}.ts`, path].filter((each) => known.has(each)).slice(0, 1));
+  };
+  return new Map(files.map((file) => [file, [...new Set(of(file))]]));
+}
