@@ -69,7 +69,9 @@ inline Violations of_solve(const Editor& editor, const SolveReport& report, cons
 
     require(report.iterations <= std::max(1, budget.iterations), "more iterations were made than the budget allows");
     require(report.iterations <= editor.options().max_iterations, "more iterations were made than a solve may have");
-    require(report.trace.size() == static_cast<std::size_t>(report.iterations), "the trace misses iterations");
+    // Rows of an initialisation have numbers up to 0.
+    const auto rows = std::ranges::count_if(report.trace, [](const TraceRow& row) { return row.iteration > 0; });
+    require(rows == report.iterations, "the trace misses iterations");
     require(report.status != Status::running || report.iterations >= budget.iterations ||
                 report.milliseconds >= budget.milliseconds,
             "the solve was interrupted within its budget");
