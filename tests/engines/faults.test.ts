@@ -11,7 +11,7 @@ const SHAPE = 'vault:vertices=600';
 
 declare global {
   interface Window {
-    /** Of the page, the oldest first. */
+    /** Of the page, the oldest first: the solver. */
     workers: Worker[];
     graphics: WEBGL_lose_context;
     /** Of anything into any database, whether it failed or not. */
@@ -90,8 +90,8 @@ async function endSolver(): Promise<number> {
   const alerts = [...document.querySelectorAll('[role=alert]')];
   const isSaid = () => alerts.some(({ textContent }) => /started again.*browser ended it/.test(textContent));
   const start = performance.now();
-  window.workers.at(-1)!.terminate();
-  while (!isSaid()) await new Promise((done) => setTimeout(done, 5));
+  window.workers[0]!.terminate();
+  while (!isSaid() && performance.now() - start < 60_000) await new Promise((done) => setTimeout(done, 5));
   return performance.now() - start;
 }
 
