@@ -12,7 +12,7 @@ const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
 const EXPECTED = [/WebGL warning/, /GPU stall/];
 
 /** What nobody waits for any longer: the page was left, or a worker ended. */
-const GIVEN_UP = ['NS_BINDING_ABORTED', 'Parent browsing context was disposed'];
+const GIVEN_UP = ['NS_BINDING_ABORTED', 'NS_BASE_STREAM_CLOSED', 'Parent browsing context was disposed'];
 
 export async function startFirefox(): Promise<Engine> {
   const executablePath = [process.env['FIREFOX'] ?? '', ...PROGRAMS].find(existsSync);

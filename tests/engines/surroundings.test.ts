@@ -52,6 +52,8 @@ function placeOfCrown(visitor: Visitor) {
 test('after one visit the page opens without its server, a net can be dragged, and it can be read whose work it contains', async () => {
   const visitor = await arrive();
   await vi.waitUntil(() => visitor.run(() => navigator.serviceWorker.controller !== null), PATIENCE);
+  // The last that the page asks for of itself.
+  await vi.waitUntil(() => visitor.run(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('late_thumbnail'))), PATIENCE);
   closeSite();
   await visitor.driver.reload();
   await visitor.waitForNet();
