@@ -41,7 +41,7 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
         terms.push_back(std::make_unique<BendingTerm>(net, topology, 1.5, reference));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
-        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference));
+        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference, 0.3));
     terms.push_back(std::make_unique<PullTerm>(net, holds));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
     return terms;
@@ -134,7 +134,7 @@ TEST_CASE(
     const Positions rest = rigidly_moved(net.rest_positions(), random.engine);
     const Topology topology(net);
     BendingTerm bending(net, topology, 1.5, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest);
+    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CAPTURE(term->name());
         const Eigen::Matrix3Xd d = direction();
@@ -152,7 +152,7 @@ TEST_CASE("A rigid motion costs neither bending nor shear; straight rods turn fr
     const Topology topology(net);
     const Positions moved = rigidly_moved(net.rest_positions(), random.engine);
     BendingTerm bending(net, topology, 1, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 1, ShearTerm::Reference::rest);
+    ShearTerm shear(net, 1, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CHECK(std::abs(energy(*term, moved)) < 1e-15);
         CHECK(gradient(*term, moved).norm() < 1e-7);

@@ -20,9 +20,10 @@ namespace chebnet {
 /// or where there is no pair. R_b is the minimiser, so E is a function of positions alone, a rigid motion costs
 /// nothing, and the gradient is that for R_b held (envelope theorem).
 ///
-/// A line goes through an inner vertex of valence 4 and, along the border, through one of valence 3, as
-/// Topology::net_lines() says. Lines end at other singular vertices, at corners, and at the border when they come from
-/// inside: nothing bends there but what k holds together.
+/// A line goes on by the edge that shares no face with the one it came by: through inner vertices of valence 4, along
+/// the border through those of valence 3, and through those of valence 4 where the border turns inwards. Lines end at
+/// other singular vertices, at corners, and at the border when they come from inside: nothing bends there but what k
+/// holds together.
 class BendingTerm : public Term {
 public:
     enum class Reference {

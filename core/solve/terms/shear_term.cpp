@@ -1,21 +1,18 @@
 #include "solve/terms/shear_term.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
+
+#include "solve/terms/distance_constraint.h"
 
 namespace chebnet {
 
-ShearTerm::ShearTerm(const Net& net, double weight, Reference reference) : m_weight(weight) {
-    const Positions& rest = net.rest_positions();
-    const auto distance = [&](int a, int b) { return (rest.col(a) - rest.col(b)).norm(); };
-    for (int f = 0; f < net.face_count(); ++f) {
-        const std::span<const int> q = net.faces()[f];
-        if (q.size() != 4) continue;
-        for (int k = 0; k < 2; ++k) {
-            const double square = std::hypot(distance(q[k], q[k + 1]), distance(q[k + 1], q[k + 2]));
-            const double length = reference == Reference::rest ? distance(q[k], q[k + 2]) : square;
-            if (length > 0) m_diagonals.push_back({q[k], q[k + 2], length});
-        }
+ShearTerm::ShearTerm(const Net& net, double weight, Reference reference, double opened) : m_weight(weight) {
+    const double least = reference == Reference::rest ? opened : std::numbers::pi / 2;
+    const DistanceConstraint shortest = shear_limit(net, least);
+    for (const auto& [a, b, distance, unit] : shortest.distances()) {
+        const double at_rest = (net.rest_positions().col(a) - net.rest_positions().col(b)).norm();
+        m_diagonals.push_back({a, b, reference == Reference::rest ? std::max(at_rest, distance) : distance});
     }
     m_directions.resize(3, static_cast<Eigen::Index>(m_diagonals.size()));
     m_across.resize(static_cast<Eigen::Index>(m_diagonals.size()));

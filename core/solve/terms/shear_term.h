@@ -14,8 +14,8 @@ class ShearTerm : public Term {
 public:
     enum class Reference { rest, right_angles };
 
-    /// A diagonal without length at rest has no say.
-    ShearTerm(const Net& net, double weight, Reference reference);
+    /// `opened`: radians, above 0.
+    ShearTerm(const Net& net, double weight, Reference reference, double opened);
 
     const char* name() const override { return "shear"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;

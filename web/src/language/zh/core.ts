@@ -85,6 +85,7 @@ export const METHODS: Record<string, { title: string; sentence: string }> = {
   projection: { title: '投影', sentence: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。' },
   composite_majorization: { title: '复合优超', sentence: '论文的能量与阶段；受压的边没有切向刚度。' },
   projected_newton: { title: '投影牛顿法', sentence: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。' },
+  equilibrium: { title: '平衡', sentence: '静止的网：在精确边长与角度下限之下，弯曲与剪切最小。' },
   gauss_newton: { title: '高斯–牛顿法', sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。' },
   dp4: { title: 'D^p，p = 4', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。' },
   dp8: { title: 'D^p，p = 8', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。' },
@@ -115,6 +116,12 @@ export const OPTIONS: Record<string, string> = {
   active_rings: '有偏差的边周围保持自由的邻域环数。',
   reduce_once: '像论文那样，临近结束时只选定一次要移动的顶点，而不是每次重新选定。',
   direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
+  shear_limit: '方法 equilibrium 不让四边形的任何角小于此度数；0 表示不限。',
+  bending_weight: '方法 equilibrium 中网线抵抗弯曲的程度。',
+  shear_weight: '方法 equilibrium 中四边形抵抗剪切的程度。',
+  straight_rods: '方法 equilibrium 中网线趋于伸直，而非保持初始的弯曲。',
+  gravity: '方法 equilibrium 中一条边的重量，沿 z 轴向下。',
+  rest_tolerance: '剩余梯度低于此值时，方法 equilibrium 视为静止。',
 };
 
 /** Parameters of shapes, options, defects. */

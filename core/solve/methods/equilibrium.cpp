@@ -1,0 +1,404 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "net/measures.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/corner_limit.h"
+#include "solve/parts/length_projection.h"
+#include "solve/parts/stopping.h"
+#include "solve/parts/tangent_newton.h"
+#include "solve/terms/bending_term.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/shear_term.h"
+
+namespace chebnet {
+
+namespace {
+
+// Where handles move by more than so many edge lengths, the net follows in several steps.
+constexpr double k_longest_step = 1;
+// Nets are projected until no length errs by more than this part, whatever the threshold: dL < 1e-10.
+constexpr double k_exact_error = 1e-5;
+constexpr int k_most_projections = 6;
+// Iterations within a Newton step: few while handles may still be moving, more as it settles.
+constexpr int k_least_inner_iterations = 10, k_most_inner_iterations = 60;
+constexpr double k_inner_tolerance = 0.05;
+// Below this gradient steps heed what edges that push take off the curvature.
+constexpr double k_near_gradient = 0.1;
+// No vertex moves farther in one step, in edge lengths.
+constexpr double k_most_move = 1;
+constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
+constexpr int k_most_halvings = 8;
+// The limit aims a little higher than it has to be, so that it is met in spite of its tolerance.
+constexpr double k_limit_margin = 0.02;  // degrees
+// Shear is reckoned from no corner sharper than this, even without a limit.
+constexpr double k_least_open_angle = 15;  // degrees
+// How often corners may join those that are held, or leave them, in one step.
+constexpr int k_most_rounds = 4, k_most_openings = 6;
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+class Equilibrium : public Method {
+public:
+    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    bool knows_holds() const override { return true; }
+    void set_holds(std::span<const Hold> holds) override;
+    Status start(Positions& positions, const Options& options, bool reachable) override;
+    Status iterate(Positions& positions, TraceRow& row) override;
+    std::span<const double> edge_forces() const override;
+
+private:
+    enum Stage { net = 1, follow = 2, rest = 3 };
+
+    void choose_energy();
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
+    bool prepare_energy(const Positions& positions, bool same_energy);
+    Stage first_stage(const Positions& positions);
+    bool was_left(const Positions& before, const Positions& positions) const;
+    void begin_walk(const Positions& positions);
+    Status find_net(Positions& positions, TraceRow& row);
+    Status follow_handles(Positions& positions, TraceRow& row);
+    Status relax(Positions& positions, TraceRow& row);
+    void enter_rest(const Positions& positions);
+    void watch_corners(const Positions& positions);
+    void hold(const std::vector<double>& held);
+    bool linearise(const Positions& positions);
+    bool is_at_rest() const;
+    double step_along(Positions& positions, double slope);
+    bool project(Positions& positions);
+    bool project_lengths(Positions& positions);
+
+    const Net* m_net = nullptr;
+    const Topology* m_topology = nullptr;
+    std::vector<int> m_handles;
+    std::vector<bool> m_is_free;
+    std::vector<Hold> m_holds;
+    bool m_holds_changed = true;
+    std::unique_ptr<FreePart> m_part;
+    std::unique_ptr<Method> m_projection;
+    std::unique_ptr<LengthProjection> m_lengths;  // for the net and the corners watched, whatever the handles
+    std::unique_ptr<TangentNewton> m_newton;
+    bool m_has_metric = false;  // of the terms as they are
+    std::vector<std::unique_ptr<Term>> m_terms;
+    CornerLimit m_limit;
+
+    Options m_options;
+    bool m_reachable = true;
+    Stage m_stage = net;
+    int m_steps = 0;                   // Newton steps of this solve
+    bool m_near = false;               // whether the last step was a good one, close to rest
+    double m_lack = 0;                 // of the limit, at m_result
+    Positions m_result;                // where the method last left the net; empty: nowhere
+    Positions m_walk_from, m_walk_to;  // of stage 2: the handles' places
+    int m_walk_step = 0, m_walk_steps = 0;
+    // At m_result, in stages 2 and 3:
+    double m_energy = 0;
+    Eigen::Matrix3Xd m_gradient;
+    double m_max_deviation = 0;
+    Eigen::Matrix3Xd m_direction, m_next_gradient;
+    Positions m_origin;
+};
+
+void Equilibrium::prepare(const Net& of, const Topology& topology, std::span<const int> handle_vertices) {
+    if (m_net != &of) m_lengths.reset();
+    if (m_net != &of) m_terms.clear();
+    m_net = &of;
+    m_topology = &topology;
+    m_handles.assign(handle_vertices.begin(), handle_vertices.end());
+    m_is_free = free_vertices(of.vertex_count(), handle_vertices);
+    m_part = std::make_unique<FreePart>(of, m_is_free);
+    m_projection = k_projection.make();
+    m_projection->prepare(of, topology, handle_vertices);
+    m_newton.reset();
+    m_has_metric = false;
+    m_result.resize(3, 0);
+}
+
+void Equilibrium::set_holds(std::span<const Hold> holds) {
+    const auto same = [](const Hold& a, const Hold& b) {
+        return a.vertex == b.vertex && a.weight == b.weight && a.target == b.target;
+    };
+    m_holds_changed = !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same);
+    m_holds.assign(holds.begin(), holds.end());
+    m_projection->set_holds(holds);
+}
+
+Status Equilibrium::start(Positions& positions, const Options& options, bool reachable) {
+    const bool same_energy = !m_terms.empty() && !m_holds_changed && m_options.same_energy(options);
+    m_options = options;
+    m_reachable = reachable;
+    m_max_deviation = max_deviation(*m_net, positions);
+    m_steps = 0;
+    const bool can_rest = reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
+    m_stage = can_rest ? first_stage(positions) : net;
+    if (m_stage == net) {
+        const Status status = m_projection->start(positions, options, reachable);
+        if (status == Status::converged && can_rest) m_stage = rest;
+        if (m_stage == net) return status;
+    }
+    if (m_stage == follow) begin_walk(positions);
+    if (m_stage == rest) enter_rest(positions);
+    return m_stage == rest && is_at_rest() ? Status::converged : Status::running;
+}
+
+/// False if the systems for it would be too large.
+bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
+    try {
+        if (!same_energy) choose_energy();
+        if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part);
+        if (!m_lengths) watch_corners(positions);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        return false;
+    }
+    if (!m_has_metric) m_newton->set_metric(m_terms);
+    m_has_metric = true;
+    m_lengths->system().set_free(m_is_free);
+    return true;
+}
+
+Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
+    if (m_max_deviation < m_options.threshold) return rest;
+    if (was_left(m_result, positions)) return follow;
+    if (!was_left(m_net->rest_positions(), positions) ||
+        max_deviation(*m_net, m_net->rest_positions()) >= m_options.threshold)
+        return net;
+    m_result = m_net->rest_positions();
+    return follow;
+}
+
+/// Whether the free vertices stand where they were in a state of before.
+bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
+    if (before.cols() == 0) return false;
+    for (int v : m_part->vertices())
+        if (positions.col(v) != before.col(v)) return false;
+    return true;
+}
+
+/// From m_result to where the handles stand now.
+void Equilibrium::begin_walk(const Positions& positions) {
+    m_walk_from = m_result;
+    m_walk_to = positions;
+    const double longest = (m_walk_to - m_walk_from).colwise().norm().maxCoeff();
+    m_walk_steps = static_cast<int>(std::ceil(longest / (k_longest_step * m_net->mean_length())));
+    m_walk_step = 0;
+}
+
+void Equilibrium::choose_energy() {
+    const auto bending = m_options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
+    m_terms.clear();
+    m_terms.push_back(std::make_unique<BendingTerm>(*m_net, *m_topology, m_options.bending_weight, bending));
+    m_terms.push_back(std::make_unique<ShearTerm>(*m_net, m_options.shear_weight, ShearTerm::Reference::rest,
+                                                  radians(std::max(m_options.shear_limit, k_least_open_angle))));
+    if (!m_holds.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_holds));
+    if (m_options.gravity > 0)
+        m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
+    m_limit = m_options.shear_limit > 0 ? CornerLimit(*m_net, radians(m_options.shear_limit + k_limit_margin))
+                                        : CornerLimit();
+    m_lengths.reset();
+    m_has_metric = false;
+}
+
+double Equilibrium::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
+    gradient.setZero(3, x.cols());
+    double energy = 0;
+    for (const auto& term : m_terms) energy += term->evaluate(x, gradient);
+    return energy;
+}
+
+Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
+    Stopwatch watch;
+    const Stage stage = m_stage;
+    Status status = Status::running;
+    row.free_vertices = m_part->size();
+    if (stage == net) status = find_net(positions, row);
+    if (stage == follow) status = follow_handles(positions, row);
+    if (stage == rest) status = relax(positions, row);
+    row.stage = stage;
+    row.max_deviation = m_max_deviation;
+    if (stage != net) {
+        row.energy = m_energy;
+        row.assembly_ms = std::max(0.0, watch.milliseconds() - row.factorisation_ms - row.line_search_ms);
+    }
+    if (m_stage != follow) m_result = positions;
+    return status;
+}
+
+Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
+    const Status status = m_projection->iterate(positions, row);
+    m_max_deviation = row.max_deviation;
+    if (status != Status::converged || !m_reachable) return status;
+    if (!m_lengths || !m_newton) return Status::stalled;
+    project(positions);
+    enter_rest(positions);
+    return Status::running;
+}
+
+/// One step of the walk, and one towards rest there.
+Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
+    const double part = static_cast<double>(++m_walk_step) / m_walk_steps;
+    Positions x = m_result;
+    Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
+    for (int v : m_handles)
+        moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
+    m_newton->extend(moves);
+    x += moves;
+    if (m_walk_step == m_walk_steps)
+        for (int v : m_handles) x.col(v) = m_walk_to.col(v);
+    if (!project(x)) {
+        m_stage = net;
+        m_projection->start(positions, m_options, m_reachable);
+        m_max_deviation = max_deviation(*m_net, positions);
+        return Status::running;
+    }
+    enter_rest(x);
+    const Status status = relax(x, row);
+    m_result = x;
+    for (int v : m_part->vertices()) positions.col(v) = x.col(v);
+    m_max_deviation = max_deviation(*m_net, positions);
+    if (m_walk_step == m_walk_steps) return status;
+    m_stage = follow;
+    m_steps = 0;
+    return Status::running;
+}
+
+void Equilibrium::enter_rest(const Positions& positions) {
+    m_stage = rest;
+    m_energy = evaluate(positions, m_gradient);
+    m_max_deviation = max_deviation(*m_net, positions);
+    linearise(positions);
+    m_near = false;
+}
+
+bool Equilibrium::is_at_rest() const {
+    return m_newton->gradient_norm() < m_options.rest_tolerance && m_lack <= 2 * CornerLimit::k_tolerance;
+}
+
+/// One Newton step.
+Status Equilibrium::relax(Positions& positions, TraceRow& row) {
+    const int inner = std::min(k_most_inner_iterations, k_least_inner_iterations * (1 + m_steps++));
+    const double slope = m_newton->find_direction(m_terms, inner, k_inner_tolerance, m_near, m_direction);
+    row.gradient_norm = m_newton->gradient_norm();
+    Stopwatch watch;
+    row.step = step_along(positions, slope);
+    row.line_search_ms = watch.milliseconds();
+    if (row.step == 0 && m_near) {
+        m_near = false;
+        return Status::running;
+    }
+    if (row.step == 0) return ended(true);
+    m_max_deviation = max_deviation(*m_net, positions);
+    if (!linearise(positions)) return Status::stalled;
+    row.factorisation_ms = m_newton->factorisation_ms();
+    m_near = row.step == 1 && !m_newton->met_negative_curvature() && m_newton->gradient_norm() < k_near_gradient;
+    return is_at_rest() ? Status::converged : Status::running;
+}
+
+/// Armijo backtracking along m_direction, with a projection onto the lengths after each trial. Returns the part of the
+/// direction that was accepted; 0: none, and the positions stay.
+double Equilibrium::step_along(Positions& positions, double slope) {
+    if (!(slope < 0)) return 0;
+    const double longest = m_direction.colwise().norm().maxCoeff();
+    double step = std::min(1.0, k_most_move * m_net->mean_length() / longest);
+    m_origin = positions;
+    const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
+    const std::vector<double> held = m_limit.held();
+    for (int halving = 0; halving <= k_most_halvings; ++halving, step /= 2) {
+        if (halving > 0) hold(held);
+        positions = m_origin + step * m_direction;
+        if (!project(positions)) continue;
+        const double energy = evaluate(positions, m_next_gradient);
+        if (!opens && !(energy <= m_energy + k_sufficient_decrease * step * slope)) continue;
+        m_energy = energy;
+        m_gradient.swap(m_next_gradient);
+        return step;
+    }
+    positions = m_origin;
+    hold(held);
+    evaluate(positions, m_gradient);
+    linearise(positions);
+    return 0;
+}
+
+/// Onto the lengths, and out of corners that are too sharp. False if the lengths are not reached.
+bool Equilibrium::project(Positions& positions) {
+    for (int round = 0; round < k_most_openings; ++round) {
+        if (!project_lengths(positions)) return false;
+        if (m_limit.needs_more_rows(positions)) watch_corners(positions);
+        if (m_limit.hold_short_ones(positions) == 0) break;
+        m_limit.apply(m_lengths->system());
+    }
+    return max_deviation(*m_net, positions) < m_options.threshold || project_lengths(positions);
+}
+
+bool Equilibrium::project_lengths(Positions& positions) {
+    for (int k = 0; k < k_most_projections; ++k) {
+        if (!m_lengths->project(positions)) return false;
+        m_lengths->system().assemble(positions);
+        if (m_lengths->system().errors().lpNorm<Eigen::Infinity>() < k_exact_error) break;
+    }
+    return max_deviation(*m_net, positions) < m_options.threshold;
+}
+
+/// A system of lengths with rows for the corners that are sharp now.
+void Equilibrium::watch_corners(const Positions& positions) {
+    m_limit.watch(positions);
+    m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology, m_limit.watched());
+    m_lengths->system().set_free(m_is_free);
+    m_limit.apply(m_lengths->system());
+}
+
+void Equilibrium::hold(const std::vector<double>& held) {
+    m_limit.set_held(held);
+    m_limit.apply(m_lengths->system());
+}
+
+/// With the rows of corners that push.
+bool Equilibrium::linearise(const Positions& positions) {
+    m_lack = m_limit.largest_lack(positions);
+    for (int round = 0; round < k_most_rounds; ++round) {
+        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return false;
+        if (m_limit.release(m_newton->multipliers()) == 0) return true;
+        m_limit.apply(m_lengths->system());
+    }
+    return m_newton->linearise(positions, m_gradient, *m_lengths);
+}
+
+std::span<const double> Equilibrium::edge_forces() const {
+    if (m_stage != rest) return {};
+    const Eigen::VectorXd& multipliers = m_newton->multipliers();
+    return {multipliers.data(), static_cast<std::size_t>(m_net->edge_count())};
+}
+
+std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(); }
+
+}  // namespace
+
+/// The net at rest: the least of a stated energy among all nets with exact lengths, exact handles and no corner of a
+/// quad sharper than Options::shear_limit. Equal lengths leave the shear free (Li et al. 2022, figure 4); here bending
+/// of net lines (BendingTerm), shear (ShearTerm), soft handles (PullTerm) and weight (GravityTerm) decide it, so that
+/// an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one is kept that the
+/// present shape leads to. In stages:
+///
+///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
+///      fails;
+///   2  after handles have moved: in steps of an edge length at most, free vertices follow as smoothly as the energy's
+///      bound allows, are projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
+///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
+///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
+///
+/// From the end of stage 2 on every iteration ends in a net, and the energy falls, but while corners are being opened.
+/// `converged` says that lengths, limit and rest are reached; `stalled` that rest is not, though lengths may be. Where
+/// no net is found it ends as `projection` does.
+constinit const MethodInfo k_equilibrium = {
+    "equilibrium", "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
+    "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "
+    "Optimization. SIAM Journal on Scientific Computing 23(4), 2001",
+    in_this_build(make)};
+
+}  // namespace chebnet
