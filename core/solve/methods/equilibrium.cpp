@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -28,8 +29,9 @@ constexpr int k_most_projections = 6;
 // Iterations within a Newton step: few while handles may still be moving, more as it settles.
 constexpr int k_least_inner_iterations = 10, k_most_inner_iterations = 60;
 constexpr double k_inner_tolerance = 0.05;
-// Below this gradient steps heed what edges that push take off the curvature.
-constexpr double k_near_gradient = 0.1;
+// So many steps of a solve do without a factor of the Hessian: as many as a frame of a drag has time for. Later steps
+// have one, which is renewed when it has become so old that more iterations are needed than this.
+constexpr int k_cheap_steps = 2, k_old_factor_iterations = 12, k_most_iterations_with_factor = 40;
 // No vertex moves farther in one step, in edge lengths.
 constexpr double k_most_move = 1;
 constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
@@ -91,7 +93,7 @@ private:
     bool m_reachable = true;
     Stage m_stage = net;
     int m_steps = 0;                   // Newton steps of this solve
-    bool m_near = false;               // whether the last step was a good one, close to rest
+    double m_radius = 0;               // no vertex moves farther in the next step
     double m_lack = 0;                 // of the limit, at m_result
     Positions m_result;                // where the method last left the net; empty: nowhere
     Positions m_walk_from, m_walk_to;  // of stage 2: the handles' places
@@ -272,7 +274,7 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_energy = evaluate(positions, m_gradient);
     m_max_deviation = max_deviation(*m_net, positions);
     linearise(positions);
-    m_near = false;
+    m_radius = k_most_move * m_net->mean_length();
 }
 
 bool Equilibrium::is_at_rest() const {
@@ -281,21 +283,27 @@ bool Equilibrium::is_at_rest() const {
 
 /// One Newton step.
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
-    const int inner = std::min(k_most_inner_iterations, k_least_inner_iterations * (1 + m_steps++));
-    const double slope = m_newton->find_direction(m_terms, inner, k_inner_tolerance, m_near, m_direction);
+    ++m_steps;
+    if (m_steps == 1 || m_newton->inner_iterations() > k_old_factor_iterations) m_newton->forget_factor();
+    if (m_steps > k_cheap_steps && !m_newton->has_factor()) {
+        m_newton->factorize(m_terms);
+        row.factorisation_ms = m_newton->factorisation_ms();
+    }
+    const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
+                                             : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
+    const double slope = m_newton->find_move(m_terms, inner, k_inner_tolerance, m_radius, m_direction);
     row.gradient_norm = m_newton->gradient_norm();
     Stopwatch watch;
     row.step = step_along(positions, slope);
     row.line_search_ms = watch.milliseconds();
-    if (row.step == 0 && m_near) {
-        m_near = false;
-        return Status::running;
-    }
     if (row.step == 0) return ended(true);
+    if (row.step < 1)
+        m_radius = row.step * m_direction.colwise().norm().maxCoeff();
+    else if (m_newton->ended_at_radius())
+        m_radius = std::min(2 * m_radius, k_most_move * m_net->mean_length());
     m_max_deviation = max_deviation(*m_net, positions);
     if (!linearise(positions)) return Status::stalled;
-    row.factorisation_ms = m_newton->factorisation_ms();
-    m_near = row.step == 1 && !m_newton->met_negative_curvature() && m_newton->gradient_norm() < k_near_gradient;
+    row.factorisation_ms += m_newton->factorisation_ms();
     return is_at_rest() ? Status::converged : Status::running;
 }
 
@@ -303,8 +311,7 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
 /// direction that was accepted; 0: none, and the positions stay.
 double Equilibrium::step_along(Positions& positions, double slope) {
     if (!(slope < 0)) return 0;
-    const double longest = m_direction.colwise().norm().maxCoeff();
-    double step = std::min(1.0, k_most_move * m_net->mean_length() / longest);
+    double step = 1;
     m_origin = positions;
     const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
     const std::vector<double> held = m_limit.held();
@@ -313,6 +320,7 @@ double Equilibrium::step_along(Positions& positions, double slope) {
         positions = m_origin + step * m_direction;
         if (!project(positions)) continue;
         const double energy = evaluate(positions, m_next_gradient);
+        { int n0=0,n1=0; for(double h:held) n0+=h>0; for(double h:m_limit.held()) n1+=h>0; std::fprintf(stderr,"   try %g dE %.3e slope %.3e inner %d radius %.3g end %d held %d -> %d\n",step,energy-m_energy,slope,m_newton->inner_iterations(),m_radius,m_newton->ended_at_radius(),n0,n1); }
         if (!opens && !(energy <= m_energy + k_sufficient_decrease * step * slope)) continue;
         m_energy = energy;
         m_gradient.swap(m_next_gradient);

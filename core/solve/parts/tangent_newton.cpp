@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
 
 namespace chebnet {
@@ -14,18 +16,24 @@ namespace {
 constexpr double k_length_stiffness = 2;
 // Keeps M's factor in single precision definite where a net is large and held at few vertices.
 constexpr double k_shift = 1e-6;
+// What the factored Hessian adds for lengths, in the unit of energies, and to its diagonal. Single precision has room
+// for what is between.
+constexpr double k_penalty = 20;
+constexpr double k_block_shift = 1e-4;
 constexpr double k_multiplier_tolerance = 1e-5;
 
 }  // namespace
 
 TangentNewton::TangentNewton(const Net& net, const Topology& topology, const FreePart& part)
-    : m_net(net), m_part(part), m_form(net, topology) {
+    : m_net(net), m_part(part), m_pairs(net, topology), m_form(m_pairs, net.vertex_count()) {
     for (int v = 0; v < net.vertex_count(); ++v)
         if (part.node_of(v) < 0) m_fixed.push_back(v);
-    Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_form.pairs().size()));
+    Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_pairs.size()));
     Eigen::Index count = 0;
-    for (const auto& [a, b] : m_form.pairs())
-        if (part.node_of(a) >= 0 && part.node_of(b) >= 0) links.col(count++) << part.node_of(a), part.node_of(b);
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const int i = part.node_of(m_pairs[k][0]), j = part.node_of(m_pairs[k][1]);
+        if (i >= 0 && j >= 0) links.col(count++) << i, j;
+    }
     links.conservativeResize(2, count);
     m_system = std::make_unique<LaplacianSystem>(part.size(), links);
     m_single.setZero(4, part.size());
@@ -40,8 +48,8 @@ void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
 
     m_system->set_zero();
     int link = 0;
-    for (std::size_t k = 0; k < m_form.pairs().size(); ++k) {
-        const auto& [a, b] = m_form.pairs()[k];
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const auto& [a, b] = m_pairs[k];
         const int i = m_part.node_of(a), j = m_part.node_of(b);
         const LaplacianSystem::Block weight(m_form.weight(k));
         if (i >= 0 && j >= 0)
@@ -58,8 +66,8 @@ void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
 
 void TangentNewton::extend(Eigen::Matrix3Xd& moves) {
     m_single.setZero();
-    for (std::size_t k = 0; k < m_form.pairs().size(); ++k) {
-        const auto& [a, b] = m_form.pairs()[k];
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const auto& [a, b] = m_pairs[k];
         const int i = m_part.node_of(a), j = m_part.node_of(b);
         const auto pull = [&](int node, int fixed) {
             m_single.col(node).head<3>() += (m_form.weight(k) * moves.col(fixed)).cast<float>();
@@ -103,18 +111,50 @@ void TangentNewton::project(Eigen::Matrix3Xd& vectors) {
 }
 
 void TangentNewton::precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to) {
-    for (int i = 0; i < m_part.size(); ++i) m_single.col(i).head<3>() = from.col(m_part.vertices()[i]).cast<float>();
-    m_system->solve_in_place(m_single);
     to.setZero(3, m_net.vertex_count());
-    for (int i = 0; i < m_part.size(); ++i) to.col(m_part.vertices()[i]) = m_single.col(i).head<3>().cast<double>();
+    if (m_factor_is_used) {
+        m_blocks->solve(from, to);
+    } else {
+        for (int i = 0; i < m_part.size(); ++i)
+            m_single.col(i).head<3>() = from.col(m_part.vertices()[i]).cast<float>();
+        m_system->solve_in_place(m_single);
+        for (int i = 0; i < m_part.size(); ++i) to.col(m_part.vertices()[i]) = m_single.col(i).head<3>().cast<double>();
+    }
     project(to);
 }
 
-/// Σ λ ∇²c d, or of those only that pull.
-void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, bool pushes, Eigen::Matrix3Xd& product) const {
+/// H, without what pushing edges take off, and the stiff lengths.
+bool TangentNewton::factorize(std::span<const std::unique_ptr<Term>> terms) {
+    Stopwatch watch;
+    try {
+        if (!m_blocks) m_blocks = std::make_unique<NeighbourSystem>(m_pairs, m_part);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        return false;
+    }
+    m_blocks->set_zero();
+    for (const auto& term : terms) term->add_blocks(*m_blocks);
+    const LengthSystem& system = m_lengths->system();
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+    for (int row = 0; row < system.row_count(); ++row) {
+        const auto& [a, b, distance, unit] = system.row(row);
+        const Eigen::Vector3d gradient = system.jacobian().col(row);
+        const Eigen::Matrix3d outer = gradient * gradient.transpose();
+        const double pull = std::max(0.0, m_multipliers[row]) / distance;
+        if (system.is_on(row)) m_blocks->add_link(a, b, k_penalty * outer + pull * (identity / unit - unit * outer));
+    }
+    const double unit = m_net.mean_length();
+    for (int v : m_part.vertices()) m_blocks->add_vertex(v, k_block_shift / (unit * unit) * identity);
+    m_factor_is_used = m_blocks->factorize();
+    m_factorisation_ms += watch.milliseconds();
+    return m_factor_is_used;
+}
+
+/// Σ λ ∇²c d.
+void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
     const LengthSystem& system = m_lengths->system();
     for (int row = 0; row < system.row_count(); ++row) {
-        if (m_multipliers[row] == 0 || (!pushes && m_multipliers[row] < 0)) continue;
+        if (m_multipliers[row] == 0) continue;
         const auto& [a, b, distance, unit] = system.row(row);
         const Eigen::Vector3d gradient = system.jacobian().col(row), move = d.col(a) - d.col(b);
         const Eigen::Vector3d across = move / unit - unit * gradient.dot(move) * gradient;
@@ -124,36 +164,47 @@ void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, bool pushes, Eigen::M
     }
 }
 
-double TangentNewton::find_direction(std::span<const std::unique_ptr<Term>> terms, int most_iterations,
-                                     double tolerance, bool pushes, Eigen::Matrix3Xd& direction) {
-    direction.setZero(3, m_net.vertex_count());
-    m_met_negative_curvature = false;
-    m_inner_iterations = 0;
+double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, int most_iterations, double tolerance,
+                                double radius, Eigen::Matrix3Xd& move) {
+    move.setZero(3, m_net.vertex_count());
+    m_ended_at_radius = false;
     m_residual = m_descent;
     precondition(m_residual, m_preconditioned);
     m_search = m_preconditioned;
     double product = m_residual.cwiseProduct(m_preconditioned).sum();
     const double enough = tolerance * tolerance * product;
-    for (int k = 0; k < most_iterations && product > enough; ++k) {
+    m_inner_iterations = 0;
+    while (m_inner_iterations < most_iterations && product > enough && !m_ended_at_radius) {
+        ++m_inner_iterations;
         m_image.setZero(3, m_net.vertex_count());
         for (const auto& term : terms) term->add_curvature(m_search, m_image);
-        add_tension(m_search, pushes, m_image);
+        add_tension(m_search, m_image);
         mask(m_image);
         const double curvature = m_search.cwiseProduct(m_image).sum();
-        if (!(curvature > 1e-10 * product)) {
-            m_met_negative_curvature = true;
-            if (k == 0) direction = m_search;
-            break;
-        }
-        ++m_inner_iterations;
-        direction += product / curvature * m_search;
-        m_residual -= product / curvature * m_image;
+        const double whole = curvature > 0 ? product / curvature : std::numeric_limits<double>::infinity();
+        const double step = part_to_radius(move, m_search, whole, radius);
+        m_ended_at_radius = step < whole;
+        move += step * m_search;
+        if (m_ended_at_radius) break;
+        m_residual -= step * m_image;
         project(m_residual);
         precondition(m_residual, m_preconditioned);
         const double previous = std::exchange(product, m_residual.cwiseProduct(m_preconditioned).sum());
         m_search = m_preconditioned + product / previous * m_search;
     }
-    return -m_descent.cwiseProduct(direction).sum();
+    return -m_descent.cwiseProduct(move).sum();
+}
+
+/// The largest t ≤ most for which no column of from + t · along is longer than the radius.
+double TangentNewton::part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
+                                     double radius) const {
+    double t = most;
+    for (int v : m_part.vertices()) {
+        const double a = along.col(v).squaredNorm(), b = from.col(v).dot(along.col(v));
+        const double c = radius * radius - from.col(v).squaredNorm();
+        if (a > 0) t = std::min(t, std::max(0.0, (std::sqrt(std::max(0.0, b * b + a * c)) - b) / a));
+    }
+    return t;
 }
 
 }  // namespace chebnet

@@ -11,6 +11,8 @@
 #include "solve/parts/free_part.h"
 #include "solve/parts/length_projection.h"
 #include "solve/parts/neighbour_form.h"
+#include "solve/parts/neighbour_pairs.h"
+#include "solve/parts/neighbour_system.h"
 #include "solve/terms/term.h"
 
 namespace chebnet {
@@ -19,11 +21,11 @@ namespace chebnet {
 ///
 ///     minimise  ∇E·d + ½ d·H d   subject to  J d = 0,
 ///
-/// where J is the Jacobian of the lengths and H the curvature of the energy and of those edges that pull (pushing ones
-/// would take off). Solved by projected conjugate gradients (Gould, Hribar, Nocedal 2001), cut short: what the first
-/// tens of iterations leave is the next step's to correct. The preconditioner is Π M⁻¹ Π, with M a fixed form that
-/// treats the coordinates alike, factored once for a set of handles, and Π the projection onto J d = 0 by the factor of
-/// the system of lengths. So nothing with more than one unknown an edge is ever factored.
+/// where J is the Jacobian of the lengths and H the curvature of the energy and of the lengths, Σ λ_e ∇²c_e. Solved by
+/// projected conjugate gradients (Gould, Hribar, Nocedal 2001), cut short: what the first tens of iterations leave is
+/// the next step's to correct. The preconditioner is Π M⁻¹ Π, with M a fixed form that treats the coordinates alike,
+/// factored once for a set of handles, and Π the projection onto J d = 0 by the factor of the system of lengths. Where
+/// many iterations are left, H itself with stiff lengths, factored in single precision, takes M's place.
 class TangentNewton {
 public:
     /// Keeps references to net and part.
@@ -45,30 +47,43 @@ public:
     double gradient_norm() const { return m_gradient_norm; }
     double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last linearise()
 
-    /// A direction of descent, zero on fixed vertices, by so many iterations at most; fewer if they have brought the
-    /// residual to this part. Returns its slope ∇E·d, negative unless there is none.
-    /// `pushes`: heed what edges that push take off too, as is right close to a minimum.
-    double find_direction(std::span<const std::unique_ptr<Term>> terms, int most_iterations, double tolerance,
-                          bool pushes, Eigen::Matrix3Xd& direction);
-    bool met_negative_curvature() const { return m_met_negative_curvature; }
-    int inner_iterations() const { return m_inner_iterations; }
+    /// Factors H itself, with stiff lengths, at the net of the last linearise(): from now on it takes M's place, also
+    /// at other nets, which is worth more iterations than it costs where they are many. False if that cannot be done.
+    bool factorize(std::span<const std::unique_ptr<Term>> terms);
+    /// Back to M.
+    void forget_factor() { m_factor_is_used = false; }
+    bool has_factor() const { return m_factor_is_used; }
+
+    /// A move that lowers the energy, zero on fixed vertices, by so many iterations at most; fewer if they have brought
+    /// the residual to this part. No vertex moves farther than `radius`: where the minimum is farther, or where there
+    /// is none since the curvature along the way is negative, the move ends at that distance (Steihaug 1983). Returns
+    /// its slope ∇E·d, negative unless there is none.
+    double find_move(std::span<const std::unique_ptr<Term>> terms, int most_iterations, double tolerance, double radius,
+                     Eigen::Matrix3Xd& move);
+    bool ended_at_radius() const { return m_ended_at_radius; }   ///< whether the last move did
+    int inner_iterations() const { return m_inner_iterations; }  ///< of the last move
 
 private:
+    double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
+                          double radius) const;
     void mask(Eigen::Matrix3Xd& vectors) const;
     void project(Eigen::Matrix3Xd& vectors);
     void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
-    void add_tension(const Eigen::Matrix3Xd& d, bool pushes, Eigen::Matrix3Xd& product) const;
+    void add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const;
 
     const Net& m_net;
     const FreePart& m_part;
     LengthProjection* m_lengths = nullptr;
     std::vector<int> m_fixed;  // vertices
     // M as links and weights at vertices; the system has the free vertices as nodes.
+    NeighbourPairs m_pairs;
     NeighbourForm m_form;
     std::unique_ptr<LaplacianSystem> m_system;
+    std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
+    bool m_factor_is_used = false;
 
     Eigen::VectorXd m_multipliers;
-    bool m_met_negative_curvature = false;
+    bool m_ended_at_radius = false;
     int m_inner_iterations = 0;
     double m_gradient_norm = 0, m_factorisation_ms = 0;
     Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)

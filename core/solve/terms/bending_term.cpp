@@ -144,6 +144,42 @@ void BendingTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& pro
     }
 }
 
+/// In the moves q_i of the tangents: B_ij = 2 (M_ij I + [z_i] C [z_j]) with C the inverse of the inertia and [z] v = z
+/// × v.
+void BendingTerm::add_blocks(BlockForm& form) const {
+    const int cells = static_cast<int>(m_start.size()) - 1;
+    const auto cross = [&](int i) {
+        Eigen::Matrix3d matrix;
+        const auto z = m_levers.col(i);
+        matrix << 0, -z.z(), z.y(), z.z(), 0, -z.x(), -z.y(), z.x(), 0;
+        return matrix;
+    };
+    for (int b = 0; b < cells; ++b) {
+        Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero(), middle = Eigen::Matrix3d::Zero();
+        if (m_turns) compliance = m_rotations[b] * m_compliance[b] * m_rotations[b].transpose();
+        for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
+            const Spoke& spoke = m_spokes[i];
+            Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+            const Eigen::Matrix3d turned = m_turns ? Eigen::Matrix3d(cross(i) * compliance) : compliance;
+            for (int j = m_start[b]; j < m_start[b + 1]; ++j) {
+                double entry = 0;  // M_ij
+                if (i == j) entry = m_cell_weight + (spoke.partner >= 0 ? m_weight : 0);
+                if (j == spoke.partner) entry = m_weight;
+                if (!m_turns && entry == 0) continue;
+                Eigen::Matrix3d B = entry * Eigen::Matrix3d::Identity();
+                if (m_turns) B += turned * cross(j);
+                B *= 2 * spoke.inverse_length * m_spokes[j].inverse_length;
+                sum += B;
+                if (i == j) form.add_vertex(spoke.vertex, B);
+                if (i < j) form.add_pair(spoke.vertex, m_spokes[j].vertex, B);
+            }
+            form.add_pair(spoke.vertex, b, -sum);
+            middle += sum;
+        }
+        form.add_vertex(b, middle);
+    }
+}
+
 /// ‖α p + β q‖² = (α² + αβ) ‖p‖² + (β² + αβ) ‖q‖² − αβ ‖p − q‖².
 void BendingTerm::add_bound(QuadraticForm& form) const {
     const int cells = static_cast<int>(m_start.size()) - 1;

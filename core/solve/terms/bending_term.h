@@ -38,6 +38,7 @@ public:
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
     /// With R_b free to turn along, linearised as in a rest shape that has turned by R_b: positive semidefinite.
     void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:

@@ -19,6 +19,11 @@ void PullTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& produc
     for (const Hold& hold : m_holds) product.col(hold.vertex) += 2 * m_scale * hold.weight * d.col(hold.vertex);
 }
 
+void PullTerm::add_blocks(BlockForm& form) const {
+    for (const Hold& hold : m_holds)
+        form.add_vertex(hold.vertex, 2 * m_scale * hold.weight * Eigen::Matrix3d::Identity());
+}
+
 void PullTerm::add_bound(QuadraticForm& form) const {
     for (const Hold& hold : m_holds) form.add_vertex(hold.vertex, 2 * m_scale * hold.weight);
 }

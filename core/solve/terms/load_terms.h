@@ -17,6 +17,7 @@ public:
     const char* name() const override { return "pull"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
     void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:
@@ -34,6 +35,7 @@ public:
     const char* name() const override { return "gravity"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
     void add_curvature(const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&) const override {}
+    void add_blocks(BlockForm&) const override {}
     void add_bound(QuadraticForm&) const override {}
 
 private:

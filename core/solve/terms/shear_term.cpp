@@ -47,6 +47,17 @@ void ShearTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& produ
     }
 }
 
+void ShearTerm::add_blocks(BlockForm& form) const {
+    for (std::size_t i = 0; i < m_diagonals.size(); ++i) {
+        const auto& [a, b, length] = m_diagonals[i];
+        const auto k = static_cast<Eigen::Index>(i);
+        const Eigen::Matrix3d along = m_directions.col(k) * m_directions.col(k).transpose();
+        form.add_link(
+            a, b,
+            2 * m_weight / (length * length) * (m_across[k] * Eigen::Matrix3d::Identity() + (1 - m_across[k]) * along));
+    }
+}
+
 void ShearTerm::add_bound(QuadraticForm& form) const {
     for (const auto& [a, b, length] : m_diagonals) form.add_link(a, b, 2 * m_weight / (length * length));
 }

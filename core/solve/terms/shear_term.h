@@ -21,6 +21,7 @@ public:
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
     /// Without what a diagonal shorter than d⁰ lacks across.
     void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:

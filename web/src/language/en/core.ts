@@ -6,7 +6,6 @@ import type { Tables } from '../../worker/protocol';
 const METHODS: Record<string, string> = {
   li2022: 'Li et al. 2022',
   projected_newton: 'Projected Newton',
-  equilibrium: 'Equilibrium',
   gauss_newton: 'Gauss–Newton',
   dp4: 'D^p, p = 4',
   dp8: 'D^p, p = 8',
