@@ -178,14 +178,18 @@ val handle_weights(const Session& session) {
 }
 
 /// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n, `weights`: a Float64Array of n.
-void set_handles(Session& session, val vertices, val targets, val weights) {
+std::vector<Handle> handles_in(val vertices, val targets, val weights) {
     const auto vertex = emscripten::convertJSArrayToNumberVector<int>(vertices);
     const auto target = emscripten::convertJSArrayToNumberVector<double>(targets);
     const auto weight = emscripten::convertJSArrayToNumberVector<double>(weights);
     std::vector<Handle> handles;
     for (std::size_t i = 0; i < vertex.size(); ++i)
         handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2]), weight[i]});
-    session.editor.set_handles(std::move(handles));
+    return handles;
+}
+
+void set_handles(Session& session, val vertices, val targets, val weights) {
+    session.editor.set_handles(handles_in(vertices, targets, weights));
 }
 
 /// `origins`: an Int32Array.
@@ -195,11 +199,12 @@ void set_locality(Session& session, double radius, val origins) {
 
 /// null: everything may move.
 val locality(const Session& session) {
-    const std::optional<Region>& region = session.editor.region();
-    if (!region) return val::null();
+    const std::optional<Locality> locality = session.editor.state().locality;
+    if (!locality) return val::null();
     val object = val::object();
-    object.set("radius", region->radius);
-    object.set("origins", copy_out(region->origins));
+    object.set("radius", locality->radius);
+    object.set("origins", copy_out(locality->origins));
+    object.set("heldAt", copy_out(locality->held_at));
     return object;
 }
 
@@ -221,10 +226,28 @@ void move_handle(Session& session, int vertex, double x, double y, double z) {
 }
 
 /// `flat`: a Float64Array whose length is a multiple of 3.
-void set_positions(Session& session, val flat) {
+Positions positions_in(val flat) {
     const auto numbers = emscripten::convertJSArrayToNumberVector<double>(flat);
-    session.editor.set_positions(
-        Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3)));
+    return Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3));
+}
+
+void set_positions(Session& session, val flat) { session.editor.set_positions(positions_in(flat)); }
+
+/// `options`: names and values in turn; those not named are at their defaults. `locality`: as locality() gives it.
+void set_state(Session& session, std::string method, std::string initialisation, val options, val handles, val locality,
+               val positions) {
+    EditState state;
+    state.method = std::move(method);
+    state.initialisation = std::move(initialisation);
+    const auto words = emscripten::vecFromJSArray<std::string>(options);
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) set_option(state.options, words[i], words[i + 1]);
+    state.handles = handles_in(handles["vertices"], handles["targets"], handles["weights"]);
+    if (!locality.isNull())
+        state.locality = Locality{locality["radius"].as<double>(),
+                                  emscripten::convertJSArrayToNumberVector<int>(locality["origins"]),
+                                  positions_in(locality["heldAt"])};
+    state.positions = positions_in(positions);
+    session.editor.set_state(std::move(state));
 }
 
 // ------------------------------------------------------------------------------------------------------------ solving
@@ -327,6 +350,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("distances", guarded<&distances>)
         .function("moveHandle", guarded<&move_handle>)
         .function("setPositions", guarded<&set_positions>)
+        .function("setState", guarded<&set_state>)
         .function("solve", guarded<&solve>)
         .function("reset", guarded<&reset>)
         .function("positions", guarded<&positions>)

@@ -74,6 +74,26 @@ export interface Handle {
   weight?: number;
 }
 
+/** Where a net may move; see `setLocality`. */
+export interface Locality {
+  radius: number;
+  origins: readonly number[];
+  /** Where the net stood when this began and is held; without it, where it stands now. */
+  heldAt?: Float64Array;
+}
+
+/** All that another editor of the same net needs to go on as this one does; see core/edit/edit_state.h. */
+export interface EditState {
+  handles: readonly Handle[];
+  method: string;
+  initialisation: string;
+  /** Those not named are at their defaults. */
+  options: Readonly<Record<string, number | boolean>>;
+  /** null: everything may move. */
+  locality: Locality | null;
+  positions: Float64Array;
+}
+
 /** All points as near to a centre as this, where a vertex is held. */
 export interface Ball {
   vertex: number;
@@ -199,6 +219,10 @@ export interface Editor {
   setInitialisation(text: string): void;
   options(): Record<string, number | boolean>;
   setOption(name: string, value: number | boolean): void;
+
+  state(): EditState;
+  /** If anything of it is refused, nothing changes. Exact handles then snap to their targets. */
+  setState(state: EditState): void;
 
   handles(): Handle[];
   setHandles(handles: readonly Handle[]): void;

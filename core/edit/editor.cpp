@@ -47,6 +47,26 @@ void check_softness(const std::vector<Handle>& handles, const Method& method, co
                                                std::to_string(soft->vertex) + " is soft; projection can do that");
 }
 
+void check_locality(const Net& net, double radius, std::span<const int> origins) {
+    if (!(radius > 0)) throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
+    for (int origin : origins) check_vertex(net, origin, "the origin of a locality");
+}
+
+void check_positions(const Net& net, const Positions& positions) {
+    if (positions.cols() != net.vertex_count())
+        throw Error(ErrorCode::index_out_of_range, "positions of " + std::to_string(positions.cols()) +
+                                                       " vertices do not fit a net of " +
+                                                       std::to_string(net.vertex_count()));
+    if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
+    if (positions.cwiseAbs().maxCoeff() > k_largest_size)
+        throw Error(ErrorCode::bad_scale, "a position is farther away than any net can be");
+}
+
+void snap(const std::vector<Handle>& handles, Positions& positions) {
+    for (const Handle& handle : handles)
+        if (handle.is_exact()) positions.col(handle.vertex) = handle.target;
+}
+
 }  // namespace
 
 Editor::Editor(Net net)
@@ -62,6 +82,13 @@ Editor::Editor(Net net)
 void Editor::set_handles(std::vector<Handle> handles) {
     check_handles(*m_net, handles);
     check_softness(handles, *m_method, m_method_name);
+    replace_handles(std::move(handles));
+    leave_region();
+    snap_handles();
+    restart();
+}
+
+void Editor::replace_handles(std::vector<Handle> handles) {
     const auto same_kind = [](const Handle& a, const Handle& b) {
         return a.vertex == b.vertex && a.is_exact() == b.is_exact();
     };
@@ -73,9 +100,6 @@ void Editor::set_handles(std::vector<Handle> handles) {
         m_prepared = false;
         m_handle_graph.reset();
     }
-    leave_region();
-    snap_handles();
-    restart();
 }
 
 void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
@@ -100,8 +124,7 @@ std::size_t Editor::place_of_handle(int vertex) const {
 }
 
 void Editor::set_locality(double radius, std::span<const int> origins) {
-    if (!(radius > 0)) throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
-    for (int origin : origins) check_vertex(*m_net, origin, "the origin of a locality");
+    check_locality(*m_net, radius, origins);
     leave_region();
     restart();
     if (!std::isfinite(radius) || origins.empty()) return;
@@ -136,13 +159,7 @@ void Editor::set_option(std::string_view key, std::string_view value) {
 }
 
 void Editor::set_positions(const Positions& positions) {
-    if (positions.cols() != m_net->vertex_count())
-        throw Error(ErrorCode::index_out_of_range, "positions of " + std::to_string(positions.cols()) +
-                                                       " vertices do not fit a net of " +
-                                                       std::to_string(m_net->vertex_count()));
-    if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
-    if (positions.cwiseAbs().maxCoeff() > k_largest_size)
-        throw Error(ErrorCode::bad_scale, "a position is farther away than any net can be");
+    check_positions(*m_net, positions);
     m_positions = positions;
     leave_region();
     snap_handles();
@@ -156,9 +173,53 @@ void Editor::reset() {
     restart();
 }
 
-void Editor::snap_handles() {
-    for (const Handle& handle : m_handles)
-        if (handle.is_exact()) m_positions.col(handle.vertex) = handle.target;
+void Editor::snap_handles() { snap(m_handles, m_positions); }
+
+EditState Editor::state() const {
+    EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_positions};
+    if (m_region) {
+        state.locality = Locality{m_region->radius, m_region->origins, m_positions};
+        for (const Hold& hold : m_region->holds) state.locality->held_at.col(hold.vertex) = hold.target;
+    }
+    return state;
+}
+
+void Editor::set_state(EditState state) {
+    // Whatever can be refused comes before the first change.
+    std::unique_ptr<Method> other_method = state.method == m_method_name ? nullptr : make_method(state.method);
+    Initialisation other_initialisation(state.initialisation);
+    check_options(state.options);
+    check_handles(*m_net, state.handles);
+    check_softness(state.handles, other_method ? *other_method : *m_method, state.method);
+    check_positions(*m_net, state.positions);
+    snap(state.handles, state.positions);
+    std::optional<Region> region = region_of(state);
+
+    if (other_method) {
+        m_method = std::move(other_method);
+        m_method_name = std::move(state.method);
+        m_prepared = false;
+    }
+    if (state.initialisation != initialisation()) {
+        m_initialisation = std::move(other_initialisation);
+        m_prepared = false;
+    }
+    m_options = state.options;
+    replace_handles(std::move(state.handles));
+    const bool same_region = region && m_region ? region->outside == m_region->outside : !region && !m_region;
+    if (!same_region) m_prepared = false;
+    m_region = std::move(region);
+    m_positions = std::move(state.positions);
+    restart();
+}
+
+std::optional<Region> Editor::region_of(const EditState& state) const {
+    if (!state.locality) return std::nullopt;
+    const auto& [radius, origins, held_at] = *state.locality;
+    check_locality(*m_net, radius, origins);
+    if (held_at.size() > 0) check_positions(*m_net, held_at);
+    if (!std::isfinite(radius) || origins.empty()) return std::nullopt;
+    return region_around(*m_net, *m_topology, held_at.size() > 0 ? held_at : state.positions, origins, radius);
 }
 
 /// Exact handles, and what lies outside the region that may move.

@@ -29,6 +29,9 @@ struct Options {
 /// valid.
 void set_option(Options& options, std::string_view key, std::string_view value);
 
+/// Throws Error bad_option, naming the range, for the first option that is out of it.
+void check_options(const Options& options);
+
 /// One line for each option, for help texts and the page: name, default, range and a sentence.
 struct OptionInfo {
     const char* name;
