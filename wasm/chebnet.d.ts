@@ -82,7 +82,7 @@ export interface Locality {
   heldAt?: Float64Array;
 }
 
-/** All that another editor of the same net needs to go on as this one does; see core/edit/edit_state.h. */
+/** All that another editor of the same net needs to go on from there; see core/edit/edit_state.h. */
 export interface EditState {
   handles: readonly Handle[];
   method: string;

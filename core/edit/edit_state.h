@@ -28,10 +28,11 @@ struct Locality {
     Positions held_at;         ///< 3×V, where the net stood when this began and is held; empty: where it stands now
 };
 
-/// All that another editor of the same net needs to go on as this one does: Editor::set_state() of it, and from there
-/// on both solve to the same positions. What is not in it follows from it, at the cost of time alone: factorisations,
-/// the graph of handles. A solve under way is not in it either; it begins anew from where the net stands, and so does
-/// its count of iterations.
+/// What a person has made of a net, and all that another editor of the same net needs to go on from there: editors that
+/// were set to the same state (Editor::set_state()) solve to the same positions, bit for bit. What is not in it: what a
+/// method keeps of the frames before, such as factors and the rigid shape of `projection`, so that a first editor that
+/// goes on warm may find other positions, as good; a solve under way, which begins anew, as does its count of
+/// iterations.
 struct EditState {
     std::vector<Handle> handles;
     std::string method;          ///< a name in method_table(), or the method that the editor has already

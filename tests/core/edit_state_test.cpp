@@ -92,27 +92,21 @@ TEST_CASE("A second editor takes over every field of the state") {
     CHECK(second.method() == state.method);
 }
 
-TEST_CASE("A second editor goes on to the same positions, bit for bit") {
+TEST_CASE("Editors that were set to the same state go on to the same positions, bit for bit") {
     const std::string method = GENERATE(as<std::string>{}, "projection", "li2022", "local_global");
     const bool local = GENERATE(true, false);
-    Editor first = edited();
-    if (!local) first.set_locality(k_infinity, {});
-    if (method != "projection") {
-        std::vector<Handle> handles = first.handles();
-        handles[1].weight = k_infinity;
-        const std::optional<Locality> locality = first.state().locality;
-        EditState state = first.state();
-        state.handles = handles;
-        state.method = method;
-        first.set_state(state);
-        CHECK(first.state().locality.has_value() == local);
-    }
-    Editor second(net());
+    INFO(method);
+    EditState state = edited().state();
+    state.method = method;
+    if (method != "projection") state.handles[1].weight = k_infinity;  // which alone knows soft handles
+    if (!local) state.locality.reset();
+    Editor first(net()), second(net());
+    first.set_state(state);
+    check_same(first.state(), state);
     second.set_state(first.state());
     drag_on(first);
     drag_on(second);
-    INFO(method);
-    CHECK(first.positions() == second.positions());
+    CHECK(first.positions() != state.positions);
     check_same(first.state(), second.state());
 }
 
