@@ -2,6 +2,7 @@
 import type {
   Defect,
   EqualizeReport,
+  FormatInfo,
   InitialisationInfo,
   Mesh,
   MethodInfo,
@@ -76,6 +77,7 @@ export interface Core {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
   initialisations(): InitialisationInfo[];
+  formats(): FormatInfo[];
   defaultOptions(): OptionInfo[];
   openRecipe(recipe: string): Session;
   openObj(text: string, name: string, restLengths: string): Session;

@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Ball, Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -287,7 +287,7 @@ class WasmEditor {
     return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
   }
 
-  /** @param {FileFormat} format */
+  /** @param {string} format */
   toFile(format) {
     return this.#open.toFile(text(format, 'a format', 'bad_option'));
   }
@@ -342,6 +342,7 @@ function facade(core) {
     shapes: () => core.shapes(),
     methods: () => core.methods(),
     initialisations: () => core.initialisations(),
+    formats: () => core.formats(),
     options: () => core.defaultOptions(),
     openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
     openObj: (obj, name = 'OBJ', lengths = 'automatic') =>

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh_file.h"
 #include "mesh_border.h"
 #include "net/repair.h"
 

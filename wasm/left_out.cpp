@@ -1,4 +1,4 @@
-// What chebnet_editor has in place of sources that it does without (left_out.cmake): files, and shapes that are
+// What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, and shapes that are
 // relaxed. Called, they throw the code "left_out".
 
 #include <memory>
@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "border.h"
-#include "io/mesh_file.h"
 #include "io/obj.h"
 #include "shapes/smooth_figure.h"
 
@@ -26,6 +25,5 @@ Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Ve
 
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
-std::string write_mesh(const Positions&, const Faces&, FileFormat) { leave_to_the_whole_core(); }
 
 }  // namespace chebnet

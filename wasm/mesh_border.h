@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "border.h"
 #include "edit/editor.h"
-#include "io/mesh_file.h"
 #include "net/mesh.h"
 
 namespace chebnet {
@@ -36,8 +35,7 @@ T named(const Names<T>& names, std::string_view name, const char* what) {
     return found->second;
 }
 
-/// Throw Error bad_option for a name that wasm/chebnet.d.ts does not have.
-FileFormat file_format_named(std::string_view name);
+/// Throws Error bad_option for a name that wasm/chebnet.d.ts does not have.
 RestLengths rest_lengths_named(std::string_view name);
 
 }  // namespace chebnet

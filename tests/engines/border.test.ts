@@ -10,7 +10,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
 /** What C++ gives to JavaScript and nothing makes fail. */
 const SAFE = [
-  ...['shapes', 'methods', 'initialisations', 'defaultOptions', 'defects'],
+  ...['shapes', 'methods', 'initialisations', 'formats', 'defaultOptions', 'defects'],
   ...['info', 'edges', 'faceStart', 'faceVertices', 'restPositions', 'restLengths', 'netLines', 'boundaryLoops', 'suggestedHandles'],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
   ...['solve', 'reset', 'positions', 'deviations', 'cornerAngles', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],

@@ -1,6 +1,6 @@
 /** The controller: owns the document, its history and the worker's client, and keeps view and panels in step with them.
  *  Everything a user or a script can do to the net is a method here. */
-import type { Handle, OptionInfo } from '../../wasm/chebnet';
+import type { FormatInfo, Handle, OptionInfo } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
 import type { ComparisonWish, Run, RunPlan, RunWish } from './compare/run';
@@ -75,6 +75,7 @@ export class App {
   };
   #optionTable: OptionInfo[] = [];
   #methods: string[] = [];
+  #formats: readonly FormatInfo[] = [];
   #opening: Opening | null = null;
   /** Nets on their way. */
   #awaited = 0;
@@ -114,6 +115,11 @@ export class App {
     return this.#view.framesPerSecond();
   }
 
+  /** The core's; none before the solver is there. */
+  get formats(): readonly FormatInfo[] {
+    return this.#formats;
+  }
+
   screenPosition(vertex: number): { x: number; y: number } {
     return this.#view.screenPosition(vertex);
   }
@@ -123,6 +129,7 @@ export class App {
     const tables = await this.#tables;
     this.#optionTable = tables.options;
     this.#methods = tables.methods.map(({ name }) => name);
+    this.#formats = tables.formats;
     this.#panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 

@@ -22,7 +22,8 @@ export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
   const { opening } = parts.app;
   if (opening === null) return;
   const content = await contentOf(wish, opening, parts);
-  download(fileNameOf(opening.document.net, wish.kind), content, typeOf(wish.kind));
+  const { formats } = parts.app;
+  download(fileNameOf(opening.document.net, wish.kind, formats), content, typeOf(wish.kind, formats));
 }
 
 function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
@@ -32,14 +33,13 @@ function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }
     case '3dm':
     case 'glb':
     case 'svg':
-      return made(jobOf(wish.kind, wish, opening, theme()), spawnWorker());
+      return made(jobOf(wish.kind, wish, opening, theme(), baseNameOf(opening.document.net, app.formats)), spawnWorker());
     default:
       return app.exported(wish.kind);
   }
 }
 
-function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: Opening, theme: Theme): ExportJob {
-  const name = baseNameOf(document.net);
+function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: Opening, theme: Theme, name: string): ExportJob {
   const { edges, faceStart, faceVertices, restLengths, triangles } = net;
   const { positions } = frame;
   const lines = { start: net.lineStart, vertices: net.lineVertices };

@@ -29,9 +29,10 @@ export class Openers {
 
   async equalizeNet(): Promise<void> {
     if (this.app.opening === null) return;
+    const { formats } = this.app;
     const { document, net } = this.app.opening;
-    const obj = await this.#createEqualizer(subjectOfNet(document, net)).result;
-    if (obj !== null) await this.app.openScene(equalizedScene(document, obj));
+    const obj = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
+    if (obj !== null) await this.app.openScene(equalizedScene(document, obj, formats));
   }
 
   #createEqualizer(subject: Subject): EqualizeDialog {

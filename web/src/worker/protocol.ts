@@ -1,6 +1,6 @@
 import type {
   Ball,
-  FileFormat,
+  FormatInfo,
   Handle,
   InitialisationInfo,
   MethodInfo,
@@ -14,10 +14,10 @@ import type {
 import type { Scene, SolverSettings } from '../document/document';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 7;
+export const PROTOCOL_VERSION = 8;
 
-/** As what the net can be saved; `csv`: its edges with their lengths. */
-export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
+/** As what the solver's worker writes the net: a name from the core's table of formats, or `csv`, its edges with their lengths. */
+export type ExportFormat = string;
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (
@@ -61,6 +61,7 @@ export interface Tables {
   shapes: ShapeInfo[];
   methods: MethodInfo[];
   initialisations: InitialisationInfo[];
+  formats: FormatInfo[];
   options: OptionInfo[];
 }
 
