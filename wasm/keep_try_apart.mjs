@@ -72,12 +72,18 @@ class Reader {
 
   /** @param {number} opcode */
   #skipImmediates(opcode) {
-    if (opcode >= 0x28 && opcode <= 0x3e) this.skipNumbers(2); // loads and stores: alignment, offset
-    else if (opcode === 0x11 || opcode === 0x13) this.skipNumbers(2); // indirect calls: type, table
-    else if (opcode === 0x0e) this.skipNumbers(1 + this.number()); // br_table: labels and the default
-    else if (opcode === 0x1c) this.skipVector(); // select: types
-    else if (opcode === 0x43) this.skip(4); // f32.const
-    else if (opcode === 0x44) this.skip(8); // f64.const
+    if (opcode >= 0x28 && opcode <= 0x3e)
+      this.skipNumbers(2); // loads and stores: alignment, offset
+    else if (opcode === 0x11 || opcode === 0x13)
+      this.skipNumbers(2); // indirect calls: type, table
+    else if (opcode === 0x0e)
+      this.skipNumbers(1 + this.number()); // br_table: labels and the default
+    else if (opcode === 0x1c)
+      this.skipVector(); // select: types
+    else if (opcode === 0x43)
+      this.skip(4); // f32.const
+    else if (opcode === 0x44)
+      this.skip(8); // f64.const
     else if (opcode === 0x1f) this.#skipTryTable();
     else if (ONE_NUMBER.has(opcode)) this.skipNumbers(1);
     else if (!NOTHING.has(opcode)) throw new Error(`unknown instruction 0x${opcode.toString(16)}`);
@@ -98,8 +104,10 @@ class Reader {
 
   #skipVectorInstruction() {
     const opcode = this.number();
-    if (opcode <= 11 || opcode === 92 || opcode === 93) this.skipNumbers(2); // loads and stores
-    else if (opcode === 12 || opcode === 13) this.skip(16); // v128.const, i8x16.shuffle
+    if (opcode <= 11 || opcode === 92 || opcode === 93)
+      this.skipNumbers(2); // loads and stores
+    else if (opcode === 12 || opcode === 13)
+      this.skip(16); // v128.const, i8x16.shuffle
     else if (opcode >= 84 && opcode <= 91) this.#skipLaneInMemory();
     else if (opcode >= 21 && opcode <= 34) this.skip(1); // of a lane
   }

@@ -60,7 +60,10 @@ function licencesOf(packages: readonly string[]): string {
 
 function licenceOfPackage(name: string): string {
   const folder = new URL(`${name}/`, PACKAGES);
-  const { version, license } = JSON.parse(read(new URL('package.json', folder))) as { version: string; license: string };
+  const { version, license } = JSON.parse(read(new URL('package.json', folder))) as {
+    version: string;
+    license: string;
+  };
   return titled(`${name} ${version} (${license})`, textOfPackage(name, folder));
 }
 
@@ -68,7 +71,8 @@ function textOfPackage(name: string, folder: URL): string {
   const kept = new URL(`${name}.txt`, KEPT_TEXTS);
   if (existsSync(kept)) return read(kept);
   const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
-  if (file === undefined) throw new Error(`${name} brings no licence text; please put it into web/licences/${name}.txt`);
+  if (file === undefined)
+    throw new Error(`${name} brings no licence text; please put it into web/licences/${name}.txt`);
   return read(new URL(file, folder));
 }
 

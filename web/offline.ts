@@ -16,7 +16,9 @@ export function offline(): Plugin {
       build: {
         rollupOptions: {
           input: { service_worker: 'src/offline/service_worker.ts' },
-          output: { entryFileNames: ({ name }) => (name === 'service_worker' ? SERVICE_WORKER : 'assets/[name]-[hash].js') },
+          output: {
+            entryFileNames: ({ name }) => (name === 'service_worker' ? SERVICE_WORKER : 'assets/[name]-[hash].js'),
+          },
         },
       },
     }),
@@ -35,9 +37,14 @@ function filesIn(folder: string): string[] {
 function putInto(folder: string, files: string[]): void {
   const isSmall = (path: string) => statSync(join(folder, path)).size <= LARGEST_KEPT_AT_ONCE;
   const hash = (data: string | Buffer) => createHash('sha256').update(data).digest('base64');
-  const now = Object.fromEntries(files.filter(isSmall).map((path) => [path, `sha256-${hash(readFileSync(join(folder, path)))}`]));
+  const now = Object.fromEntries(
+    files.filter(isSmall).map((path) => [path, `sha256-${hash(readFileSync(join(folder, path)))}`]),
+  );
   const later = files.filter((path) => !isSmall(path));
   const contents = { version: hash(JSON.stringify([now, later])), now, later };
   const worker = join(folder, SERVICE_WORKER);
-  writeFileSync(worker, readFileSync(worker, 'utf8').replace('__CONTENTS__', () => JSON.stringify(contents)));
+  writeFileSync(
+    worker,
+    readFileSync(worker, 'utf8').replace('__CONTENTS__', () => JSON.stringify(contents)),
+  );
 }

@@ -4,7 +4,19 @@ import type { Plugin } from 'vite';
 
 /** Of three.js, the page's materials are its own shaders, MeshBasic, MeshLambert and lines; there is no headset, no map of
  *  the surroundings, no shadow map. Whoever wants more of it takes its name out of these lists. */
-const IDLE_MATERIALS = ['meshphysical', 'meshphong', 'meshtoon', 'meshmatcap', 'meshnormal', 'background', 'backgroundCube', 'cube', 'equirect', 'sprite', 'vsm'];
+const IDLE_MATERIALS = [
+  'meshphysical',
+  'meshphong',
+  'meshtoon',
+  'meshmatcap',
+  'meshnormal',
+  'background',
+  'backgroundCube',
+  'cube',
+  'equirect',
+  'sprite',
+  'vsm',
+];
 const IDLE_CHUNKS =
   /^(lights_(physical|phong|toon)|iridescence|transmission|clearcoat|envmap|lightprobes|shadowm|normal_fragment_maps|bumpmap|normalmap|displacementmap|metalnessmap|roughnessmap|gradientmap|skin|morph|tonemapping|map_particle)/;
 const IDLE_MODULES: Record<string, string> = {
@@ -29,7 +41,10 @@ export function leanThree(): Plugin {
       const name = /\/three\/src\/(.*)\.js$/.exec(id)?.[1];
       return name === undefined ? null : (IDLE_MODULES[name] ?? idleShader(name));
     },
-    transform: (code, id) => (id.endsWith('.glsl.js') ? code.replace(/\/\* glsl \*\/\s*`([^`]*)`/g, (_, glsl: string) => JSON.stringify(lean(glsl))) : null),
+    transform: (code, id) =>
+      id.endsWith('.glsl.js')
+        ? code.replace(/\/\* glsl \*\/\s*`([^`]*)`/g, (_, glsl: string) => JSON.stringify(lean(glsl)))
+        : null,
   };
 }
 

@@ -17,6 +17,7 @@ export function plotsInPageLanguage(): Plugin {
 }
 
 export function inPageLanguage(code: string): string {
-  if (code.split(QUESTION).length !== 2) throw new Error('uPlot asks for the language in another way; see plots_in_page_language.ts');
+  if (code.split(QUESTION).length !== 2)
+    throw new Error('uPlot asks for the language in another way; see plots_in_page_language.ts');
   return code.replace(QUESTION, 'document.documentElement.lang');
 }

@@ -50,6 +50,7 @@ export function rhino3dmWithoutEval(): Plugin {
 
 export function withoutEval(glue: string): string {
   const closed = CLOSURES.reduce((code, [evaluation, closure]) => code.replace(evaluation, () => closure), glue);
-  if (/new Function|\beval\(/.test(closed)) throw new Error('rhino3dm has new glue that evaluates text; see rhino3dm_without_eval.ts');
+  if (/new Function|\beval\(/.test(closed))
+    throw new Error('rhino3dm has new glue that evaluates text; see rhino3dm_without_eval.ts');
   return closed;
 }

@@ -27,6 +27,14 @@ const fuzz = tests('fuzz', 20_000);
 
 export default defineConfig({
   test: {
-    projects: [tests('wasm', 120_000), tests('web', 20_000), tests('browser', 120_000), engine('chromium'), engine('firefox'), engine('webkit'), fuzz],
+    projects: [
+      tests('wasm', 120_000),
+      tests('web', 20_000),
+      tests('browser', 120_000),
+      engine('chromium'),
+      engine('firefox'),
+      engine('webkit'),
+      fuzz,
+    ],
   },
 });

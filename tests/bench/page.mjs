@@ -48,7 +48,13 @@ async function measure(recipe) {
   const allocated = await allocations(page, () => dragAround(script, vertex));
   const hover = await traced(() => pointAround(page));
   await page.context().close();
-  return { recipe, opening: tasksOf(opening), drag: { ...framesOf(drag), ...allocated }, hover: tasksOf(hover), complaints };
+  return {
+    recipe,
+    opening: tasksOf(opening),
+    drag: { ...framesOf(drag), ...allocated },
+    hover: tasksOf(hover),
+    complaints,
+  };
 }
 
 /** A drag in a circle, one move a frame. */
@@ -82,7 +88,11 @@ async function allocations(page, doing) {
     window.frames_counted = 0;
     window.chebnet.on('frame', () => window.frames_counted++);
   });
-  const options = { samplingInterval: 256, includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };
+  const options = {
+    samplingInterval: 256,
+    includeObjectsCollectedByMajorGC: true,
+    includeObjectsCollectedByMinorGC: true,
+  };
   await session.send('HeapProfiler.startSampling', options);
   await doing();
   const { profile } = await session.send('HeapProfiler.stopSampling');
@@ -123,7 +133,11 @@ function threadOf({ pid, tid }) {
 function tasksOf({ main }) {
   const own = times(main, /^RunTask$/);
   const script = times(scriptsOf(main), SCRIPT);
-  return { longestTaskMs: round(Math.max(...own)), longestScriptMs: round(Math.max(...script)), scriptMs: round(sum(script)) };
+  return {
+    longestTaskMs: round(Math.max(...own)),
+    longestScriptMs: round(Math.max(...script)),
+    scriptMs: round(sum(script)),
+  };
 }
 
 function framesOf(trace) {
@@ -149,7 +163,9 @@ function times(events, names) {
 function scriptsOf(main) {
   const scripts = [];
   let end = -Infinity;
-  for (const event of main.filter(({ name, tdur }) => SCRIPT.test(name) && tdur !== undefined).sort((a, b) => a.ts - b.ts)) {
+  for (const event of main
+    .filter(({ name, tdur }) => SCRIPT.test(name) && tdur !== undefined)
+    .sort((a, b) => a.ts - b.ts)) {
     if (event.ts < end) continue;
     end = event.ts + event.dur;
     scripts.push(event);
@@ -160,10 +176,14 @@ function scriptsOf(main) {
 /** From when a worker posted a message to the page until it was read, ms by the clock. */
 function latencies(all, main) {
   const threads = new Set(main.map(threadOf));
-  const posts = all.filter((event) => event.name === 'SchedulePostMessage' && event.args.data !== undefined && !threads.has(threadOf(event)));
+  const posts = all.filter(
+    (event) => event.name === 'SchedulePostMessage' && event.args.data !== undefined && !threads.has(threadOf(event)),
+  );
   const posted = new Map(posts.map(({ ts, args }) => [args.data.traceId, ts]));
   return main
-    .filter(({ name, args }) => name === 'HandlePostMessage' && args.data !== undefined && posted.has(args.data.traceId))
+    .filter(
+      ({ name, args }) => name === 'HandlePostMessage' && args.data !== undefined && posted.has(args.data.traceId),
+    )
     .map(({ ts, args }) => (ts - posted.get(args.data.traceId)) / 1000);
 }
 

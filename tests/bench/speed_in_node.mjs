@@ -118,7 +118,9 @@ function measureDrag(task) {
 }
 
 function measureKernels({ edit, net, handles }) {
-  const lines = kernels(net, plan.repeats, ...handles.map(({ vertex }) => vertex)).trim().split('\n');
+  const lines = kernels(net, plan.repeats, ...handles.map(({ vertex }) => vertex))
+    .trim()
+    .split('\n');
   return lines.map((line) => ({ edit, ...JSON.parse(line) }));
 }
 

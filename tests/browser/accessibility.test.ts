@@ -7,7 +7,10 @@ import type { Frame, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { OUTPUT, visits } from './page';
 
-const AXE = readFileSync(createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'), 'utf8');
+const AXE = readFileSync(
+  createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'),
+  'utf8',
+);
 const site = visits();
 
 /** What axe complains of in light and dark, with the elements. Evaluated, for the page's policy keeps out added scripts.
@@ -19,7 +22,9 @@ async function faults(page: Page, view: Page | Frame = page, part = 'html'): Pro
       async ([within, only]) => {
         const { axe } = window as unknown as { axe: { run(within: string, options: object): Promise<AxeResults> } };
         const { violations } = await axe.run(within, only === null ? {} : { runOnly: only });
-        return violations.flatMap(({ id, nodes }) => nodes.map(({ target, any }) => `${id}: ${target.join(' ')}: ${any[0]?.message ?? ''}`));
+        return violations.flatMap(({ id, nodes }) =>
+          nodes.map(({ target, any }) => `${id}: ${target.join(' ')}: ${any[0]?.message ?? ''}`),
+        );
       },
       [part, rules] as const,
     );
@@ -87,13 +92,24 @@ describe.each([
     await page.evaluate((obj) => {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File([obj], 'broken.obj'));
-      document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+      document
+        .getElementById('view')!
+        .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     }, BROKEN);
     await dialog.getByText('Mean length').waitFor();
     found.file = await faults(page, page, 'dialog');
     await page.screenshot(picture('file'));
 
-    expect(found).toEqual({ first: [], keys: [], share: [], menu: [], sections: [], equalise: [], comparison: [], file: [] });
+    expect(found).toEqual({
+      first: [],
+      keys: [],
+      share: [],
+      menu: [],
+      sections: [],
+      equalise: [],
+      comparison: [],
+      file: [],
+    });
   });
 
   test('a figure of the paper, and its nets side by side', async () => {

@@ -34,10 +34,15 @@ const IMPORTS = ['ImportDeclaration', 'ImportExpression', 'ExportNamedDeclaratio
 /** What a chunk imports now or later, and which workers it starts; all by their file's names. */
 function linksOf(chunk: string): { imports: string[]; workers: string[] } {
   const nodes = [...nodesOf(parseAst(readFileSync(join(ASSETS, chunk), 'utf8')) as unknown as Node)];
-  const named = (texts: (string | null)[]) => texts.flatMap((text) => (text === null ? [] : [text.replace(/^.*\//, '')]));
+  const named = (texts: (string | null)[]) =>
+    texts.flatMap((text) => (text === null ? [] : [text.replace(/^.*\//, '')]));
   const imports = nodes.filter(({ type }) => IMPORTS.includes(type)).map(({ source }) => textOf(source));
-  const starts = nodes.filter(({ type, callee }) => type === 'NewExpression' && isNode(callee) && callee['name'] === 'Worker');
-  const workers = starts.flatMap((start) => [...nodesOf(start)].map(textOf)).filter((text) => text?.endsWith('.js') ?? false);
+  const starts = nodes.filter(
+    ({ type, callee }) => type === 'NewExpression' && isNode(callee) && callee['name'] === 'Worker',
+  );
+  const workers = starts
+    .flatMap((start) => [...nodesOf(start)].map(textOf))
+    .filter((text) => text?.endsWith('.js') ?? false);
   return { imports: named(imports), workers: named(workers) };
 }
 
@@ -45,7 +50,13 @@ test("no file imports from a worker's entry: WebKit would evaluate the entry a s
   const chunks = readdirSync(ASSETS).filter((name) => name.endsWith('.js'));
   const links = chunks.map((chunk) => ({ chunk, ...linksOf(chunk) }));
   const workers = links.flatMap(({ workers }) => workers);
-  expect(workers.map((name) => name.replace(/-.{8}\.js$/, '')).sort()).toEqual(['equalize_worker', 'export_worker', 'file_worker', 'thumbnail_worker', 'worker']);
+  expect(workers.map((name) => name.replace(/-.{8}\.js$/, '')).sort()).toEqual([
+    'equalize_worker',
+    'export_worker',
+    'file_worker',
+    'thumbnail_worker',
+    'worker',
+  ]);
   expect(links.some(({ chunk, imports }) => chunk.startsWith('worker-') && imports.length > 0)).toBe(true);
   const guilty = links.filter(({ imports }) => imports.some((name) => workers.includes(name)));
   expect(guilty.map(({ chunk }) => chunk)).toEqual([]);

@@ -43,10 +43,15 @@ test('four methods run on the same edit, with curves, a table and files', async 
 
   const lines = (await saved('Table CSV')).trim().split('\n');
   expect(lines.map((line) => line.split(',')[1])).toEqual(['method', ...METHODS]);
-  const traces = (await saved('Traces CSV')).trim().split('\n').map((line) => line.split(','));
+  const traces = (await saved('Traces CSV'))
+    .trim()
+    .split('\n')
+    .map((line) => line.split(','));
   expect(traces[0]?.slice(0, 4)).toEqual(['run', 'iteration', 'milliseconds', 'max_deviation']);
   const starts = traces.filter(([, iteration]) => iteration === '0');
-  const names = ['Li et al. 2022', 'Projection', 'Composite majorization', 'Local–global'].map((name) => Buffer.from(name).toString('latin1'));
+  const names = ['Li et al. 2022', 'Projection', 'Composite majorization', 'Local–global'].map((name) =>
+    Buffer.from(name).toString('latin1'),
+  );
   expect(starts.map(([run]) => run)).toEqual(names);
   expect(new Set(starts.map(([, , , deviation]) => deviation)).size).toBe(1);
   expect(traces.filter(([run]) => run === 'Li et al. 2022')).toHaveLength(1 + Number(rows[0]?.iterations));
@@ -182,7 +187,9 @@ function said(): Promise<string> {
 function table() {
   return visit.page.locator('.comparison tbody tr').evaluateAll((rows) =>
     rows.map(({ children }) => {
-      const [, iterations, milliseconds, , , angle, , handleError, status] = [...children].map(({ textContent }) => textContent);
+      const [, iterations, milliseconds, , , angle, , handleError, status] = [...children].map(
+        ({ textContent }) => textContent,
+      );
       return { iterations, milliseconds, angle, handleError, status };
     }),
   );
@@ -191,7 +198,9 @@ function table() {
 /** How many of the methods' colours are found in each plot. */
 function drawnCurves(): Promise<number[]> {
   return visit.page.locator('.comparison').evaluate((element) => {
-    const wanted = [...element.querySelectorAll('.swatch')].map((swatch) => getComputedStyle(swatch).color.match(/\d+/g)!.map(Number));
+    const wanted = [...element.querySelectorAll('.swatch')].map((swatch) =>
+      getComputedStyle(swatch).color.match(/\d+/g)!.map(Number),
+    );
     return [...element.querySelectorAll('canvas')].map((canvas) => {
       const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
       const isDrawn = (colour: number[]) => {

@@ -68,7 +68,11 @@ test('a mesh becomes a net, is shaped, kept, carried into other programs and sho
   await importEqualised(visit);
   for (const vertex of [...HELD, DRAGGED]) await takeHold(visit, vertex);
   const stood = [await script.positions()];
-  for (const by of [[0, -60], [40, 20], [-30, 30]] as const) {
+  for (const by of [
+    [0, -60],
+    [40, 20],
+    [-30, 30],
+  ] as const) {
     await dragBy(script, DRAGGED, [...by]);
     await script.settled();
     stood.push(await script.positions());
@@ -121,13 +125,19 @@ async function checkFiles(page: Page, shaped: Float64Array) {
   expect(glbParts(await save(page, 'GLB')).faces.positions).toEqual(Float32Array.from(shaped));
 
   const rhino = await rhino3dm();
-  const mesh = rhino.File3dm.fromByteArray(await save(page, '3DM')).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
+  const mesh = rhino.File3dm.fromByteArray(await save(page, '3DM'))
+    .objects()
+    .get(0)
+    .geometry() as InstanceType<typeof rhino.Mesh>;
   expect(Array.from({ length: sheet.info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
   const points = Array.from({ length: vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat();
   expect(largestError(Float64Array.from(points), shaped)).toBe(0);
 
-  const [, ...rows] = new TextDecoder().decode(await save(page, 'CSV')).trim().split('\n');
-  expect(rows.map((row) => row.split(',').slice(1, 3).map(Number)).flat()).toEqual([...edges]);
+  const [, ...rows] = new TextDecoder()
+    .decode(await save(page, 'CSV'))
+    .trim()
+    .split('\n');
+  expect(rows.flatMap((row) => row.split(',').slice(1, 3).map(Number))).toEqual([...edges]);
   expect(new TextDecoder().decode(await save(page, 'SVG'))).toMatch(/<svg [^>]*mm/);
   expect([...(await save(page, 'PNG')).subarray(1, 4)]).toEqual([...'PNG'].map((letter) => letter.charCodeAt(0)));
 }

@@ -90,7 +90,9 @@ describe('on a vault', () => {
   test('dragging a handle moves the net, and every edge keeps its length', async () => {
     const before = await script.position(dragged);
     const frames: number[] = [];
-    await dragBy(script, dragged, [-70, -50], { during: async () => void frames.push((await script.stats()).iterations) });
+    await dragBy(script, dragged, [-70, -50], {
+      during: async () => void frames.push((await script.stats()).iterations),
+    });
     await script.settled();
     const stats = await script.stats();
     const positions = await script.positions();
@@ -207,10 +209,7 @@ describe('on a vault', () => {
     await visit.page.getByRole('button', { name: /open/i }).first().click();
     await (await chooser).setFiles(file);
     await visit.page.getByRole('button', { name: 'Open', exact: true }).click();
-    await visit.page.waitForFunction(
-      (count) => window.chebnet.stats().vertices === count,
-      reference.info.vertices,
-    );
+    await visit.page.waitForFunction((count) => window.chebnet.stats().vertices === count, reference.info.vertices);
   });
 
   test('a bad OBJ is refused with code and message, and the net stays', async () => {

@@ -69,7 +69,10 @@ test('buttons of the page move its handle and hear what comes of it', async () =
 test('the way out leads to the editor with the same scene', async () => {
   await page.getByRole('button', { name: 'Push the crown down' }).click();
   await settled();
-  const [editor] = await Promise.all([page.waitForEvent('popup'), frame.getByRole('link', { name: 'Open in chebnet' }).click()]);
+  const [editor] = await Promise.all([
+    page.waitForEvent('popup'),
+    frame.getByRole('link', { name: 'Open in chebnet' }).click(),
+  ]);
   await editor.waitForFunction(() => window.chebnet?.stats().vertices > 0);
   expect(new URL(editor.url()).search).toBe('');
   const there = await editor.evaluate(() => window.chebnet.handles().at(-1)!);

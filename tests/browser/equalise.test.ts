@@ -55,8 +55,12 @@ test('an uneven mesh is equalised, seen before and after, and opened; link and u
   const before = await picture();
   await visit.page.screenshot({ path: join(OUTPUT, 'equalise-before.png') });
   await press('Equalise');
-  await equalizer().getByText(/^Every edge has the length/).waitFor();
-  expect(await equalizer().innerText()).toMatch(/Average move\s+0\.\d+ edge lengths\s+Farthest move\s+[\d.]+ edge lengths/);
+  await equalizer()
+    .getByText(/^Every edge has the length/)
+    .waitFor();
+  expect(await equalizer().innerText()).toMatch(
+    /Average move\s+0\.\d+ edge lengths\s+Farthest move\s+[\d.]+ edge lengths/,
+  );
   expect(await equalizer().innerText()).toMatch(/Largest dL in the picture: \S+e-\d+/);
   const after = await picture();
   expect(after.equals(before)).toBe(false);
@@ -93,12 +97,18 @@ test('what cannot be is refused with its reason, and nothing is opened', async (
   const { vertices: first } = await script.stats();
   await dropAndEqualise('five.obj', FIVE);
   await press('Equalise');
-  await equalizer().getByText(/no such net near this mesh.*The worst edge, from vertex \d to \d, is .* Nothing was changed\./).waitFor();
+  await equalizer()
+    .getByText(/no such net near this mesh.*The worst edge, from vertex \d to \d, is .* Nothing was changed\./)
+    .waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'equalise-refused.png') });
   expect(await equalizer().getByRole('button', { name: 'Open the equalised net' }).isVisible()).toBe(false);
   await press('Cancel');
   // Back at the report, whose other choices are left.
-  expect(await dialog(/^five\.obj$/).getByRole('radio', { name: /Equalise/ }).isChecked()).toBe(true);
+  expect(
+    await dialog(/^five\.obj$/)
+      .getByRole('radio', { name: /Equalise/ })
+      .isChecked(),
+  ).toBe(true);
   await visit.page.keyboard.press('Escape');
   await dialog(/^five\.obj$/).waitFor({ state: 'detached' });
   expect((await script.stats()).vertices).toBe(first);
@@ -112,14 +122,23 @@ test('the net that is open is equalised where it stands, and keeps its handles',
   await equalizer().getByRole('checkbox', { name: 'Hold the 3 handles where they are' }).check();
   await equalizer().getByRole('spinbutton', { name: 'Another length' }).fill('0.01');
   await press('Equalise');
-  await equalizer().getByText(/handles \d+ and \d+ are .* apart, and with this length the net between them reaches only/).waitFor();
-  await equalizer().getByRole('radio', { name: /^The mean/ }).check();
+  await equalizer()
+    .getByText(/handles \d+ and \d+ are .* apart, and with this length the net between them reaches only/)
+    .waitFor();
+  await equalizer()
+    .getByRole('radio', { name: /^The mean/ })
+    .check();
   await press('Equalise');
   await press('Open the equalised net');
   await expect.poll(async () => (await measured()).deviation).toBeLessThan(1e-9);
   const handles = await visit.page.evaluate(() => window.chebnet.handles());
-  expect(handles.map(({ vertex, anchor }) => [vertex, anchor])).toEqual([[0, true], [13, false], [153, true]]);
-  for (const { vertex, target } of handles) expect(largestError(Float64Array.from(target), sheet.restPositions.subarray(3 * vertex, 3 * vertex + 3))).toBe(0);
+  expect(handles.map(({ vertex, anchor }) => [vertex, anchor])).toEqual([
+    [0, true],
+    [13, false],
+    [153, true],
+  ]);
+  for (const { vertex, target } of handles)
+    expect(largestError(Float64Array.from(target), sheet.restPositions.subarray(3 * vertex, 3 * vertex + 3))).toBe(0);
 });
 
 test('equalising a large mesh can be stopped at once', async () => {
@@ -133,14 +152,18 @@ test('equalising a large mesh can be stopped at once', async () => {
   await press('Equalise');
   await visit.page.keyboard.press('Escape');
   await equalizer().waitFor({ state: 'detached' });
-  await dialog(/^large\.ply$/).getByRole('button', { name: 'Cancel' }).click();
+  await dialog(/^large\.ply$/)
+    .getByRole('button', { name: 'Cancel' })
+    .click();
   await dialog(/./).waitFor({ state: 'detached' });
 });
 
 /** In the page, for a hand may be too slow. */
 function stopOnceUnderWay(): boolean {
   const underWay = /^Iteration \d+, largest dL/.test(document.querySelector('.equalize .progress')?.textContent ?? '');
-  const stop = [...document.querySelectorAll<HTMLButtonElement>('.equalize button')].find((button) => button.textContent === 'Stop');
+  const stop = [...document.querySelectorAll<HTMLButtonElement>('.equalize button')].find(
+    (button) => button.textContent === 'Stop',
+  );
   if (underWay) stop?.click();
   return underWay;
 }
@@ -164,9 +187,15 @@ test('the length may be another, and it fits every screen', async () => {
     const box = (await equalizer().boundingBox())!;
     expect([box.x, box.y].every((edge) => edge >= 0)).toBe(true);
     expect([box.x + box.width <= width, box.y + box.height <= height]).toEqual([true, true]);
-    expect(await equalizer().locator('.body').evaluate((body) => body.scrollWidth - body.clientWidth)).toBeLessThanOrEqual(0);
+    expect(
+      await equalizer()
+        .locator('.body')
+        .evaluate((body) => body.scrollWidth - body.clientWidth),
+    ).toBeLessThanOrEqual(0);
   }
-  await equalizer().getByRole('radio', { name: /^The best fit/ }).check();
+  await equalizer()
+    .getByRole('radio', { name: /^The best fit/ })
+    .check();
   expect(await equalizer().getByRole('button', { name: 'Open the equalised net' }).isVisible()).toBe(false);
   await press('Equalise');
   await press('Open the equalised net');

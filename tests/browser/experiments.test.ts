@@ -16,7 +16,9 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
   const { page, script } = await arrive('#experiment=long-edges');
   const note = noteOf(page);
   await note.getByText('Figure 8: Composite majorization without a smooth start').waitFor();
-  expect(await note.getByRole('listitem').allInnerTexts()).toContainEqual(expect.stringMatching(/^It takes more iterations\.\n/));
+  expect(await note.getByRole('listitem').allInnerTexts()).toContainEqual(
+    expect.stringMatching(/^It takes more iterations\.\n/),
+  );
   expect(await note.innerText()).toMatch(/Computer Graphics Forum 41\(2\), 2022/);
   expect(await script.stats()).toMatchObject({ method: 'composite_majorization', iterations: 0 });
 
@@ -26,7 +28,9 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
   await note.getByRole('button', { name: 'One step' }).click();
   await expect.poll(async () => (await script.stats()).iterations).toBe(1);
   await script.settled();
-  await expect.poll(() => page.locator('[role=status]').allInnerTexts()).toContainEqual(expect.stringMatching(/Stage 2/));
+  await expect
+    .poll(() => page.locator('[role=status]').allInnerTexts())
+    .toContainEqual(expect.stringMatching(/Stage 2/));
   await expect.poll(() => page.locator('.sidebar').innerText()).toMatch(/Move, edges\s+\d/);
   await page.screenshot({ path: join(OUTPUT, 'experiment-desktop.png') });
   const net = { x: 400, y: 150, width: 400, height: 550 };
@@ -66,7 +70,8 @@ test('links lead to other edits with the same variant, and to other variants wit
   const note = noteOf(page);
   await note.getByText('Figure 18').waitFor();
   const [edits, variants] = ['Edits', 'Variants'].map((name) => note.getByRole('navigation', { name }));
-  const current = () => Promise.all([edits!, variants!].map((links) => links.locator('[aria-current=true]').innerText()));
+  const current = () =>
+    Promise.all([edits!, variants!].map((links) => links.locator('[aria-current=true]').innerText()));
   const [first, other] = await edits!.getByRole('link').allInnerTexts();
   expect(await current()).toEqual([first, '5 × ARAP']);
   await edits!.getByRole('link', { name: other! }).click();
@@ -117,7 +122,9 @@ test('figure 8: composite majorization makes more edges longer than L on its way
     await noteOf(page).locator('[aria-current=true]', { hasText: variant }).waitFor();
     const shares = await stepToEnd(page);
     peaks.push(Math.max(...shares));
-    await expect.poll(() => page.locator('.legend .words').innerText()).toBe(`Net: ${(100 * shares.at(-1)!).toFixed(1)} % longer than L`);
+    await expect
+      .poll(() => page.locator('.legend .words').innerText())
+      .toBe(`Net: ${(100 * shares.at(-1)!).toFixed(1)} % longer than L`);
   }
   expect(peaks[0]).toBeGreaterThan(peaks[1]!);
 });
@@ -127,7 +134,11 @@ test('figure 16: nets of other sizes are run, but not shown in place of the one 
   const rows = await runAll(page);
   expect(rows.map(({ status }) => status)).toEqual(['Converged', 'Converged', 'Converged']);
   const buttons = page.locator('.comparison tbody th button');
-  expect(await buttons.evaluateAll((all) => all.map((each) => (each as HTMLButtonElement).disabled))).toEqual([false, true, true]);
+  expect(await buttons.evaluateAll((all) => all.map((each) => (each as HTMLButtonElement).disabled))).toEqual([
+    false,
+    true,
+    true,
+  ]);
 });
 
 test('figure 17: competitors with other energies end above the threshold, or after more iterations', async () => {
@@ -147,12 +158,17 @@ function stepToEnd(page: Page): Promise<number[]> {
     const edges = chebnet.edges();
     const lengths = () => {
       const at = chebnet.positions();
-      const along = (edge: number, axis: number) => at[3 * edges[2 * edge]! + axis]! - at[3 * edges[2 * edge + 1]! + axis]!;
-      return Array.from({ length: edges.length / 2 }, (_, edge) => Math.hypot(along(edge, 0), along(edge, 1), along(edge, 2)));
+      const along = (edge: number, axis: number) =>
+        at[3 * edges[2 * edge]! + axis]! - at[3 * edges[2 * edge + 1]! + axis]!;
+      return Array.from({ length: edges.length / 2 }, (_, edge) =>
+        Math.hypot(along(edge, 0), along(edge, 1), along(edge, 2)),
+      );
     };
     // All have it at rest; now some have been stretched by handles that were moved.
     const length = lengths().sort((a, b) => a - b)[edges.length >> 2]!;
-    const step = [...document.querySelectorAll<HTMLButtonElement>('.experiment button')].find(({ textContent }) => textContent === 'One step')!;
+    const step = [...document.querySelectorAll<HTMLButtonElement>('.experiment button')].find(
+      ({ textContent }) => textContent === 'One step',
+    )!;
     const shares: number[] = [];
     do {
       for (let i = 0; i < 4; ++i) step.click();
@@ -167,7 +183,9 @@ function stepToEnd(page: Page): Promise<number[]> {
 async function runAll(page: Page) {
   await noteOf(page).getByRole('button', { name: 'Run all' }).click();
   await page.locator('.comparison [role=status]', { hasText: /^\d+ runs$/ }).waitFor({ timeout: 90_000 });
-  const cells = await page.locator('.comparison tbody tr').evaluateAll((rows) => rows.map(({ children }) => [...children].map((cell) => cell.textContent ?? '')));
+  const cells = await page
+    .locator('.comparison tbody tr')
+    .evaluateAll((rows) => rows.map(({ children }) => [...children].map((cell) => cell.textContent ?? '')));
   return cells.map(([name = '', iterations = '', , , , , distance = '', , status]) => {
     return { name, iterations: Number(iterations.replace(',', '')), distance: Number(distance), status };
   });

@@ -46,7 +46,9 @@ test('3DM and GLB hold the net as it was dragged', async () => {
   const objects = rhino.File3dm.fromByteArray(model.bytes).objects();
   const mesh = objects.get(0).geometry() as InstanceType<typeof rhino.Mesh>;
   expect(Array.from({ length: info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
-  const places = Float64Array.from(Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat());
+  const places = Float64Array.from(
+    Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat(),
+  );
   expect(largestError(places, positions)).toBe(0);
   expect(objects.count).toBeGreaterThan(30);
 
@@ -70,22 +72,37 @@ test('a vault has a flat pattern of the size asked for, a torus has none', async
   const drawing = await visit.page.evaluate((text) => {
     const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
     const count = (selector: string): number => root.querySelectorAll(selector).length;
-    return { tag: root.tagName, width: root.getAttribute('width'), height: root.getAttribute('height'), marks: count('circle') };
+    return {
+      tag: root.tagName,
+      width: root.getAttribute('width'),
+      height: root.getAttribute('height'),
+      marks: count('circle'),
+    };
   }, new TextDecoder().decode(bytes));
   const { handles } = await visit.script.stats();
-  expect(drawing).toEqual({ tag: 'svg', width: expect.stringMatching(/^\d+mm$/), height: expect.stringMatching(/^\d+mm$/), marks: handles });
-  const cells = (length: string | null, margins: number): number => parseInt(length!) / 25 - margins;
+  expect(drawing).toEqual({
+    tag: 'svg',
+    width: expect.stringMatching(/^\d+mm$/),
+    height: expect.stringMatching(/^\d+mm$/),
+    marks: handles,
+  });
+  const cells = (length: string | null, margins: number): number => parseInt(length!, 10) / 25 - margins;
   expect(cells(drawing.width, 2) * cells(drawing.height, 3)).toBe(info.faces);
 
   await visit.script.open({ recipe: 'torus:vertices=300' });
   await press('Save');
   await menu().getByRole('button', { name: 'SVG' }).click();
-  await visit.page.getByRole('alert').getByText(/no flat pattern: the net closes on itself/).waitFor();
+  await visit.page
+    .getByRole('alert')
+    .getByText(/no flat pattern: the net closes on itself/)
+    .waitFor();
 });
 
 test('a picture can have more pixels than the screen, which stays as it is', async () => {
   const size = (): Promise<number[]> =>
-    visit.page.locator('#view canvas').evaluate(({ width, height, style }: HTMLCanvasElement) => [width, height, parseInt(style.width)]);
+    visit.page
+      .locator('#view canvas')
+      .evaluate(({ width, height, style }: HTMLCanvasElement) => [width, height, parseInt(style.width, 10)]);
   const before = await size();
   const widthOf = (png: Uint8Array): number => new DataView(png.buffer).getUint32(16);
   expect(widthOf((await save('PNG')).bytes)).toBe(before[0]);

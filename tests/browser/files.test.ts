@@ -64,7 +64,10 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
   await waitForVertices(vertices);
   await dialog().waitFor({ state: 'detached' });
 
-  const handles = Array.from(suggestedHandles, (vertex) => ({ vertex, ...(vertex === dragged ? { anchor: false } : {}) }));
+  const handles = Array.from(suggestedHandles, (vertex) => ({
+    vertex,
+    ...(vertex === dragged ? { anchor: false } : {}),
+  }));
   await script.setHandles(handles);
   const before = await script.position(dragged);
   await dragBy(script, dragged, [-50, -40]);
@@ -73,7 +76,11 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
   const positions = await script.positions();
   expect(largestDeviation(positions, edges, meanLength)).toBeLessThan(1.001e-6);
 
-  for (const [format, extension] of [['OBJ', 'obj'], ['PLY', 'ply'], ['OFF', 'off']] as const) {
+  for (const [format, extension] of [
+    ['OBJ', 'obj'],
+    ['PLY', 'ply'],
+    ['OFF', 'off'],
+  ] as const) {
     const { name, bytes } = await save(format);
     expect(name).toBe(`vault.${extension}`);
     const mesh: Mesh = chebnet.readMesh(bytes, name);
@@ -85,7 +92,12 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
   expect(new DataView(stl.bytes.buffer).getUint32(80, true)).toBe(2 * reference.info.faces);
 
   const csv = await save('CSV');
-  const rows = new TextDecoder().decode(csv.bytes).trim().split('\n').slice(1).map((line) => line.split(',').map(Number));
+  const rows = new TextDecoder()
+    .decode(csv.bytes)
+    .trim()
+    .split('\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
   expect(rows.flatMap(([, a, b]) => [a, b])).toEqual([...edges]);
   const lengths = edgeLengths(positions, edges);
   rows.forEach(([, , , length], e) => expect(length).toBeCloseTo(lengths[e]!, 12));
@@ -96,13 +108,16 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
 
 /** The opacity of the first pixel of a PNG, and whether there are opaque ones. */
 function cornerAndCoverage(png: Uint8Array) {
-  return visit.page.evaluate(async (bytes) => {
-    const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
-    const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
-    context.drawImage(picture, 0, 0);
-    const { data } = context.getImageData(0, 0, picture.width, picture.height);
-    return { corner: data[3], covered: data.some((value, i) => i % 4 === 3 && value === 255) };
-  }, [...png]);
+  return visit.page.evaluate(
+    async (bytes) => {
+      const picture = await createImageBitmap(new Blob([Uint8Array.from(bytes)], { type: 'image/png' }));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
+      context.drawImage(picture, 0, 0);
+      const { data } = context.getImageData(0, 0, picture.width, picture.height);
+      return { corner: data[3], covered: data.some((value, i) => i % 4 === 3 && value === 255) };
+    },
+    [...png],
+  );
 }
 
 test('a broken mesh is opened only after its repair is agreed to', async () => {
@@ -143,7 +158,11 @@ function offOf(obj: string): Uint8Array {
 test('edges of unequal length keep their own or take the mean; a link remembers which', async () => {
   await drop('oblong.obj', UNEQUAL);
   expect(await report()).toMatch(/Largest deviation from the mean\s+33 %/);
-  expect(await dialog().getByRole('radio', { name: /own length/ }).isChecked()).toBe(true);
+  expect(
+    await dialog()
+      .getByRole('radio', { name: /own length/ })
+      .isChecked(),
+  ).toBe(true);
   await visit.page.keyboard.press('Enter');
   await waitForVertices(4);
   await script.settled();
@@ -151,9 +170,13 @@ test('edges of unequal length keep their own or take the mean; a link remembers 
 
   await drop('oblong.obj', UNEQUAL);
   await report();
-  await dialog().getByRole('radio', { name: /One length/ }).check();
+  await dialog()
+    .getByRole('radio', { name: /One length/ })
+    .check();
   await press('Open');
-  await expect.poll(lengthsShown).toSatisfy((lengths: number[]) => lengths.every((length) => Math.abs(length - 1.5) < 2e-3));
+  await expect
+    .poll(lengthsShown)
+    .toSatisfy((lengths: number[]) => lengths.every((length) => Math.abs(length - 1.5) < 2e-3));
   await script.settled();
 
   const link = await visit.page.evaluate(() => window.chebnet.link());
@@ -171,9 +194,19 @@ async function lengthsShown(): Promise<number[]> {
 test.each([
   ['a bad line', 'bad.obj', 'v 0 0 0\nv 1 zero 0\n', /bad\.obj:2: .*zero/],
   ['a face beyond the vertices', 'bad.off', 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n', /bad\.off:6: /],
-  ['no faces', 'points.ply', 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n', /points\.ply: .*face/],
+  [
+    'no faces',
+    'points.ply',
+    'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n',
+    /points\.ply: .*face/,
+  ],
   ['loose triangles', 'part.stl', 'solid part\n', /STL holds loose triangles/],
-  ['a drawing under another name', 'drawing.obj', '<svg xmlns="http://www.w3.org/2000/svg"/>', /drawing\.obj: this is an SVG drawing/],
+  [
+    'a drawing under another name',
+    'drawing.obj',
+    '<svg xmlns="http://www.w3.org/2000/svg"/>',
+    /drawing\.obj: this is an SVG drawing/,
+  ],
   ['an archive under another name', 'net.obj', 'PK\x03\x04\x14\0\0\0', /net\.obj: this is a ZIP archive/],
 ])('a file with %s is refused in one sentence, and the net stays', async (_, name, content, sentence) => {
   const before = await script.positions();
@@ -188,7 +221,9 @@ test('a file of 300 MB is refused before it is read, and so is a project', async
     await visit.page.evaluate((fileName) => {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File(Array<Uint8Array<ArrayBuffer>>(300).fill(new Uint8Array(1e6)), fileName));
-      document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+      document
+        .getElementById('view')!
+        .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     }, name);
     await visit.page.getByRole('alert').getByText(`${name} has 300 MB`).waitFor();
   }
@@ -205,7 +240,9 @@ test('Escape closes the report and nothing else, and the menu likewise', async (
   await visit.page.keyboard.press('Enter');
   const menu = visit.page.getByRole('group', { name: 'Save as' });
   await menu.waitFor();
-  expect(await menu.getByRole('button', { name: 'OBJ' }).evaluate((item) => item === document.activeElement)).toBe(true);
+  expect(await menu.getByRole('button', { name: 'OBJ' }).evaluate((item) => item === document.activeElement)).toBe(
+    true,
+  );
   await visit.page.keyboard.press('Escape');
   await menu.waitFor({ state: 'hidden' });
   expect(await save.evaluate((button) => button === document.activeElement)).toBe(true);
@@ -261,7 +298,10 @@ test.each([
 ] as const)('report and menu fit a %s screen of %d pixels', async (colorScheme, width) => {
   await visit.page.emulateMedia({ colorScheme });
   await visit.page.setViewportSize({ width, height: 760 });
-  await drop('a rather long name of a mesh that came from somewhere else.obj', BROKEN.replace('f 4 3 2 1\n', 'f 4 3 2 1\nf 3 6 5 2\n'));
+  await drop(
+    'a rather long name of a mesh that came from somewhere else.obj',
+    BROKEN.replace('f 4 3 2 1\n', 'f 4 3 2 1\nf 3 6 5 2\n'),
+  );
   await report();
   await visit.page.screenshot({ path: join(OUTPUT, `file-report-${colorScheme}-${width}.png`) });
   expect(await overflow()).toBeLessThanOrEqual(0);

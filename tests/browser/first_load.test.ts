@@ -31,7 +31,8 @@ test.each([
   const sizes = files.map((file) => [relative(DIST, file), compressed(file)] as const).sort(([, a], [, b]) => b - a);
   const sum = sizes.reduce((all, [, size]) => all + size, 0);
   console.log([...sizes, ['all', sum]].map(([name, size]) => `${String(size).padStart(8)}  ${name}`).join('\n'));
-  for (const kind of ['html', 'css', 'js', 'wasm']) expect(sizes.some(([name]) => name.endsWith(`.${kind}`))).toBe(true);
+  for (const kind of ['html', 'css', 'js', 'wasm'])
+    expect(sizes.some(([name]) => name.endsWith(`.${kind}`))).toBe(true);
   expect(sum).toBeLessThan(MOST_BYTES);
   expect(sizes.filter(([name]) => name.startsWith(`assets/${other}-`))).toEqual([]);
 });

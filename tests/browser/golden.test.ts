@@ -12,7 +12,9 @@ test.each(goldens('kept.json').filter(({ name }) => name.endsWith('/lesson')))('
   await page.evaluate(keep, keptRecord(text));
   await page.goto(new URL('.', page.url()).href);
   await script.waitForNet();
-  await expect.poll(() => page.locator('[role=status]').allInnerTexts()).toContainEqual(expect.stringMatching(/as you left it/));
+  await expect
+    .poll(() => page.locator('[role=status]').allInnerTexts())
+    .toContainEqual(expect.stringMatching(/as you left it/));
   expect(await script.positions()).toEqual(entries[present]!.state.positions);
   await page.locator('summary', { hasText: 'History' }).click();
   await expect.poll(() => page.locator('.history').getByRole('button').count()).toBe(entries.length);

@@ -91,12 +91,16 @@ async function drawAround(vertex: number) {
 }
 
 function hexagon({ x, y }: { x: number; y: number }, radius: number) {
-  return [0, 1, 2, 3, 4, 5].map((i) => ({ x: x + radius * Math.cos(i * (Math.PI / 3)), y: y + radius * Math.sin(i * (Math.PI / 3)) }));
+  return [0, 1, 2, 3, 4, 5].map((i) => ({
+    x: x + radius * Math.cos(i * (Math.PI / 3)),
+    y: y + radius * Math.sin(i * (Math.PI / 3)),
+  }));
 }
 
 const [left, right] = [vertexAt(0.35, 0.35), vertexAt(0.65, 0.35)];
 const openSection = () => visit.page.getByText(/^Handles \(/).click();
-const isSelected = (vertex: number) => visit.page.getByRole('button', { name: `Vertex ${vertex}`, exact: true, pressed: true });
+const isSelected = (vertex: number) =>
+  visit.page.getByRole('button', { name: `Vertex ${vertex}`, exact: true, pressed: true });
 
 describe('several handles', () => {
   beforeEach(() => open());
@@ -150,7 +154,10 @@ describe('several handles', () => {
     expect(await button('Select').getAttribute('aria-pressed')).toBe('false');
     await press('ArrowUp');
     await script.settled();
-    const [movedA, movedB] = [(await targetOf(left)).map((x, i) => x - rest(left)[i]!), (await targetOf(right)).map((x, i) => x - rest(right)[i]!)];
+    const [movedA, movedB] = [
+      (await targetOf(left)).map((x, i) => x - rest(left)[i]!),
+      (await targetOf(right)).map((x, i) => x - rest(right)[i]!),
+    ];
     expect(Math.hypot(...movedA)).toBeCloseTo(0.2 * meanLength, 6);
     expect(distance(movedA, movedB)).toBeLessThan(1e-9);
 
@@ -225,7 +232,11 @@ describe('a handle', () => {
     expect((await handles()).map(({ vertex }) => vertex)).toContain(corner);
 
     await openSection();
-    await visit.page.getByRole('listitem').filter({ hasText: `Vertex ${corner}` }).getByRole('button', { name: 'Unlock' }).click();
+    await visit.page
+      .getByRole('listitem')
+      .filter({ hasText: `Vertex ${corner}` })
+      .getByRole('button', { name: 'Unlock' })
+      .click();
     await dragBy(script, corner, [-10, -10]);
     await script.settled();
     expect(distance(await targetOf(corner), rest(corner))).toBeGreaterThan(1e-3 * meanLength);
@@ -284,7 +295,11 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
   const swipe = async ({ x, y }: { x: number; y: number }, dx: number, dy: number) => {
     const moves = [1, 2, 3, 4, 5].map((i) => ({ x: x + (dx * i) / 5, y: y + (dy * i) / 5 }));
     // Not waiting for each: a finger does not linger because the page is slow.
-    await Promise.all([touch('touchStart', [{ x, y }]), ...moves.map((move) => touch('touchMove', [move])), touch('touchEnd', [])]);
+    await Promise.all([
+      touch('touchStart', [{ x, y }]),
+      ...moves.map((move) => touch('touchMove', [move])),
+      touch('touchEnd', []),
+    ]);
     await script.settled();
   };
 
@@ -294,13 +309,22 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
 
   for (const [i, vertex] of [left, dragged].entries()) {
     await touch('touchStart', [await script.screenPosition(vertex)]);
-    await visit.page.getByRole('group', { name: 'Selected handles' }).getByText(String(i + 1), { exact: true }).waitFor();
+    await visit.page
+      .getByRole('group', { name: 'Selected handles' })
+      .getByText(String(i + 1), { exact: true })
+      .waitFor();
     await touch('touchEnd', []);
   }
   await visit.page.screenshot({ path: join(OUTPUT, 'handles-phone.png') });
-  const sizes = await visit.page.getByRole('group', { name: 'Selected handles' }).getByRole('button').evaluateAll((all) =>
-    all.map((each) => each.getBoundingClientRect()).filter(({ width }) => width > 0).map(({ width, height }) => Math.min(width, height)),
-  );
+  const sizes = await visit.page
+    .getByRole('group', { name: 'Selected handles' })
+    .getByRole('button')
+    .evaluateAll((all) =>
+      all
+        .map((each) => each.getBoundingClientRect())
+        .filter(({ width }) => width > 0)
+        .map(({ width, height }) => Math.min(width, height)),
+    );
   expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
 
   const before = await script.screenPosition(corner);
@@ -319,7 +343,11 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
     await touch('touchStart', [{ x, y }]);
     await touch('touchMove', [{ x: x - 12, y }]);
     await touch('touchStart', [{ x: x - 12, y }, second]);
-    for (const i of [1, 2, 3]) await touch('touchMove', [{ x: x - 12 - 5 * i, y }, { x: second.x + 5 * i, y: second.y }]);
+    for (const i of [1, 2, 3])
+      await touch('touchMove', [
+        { x: x - 12 - 5 * i, y },
+        { x: second.x + 5 * i, y: second.y },
+      ]);
     await touch('touchEnd', []);
     await script.settled();
     return (await apart()) / size;

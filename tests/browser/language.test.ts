@@ -15,10 +15,12 @@ const NAMES =
 async function foreignWords(page: Page): Promise<string[]> {
   const texts = await page.evaluate(() => {
     const said: string[] = [document.title];
-    const visible = (element: Element): boolean => element.checkVisibility() && element.closest('cite, kbd, textarea') === null;
+    const visible = (element: Element): boolean =>
+      element.checkVisibility() && element.closest('cite, kbd, textarea') === null;
     for (const element of document.querySelectorAll('body *')) {
       if (!visible(element)) continue;
-      for (const name of ['aria-label', 'title', 'placeholder', 'aria-valuetext', 'alt']) said.push(element.getAttribute(name) ?? '');
+      for (const name of ['aria-label', 'title', 'placeholder', 'aria-valuetext', 'alt'])
+        said.push(element.getAttribute(name) ?? '');
       for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) said.push(node.nodeValue ?? '');
     }
     return said;
@@ -71,7 +73,10 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
   await equalise.getByRole('button', { name: '取消' }).click();
   await dialog.getByRole('button', { name: '取消' }).click();
   await dropFile(page, '2.obj', 'v 0 0\n');
-  await page.getByRole('alert').getByText(/^无法读取（2\.obj:1.*）。$/).waitFor();
+  await page
+    .getByRole('alert')
+    .getByText(/^无法读取（2\.obj:1.*）。$/)
+    .waitFor();
 });
 
 test('in an experiment, its steps and its comparison too, and on a phone nothing runs over the edge', async () => {

@@ -116,7 +116,14 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   await script.open({ recipe });
   await script.settled();
   await page.getByText('Solver', { exact: true }).click();
-  await page.evaluate(() => window.chebnet.setOptions({ method: 'gradient_descent', max_iterations: 1e6, energy_tolerance: 0, gradient_tolerance: 0 }));
+  await page.evaluate(() =>
+    window.chebnet.setOptions({
+      method: 'gradient_descent',
+      max_iterations: 1e6,
+      energy_tolerance: 0,
+      gradient_tolerance: 0,
+    }),
+  );
   const [x, y, z] = await placeOf(vertex);
   await script.move(vertex, [x, y, z - 20 * length]);
   await expect.poll(async () => (await script.stats()).iterations, { timeout: 30_000 }).toBeGreaterThan(1);

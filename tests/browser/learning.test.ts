@@ -13,7 +13,12 @@ test('a key and a button show all keys, and the keys do what the sheet says', as
   await page.keyboard.press('?');
   await sheet.waitFor();
   const text = await sheet.innerText();
-  for (const line of [/Undo\s+Ctrl \+ Z/, /Redo\s+Ctrl \+ Shift \+ Z or Ctrl \+ Y/, /Rename a handle\s+F2/, /See the whole net\s+Home/]) {
+  for (const line of [
+    /Undo\s+Ctrl \+ Z/,
+    /Redo\s+Ctrl \+ Shift \+ Z or Ctrl \+ Y/,
+    /Rename a handle\s+F2/,
+    /See the whole net\s+Home/,
+  ]) {
     expect(text).toMatch(line);
   }
   await page.screenshot({ path: join(OUTPUT, 'keys.png') });
@@ -52,7 +57,9 @@ test('each paragraph is shown by the net', async () => {
 
   // The worst edge climbs a wall, then stage by stage comes down.
   await showMe(visit, /climbing/);
-  await expect.poll(async () => Number(/r = (.*)$/.exec(await now.innerText())![1])).toSatisfy((r: number) => Math.abs(r - 1) > 0.02);
+  await expect
+    .poll(async () => Number(/r = (.*)$/.exec(await now.innerText())![1]))
+    .toSatisfy((r: number) => Math.abs(r - 1) > 0.02);
   await page.screenshot({ path: join(OUTPUT, 'learn-energy.png') });
   const stage = page.locator('.lesson [aria-current=step]');
   expect(await stage.innerText()).toMatch(/p = 2/);
@@ -61,7 +68,10 @@ test('each paragraph is shown by the net', async () => {
   await page.screenshot({ path: join(OUTPUT, 'learn-stages.png') });
   const done = page.getByText(/^All stages are done/);
   await showMe(visit, /one stage/);
-  await stage.getByText(/^Only the vertices/).or(done).waitFor();
+  await stage
+    .getByText(/^Only the vertices/)
+    .or(done)
+    .waitFor();
   if (!(await done.isVisible())) await showMe(visit, /one stage/);
   await done.waitFor();
   await script.settled();
@@ -98,10 +108,12 @@ test('a first visit is given three hints, one after another, each until it is do
   await page.screenshot({ path: join(OUTPUT, 'hint-share.png') });
   await page.setViewportSize({ width: 390, height: 844 });
   await page.emulateMedia({ colorScheme: 'dark' });
-  await expect.poll(async () => {
-    const narrow = (await hint.boundingBox())!;
-    return narrow.x >= 0 && narrow.x + narrow.width <= 390;
-  }).toBe(true);
+  await expect
+    .poll(async () => {
+      const narrow = (await hint.boundingBox())!;
+      return narrow.x >= 0 && narrow.x + narrow.width <= 390;
+    })
+    .toBe(true);
   await page.screenshot({ path: join(OUTPUT, 'hint-share-phone.png') });
   await page.getByRole('group', { name: 'Actions' }).getByRole('button', { name: 'Share' }).click();
   await hint.waitFor({ state: 'detached' });

@@ -42,7 +42,11 @@ export function visits(root = () => DIST) {
   }
 
   /** Opens the page, or a link into it, and waits for the net. */
-  async function arrive(link = '', options: BrowserContextOptions = {}, wish: { hints?: boolean } = {}): Promise<Visit> {
+  async function arrive(
+    link = '',
+    options: BrowserContextOptions = {},
+    wish: { hints?: boolean } = {},
+  ): Promise<Visit> {
     const visit = await open(link, options, wish);
     await visit.script.waitForNet();
     return visit;
@@ -62,7 +66,9 @@ export function dropFile(page: Page, name: string, content: Uint8Array | string)
       const file = new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], fileName);
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(file);
-      document.getElementById('view')?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+      document
+        .getElementById('view')
+        ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     },
     [name, bytes] as const,
   );

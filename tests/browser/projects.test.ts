@@ -68,7 +68,9 @@ function kept({ page }: Visit): Promise<string[]> {
     const tab = sessionStorage.getItem('chebnet.tab');
     if (tab === null) return [];
     const database = await done(indexedDB.open('chebnet'));
-    const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as { states: { name: string }[] };
+    const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as {
+      states: { name: string }[];
+    };
     database.close();
     return states.map(({ name }) => name);
   });
@@ -80,7 +82,12 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await openSection(visit, 'History');
   const stood = await edit(visit);
   const list = await names(visit);
-  expect(list.slice(1)).toEqual(['Open vault', expect.stringMatching(/^Move handle \d+$/), 'Method: Li et al. 2022', list[2]]);
+  expect(list.slice(1)).toEqual([
+    'Open vault',
+    expect.stringMatching(/^Move handle \d+$/),
+    'Method: Li et al. 2022',
+    list[2],
+  ]);
   expect(await present(visit)).toBe(list[4]);
 
   for (let i = 3; i >= 1; --i) {
@@ -128,7 +135,11 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
 
   const chooser = page.waitForEvent('filechooser');
   await page.keyboard.press('Control+o');
-  await (await chooser).setFiles({ name: 'vault.chebnet.json', mimeType: 'application/json', buffer: await readFile(path) });
+  await (await chooser).setFiles({
+    name: 'vault.chebnet.json',
+    mimeType: 'application/json',
+    buffer: await readFile(path),
+  });
   await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/project is open/));
   expect(await standing(script)).toEqual(stood[3]);
   await openSection(visit, 'History');
@@ -149,7 +160,9 @@ test('a broken project is refused with what is wrong, and the net stays', async 
     const dataTransfer = new DataTransfer();
     const text = '{"chebnet":1,"nets":[{"recipe":"vault"}],"positions":["????"],"states":[]}';
     dataTransfer.items.add(new File([text], 'net.chebnet.json'));
-    document.getElementById('view')?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    document
+      .getElementById('view')
+      ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   });
   await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/net\.chebnet\.json: positions\[0\] must be/);
   expect(await standing(script)).toEqual(before);

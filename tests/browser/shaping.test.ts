@@ -32,7 +32,8 @@ async function drag(by: [number, number], held?: () => Promise<void>): Promise<v
 
 function movedVertices(before: Float64Array, after: Float64Array): number {
   let moved = 0;
-  for (let i = 0; i < before.length; i += 3) moved += [0, 1, 2].some((axis) => before[i + axis] !== after[i + axis]) ? 1 : 0;
+  for (let i = 0; i < before.length; i += 3)
+    moved += [0, 1, 2].some((axis) => before[i + axis] !== after[i + axis]) ? 1 : 0;
   return moved;
 }
 
@@ -84,7 +85,10 @@ test('a soft handle follows its target as far as its weight pulls, and every edg
   const [x, y, z] = await script.position(vertex);
   const off = async (weight: number): Promise<number> => {
     await visit.page.evaluate(
-      ([each, target, w]) => window.chebnet.setHandles(window.chebnet.handles().map((h) => (h.vertex === each ? { ...h, target, weight: w } : h))),
+      ([each, target, w]) =>
+        window.chebnet.setHandles(
+          window.chebnet.handles().map((h) => (h.vertex === each ? { ...h, target, weight: w } : h)),
+        ),
       [vertex, [x, y, z + 3] as [number, number, number], weight] as const,
     );
     await script.settled();

@@ -19,7 +19,10 @@ test('a copied link shows the same scene', async () => {
   await sender.script.open({ recipe });
   await dragBy(sender.script, dragged, [-60, -40]);
   await sender.script.settled();
-  await sender.page.getByRole('button', { name: /copy link|share/i }).first().click();
+  await sender.page
+    .getByRole('button', { name: /copy link|share/i })
+    .first()
+    .click();
   await sender.page.waitForTimeout(500);
   const link = await sender.page.evaluate(() => navigator.clipboard.readText());
   console.log(`link of ${link.length} characters`);

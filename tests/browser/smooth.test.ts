@@ -29,7 +29,10 @@ test.each(['vault:vertices=4000', 'vault:vertices=15000'])('%s', async (recipe) 
     solverMs.push(stats.milliseconds);
   };
   const { own, clock, unmeasured } = await mainThreadTasks(browser(), async () => {
-    for (const [dx, dy] of [[-40, -30], [30, 20]] as const) {
+    for (const [dx, dy] of [
+      [-40, -30],
+      [30, 20],
+    ] as const) {
       await dragBy(script, dragged, [dx, dy], { during });
     }
     await script.settled();

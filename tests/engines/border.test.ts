@@ -11,9 +11,29 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 /** What C++ gives to JavaScript and nothing makes fail. */
 const SAFE = [
   ...['shapes', 'methods', 'initialisations', 'defaultOptions', 'defects'],
-  ...['info', 'edges', 'faceStart', 'faceVertices', 'restPositions', 'restLengths', 'netLines', 'boundaryLoops', 'suggestedHandles'],
+  ...[
+    'info',
+    'edges',
+    'faceStart',
+    'faceVertices',
+    'restPositions',
+    'restLengths',
+    'netLines',
+    'boundaryLoops',
+    'suggestedHandles',
+  ],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
-  ...['solve', 'reset', 'positions', 'deviations', 'cornerAngles', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
+  ...[
+    'solve',
+    'reset',
+    'positions',
+    'deviations',
+    'cornerAngles',
+    'bend',
+    'smallestAngle',
+    'handleError',
+    'unreachablePairs',
+  ],
 ];
 
 const { open } = visitors(() => ROOT);
@@ -37,7 +57,11 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   const { core } = window;
   const whole = calls.includes('readMesh');
   const editor = core.openRecipe('vault:vertices=300');
-  const broken: Mesh = { positions: new Float64Array(9), faceStart: Int32Array.of(0, 3), faceVertices: Int32Array.of(0, 1, 7) };
+  const broken: Mesh = {
+    positions: new Float64Array(9),
+    faceStart: Int32Array.of(0, 3),
+    faceVertices: Int32Array.of(0, 1, 7),
+  };
   let inTurn = false;
   const attempts: Record<string, () => unknown> = {
     openRecipe: () => core.openRecipe((inTurn = !inTurn) || whole ? 'nonsense' : 'teddy'),
@@ -89,7 +113,13 @@ const CODES = {
   moveHandle: ['index_out_of_range'],
   setPositions: ['non_finite'],
 };
-const LEFT_OUT = { openRecipe: ['bad_option', 'left_out'], openObj: ['left_out'], setMethod: ['left_out'], toObj: ['left_out'], toFile: ['left_out'] };
+const LEFT_OUT = {
+  openRecipe: ['bad_option', 'left_out'],
+  openObj: ['left_out'],
+  setMethod: ['left_out'],
+  toObj: ['left_out'],
+  toFile: ['left_out'],
+};
 const WHOLE = {
   openObj: ['index_out_of_range'],
   setMethod: ['bad_option'],

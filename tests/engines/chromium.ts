@@ -11,7 +11,10 @@ export async function startChromium(): Promise<Engine> {
   async function newWindow(): Promise<Driver> {
     const { page, complaints } = await newVisit(browser, { serviceWorkers: 'allow' });
     const downloads = newFolder();
-    page.on('download', (download) => void download.saveAs(join(downloads.path, download.suggestedFilename())).catch(() => {}));
+    page.on(
+      'download',
+      (download) => void download.saveAs(join(downloads.path, download.suggestedFilename())).catch(() => {}),
+    );
     const session = await page.context().newCDPSession(page);
     return {
       goto: async (url) => {

@@ -25,7 +25,9 @@ test('the first net can be dragged', async () => {
   await visitor.picture('first');
   await visitor.drag(vertex, [-60, -40]);
   const after = await visitor.positions();
-  expect(distance(after.subarray(3 * vertex, 3 * vertex + 3), before.subarray(3 * vertex, 3 * vertex + 3))).toBeGreaterThan(0);
+  expect(
+    distance(after.subarray(3 * vertex, 3 * vertex + 3), before.subarray(3 * vertex, 3 * vertex + 3)),
+  ).toBeGreaterThan(0);
   expect(await visitor.stats()).toMatchObject({ status: 'converged', method: 'projection' });
   await visitor.picture('dragged');
 });
@@ -50,7 +52,10 @@ test('a drag keeps every length; Escape cancels it, undo takes it back, redo rep
 test('the wheel brings the net nearer, and moves no vertex', async () => {
   await visitor.openNet({ recipe: SHAPE });
   const apart = async () => {
-    const [a, b] = await visitor.run((vertices) => vertices.map((vertex) => window.chebnet.screenPosition(vertex)), [0, dragged]);
+    const [a, b] = await visitor.run(
+      (vertices) => vertices.map((vertex) => window.chebnet.screenPosition(vertex)),
+      [0, dragged],
+    );
     return Math.hypot(a!.x - b!.x, a!.y - b!.y);
   };
   const before = await apart();

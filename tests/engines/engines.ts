@@ -4,7 +4,11 @@ import type { Engine, EngineName } from './driver';
 import { startFirefox } from './firefox';
 import { startWebKit } from './webkit';
 
-const STARTS: Record<EngineName, () => Promise<Engine>> = { chromium: startChromium, firefox: startFirefox, webkit: startWebKit };
+const STARTS: Record<EngineName, () => Promise<Engine>> = {
+  chromium: startChromium,
+  firefox: startFirefox,
+  webkit: startWebKit,
+};
 
 export const ENGINE = process.env['CHEBNET_ENGINE'] as EngineName;
 

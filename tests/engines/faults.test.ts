@@ -62,7 +62,8 @@ async function openShape(visitor: Visitor, recipe = SHAPE): Promise<number> {
   return (await visitor.handles()).at(-1)!;
 }
 
-const placeOf = async (visitor: Visitor, vertex: number) => (await visitor.positions()).subarray(3 * vertex, 3 * vertex + 3);
+const placeOf = async (visitor: Visitor, vertex: number) =>
+  (await visitor.positions()).subarray(3 * vertex, 3 * vertex + 3);
 
 /** Runs in the page: the states that the browser keeps of this tab, or of its duplicate. */
 async function countKept(ofTwin = false): Promise<number> {
@@ -74,7 +75,9 @@ async function countKept(ofTwin = false): Promise<number> {
   const tab = (ofTwin ? window.twin : window).sessionStorage.getItem('chebnet.tab');
   if (tab === null) return 0;
   const database = await done(indexedDB.open('chebnet'));
-  const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as { states: unknown[] };
+  const { states } = (await done(database.transaction('projects').objectStore('projects').get(tab))) as {
+    states: unknown[];
+  };
   database.close();
   return states.length;
 }
@@ -122,7 +125,7 @@ test('the picture that the graphics card drops comes back; meanwhile there is a 
     window.graphics = document.querySelector('canvas')!.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
     window.graphics.loseContext();
   });
-  await visitor.read(/dropped the picture[^]*Reload/, '[role=alert]');
+  await visitor.read(/dropped the picture[\s\S]*Reload/, '[role=alert]');
   await expect.poll(sizeOfPicture).toBeLessThan(before / 2);
   await visitor.run(() => window.graphics.restoreContext());
   await expect.poll(sizeOfPicture).toBeGreaterThan(0.9 * before);
@@ -206,7 +209,9 @@ test('a duplicate of a tab keeps a net of its own', async () => {
   await visitor.clickOn('Learn');
   await waitForTwin(visitor);
   expect(await positionsOfTwin(visitor)).toEqual(before);
-  await visitor.run(() => window.twin.chebnet.open({ recipe: 'dome:vertices=600' }).then(() => window.twin.chebnet.settled()));
+  await visitor.run(() =>
+    window.twin.chebnet.open({ recipe: 'dome:vertices=600' }).then(() => window.twin.chebnet.settled()),
+  );
   const other = await positionsOfTwin(visitor);
   await expect.poll(() => visitor.run(countKept, true)).toBe(3);
 
@@ -275,7 +280,8 @@ async function fillStorage(): Promise<void> {
       writing.onabort = () => done(false);
     });
   // Firefox refuses the first write after one that was too large, whatever its size.
-  for (let size = 4e6; size >= 1000; size /= 2) for (let i = 0; i < 2; ++i) while (await isStored(size).catch(() => false));
+  for (let size = 4e6; size >= 1000; size /= 2)
+    for (let i = 0; i < 2; ++i) while (await isStored(size).catch(() => false));
   database.close();
 }
 

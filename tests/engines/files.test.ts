@@ -45,11 +45,16 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
   await visitor.read('Mean length', 'dialog');
   await visitor.clickOn('Open');
   await expect.poll(async () => (await visitor.stats()).vertices).toBe(info.vertices);
-  await visitor.run((vertices) => window.chebnet.setHandles(vertices.map((vertex) => ({ vertex, anchor: false }))), [...suggestedHandles]);
+  await visitor.run(
+    (vertices) => window.chebnet.setHandles(vertices.map((vertex) => ({ vertex, anchor: false }))),
+    [...suggestedHandles],
+  );
   const vertex = suggestedHandles.at(-1)!;
   await visitor.drag(vertex, [-50, -40]);
   const positions = await visitor.positions();
-  expect(distance(positions.subarray(3 * vertex), reference.restPositions.subarray(3 * vertex))).toBeGreaterThan(0.5 * info.meanLength);
+  expect(distance(positions.subarray(3 * vertex), reference.restPositions.subarray(3 * vertex))).toBeGreaterThan(
+    0.5 * info.meanLength,
+  );
 
   for (const kind of ['OBJ', 'PLY', 'OFF']) {
     const mesh = chebnet.readMesh(await save(kind), `vault.${kind.toLowerCase()}`);
@@ -61,17 +66,26 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
   expect(triangles.getAttribute('position').count).toBe(3 * 2 * info.faces);
 
   const rhino = await rhino3dm();
-  const mesh = rhino.File3dm.fromByteArray(await save('3DM')).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
-  const places = Float64Array.from(Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat());
+  const mesh = rhino.File3dm.fromByteArray(await save('3DM'))
+    .objects()
+    .get(0)
+    .geometry() as InstanceType<typeof rhino.Mesh>;
+  const places = Float64Array.from(
+    Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat(),
+  );
   expect(largestError(places, positions)).toBe(0);
 
   const { faces, lines } = glbParts(await save('GLB'));
   expect(faces.positions).toEqual(Float32Array.from(positions));
   expect([...lines.indices]).toEqual([...edges]);
 
-  expect(textOf(await save('SVG'))).toMatch(/^<svg .*width="\d+mm"[^]*<\/svg>\s*$/);
+  expect(textOf(await save('SVG'))).toMatch(/^<svg .*width="\d+mm"[\s\S]*<\/svg>\s*$/);
 
-  const rows = textOf(await save('CSV')).trim().split('\n').slice(1).map((line) => line.split(',').map(Number));
+  const rows = textOf(await save('CSV'))
+    .trim()
+    .split('\n')
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
   const lengths = edgeLengths(positions, edges);
   expect(rows.flatMap(([, a, b]) => [a, b])).toEqual([...edges]);
   rows.forEach(([, , , length], e) => expect(length).toBeCloseTo(lengths[e]!, 12));
@@ -85,7 +99,9 @@ test('a drag is saved as a video, or the menu says that this browser cannot', as
   await visitor.openNet({ recipe: 'vault:vertices=300' });
   await visitor.clickOn('Save');
   const can = await visitor.run(() => {
-    const item = [...document.querySelectorAll('button')].find((each) => each.querySelector('strong')?.textContent === 'Video');
+    const item = [...document.querySelectorAll('button')].find(
+      (each) => each.querySelector('strong')?.textContent === 'Video',
+    );
     return item?.disabled === false;
   });
   if (!can) {
@@ -110,7 +126,9 @@ function kept(): Promise<number> {
       });
     const database = await done(indexedDB.open('chebnet'));
     const store = database.transaction('projects').objectStore('projects');
-    const project = (await done(store.get(sessionStorage.getItem('chebnet.tab') ?? ''))) as { states: unknown[] } | undefined;
+    const project = (await done(store.get(sessionStorage.getItem('chebnet.tab') ?? ''))) as
+      | { states: unknown[] }
+      | undefined;
     database.close();
     return project?.states.length ?? 0;
   });

@@ -73,7 +73,9 @@ function complaintsOf(page: Page): string[] {
     const serious = ['error', 'warn', 'assert'].includes(message.type());
     if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
   });
-  page.on('pageerror', (error) => complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)));
+  page.on('pageerror', (error) =>
+    complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)),
+  );
   page.on('requestfailed', (request) => {
     const reason = request.failure()?.errorText ?? '';
     if (!GIVEN_UP.includes(reason)) complaints.push(`${request.url()}: ${reason}`);

@@ -30,7 +30,8 @@ afterAll(() => {
 });
 
 const editor = (attributes = '') => `<iframe ${attributes} src="${address()}?embed"></iframe>`;
-const visited = (html: string) => `<script>window.mail = []; addEventListener('message', ({ data }) => mail.push(data));</script>${html}`;
+const visited = (html: string) =>
+  `<script>window.mail = []; addEventListener('message', ({ data }) => mail.push(data));</script>${html}`;
 
 /** A page that asks an editor what the page that is visited wants asked, and tells it what it hears. */
 function puppet(by: 'beside' | 'host', path: string, html = ''): string {
@@ -55,7 +56,11 @@ function call(id: string, name: CallName, ...args: unknown[]): HostCall {
 
 /** Posts a message to a frame of the page that is visited. */
 function post(visitor: Visitor, path: number[], message: HostCall | { ask: HostCall }): Promise<void> {
-  return visitor.run((frames, data) => frames.reduce((frame: Window, i) => frame.frames[i]!, window).postMessage(data, '*'), path, message);
+  return visitor.run(
+    (frames, data) => frames.reduce((frame: Window, i) => frame.frames[i]!, window).postMessage(data, '*'),
+    path,
+    message,
+  );
 }
 
 test('a page of another site gets answers, also when its frame has a sandbox with an origin', async () => {
@@ -70,14 +75,20 @@ test('a page of another site gets answers, also when its frame has a sandbox wit
 });
 
 test('a frame beside it is not heard', async () => {
-  const visitor = await visitHost(editor() + '<iframe src="beside"></iframe>', { beside: puppet('beside', 'parent.frames[0]') });
+  const visitor = await visitHost(`${editor()}<iframe src="beside"></iframe>`, {
+    beside: puppet('beside', 'parent.frames[0]'),
+  });
   await gets(visitor, { chebnet: 1, event: 'ready' });
   await post(visitor, [0], call('opened', 'open', { recipe: 'vault:vertices=200' }));
   await gets(visitor, expect.objectContaining({ id: 'opened' }));
   await post(visitor, [1], { ask: call('beside', 'setHandles', []) });
   await gets(visitor, { by: 'beside', asked: 'beside' });
   await post(visitor, [0], call('mine', 'handles'));
-  await gets(visitor, { chebnet: 1, id: 'mine', result: expect.arrayContaining([expect.objectContaining({ anchor: true })]) });
+  await gets(visitor, {
+    chebnet: 1,
+    id: 'mine',
+    result: expect.arrayContaining([expect.objectContaining({ anchor: true })]),
+  });
   const all = await mailOf(visitor);
   expect(all.filter((each) => 'id' in each).map(({ id }) => id)).toEqual(['opened', 'mine']);
   expect(all.filter((each) => 'by' in each)).toEqual([{ by: 'beside', asked: 'beside' }]);

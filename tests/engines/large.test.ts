@@ -21,7 +21,10 @@ test('twenty thousand triangles around one vertex open, and are solved', async (
   const count = 20_000;
   const visitor = await arrive();
   await visitor.openNet({ obj: fan(count) });
-  await visitor.run((rim) => window.chebnet.setHandles([{ vertex: 1 }, { vertex: rim / 2 }, { vertex: 0, target: [0, 0, 0.01] }]), count);
+  await visitor.run(
+    (rim) => window.chebnet.setHandles([{ vertex: 1 }, { vertex: rim / 2 }, { vertex: 0, target: [0, 0, 0.01] }]),
+    count,
+  );
   await visitor.settled();
   expect(await visitor.stats()).toMatchObject({ vertices: count + 1, handles: 3 });
   expect((await visitor.positions()).every(Number.isFinite)).toBe(true);

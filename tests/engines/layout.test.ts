@@ -14,17 +14,25 @@ const placeOfMenu = (visitor: Visitor) =>
     const button = document.querySelector('[popovertarget=export-menu]')!.getBoundingClientRect();
     return {
       inside: menu.left >= gap && menu.top >= gap && menu.right <= innerWidth - gap && menu.bottom <= innerHeight - gap,
-      beside: menu.left <= button.left && button.left < menu.right && (menu.top >= button.bottom || menu.bottom <= button.top),
+      beside:
+        menu.left <= button.left &&
+        button.left < menu.right &&
+        (menu.top >= button.bottom || menu.bottom <= button.top),
       overflow: Math.max(0, document.documentElement.scrollWidth - innerWidth),
     };
   }, GAP);
 
 test('on a desk and, the window made narrow, on a phone the menu stands beside its button and nothing is too wide', async () => {
   const visitor = await arrive();
-  for (const [name, width, height] of [['desk', 1280, 800], ['phone', 390, 844]] as const) {
+  for (const [name, width, height] of [
+    ['desk', 1280, 800],
+    ['phone', 390, 844],
+  ] as const) {
     await visitor.driver.resize(width, height);
     await visitor.clickOn('Save');
-    await expect.poll(() => placeOfMenu(visitor), { message: name }).toEqual({ inside: true, beside: true, overflow: 0 });
+    await expect
+      .poll(() => placeOfMenu(visitor), { message: name })
+      .toEqual({ inside: true, beside: true, overflow: 0 });
     await visitor.picture(`menu-${name}`);
     await visitor.press('Escape');
   }

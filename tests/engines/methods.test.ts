@@ -12,7 +12,8 @@ const reference = chebnet.openRecipe(SHAPE);
 const { restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
-const placeOf = (vertex: number) => Array.from(restPositions.subarray(3 * vertex, 3 * vertex + 3)) as [number, number, number];
+const placeOf = (vertex: number) =>
+  Array.from(restPositions.subarray(3 * vertex, 3 * vertex + 3)) as [number, number, number];
 const [x, y, z] = placeOf(dragged);
 const TARGET: [number, number, number] = [x - 0.5, y + 0.3, z - 0.3];
 
@@ -52,7 +53,9 @@ test('a click adds a handle, Delete removes it', async () => {
 function solvedInNode(method: string): { status: string; positions: Float64Array } {
   const editor = chebnet.openRecipe(SHAPE);
   editor.setMethod(method);
-  editor.setHandles(Array.from(suggestedHandles, (vertex) => ({ vertex, target: vertex === dragged ? TARGET : placeOf(vertex) })));
+  editor.setHandles(
+    Array.from(suggestedHandles, (vertex) => ({ vertex, target: vertex === dragged ? TARGET : placeOf(vertex) })),
+  );
   const { status } = editor.solve();
   return { status, positions: editor.positions() };
 }

@@ -12,7 +12,8 @@ import { visitors } from './visitor';
 import type { Visitor } from './visitor';
 
 /** A search goes on for so long with new seeds; none is wanted: the same few acts each time, however fast the machine is. */
-const MINUTES = process.env['CHEBNET_MONKEY_MINUTES'] === undefined ? undefined : Number(process.env['CHEBNET_MONKEY_MINUTES']);
+const MINUTES =
+  process.env['CHEBNET_MONKEY_MINUTES'] === undefined ? undefined : Number(process.env['CHEBNET_MONKEY_MINUTES']);
 const ACTS = 60;
 const SEED = MINUTES === undefined ? 1 : undefined;
 /** Between two looks at how the page is: acts, or s. */
@@ -49,7 +50,9 @@ async function expectResponsive(visitor: Visitor): Promise<void> {
   await expect.poll(dragged).toBeGreaterThan(0);
 }
 
-test('under a monkey nothing breaks, memory stays bounded, and in the end the net can be dragged', { timeout: 60_000 * ((MINUTES ?? 1) + 3) }, async () => {
+test('under a monkey nothing breaks, memory stays bounded, and in the end the net can be dragged', {
+  timeout: 60_000 * ((MINUTES ?? 1) + 3),
+}, async () => {
   const visitor = await arrive();
   const monkey = new Monkey(visitor, printedSeed(`Monkey in ${ENGINE}`, SEED));
   const memory: number[] = [];
@@ -69,6 +72,8 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
     await visitor.picture('monkey');
     throw error;
   }
-  console.log(`Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB ${memory.map((bytes) => Math.round(bytes / 1e6)).join(' ')}`);
+  console.log(
+    `Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB ${memory.map((bytes) => Math.round(bytes / 1e6)).join(' ')}`,
+  );
   expect(memory.at(-1)! - memory[0]!).toBeLessThan(LARGEST_GROWTH);
 });

@@ -14,7 +14,21 @@ const WIDTH = 1280;
 const HEIGHT = 800;
 
 const KEYS = [
-  ...['Tab', 'Tab', 'Enter', 'Escape', ' ', 'Home', 'End', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Delete', 'Backspace'],
+  ...[
+    'Tab',
+    'Tab',
+    'Enter',
+    'Escape',
+    ' ',
+    'Home',
+    'End',
+    'ArrowLeft',
+    'ArrowRight',
+    'ArrowUp',
+    'ArrowDown',
+    'Delete',
+    'Backspace',
+  ],
   ...['g', 'r', 's', 'l', '?', '=', '-', '.', '0', '1', '5', '9', 'e'],
   ...['Control+a', 'Control+s', 'Control+o', 'Control+z', 'Control+y', 'Shift+ArrowUp', 'Shift+Tab'],
 ];
@@ -28,7 +42,9 @@ function gridObj(size: number, shift: () => number): string {
   const range = [...Array(size).keys()];
   const vertices = range.flatMap((i) => range.map((j) => `v ${i + shift()} ${j + shift()} ${shift()}`));
   const inner = range.slice(1);
-  const faces = inner.flatMap((i) => inner.map((j) => `f ${at(i - 1, j - 1)} ${at(i, j - 1)} ${at(i, j)} ${at(i - 1, j)}`));
+  const faces = inner.flatMap((i) =>
+    inner.map((j) => `f ${at(i - 1, j - 1)} ${at(i, j - 1)} ${at(i, j)} ${at(i - 1, j)}`),
+  );
   return [...vertices, ...faces, ''].join('\n');
 }
 
@@ -102,7 +118,8 @@ export class Monkey {
       const handle = handles[Math.floor(share * handles.length)];
       return handle === undefined ? null : window.chebnet.screenPosition(handle.vertex);
     }, this.#random());
-    if (place !== null && Number.isFinite(place.x + place.y)) await this.#dragFrom(clamp(place.x, WIDTH), clamp(place.y, HEIGHT));
+    if (place !== null && Number.isFinite(place.x + place.y))
+      await this.#dragFrom(clamp(place.x, WIDTH), clamp(place.y, HEIGHT));
   }
 
   async #scribble(): Promise<void> {
@@ -118,7 +135,10 @@ export class Monkey {
     await driver.movePointer(x, y);
     await driver.pressButton();
     for (let i = this.#below(6); i > 0; --i) {
-      await driver.movePointer(clamp(x + (this.#random() - 0.5) * reach, WIDTH), clamp(y + (this.#random() - 0.5) * reach, HEIGHT));
+      await driver.movePointer(
+        clamp(x + (this.#random() - 0.5) * reach, WIDTH),
+        clamp(y + (this.#random() - 0.5) * reach, HEIGHT),
+      );
     }
     if (this.#random() < 0.1) await this.#visitor.press(this.#choose(['Escape', 'Control+z', 'Delete']));
     await driver.releaseButton();
@@ -131,7 +151,8 @@ export class Monkey {
     if (found.x < 0 || found.y < 0 || found.x >= WIDTH || found.y >= HEIGHT) return;
     await this.#visitor.click(found.x, found.y);
     if (LANGUAGES.includes(found.name)) await this.#awaitReload();
-    if (found.takesText) for (const key of ['Control+a', ...this.#numberKeys(), 'Enter']) await this.#visitor.press(key);
+    if (found.takesText)
+      for (const key of ['Control+a', ...this.#numberKeys(), 'Enter']) await this.#visitor.press(key);
   }
 
   async #awaitReload(): Promise<void> {
@@ -204,11 +225,19 @@ export class Monkey {
 
   async #keepLink(): Promise<void> {
     const link = await this.#visitor.run(() => window.chebnet.link().catch(() => '#'));
-    this.#links.splice(this.#below(this.#links.length), this.#links.length > 20 ? 1 : 0, new URL(link, 'http://host').hash);
+    this.#links.splice(
+      this.#below(this.#links.length),
+      this.#links.length > 20 ? 1 : 0,
+      new URL(link, 'http://host').hash,
+    );
   }
 
   async #resize(): Promise<void> {
-    const [width, height] = this.#choose<[number, number]>([[700, 500], [390, 800], [1280, 300]]);
+    const [width, height] = this.#choose<[number, number]>([
+      [700, 500],
+      [390, 800],
+      [1280, 300],
+    ]);
     await this.#visitor.driver.resize(width, height);
     await this.#visitor.driver.resize(WIDTH, HEIGHT);
   }
@@ -237,7 +266,8 @@ function cage(): void {
     if (this.type === 'file') this.dispatchEvent(new Event('cancel'));
     else click.call(this);
   };
-  const stay = (event: Event) => event.target instanceof Element && event.target.closest('a[target]') && event.preventDefault();
+  const stay = (event: Event) =>
+    event.target instanceof Element && event.target.closest('a[target]') && event.preventDefault();
   addEventListener('click', stay, true);
 }
 

@@ -35,7 +35,9 @@ function anotherVersion(): { folder: string; script: string } {
     writeFileSync(join(folder, path), change(readFileSync(join(folder, path), 'utf8')));
   edit('index.html', (html) => html.replace(old, another));
   const [before, after] = [DIST, folder].map((each) => sha256(readFileSync(join(each, 'index.html'))));
-  edit('service_worker.js', (text) => text.replace(old, another).replace(before!, after!).replace('"version":"', '"version":"another'));
+  edit('service_worker.js', (text) =>
+    text.replace(old, another).replace(before!, after!).replace('"version":"', '"version":"another'),
+  );
   return { folder, script: `./assets/${another}` };
 }
 
@@ -93,7 +95,8 @@ test('a version that is not whole is not taken', async () => {
     const registration = (await navigator.serviceWorker.getRegistration())!;
     await registration.update();
     const worker = registration.installing!;
-    while (worker.state === 'installing') await new Promise((done) => worker.addEventListener('statechange', done, { once: true }));
+    while (worker.state === 'installing')
+      await new Promise((done) => worker.addEventListener('statechange', done, { once: true }));
     return worker.state;
   });
   expect(refused).toBe('redundant');

@@ -53,7 +53,11 @@ test('after one visit the page opens without its server, a net can be dragged, a
   const visitor = await arrive();
   await vi.waitUntil(() => visitor.run(() => navigator.serviceWorker.controller !== null), PATIENCE);
   // The last that the page asks for of itself.
-  await vi.waitUntil(() => visitor.run(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('late_thumbnail'))), PATIENCE);
+  await vi.waitUntil(
+    () =>
+      visitor.run(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('late_thumbnail'))),
+    PATIENCE,
+  );
   closeSite();
   await visitor.driver.reload();
   await visitor.waitForNet();
@@ -66,7 +70,10 @@ test('after one visit the page opens without its server, a net can be dragged, a
 
   await visitor.clickOn('Learn');
   const address = () => visitor.run(() => document.querySelector<HTMLAnchorElement>('a[href$="licences.txt"]')?.href);
-  const licences = await visitor.run(async (link) => (await fetch(link)).text(), (await vi.waitUntil(address, PATIENCE))!);
+  const licences = await visitor.run(
+    async (link) => (await fetch(link)).text(),
+    (await vi.waitUntil(address, PATIENCE))!,
+  );
   expect(licences).toContain('Jean-loup Gailly');
   expect(licences).toContain('© 2010');
 });

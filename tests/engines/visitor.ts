@@ -60,14 +60,20 @@ export class Visitor {
   constructor(readonly driver: Driver) {}
 
   /** Runs a function in the page; it may use nothing from around it, and take and give plain data only. */
-  async run<Given extends unknown[], Result>(code: (...given: Given) => Result | Promise<Result>, ...given: Given): Promise<Result> {
+  async run<Given extends unknown[], Result>(
+    code: (...given: Given) => Result | Promise<Result>,
+    ...given: Given
+  ): Promise<Result> {
     return (await this.driver.evaluate(`(${code})(...${JSON.stringify(given)})`)) as Result;
   }
 
   // ------------------------------------------------------------------------------------------------- window.chebnet
 
   async waitForNet(): Promise<void> {
-    await vi.waitUntil(() => this.run(() => window.chebnet !== undefined && window.chebnet.stats().vertices > 0), PATIENCE);
+    await vi.waitUntil(
+      () => this.run(() => window.chebnet !== undefined && window.chebnet.stats().vertices > 0),
+      PATIENCE,
+    );
     await this.settled();
   }
 
@@ -154,7 +160,9 @@ export class Visitor {
     return this.run(
       (name, wanted) => {
         const lists = [...document.querySelectorAll('select')];
-        const list = lists.find((each) => (each.ariaLabel ?? each.labels[0]?.textContent ?? '').trim().startsWith(name))!;
+        const list = lists.find((each) =>
+          (each.ariaLabel ?? each.labels[0]?.textContent ?? '').trim().startsWith(name),
+        )!;
         list.value = wanted;
         list.dispatchEvent(new Event('input', { bubbles: true }));
         list.dispatchEvent(new Event('change', { bubbles: true }));
@@ -171,7 +179,10 @@ export class Visitor {
     let text = '';
     const holds = () => (typeof expected === 'string' ? text.includes(expected) : expected.test(text));
     const look = async () => {
-      text = await this.run((each) => [...document.querySelectorAll<HTMLElement>(each)].map(({ innerText }) => innerText).join('\n'), selector);
+      text = await this.run(
+        (each) => [...document.querySelectorAll<HTMLElement>(each)].map(({ innerText }) => innerText).join('\n'),
+        selector,
+      );
       return holds();
     };
     await vi.waitUntil(look, PATIENCE).catch(() => expect(text).toMatch(expected));
@@ -190,7 +201,9 @@ export class Visitor {
       (fileName, base64) => {
         const dataTransfer = new DataTransfer();
         dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], fileName));
-        document.getElementById('view')!.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+        document
+          .getElementById('view')!
+          .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
       },
       name,
       Buffer.from(content).toString('base64'),
@@ -206,7 +219,8 @@ export class Visitor {
       // While a file is written it has another name, or is beside one that has; and it grows.
       const files = readdirSync(folder);
       const [file] = files;
-      const size = files.length === 1 && !/\.(part|wkdownload)$/.test(file!) ? readFileSync(join(folder, file!)).length : -1;
+      const size =
+        files.length === 1 && !/\.(part|wkdownload)$/.test(file!) ? readFileSync(join(folder, file!)).length : -1;
       const whole = size > 0 && size === before;
       before = size;
       return whole ? file : undefined;
@@ -221,9 +235,13 @@ export class Visitor {
 function placeOf(name: string): [number, number] | null {
   const clickable = 'button, a[href], summary, input, label, [role=button], [role=menuitem]';
   const nameOf = (element: Element) =>
-    (element.ariaLabel ?? element.querySelector('strong')?.textContent ?? element.textContent ?? '').trim().replace(/\s+/g, ' ');
+    (element.ariaLabel ?? element.querySelector('strong')?.textContent ?? element.textContent ?? '')
+      .trim()
+      .replace(/\s+/g, ' ');
   const elements = [...document.querySelectorAll<HTMLButtonElement>(clickable)];
-  const found = elements.filter((element) => element.checkVisibility() && element.disabled !== true && nameOf(element) === name);
+  const found = elements.filter(
+    (element) => element.checkVisibility() && element.disabled !== true && nameOf(element) === name,
+  );
   // What opened last lies on top.
   const element = found.at(-1);
   if (element === undefined) return null;

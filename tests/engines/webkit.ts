@@ -53,8 +53,10 @@ export async function startWebKit(): Promise<Engine> {
     await untilItAnswers(address);
     const options = { binary, args: ['--automation'] };
     const wishes = { browserName: 'MiniBrowser', pageLoadStrategy: 'none', 'webkitgtk:browserOptions': options };
-    const { sessionId } = (await call(address, 'POST', '/session', { capabilities: { alwaysMatch: wishes } })) as { sessionId: string };
-    const window = new Window(`${address}/session/${sessionId}`, downloads, () => end(server));
+    const { sessionId } = (await call(address, 'POST', '/session', { capabilities: { alwaysMatch: wishes } })) as {
+      sessionId: string;
+    };
+    const window = new WebKitWindow(`${address}/session/${sessionId}`, downloads, () => end(server));
     await window.begin();
     return window;
   }
@@ -67,7 +69,7 @@ export async function startWebKit(): Promise<Engine> {
   return { name: 'webkit', newWindow, close };
 }
 
-class Window implements Driver {
+class WebKitWindow implements Driver {
   readonly #session: string;
   readonly downloads: string;
   readonly #complaints: string[] = [];
@@ -132,7 +134,12 @@ class Window implements Driver {
     const inside = async () => (await this.evaluate('[innerWidth, innerHeight]')) as [number, number];
     const outside = (await call(this.#session, 'GET', '/window/rect')) as { width: number; height: number };
     const [innerWidth, innerHeight] = await inside();
-    await this.#post('/window/rect', { x: 0, y: 0, width: width + outside.width - innerWidth, height: height + outside.height - innerHeight });
+    await this.#post('/window/rect', {
+      x: 0,
+      y: 0,
+      width: width + outside.width - innerWidth,
+      height: height + outside.height - innerHeight,
+    });
     for (let i = 0; i < 20 && String(await inside()) !== String([width, height]); ++i) await sleep(50);
   }
 
@@ -195,7 +202,9 @@ function listen(): boolean {
   const missing = (element: unknown) => `could not be loaded: ${(element as HTMLImageElement | null)?.outerHTML}`;
   addEventListener('error', (event) => complaints.push(event.message ?? missing(event.target)), true);
   addEventListener('unhandledrejection', ({ reason }) => complaints.push(String(reason?.stack ?? reason)));
-  addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) => complaints.push(`${violatedDirective}: ${blockedURI}`));
+  addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) =>
+    complaints.push(`${violatedDirective}: ${blockedURI}`),
+  );
   return true;
 }
 

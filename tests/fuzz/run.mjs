@@ -72,13 +72,20 @@ function pageTarget(name) {
       env: { ...process.env, CHEBNET_FUZZ_SECONDS: String(seconds) },
     });
     const counts = [...readFileSync(log, 'utf8').matchAll(/executions: (\d+)/g)];
-    return { executions: counts.reduce((sum, [, count]) => sum + Number(count), 0), coverage: null, features: null, failed: code !== 0, log };
+    return {
+      executions: counts.reduce((sum, [, count]) => sum + Number(count), 0),
+      coverage: null,
+      features: null,
+      failed: code !== 0,
+      log,
+    };
   };
 }
 
 function findTargets() {
   const targets = new Map();
-  for (const file of readdirSync(join(here, 'targets'))) targets.set(basename(file, '.cpp'), coreTarget(basename(file, '.cpp')));
+  for (const file of readdirSync(join(here, 'targets')))
+    targets.set(basename(file, '.cpp'), coreTarget(basename(file, '.cpp')));
   for (const file of readdirSync(join(here, 'page')).filter((each) => each.endsWith('.test.ts'))) {
     targets.set(basename(file, '.test.ts'), pageTarget(basename(file, '.test.ts')));
   }
@@ -99,11 +106,16 @@ function readArguments(targets) {
   if (!(seconds >= 1)) fail('the time is a number of at least one second');
   const unknown = positionals.find((name) => !targets.has(name));
   if (unknown !== undefined) fail(`there is no target ${unknown}; known are ${[...targets.keys()].join(', ')}`);
-  return { seconds: Math.round(seconds), names: positionals.length > 0 ? positionals : [...targets.keys()], lanes: values['one-at-a-time'] ? 1 : 2 };
+  return {
+    seconds: Math.round(seconds),
+    names: positionals.length > 0 ? positionals : [...targets.keys()],
+    lanes: values['one-at-a-time'] ? 1 : 2,
+  };
 }
 
 const widths = [16, 12, 10, 10, 9];
-const row = (cells) => cells.map((cell, i) => (i === 0 ? String(cell).padEnd(widths[i]) : String(cell ?? '').padStart(widths[i]))).join('');
+const row = (cells) =>
+  cells.map((cell, i) => (i === 0 ? String(cell).padEnd(widths[i]) : String(cell ?? '').padStart(widths[i]))).join('');
 
 async function main() {
   const targets = findTargets();

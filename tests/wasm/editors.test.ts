@@ -29,33 +29,52 @@ test('leaves out the shapes that are relaxed', () => {
 });
 
 const shapes = first.shapes().map(({ name }) => name);
-test.each(shapes.filter((name) => !RELAXED.includes(name)))('edits the %s as the whole core does, to the last bit', (name) => {
-  const [positions, expected] = [first, whole].map((core) => {
-    const each = core.openRecipe(`${name}:vertices=300`);
-    each.setHandles(firstEdit(each));
-    expect(each.solve().status).toBe('converged');
-    const result = each.positions();
-    each.dispose();
-    return result;
-  });
-  expect(positions).toEqual(expected);
-});
-
-test.each(['300', '+300', '3e2', '.3E+3', '300.', '0300', '300.5', '3e999', '-300', '0x12c', '3_00', ' 300', '', '.', '+', '+-300', '3e', 'many'])(
-  'takes "%s" for the number that the whole core takes it for',
-  (text) => {
-    const [here, there] = [first, whole].map((core) => {
-      try {
-        const each = core.openRecipe(`dome:vertices=${text}`);
-        each.dispose();
-        return each.info.vertices;
-      } catch (error) {
-        return (error as Error).message;
-      }
+test.each(shapes.filter((name) => !RELAXED.includes(name)))(
+  'edits the %s as the whole core does, to the last bit',
+  (name) => {
+    const [positions, expected] = [first, whole].map((core) => {
+      const each = core.openRecipe(`${name}:vertices=300`);
+      each.setHandles(firstEdit(each));
+      expect(each.solve().status).toBe('converged');
+      const result = each.positions();
+      each.dispose();
+      return result;
     });
-    expect(here).toBe(there);
+    expect(positions).toEqual(expected);
   },
 );
+
+test.each([
+  '300',
+  '+300',
+  '3e2',
+  '.3E+3',
+  '300.',
+  '0300',
+  '300.5',
+  '3e999',
+  '-300',
+  '0x12c',
+  '3_00',
+  ' 300',
+  '',
+  '.',
+  '+',
+  '+-300',
+  '3e',
+  'many',
+])('takes "%s" for the number that the whole core takes it for', (text) => {
+  const [here, there] = [first, whole].map((core) => {
+    try {
+      const each = core.openRecipe(`dome:vertices=${text}`);
+      each.dispose();
+      return each.info.vertices;
+    } catch (error) {
+      return (error as Error).message;
+    }
+  });
+  expect(here).toBe(there);
+});
 
 test.each([0.1 + 0.2, 1 / 3, 5e-324, 1e-6, 12345.67890123456])('keeps every bit of the option %d', (value) => {
   editor.setOption('switch_deviation', value);
@@ -74,7 +93,12 @@ test('knows the method it begins with, and refuses those left out without a chan
       return false;
     }
   };
-  expect(first.methods().filter(has).map(({ name }) => name)).toEqual(['projection', 'gauss_newton', 'arap', 'local_global']);
+  expect(
+    first
+      .methods()
+      .filter(has)
+      .map(({ name }) => name),
+  ).toEqual(['projection', 'gauss_newton', 'arap', 'local_global']);
 });
 
 test('leaves files out, and still says what is wrong with a name', () => {

@@ -20,7 +20,9 @@ function unevenMesh(recipe: string): Mesh {
   const editor = chebnet.openRecipe(recipe);
   const { restPositions, faceStart, faceVertices, info } = editor;
   const wave = 5 * info.meanLength;
-  const positions = restPositions.map((x, i) => x * (1 + 0.1 * (i % 3)) + 0.15 * info.meanLength * Math.sin(i + x / wave));
+  const positions = restPositions.map(
+    (x, i) => x * (1 + 0.1 * (i % 3)) + 0.15 * info.meanLength * Math.sin(i + x / wave),
+  );
   editor.dispose();
   return { positions, faceStart, faceVertices };
 }
@@ -40,7 +42,10 @@ function equalizeHere(mesh: Mesh, options: EqualizeOptions = {}): { report: Equa
   return { report, positions };
 }
 
-function equalizeNatively(mesh: Mesh, ...options: string[]): { report: Record<string, unknown>; positions: Float64Array } {
+function equalizeNatively(
+  mesh: Mesh,
+  ...options: string[]
+): { report: Record<string, unknown>; positions: Float64Array } {
   const [file, out] = [join(folder, 'mesh.obj'), join(folder, 'out.obj')];
   writeFileSync(file, objText(mesh));
   // Exit status 1 says "did not converge", which is a result like others; 2 says that something is wrong.
@@ -60,7 +65,12 @@ function lengthsOf({ faceStart, faceVertices }: Mesh, positions: Float64Array): 
 const cases: [string, string, EqualizeOptions, string[]][] = [
   ['the mean length', 'dome:vertices=600', {}, []],
   ['the fitting length', 'torus:vertices=600', { length: 'fitting' }, ['--length', 'fit']],
-  ['a length that is given, and handles', 'vault:vertices=600', { length: 1.1, handles: [0, 7] }, ['--length', '1.1', '--hold', '0', '7']],
+  [
+    'a length that is given, and handles',
+    'vault:vertices=600',
+    { length: 1.1, handles: [0, 7] },
+    ['--length', '1.1', '--hold', '0', '7'],
+  ],
 ];
 
 describe.each(cases)('with %s', (_, recipe, options, native) => {
@@ -71,7 +81,8 @@ describe.each(cases)('with %s', (_, recipe, options, native) => {
     expect(report.status).toBe('converged');
     expect(report.maxDeviation).toBeLessThan(1e-9);
     for (const length of lengthsOf(mesh, positions)) expect((length / report.length - 1) ** 2).toBeLessThan(1.1e-9);
-    for (const v of options.handles ?? []) expect(positions.subarray(3 * v, 3 * v + 3)).toEqual(mesh.positions.subarray(3 * v, 3 * v + 3));
+    for (const v of options.handles ?? [])
+      expect(positions.subarray(3 * v, 3 * v + 3)).toEqual(mesh.positions.subarray(3 * v, 3 * v + 3));
     expect(report.worstEdges).toEqual([]);
   });
 
@@ -107,7 +118,11 @@ describe('what cannot be is refused', () => {
     expect(report.status).toBe(expected.status);
     expect(['stalled', 'max_iterations']).toContain(report.status);
     expect(report.worstEdges.length).toBeGreaterThan(0);
-    expect(report.worstEdges[0]).toEqual({ vertexA: expect.any(Number), vertexB: expect.any(Number), length: expect.any(Number) });
+    expect(report.worstEdges[0]).toEqual({
+      vertexA: expect.any(Number),
+      vertexB: expect.any(Number),
+      length: expect.any(Number),
+    });
   });
 
   test('with the handles that are too far apart', () => {

@@ -78,8 +78,14 @@ describe('an editor', () => {
   test('gives net lines and boundary loops as lists one after another', () => {
     const square = chebnet.openObj(SQUARE);
     const ascending = (list: Int32Array) => list.slice().sort();
-    const lists = ({ start, vertices }: VertexLists) => [...start.subarray(1)].map((end, k) => [...ascending(vertices.subarray(start[k], end))]);
-    expect(lists(square.netLines()).sort()).toEqual([[0, 1], [0, 3], [1, 2], [2, 3]]);
+    const lists = ({ start, vertices }: VertexLists) =>
+      [...start.subarray(1)].map((end, k) => [...ascending(vertices.subarray(start[k], end))]);
+    expect(lists(square.netLines()).sort()).toEqual([
+      [0, 1],
+      [0, 3],
+      [1, 2],
+      [2, 3],
+    ]);
     expect(lists(square.boundaryLoops())).toEqual([[0, 1, 2, 3]]);
     square.dispose();
   });
@@ -201,13 +207,13 @@ describe('an editor', () => {
 });
 
 describe('errors', () => {
-  const cases: [string, string, RegExp, (() => unknown)][] = [
+  const cases: [string, string, RegExp, () => unknown][] = [
     ['an unknown shape', 'bad_option', /nosuch/, () => chebnet.openRecipe('nosuch')],
     ['a recipe that is none', 'bad_syntax', /recipe/, () => chebnet.openRecipe(7 as never)],
     ['an OBJ that is none', 'bad_syntax', /OBJ/, () => chebnet.openObj(new Uint8Array(3) as never)],
     ['a bad line', 'bad_syntax', /net\.obj:2/, () => chebnet.openObj('v 0 0 0\nv 1 zero 0\n', 'net.obj')],
     ['an OBJ without faces', 'no_faces', /face/, () => chebnet.openObj('v 0 0 0\n')],
-    ['a face too far', 'index_out_of_range', /5/, () => chebnet.openObj(SQUARE + 'f 3 4 5\n')],
+    ['a face too far', 'index_out_of_range', /5/, () => chebnet.openObj(`${SQUARE}f 3 4 5\n`)],
     [
       'three faces at an edge',
       'non_manifold_edge',
@@ -229,7 +235,12 @@ describe('errors', () => {
     ['an option that is NaN', 'bad_option', /threshold/, () => editor.setOption('threshold', NaN)],
     ['an option that is text', 'bad_option', /threshold/, () => editor.setOption('threshold', 'low' as never)],
     ['positions too short', 'index_out_of_range', /Float64Array/, () => editor.setPositions(new Float64Array(3))],
-    ['positions of floats', 'index_out_of_range', /Float64Array/, () => editor.setPositions(new Float32Array(3) as never)],
+    [
+      'positions of floats',
+      'index_out_of_range',
+      /Float64Array/,
+      () => editor.setPositions(new Float32Array(3) as never),
+    ],
     ['positions that are NaN', 'non_finite', /./, () => editor.setPositions(editor.positions().fill(NaN))],
     ['a budget below 0', 'bad_option', /budget/, () => editor.solve({ iterations: -1 })],
     ['a budget of NaN ms', 'bad_option', /budget/, () => editor.solve({ milliseconds: NaN })],

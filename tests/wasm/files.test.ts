@@ -100,7 +100,9 @@ describe('repair', () => {
   test('merges as far as it is told', () => {
     const near = read('v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1.01 1 0\nv 2 0 0\nf 1 2 3\nf 2 5 4\n');
     expect(chebnet.repairMesh(near).findings).toEqual([]);
-    expect(chebnet.repairMesh(near, chebnet.defects(), 0.1).findings).toMatchObject([{ defect: 'duplicate_vertices', count: 1 }]);
+    expect(chebnet.repairMesh(near, chebnet.defects(), 0.1).findings).toMatchObject([
+      { defect: 'duplicate_vertices', count: 1 },
+    ]);
   });
 
   test('names all that it looks for', () => {
@@ -123,13 +125,29 @@ describe('repair', () => {
     ['a tolerance that is text', 'bad_option', () => chebnet.repairMesh(mesh, [], '1' as never)],
     ['no mesh', 'bad_syntax', () => chebnet.repairMesh(null as never)],
     ['half a vertex', 'bad_syntax', () => chebnet.repairMesh({ ...mesh, positions: new Float64Array(4) })],
-    ['positions of floats', 'bad_syntax', () => chebnet.openMesh({ ...mesh, positions: new Float32Array(21) as never })],
+    [
+      'positions of floats',
+      'bad_syntax',
+      () => chebnet.openMesh({ ...mesh, positions: new Float32Array(21) as never }),
+    ],
     ['faces that begin late', 'bad_syntax', () => chebnet.openMesh({ ...mesh, faceStart: Int32Array.of(1, 4, 7, 12) })],
     ['faces that go back', 'bad_syntax', () => chebnet.openMesh({ ...mesh, faceStart: Int32Array.of(0, 99, 7, 12) })],
     ['faces that end early', 'bad_syntax', () => chebnet.openMesh({ ...mesh, faceStart: Int32Array.of(0, 4) })],
-    ['no faces', 'no_faces', () => chebnet.openMesh({ ...mesh, faceStart: Int32Array.of(0), faceVertices: new Int32Array() })],
-    ['a face too far', 'index_out_of_range', () => chebnet.repairMesh({ ...mesh, faceVertices: mesh.faceVertices.map((v) => v + 1) })],
-    ['a vertex at infinity', 'non_finite', () => chebnet.repairMesh({ ...mesh, positions: mesh.positions.map(() => Infinity) })],
+    [
+      'no faces',
+      'no_faces',
+      () => chebnet.openMesh({ ...mesh, faceStart: Int32Array.of(0), faceVertices: new Int32Array() }),
+    ],
+    [
+      'a face too far',
+      'index_out_of_range',
+      () => chebnet.repairMesh({ ...mesh, faceVertices: mesh.faceVertices.map((v) => v + 1) }),
+    ],
+    [
+      'a vertex at infinity',
+      'non_finite',
+      () => chebnet.repairMesh({ ...mesh, positions: mesh.positions.map(() => Infinity) }),
+    ],
   ];
   test.each(wrong)('refuses %s', (_, code, action) => {
     expect(failure(action).code).toBe(code);
@@ -140,7 +158,11 @@ describe('rest lengths', () => {
   const mesh = read(MIXED);
 
   test('are those that are asked for', () => {
-    for (const [choice, isChebyshev] of [['automatic', false], ['own', false], ['equal', true]] as const) {
+    for (const [choice, isChebyshev] of [
+      ['automatic', false],
+      ['own', false],
+      ['equal', true],
+    ] as const) {
       const editor = chebnet.openMesh(mesh, choice);
       expect(editor.info.isChebyshev).toBe(isChebyshev);
       expect(editor.restLengths).toHaveLength(editor.info.edges);
@@ -181,7 +203,10 @@ describe('writing', () => {
   });
 
   test('in an unknown format is refused', () => {
-    expect(failure(() => editor.toFile('dxf' as never))).toMatchObject({ code: 'bad_option', message: expect.stringMatching(/dxf/) });
+    expect(failure(() => editor.toFile('dxf' as never))).toMatchObject({
+      code: 'bad_option',
+      message: expect.stringMatching(/dxf/),
+    });
     expect(failure(() => editor.toFile(1 as never)).code).toBe('bad_option');
   });
 });

@@ -18,14 +18,57 @@ function moduleOf(...body: number[]): Uint8Array {
 const bodyOf = (module: Uint8Array, length: number) => [...module.subarray(-length)];
 /** Long enough that sizes take two bytes. */
 const FILLING = Array<number>(130).fill(0x01);
-const [INDIRECT, TRY, NOTHING, CATCH_ALL, DELEGATE, END] = [[0x41, 0, 0x11, 0, 0], 0x06, 0x40, 0x19, 0x18, 0x0b] as const;
+const [INDIRECT, TRY, NOTHING, CATCH_ALL, DELEGATE, END] = [
+  [0x41, 0, 0x11, 0, 0],
+  0x06,
+  0x40,
+  0x19,
+  0x18,
+  0x0b,
+] as const;
 
 test('a nop parts an indirect call from the try, catch or delegate that follows it, and from nothing else', () => {
-  const before = [...FILLING, ...INDIRECT, TRY, NOTHING, ...INDIRECT, CATCH_ALL, TRY, NOTHING, ...INDIRECT, DELEGATE, 0, ...INDIRECT, END, END];
-  const after = [...FILLING, ...INDIRECT, 1, TRY, NOTHING, ...INDIRECT, 1, CATCH_ALL, TRY, NOTHING, ...INDIRECT, 1, DELEGATE, 0, ...INDIRECT, END, END];
+  const before = [
+    ...FILLING,
+    ...INDIRECT,
+    TRY,
+    NOTHING,
+    ...INDIRECT,
+    CATCH_ALL,
+    TRY,
+    NOTHING,
+    ...INDIRECT,
+    DELEGATE,
+    0,
+    ...INDIRECT,
+    END,
+    END,
+  ];
+  const after = [
+    ...FILLING,
+    ...INDIRECT,
+    1,
+    TRY,
+    NOTHING,
+    ...INDIRECT,
+    1,
+    CATCH_ALL,
+    TRY,
+    NOTHING,
+    ...INDIRECT,
+    1,
+    DELEGATE,
+    0,
+    ...INDIRECT,
+    END,
+    END,
+  ];
   const given = moduleOf(...before);
   const made = tryApart(given);
-  expect([WebAssembly.validate(Uint8Array.from(given)), WebAssembly.validate(Uint8Array.from(made))]).toEqual([true, true]);
+  expect([WebAssembly.validate(Uint8Array.from(given)), WebAssembly.validate(Uint8Array.from(made))]).toEqual([
+    true,
+    true,
+  ]);
   expect(bodyOf(made, after.length)).toEqual(after);
 });
 

@@ -111,7 +111,9 @@ describe.each(TOLERANCES)('every shape of %i vertices by every method', (size, t
       const here = solveHere(editor);
       const native = solveNatively(recipe, editor, '--method', method, '--set', `max_iterations=${MOST_ITERATIONS}`);
       expect([recipe, here.status, here.iterations]).toEqual([recipe, native.status, native.iterations]);
-      expect(largestDistance(here.positions, native.positions), recipe).toBeLessThan(tolerance * editor.info.meanLength);
+      expect(largestDistance(here.positions, native.positions), recipe).toBeLessThan(
+        tolerance * editor.info.meanLength,
+      );
       editor.dispose();
     }
   });

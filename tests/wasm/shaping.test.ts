@@ -17,7 +17,12 @@ beforeEach(() => {
 afterEach(() => editor.dispose());
 
 const offTarget = ({ vertex, target }: Handle): number =>
-  Math.hypot(...editor.positions().subarray(3 * vertex, 3 * vertex + 3).map((x, axis) => x - target[axis]!));
+  Math.hypot(
+    ...editor
+      .positions()
+      .subarray(3 * vertex, 3 * vertex + 3)
+      .map((x, axis) => x - target[axis]!),
+  );
 
 describe('soft handles', () => {
   test('come back with their weights; exact ones have none', () => {
@@ -56,7 +61,12 @@ describe('locality', () => {
     const before = editor.positions();
     const distances = editor.distances([dragged.vertex]);
     const radius = 9;
-    editor.setHandles(handles.map(({ vertex }) => ({ vertex, target: [...before.subarray(3 * vertex, 3 * vertex + 3)] as Handle['target'] })));
+    editor.setHandles(
+      handles.map(({ vertex }) => ({
+        vertex,
+        target: [...before.subarray(3 * vertex, 3 * vertex + 3)] as Handle['target'],
+      })),
+    );
     editor.setLocality(radius, [dragged.vertex]);
     const [x, y, z] = before.subarray(3 * dragged.vertex, 3 * dragged.vertex + 3);
     editor.moveHandle(dragged.vertex, [x!, y!, z! + editor.info.meanLength]);
@@ -91,17 +101,25 @@ describe('the reach', () => {
   const move = (inHand: readonly InHand[], translation: Handle['target']) =>
     inHand.forEach((each) => editor.moveHandle(each.vertex, translated(each, translation)));
 
-  test.each([1, 3])('of the last of the handles, %d together, ends where the core calls others unreachable', (count) => {
-    editor.setHandles(handles);
-    const others = handles.slice(0, -1).map(({ vertex }) => vertex);
-    expect(others).toEqual(expect.arrayContaining(editor.reach(dragged.vertex).map(({ vertex }) => vertex)));
-    const inHand = handles.slice(-count).map(({ vertex, target }): InHand => ({ vertex, base: target, follows: [1, 1, 1] }));
-    const limits = limitsOf(inHand, inHand.map(({ vertex }) => editor.reach(vertex)));
-    move(inHand, far);
-    expect(editor.unreachablePairs()).not.toEqual([]);
-    move(inHand, nearestInAll(limits, far));
-    expect(editor.unreachablePairs()).toEqual([]);
-  });
+  test.each([1, 3])(
+    'of the last of the handles, %d together, ends where the core calls others unreachable',
+    (count) => {
+      editor.setHandles(handles);
+      const others = handles.slice(0, -1).map(({ vertex }) => vertex);
+      expect(others).toEqual(expect.arrayContaining(editor.reach(dragged.vertex).map(({ vertex }) => vertex)));
+      const inHand = handles
+        .slice(-count)
+        .map(({ vertex, target }): InHand => ({ vertex, base: target, follows: [1, 1, 1] }));
+      const limits = limitsOf(
+        inHand,
+        inHand.map(({ vertex }) => editor.reach(vertex)),
+      );
+      move(inHand, far);
+      expect(editor.unreachablePairs()).not.toEqual([]);
+      move(inHand, nearestInAll(limits, far));
+      expect(editor.unreachablePairs()).toEqual([]);
+    },
+  );
 
   test('within a locality ends at its border too', () => {
     editor.setHandles(handles);

@@ -108,10 +108,22 @@ describe('dragging', () => {
   });
 
   test('does not lose the target of one handle to that of another', async () => {
-    for (const [vertex, x] of [[7, 1], [7, 2], [8, 3], [7, 4], [8, 5]] as const) void client.drag([{ vertex, target: [x, 0, 0] }]);
+    for (const [vertex, x] of [
+      [7, 1],
+      [7, 2],
+      [8, 3],
+      [7, 4],
+      [8, 5],
+    ] as const)
+      void client.drag([{ vertex, target: [x, 0, 0] }]);
     expect([await worker().do(), await worker().do()]).toMatchObject([
       { targets: [{ vertex: 7, target: [1, 0, 0] }] },
-      { targets: [{ vertex: 7, target: [4, 0, 0] }, { vertex: 8, target: [5, 0, 0] }] },
+      {
+        targets: [
+          { vertex: 7, target: [4, 0, 0] },
+          { vertex: 8, target: [5, 0, 0] },
+        ],
+      },
     ]);
     expect(worker().sent).toEqual([]);
   });
@@ -220,7 +232,14 @@ describe('a worker that is lost', () => {
     const request = await worker().open(5);
     expect(request).toMatchObject({
       type: 'open',
-      scene: { net: scene.net, method: 'other', initialisation: 'arap:5', options: { p_end: 30 }, settled: true, handles: [{ vertex: 0, target: [5, 5, 5] }] },
+      scene: {
+        net: scene.net,
+        method: 'other',
+        initialisation: 'arap:5',
+        options: { p_end: 30 },
+        settled: true,
+        handles: [{ vertex: 0, target: [5, 5, 5] }],
+      },
     });
     expect(request).toHaveProperty('scene.positions', Float64Array.of(5, 5, 5));
     expect(restarts).toEqual([[expect.any(String), 5]]);

@@ -151,8 +151,15 @@ describe('cancelled', () => {
 });
 
 test('tables for other programs are whole', async () => {
-  await comparer.start([plan('li2022', { initialisation: 'arap:2', options: { max_iterations: 60, p_end: 20 } }), ...plans('magic')]);
-  const cells = (csv: string) => csv.trim().split('\n').map((line) => line.split(','));
+  await comparer.start([
+    plan('li2022', { initialisation: 'arap:2', options: { max_iterations: 60, p_end: 20 } }),
+    ...plans('magic'),
+  ]);
+  const cells = (csv: string) =>
+    csv
+      .trim()
+      .split('\n')
+      .map((line) => line.split(','));
   const [header, li, magic] = cells(tableCsv(comparison()));
   const { frame, trace } = comparison().runs[0]!;
   expect(header).toHaveLength(12);

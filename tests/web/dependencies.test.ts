@@ -23,16 +23,24 @@ const { '': project, ...locked } = lock.packages;
 
 /** The rows of a table of DEPENDENCIES.md. */
 function listed(title: string): { name: string; version: string; reason: string }[] {
-  const section = read('DEPENDENCIES.md').split(/^## /m).find((each) => each.startsWith(title));
+  const section = read('DEPENDENCIES.md')
+    .split(/^## /m)
+    .find((each) => each.startsWith(title));
   const rows = [...(section ?? '').matchAll(/^\| (\S+) \| (\S+) \| (.+) \|$/gm)];
-  return rows.map(([, name = '', version = '', reason = '']) => ({ name, version, reason })).filter(({ name }) => name !== 'package');
+  return rows
+    .map(([, name = '', version = '', reason = '']) => ({ name, version, reason }))
+    .filter(({ name }) => name !== 'package');
 }
 
-const versions = (rows: { name: string; version: string }[]) => Object.fromEntries(rows.map(({ name, version }) => [name, version]));
+const versions = (rows: { name: string; version: string }[]) =>
+  Object.fromEntries(rows.map(({ name, version }) => [name, version]));
 
 /** What `script` says after tests/install was read. */
 function sourced(script: string): string {
-  return execFileSync('bash', ['-c', `set -euo pipefail; source tests/install; ${script}`], { cwd: ROOT, encoding: 'utf8' });
+  return execFileSync('bash', ['-c', `set -euo pipefail; source tests/install; ${script}`], {
+    cwd: ROOT,
+    encoding: 'utf8',
+  });
 }
 
 test('each dependency is listed once, with a reason', () => {
@@ -53,7 +61,8 @@ describe('npm', () => {
 
   test('installs just these', () => {
     expect({ ...project?.dependencies, ...project?.devDependencies }).toEqual(direct);
-    for (const [name, version] of Object.entries(direct)) expect(locked[`node_modules/${name}`]?.version, name).toBe(version);
+    for (const [name, version] of Object.entries(direct))
+      expect(locked[`node_modules/${name}`]?.version, name).toBe(version);
     for (const [path, { integrity }] of Object.entries(locked)) expect(integrity, path).toMatch(/^sha512-/);
   });
 
@@ -64,14 +73,20 @@ describe('npm', () => {
 
   test('Node.js is as new as the list says', () => {
     const [oldest, own] = sourced('echo $node_minimum $node_from_npm').trim().split(' ');
-    expect(read('DEPENDENCIES.md')).toContain(`Node.js is ${oldest} or newer; where the machine's own is older, ${own} is`);
+    expect(read('DEPENDENCIES.md')).toContain(
+      `Node.js is ${oldest} or newer; where the machine's own is older, ${own} is`,
+    );
   });
 });
 
 describe('Debian', () => {
   test('has the packages of the list, and no other', () => {
     const needed = sourced('echo "${for_page[@]}" "${for_tests[@]}"').trim().split(' ');
-    expect(listed('From Debian').map(({ name }) => name).sort()).toEqual(needed.sort());
+    expect(
+      listed('From Debian')
+        .map(({ name }) => name)
+        .sort(),
+    ).toEqual(needed.sort());
   });
 
   test('another version than the one tried is named, and no obstacle', () => {

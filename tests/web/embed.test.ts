@@ -47,7 +47,11 @@ test('a call is answered with its id and result', async () => {
 
 test('what fails is answered with code and message', async () => {
   script.open.mockRejectedValue(Object.assign(new Error('no shape'), { code: 'bad_option' }));
-  expect(await ask('open', { recipe: 'x' })).toEqual({ chebnet: 1, id: 7, error: { code: 'bad_option', message: 'no shape' } });
+  expect(await ask('open', { recipe: 'x' })).toEqual({
+    chebnet: 1,
+    id: 7,
+    error: { code: 'bad_option', message: 'no shape' },
+  });
 });
 
 test('only what a call needs is passed on', async () => {

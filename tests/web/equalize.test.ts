@@ -33,19 +33,32 @@ describe('the worker', () => {
 
   test('gives no text for what did not become equal', () => {
     const five = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
-    expect(answersTo(core.readMesh(new TextEncoder().encode(five), 'five.obj')).at(-1)).toMatchObject({ type: 'ended', obj: null });
+    expect(answersTo(core.readMesh(new TextEncoder().encode(five), 'five.obj')).at(-1)).toMatchObject({
+      type: 'ended',
+      obj: null,
+    });
   });
 
   test('passes on what the core refuses', () => {
     const mesh = core.readMesh(new TextEncoder().encode(uneven(3, 3)), 'uneven.obj');
-    expect(answersTo(mesh, { length: -1 })).toMatchObject([{ type: 'error', code: 'bad_option', message: expect.stringMatching(/length/) }]);
+    expect(answersTo(mesh, { length: -1 })).toMatchObject([
+      { type: 'error', code: 'bad_option', message: expect.stringMatching(/length/) },
+    ]);
   });
 
   test('is ended with the end, and says nothing after it was given up', async () => {
-    const worker = { onmessage: null as ((event: MessageEvent<EqualizeResponse>) => void) | null, onerror: null, ends: 0, postMessage() {}, terminate: () => void ++worker.ends };
+    const worker = {
+      onmessage: null as ((event: MessageEvent<EqualizeResponse>) => void) | null,
+      onerror: null,
+      ends: 0,
+      postMessage() {},
+      terminate: () => void ++worker.ends,
+    };
     const equalizing = new Equalizing(() => worker);
     const run = equalizing.run({ mesh: {} as Mesh, options: {} }, () => {});
-    worker.onmessage?.({ data: { type: 'error', code: 'bad_option', message: 'no' } } as MessageEvent<EqualizeResponse>);
+    worker.onmessage?.({
+      data: { type: 'error', code: 'bad_option', message: 'no' },
+    } as MessageEvent<EqualizeResponse>);
     await expect(run).rejects.toThrow('no');
     expect(worker.ends).toBe(1);
     expect(worker.onmessage).toBeNull();
@@ -66,7 +79,9 @@ describe('the picture', () => {
   test('is coloured against the length of the moment', () => {
     expect(meanLength(first.positions, net)).toBe(2);
     expect(stillFrame(second, net)).toMatchObject({ deviations: Float32Array.of(0, 0), maxDeviation: 0 });
-    expect(stillFrame({ ...first, length: 1 }, net)).toMatchObject({ deviationRange: [0, expect.closeTo(3 + 1 / 3 - 2, 6)] });
+    expect(stillFrame({ ...first, length: 1 }, net)).toMatchObject({
+      deviationRange: [0, expect.closeTo(3 + 1 / 3 - 2, 6)],
+    });
   });
 });
 
@@ -74,7 +89,11 @@ test('handles of the net that was open stay at their vertices', () => {
   const scene = freshScene({ recipe: 'dome:vertices=500' });
   const handles = [{ vertex: 4, target: [1, 2, 3] as [number, number, number], anchor: true }];
   const document = { ...scene, handles, positions: Float64Array.of(1, 2, 3), settled: true, options: { p: 4 } };
-  expect(subjectOfNet(document, {} as never)).toMatchObject({ name: 'dome.obj', positions: document.positions, handles: [4] });
+  expect(subjectOfNet(document, {} as never)).toMatchObject({
+    name: 'dome.obj',
+    positions: document.positions,
+    handles: [4],
+  });
   expect(equalizedScene(document, 'v 0 0 0\n')).toMatchObject({
     net: { obj: 'v 0 0 0\n', name: 'dome.obj' },
     handles: [{ vertex: 4, target: null, anchor: true }],

@@ -28,20 +28,29 @@ const FORMER = {
   'singular-vertices': 1,
   'general-meshes': 1,
 };
-const FORMER_LINKS = Object.entries(FORMER).flatMap(([name, count]) => Array.from({ length: count }, (_, i) => experimentLink(name, 0, i)));
+const FORMER_LINKS = Object.entries(FORMER).flatMap(([name, count]) =>
+  Array.from({ length: count }, (_, i) => experimentLink(name, 0, i)),
+);
 
 const core = await load();
 const methods = core.methods().map(({ name }) => name);
 const options = core.options().map(({ name }) => name);
 const starts = core.initialisations().map(({ name }) => name);
 const LINKS = FIGURES.flatMap(({ name, edits, variants }) =>
-  edits.flatMap((_, edit) => variants.map((_, variant) => ({ figure: name, link: experimentLink(name, edit, variant) }))),
+  edits.flatMap((_, edit) =>
+    variants.map((_, variant) => ({ figure: name, link: experimentLink(name, edit, variant) })),
+  ),
 );
 
 /** Opens a scene as the worker does. */
 function open(scene: Omit<Scene, 'view'>): FrameData {
   const said: Response[] = [];
-  const host = { post: (response: Response) => said.push(response), soon: () => {}, now: () => 0, wholeCore: () => Promise.resolve(core) };
+  const host = {
+    post: (response: Response) => said.push(response),
+    soon: () => {},
+    now: () => 0,
+    wholeCore: () => Promise.resolve(core),
+  };
   new Session(core, host).handle({ id: 1, type: 'open', scene } satisfies Request);
   const opened = said.find((each) => each.type === 'opened');
   if (opened) return opened.frame;
@@ -63,16 +72,25 @@ describe('the description', () => {
     expect(variants.map(({ label }) => label).filter((label) => !inBoth(label))).toEqual([]);
   });
 
-  test.each(FIGURES)('of $name names checks, edits, methods and options that there are', ({ edits, claims, variants }) => {
-    expect(claims.length).toBeGreaterThan(0);
-    for (const { check } of claims) expect(check).toMatch(/^[a-z]\w+$/);
-    expect(edits.length).toBeGreaterThan(0);
-    expect(Object.keys(EDITS)).toEqual(expect.arrayContaining([...edits, ...variants.flatMap(({ edit }) => edit ?? [])]));
-    expect(methods).toEqual(expect.arrayContaining(variants.map(({ method }) => method)));
-    expect(starts).toEqual(expect.arrayContaining(variants.map(({ initialisation = 'naive' }) => initialisation.split(':')[0])));
-    expect(options).toEqual(expect.arrayContaining(variants.flatMap((variant) => Object.keys(variant.options ?? {}))));
-    expect(new Set(variants.map(({ label }) => JSON.stringify(label))).size).toBe(variants.length);
-  });
+  test.each(FIGURES)(
+    'of $name names checks, edits, methods and options that there are',
+    ({ edits, claims, variants }) => {
+      expect(claims.length).toBeGreaterThan(0);
+      for (const { check } of claims) expect(check).toMatch(/^[a-z]\w+$/);
+      expect(edits.length).toBeGreaterThan(0);
+      expect(Object.keys(EDITS)).toEqual(
+        expect.arrayContaining([...edits, ...variants.flatMap(({ edit }) => edit ?? [])]),
+      );
+      expect(methods).toEqual(expect.arrayContaining(variants.map(({ method }) => method)));
+      expect(starts).toEqual(
+        expect.arrayContaining(variants.map(({ initialisation = 'naive' }) => initialisation.split(':')[0])),
+      );
+      expect(options).toEqual(
+        expect.arrayContaining(variants.flatMap((variant) => Object.keys(variant.options ?? {}))),
+      );
+      expect(new Set(variants.map(({ label }) => JSON.stringify(label))).size).toBe(variants.length);
+    },
+  );
 
   test('leaves no edit unused', () => {
     const used = FIGURES.flatMap(({ edits, variants }) => [...edits, ...variants.flatMap(({ edit }) => edit ?? [])]);
@@ -80,7 +98,9 @@ describe('the description', () => {
   });
 
   test('has one place for every experiment of before', () => {
-    const former = FIGURES.flatMap(({ was = {}, variants }) => Object.entries(was).map(([name, places]) => ({ name, places, variants })));
+    const former = FIGURES.flatMap(({ was = {}, variants }) =>
+      Object.entries(was).map(([name, places]) => ({ name, places, variants })),
+    );
     expect(former.map(({ name }) => name).sort()).toEqual(Object.keys(FORMER).sort());
     for (const { name, places, variants } of former) {
       expect(places).toHaveLength(FORMER[name as keyof typeof FORMER]);
@@ -104,9 +124,17 @@ describe('a link', () => {
     expect(isExperimentLink('#v1=abc')).toBe(false);
   });
 
-  test.each(['', 'nonsense', 'toString', 'starts&variant=3', 'starts&variant=-1', 'starts&variant=0.5', 'starts&edit=9', 'drag&variant=1'])(
-    'of #experiment=%s is refused',
-    (name) => expect(experimentScene(`#experiment=${name}`)).rejects.toThrow(/experiment/),
+  test.each([
+    '',
+    'nonsense',
+    'toString',
+    'starts&variant=3',
+    'starts&variant=-1',
+    'starts&variant=0.5',
+    'starts&edit=9',
+    'drag&variant=1',
+  ])('of #experiment=%s is refused', (name) =>
+    expect(experimentScene(`#experiment=${name}`)).rejects.toThrow(/experiment/),
   );
 
   test('carries the settings of a variant and the edit', async () => {
@@ -134,7 +162,11 @@ describe('a link', () => {
 });
 
 describe('all variants', () => {
-  const documentOf = async (link: string): Promise<ChebnetDocument> => ({ ...(await experimentScene(link)), handles: [], positions: null });
+  const documentOf = async (link: string): Promise<ChebnetDocument> => ({
+    ...(await experimentScene(link)),
+    handles: [],
+    positions: null,
+  });
 
   test('run on the edit that is open', async () => {
     const figure = findFigure('starts')!;
@@ -146,10 +178,15 @@ describe('all variants', () => {
     ]);
   });
 
-  test.each([0, 1, 2])('with nets of their own run on those, but on the one that is open as it is open: %i', async (open) => {
-    const figure = findFigure('resolutions')!;
-    const names = figure.variants.map(({ edit }) => edit ?? figure.edits[0]!);
-    const wishes = await variationsOf(figure, await documentOf(experimentLink('resolutions', 0, open)));
-    expect(wishes.map(({ edit }) => edit)).toEqual(await Promise.all(names.map((name, i) => (i === open ? undefined : editScene(name)))));
-  });
+  test.each([0, 1, 2])(
+    'with nets of their own run on those, but on the one that is open as it is open: %i',
+    async (open) => {
+      const figure = findFigure('resolutions')!;
+      const names = figure.variants.map(({ edit }) => edit ?? figure.edits[0]!);
+      const wishes = await variationsOf(figure, await documentOf(experimentLink('resolutions', 0, open)));
+      expect(wishes.map(({ edit }) => edit)).toEqual(
+        await Promise.all(names.map((name, i) => (i === open ? undefined : editScene(name)))),
+      );
+    },
+  );
 });

@@ -53,7 +53,11 @@ describe('a flat pattern', () => {
     ['a tube', () => chebnet.openRecipe('tube'), { reason: 'closed' }],
     ['cut squares', () => grid(3, 3, () => true), { reason: 'not_quads', face: 0 }],
     ['unequal edges', () => chebnet.openObj('v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n'), { reason: 'unequal' }],
-    ['two pieces', () => chebnet.openObj(SQUARE + 'v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 5 6 7 8\n'), { reason: 'pieces' }],
+    [
+      'two pieces',
+      () => chebnet.openObj(`${SQUARE}v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 5 6 7 8\n`),
+      { reason: 'pieces' },
+    ],
     ['a winding stair', stair, { reason: 'overlap' }],
   ])('of %s there is none, for a reason', (_, net, fault) => {
     expect(patternOf(net())).toMatchObject(fault);
@@ -67,7 +71,10 @@ function stair(): LengthNet {
   const faces = Array.from({ length: 5 }, (_, i) => [0, 1 + 2 * i, 2 + 2 * i, 3 + 2 * i]).flat();
   const pairs = new Map<string, [number, number]>();
   for (let corner = 0; corner < faces.length; corner++) {
-    const [a, b] = [faces[corner]!, faces[corner % 4 === 3 ? corner - 3 : corner + 1]!].sort((x, y) => x - y) as [number, number];
+    const [a, b] = [faces[corner]!, faces[corner % 4 === 3 ? corner - 3 : corner + 1]!].sort((x, y) => x - y) as [
+      number,
+      number,
+    ];
     pairs.set(`${a},${b}`, [a, b]);
   }
   return {
@@ -88,7 +95,14 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   const lines = listsOf(chebnet.openMesh({ ...net, positions: net.restPositions }).netLines());
   const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, net, incidenceOf(net));
   const [inner, boundary] = [lines.filter((line) => !isBoundary(line)), lines.filter(isBoundary)];
-  const svg = patternSvg({ pattern: patternOf(net) as FlatPattern, inner, boundary, handles, name: 'grid', edgeMm: 12.5 });
+  const svg = patternSvg({
+    pattern: patternOf(net) as FlatPattern,
+    inner,
+    boundary,
+    handles,
+    name: 'grid',
+    edgeMm: 12.5,
+  });
   expect(svg).toContain('width="62.5mm" height="62.5mm" viewBox="0 0 62.5 62.5"');
   const strokes = (id: string): string[] => new RegExp(`id="${id}"[^>]* d="([^"]*)"`).exec(svg)![1]!.split(/(?=M)/);
   expect(strokes('net')).toHaveLength(3);
@@ -115,23 +129,37 @@ test('a 3DM holds the quads and the net lines, to the last digit', async () => {
   expect(file.objects().get(0).attributes().layerIndex).toBe(0);
   expect(mesh.faces().quadCount).toBe(vault.info.faces);
   expect(Array.from({ length: vault.info.faces }, (_, f) => mesh.faces().get(f)).flat()).toEqual([...faceVertices]);
-  expect(Array.from({ length: vault.info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat()).toEqual([...restPositions]);
+  expect(Array.from({ length: vault.info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat()).toEqual([
+    ...restPositions,
+  ]);
 
   expect(file.objects().count).toBe(1 + lines.start.length - 1);
   listsOf(lines).forEach((vertices, i) => {
     const object = file.objects().get(1 + i);
     const line = object.geometry() as InstanceType<typeof rhino.PolylineCurve>;
     expect(object.attributes().layerIndex).toBe(1);
-    expect(Array.from({ length: line.pointCount }, (_, k) => line.point(k)).flat()).toEqual([...vertices].flatMap((v) => [...restPositions.subarray(3 * v, 3 * v + 3)]));
+    expect(Array.from({ length: line.pointCount }, (_, k) => line.point(k)).flat()).toEqual(
+      [...vertices].flatMap((v) => [...restPositions.subarray(3 * v, 3 * v + 3)]),
+    );
   });
 });
 
 test('faces of other sizes become triangles in a 3DM', async () => {
   const pentagon = chebnet.openObj('v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nf 1 2 3 4 5\n');
-  const bytes = await rhinoFileOf({ mesh: pentagon, positions: pentagon.restPositions, lines: pentagon.netLines(), name: 'pentagon', layers: LAYERS });
+  const bytes = await rhinoFileOf({
+    mesh: pentagon,
+    positions: pentagon.restPositions,
+    lines: pentagon.netLines(),
+    name: 'pentagon',
+    layers: LAYERS,
+  });
   const rhino = await rhino3dm();
   const mesh = rhino.File3dm.fromByteArray(bytes).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
-  expect([0, 1, 2].map((f) => mesh.faces().get(f).slice(0, 3))).toEqual([[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+  expect([0, 1, 2].map((f) => mesh.faces().get(f).slice(0, 3))).toEqual([
+    [0, 1, 2],
+    [0, 2, 3],
+    [0, 3, 4],
+  ]);
 });
 
 describe('glTF', () => {
@@ -179,20 +207,33 @@ describe('glTF', () => {
 });
 
 test('a vertex takes the colour of its worst edge, of its angle, or of most of its edges', () => {
-  const colours = { good: [0, 0, 1], bad: [1, 0, 0], narrow: [0, 1, 0], right: [0, 0, 0], wide: [1, 1, 0], longer: [1, 0, 1], dark: false } as const;
+  const colours = {
+    good: [0, 0, 1],
+    bad: [1, 0, 0],
+    narrow: [0, 1, 0],
+    right: [0, 0, 0],
+    wide: [1, 1, 0],
+    longer: [1, 0, 1],
+    dark: false,
+  } as const;
   const frame = {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0),
     deviations: Float32Array.of(1e-9, 1),
     cornerAngles: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
   } as FrameData;
   const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1) };
-  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, net)]).toEqual([0, 0, 255, 255, 0, 0, 255, 0, 0]);
+  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, net)]).toEqual([
+    0, 0, 255, 255, 0, 0, 255, 0, 0,
+  ]);
   const [, green, , ...others] = vertexColours(scaleOf('angle', 'paper', colours), 'angle', frame, net);
   expect(green).toBe(255);
   expect(Math.max(...others.slice(0, 3))).toBeLessThan(3);
   expect(others.slice(3)).toEqual([255, 255, 0]);
   const longer = [...vertexColours(scaleOf('longer', 'paper', colours), 'longer', frame, net)];
-  expect([longer.slice(0, 3), longer.slice(6)]).toEqual([[0, 0, 0], [255, 0, 255]]);
+  expect([longer.slice(0, 3), longer.slice(6)]).toEqual([
+    [0, 0, 0],
+    [255, 0, 255],
+  ]);
 });
 
 test('a QR code has room for links of its capacity and no more', () => {

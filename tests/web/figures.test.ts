@@ -30,19 +30,22 @@ test('the native program lists the same figures', () => {
 });
 
 test('each claim has a verdict, and the table that the README links says the same', () => {
-  const rows = read('tests/bench/FIGURES.md').split('\n').filter((line) => /^\| (Figure|Section)/.test(line));
+  const rows = read('tests/bench/FIGURES.md')
+    .split('\n')
+    .filter((line) => /^\| (Figure|Section)/.test(line));
   const expected = figures.flatMap(({ name, figure, claims }) =>
     claims.map(({ text }, i) => {
       const { verdict, held, asked } = verdicts[name]!.claims[i]!;
       return `| ${place(figure)} | ${text.en} | **${verdict}** | ${held} of ${asked} |`;
     }),
   );
-  expect(rows.map((row) => row.split(' | ').slice(0, 4).join(' | ') + ' |')).toEqual(expected);
+  expect(rows.map((row) => `${row.split(' | ').slice(0, 4).join(' | ')} |`)).toEqual(expected);
   expect(Object.keys(verdicts)).toEqual(figures.map(({ name }) => name));
   expect(read('README.md')).toContain('](tests/bench/FIGURES.md)');
 });
 
 test('verdicts follow from how many edits bear a claim out', () => {
   for (const { claims } of Object.values(verdicts))
-    for (const { verdict, held, asked } of claims) expect(verdict).toBe(held === asked ? 'holds' : held === 0 ? 'does not hold' : 'differs');
+    for (const { verdict, held, asked } of claims)
+      expect(verdict).toBe(held === asked ? 'holds' : held === 0 ? 'does not hold' : 'differs');
 });

@@ -38,7 +38,10 @@ describe('lengths', () => {
 });
 
 test('the text of a mesh brings every coordinate back, in few digits', () => {
-  const mesh = core.readMesh(new TextEncoder().encode('v 0.1 -2.5e-30 1e22\nv 1 0.3333333333333333 0\nv 0 1 0\nf 3 1 2\n'), 'net.obj');
+  const mesh = core.readMesh(
+    new TextEncoder().encode('v 0.1 -2.5e-30 1e22\nv 1 0.3333333333333333 0\nv 0 1 0\nf 3 1 2\n'),
+    'net.obj',
+  );
   const text = objText(mesh);
   expect(text.split('\n')[0]).toBe('v 0.1 -2.5e-30 1e+22');
   expect(core.readMesh(new TextEncoder().encode(text), 'net.obj')).toEqual(mesh);
@@ -132,7 +135,13 @@ function makeOpener(
     createEqualizer,
     open: async (net) => void opened.push(net),
   });
-  return { workers, dialogs, opened, open: (text: string, name = 'net.obj') => opener.open(new File([text], name)), opener };
+  return {
+    workers,
+    dialogs,
+    opened,
+    open: (text: string, name = 'net.obj') => opener.open(new File([text], name)),
+    opener,
+  };
 }
 
 describe('a file', () => {
@@ -219,7 +228,12 @@ describe('a file', () => {
     ['a bad line', 'v 0 0 zero\n', 'bad_syntax', /^net\.obj:1: /],
     ['only points', 'v 0 0 0\nv 1 0 0\n', 'no_faces', /^net\.obj: /],
     ['a face beyond the vertices', `${SQUARES}f 1 2 77\n`, 'index_out_of_range', /^net\.obj:9: /],
-    ['a drawing in it', '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>', 'bad_syntax', /^net\.obj: this is an SVG drawing/],
+    [
+      'a drawing in it',
+      '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>',
+      'bad_syntax',
+      /^net\.obj: this is an SVG drawing/,
+    ],
     ['an archive in it', 'PK\x03\x04\x14\0\0\0', 'bad_syntax', /^net\.obj: this is a ZIP archive/],
   ])('with %s is refused in the words of the core', async (_, text, code, message) => {
     const { open, opened, dialogs, workers } = makeOpener();
@@ -231,14 +245,24 @@ describe('a file', () => {
   test('that is too large is not even read', async () => {
     const { opener, dialogs } = makeOpener();
     const file = { name: 'huge.ply', size: LARGEST_FILE + 1e6 } as File;
-    await expect(opener.open(file)).rejects.toMatchObject({ code: 'too_large', message: expect.stringMatching(/101 MB/) });
+    await expect(opener.open(file)).rejects.toMatchObject({
+      code: 'too_large',
+      message: expect.stringMatching(/101 MB/),
+    });
     expect(dialogs).toEqual([]);
   });
 
   test('that cannot be read is said to be so', async () => {
     const { opener } = makeOpener();
-    const folder = { name: 'folder', size: 4096, arrayBuffer: () => Promise.reject(new Error('NotReadableError')) } as File;
-    await expect(opener.open(folder)).rejects.toMatchObject({ code: 'file_access', message: expect.stringMatching(/folder/) });
+    const folder = {
+      name: 'folder',
+      size: 4096,
+      arrayBuffer: () => Promise.reject(new Error('NotReadableError')),
+    } as File;
+    await expect(opener.open(folder)).rejects.toMatchObject({
+      code: 'file_access',
+      message: expect.stringMatching(/folder/),
+    });
   });
 
   test('is given up when its dialog is closed, and its worker ended', async () => {

@@ -11,7 +11,13 @@ interface Gltf {
   scenes: { nodes: number[] }[];
   nodes: { name?: string; children?: number[]; mesh?: number; rotation?: number[] }[];
   meshes: { primitives: Primitive[] }[];
-  accessors: { bufferView: number; byteOffset?: number; componentType: number; count: number; type: 'SCALAR' | 'VEC3' }[];
+  accessors: {
+    bufferView: number;
+    byteOffset?: number;
+    componentType: number;
+    count: number;
+    type: 'SCALAR' | 'VEC3';
+  }[];
   bufferViews: { byteOffset?: number; byteLength: number }[];
 }
 

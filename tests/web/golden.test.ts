@@ -43,18 +43,28 @@ describe('a link opens', () => {
     // The first version did not say how a net is numbered.
     expect(withoutPlaces(opened)).toEqual({ numbering: opened.numbering, ...withoutPlaces(document) });
     const shortest = edgeLengths(net.restPositions, net.edges).reduce((least, length) => Math.min(least, length));
-    expect(largestDistance(frame.positions, document.positions)).toBeLessThanOrEqual(scene.positions === null ? ROUNDING : 1e-4 * shortest);
+    expect(largestDistance(frame.positions, document.positions)).toBeLessThanOrEqual(
+      scene.positions === null ? ROUNDING : 1e-4 * shortest,
+    );
     for (const [i, { target }] of document.handles.entries()) {
       if (seedOf(scene, i) !== null) expect(opened.handles[i]!.target).toEqual(target);
-      else expect(largestDistance(Float64Array.from(opened.handles[i]!.target), Float64Array.from(target))).toBeLessThanOrEqual(ROUNDING);
+      else
+        expect(
+          largestDistance(Float64Array.from(opened.handles[i]!.target), Float64Array.from(target)),
+        ).toBeLessThanOrEqual(ROUNDING);
     }
     expect(frame.deviations).toHaveLength(deviations.length);
-    for (const [e, dl] of deviations.entries()) expect(Math.abs(frame.deviations[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
+    for (const [e, dl] of deviations.entries())
+      expect(Math.abs(frame.deviations[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
   });
 });
 
 /** A document but for positions and targets. */
-function withoutPlaces<T extends { positions: unknown; handles: HandleData[] }>({ positions: _, handles, ...rest }: T): object {
+function withoutPlaces<T extends { positions: unknown; handles: HandleData[] }>({
+  positions: _,
+  handles,
+  ...rest
+}: T): object {
   return { ...rest, handles: handles.map((handle) => ({ ...handle, target: null })) };
 }
 
@@ -68,7 +78,9 @@ describe('a project opens, to the last bit', () => {
 });
 
 describe('what a browser kept opens, to the last bit', () => {
-  test.each(goldens('kept.json'))('$name', ({ text, expected }) => opens(readProject(keptRecord(text)), expected as Project));
+  test.each(goldens('kept.json'))('$name', ({ text, expected }) =>
+    opens(readProject(keptRecord(text)), expected as Project),
+  );
 });
 
 /** With every state of its history. */
@@ -77,7 +89,11 @@ async function opens(project: Project, expected: Project): Promise<void> {
   const { app, said } = await openPage(core);
   await app.openProject(project);
   const { present, view, entries } = app.project()!;
-  expect({ present, view, names: entries.map(({ name }) => name) }).toEqual({ ...expected, entries: undefined, names: expected.entries.map(({ name }) => name) });
+  expect({ present, view, names: entries.map(({ name }) => name) }).toEqual({
+    ...expected,
+    entries: undefined,
+    names: expected.entries.map(({ name }) => name),
+  });
   for (const [i, { state }] of expected.entries.entries()) {
     app.goTo(i);
     await new Promise((resolve) => setImmediate(resolve));
@@ -103,13 +119,16 @@ test('the calls of a host page do what they did', async () => {
 });
 
 /** Each with so many variants. What it shows may change: a link gives its name, no more. */
-test.each(Object.entries(readData('experiments.json') as Record<string, number>))('the experiment %s has its links', async (name, variants) => {
-  const { app } = await openPage(core);
-  for (const end of ['', ...Array.from({ length: variants }, (_, i) => `&variant=${i + 1}`)]) {
-    await app.openScene(await sceneOf(`#experiment=${name}${end}`));
-    expect(app.opening!.document.experiment).toEqual(expect.any(String));
-  }
-});
+test.each(Object.entries(readData('experiments.json') as Record<string, number>))(
+  'the experiment %s has its links',
+  async (name, variants) => {
+    const { app } = await openPage(core);
+    for (const end of ['', ...Array.from({ length: variants }, (_, i) => `&variant=${i + 1}`)]) {
+      await app.openScene(await sceneOf(`#experiment=${name}${end}`));
+      expect(app.opening!.document.experiment).toEqual(expect.any(String));
+    }
+  },
+);
 
 test('no file is missing of what is written today; the first lines here say how one is made', () => {
   expect(missingGoldens(core, TODAY)).toEqual([]);

@@ -71,7 +71,9 @@ function format(value: unknown): string {
 }
 
 function parse(text: string): unknown {
-  return JSON.parse(text, (key, each: unknown) => (key === 'positions' && Array.isArray(each) ? Float64Array.from(each, Number) : each));
+  return JSON.parse(text, (key, each: unknown) =>
+    key === 'positions' && Array.isArray(each) ? Float64Array.from(each, Number) : each,
+  );
 }
 
 // ---------------------------------------------------------------------------------------------------- what a browser keeps
@@ -79,7 +81,8 @@ function parse(text: string): unknown {
 /** A record of IndexedDB, which has arrays of floats, and fields that are there without a value. */
 export function keptText(record: object): string {
   const replace = (_key: string, each: unknown): unknown => {
-    if (each instanceof Float64Array) return { float64: Buffer.from(each.buffer, each.byteOffset, each.byteLength).toString('base64') };
+    if (each instanceof Float64Array)
+      return { float64: Buffer.from(each.buffer, each.byteOffset, each.byteLength).toString('base64') };
     return each === undefined ? { undefined: true } : each;
   };
   return JSON.stringify(record, replace);

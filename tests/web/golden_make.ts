@@ -36,7 +36,10 @@ export function missingGoldens(core: Chebnet, folder: string): string[] {
 
 // --------------------------------------------------------------------------------------------------------------- links
 
-async function makeLink(core: Chebnet, { scene, drag, unsolved, largest }: GoldenLink): Promise<{ text: string; expected: ExpectedLink }> {
+async function makeLink(
+  core: Chebnet,
+  { scene, drag, unsolved, largest }: GoldenLink,
+): Promise<{ text: string; expected: ExpectedLink }> {
   const page = await openPage(core);
   await page.app.openScene(scene);
   if (!unsolved) await page.solve();
@@ -47,12 +50,20 @@ async function makeLink(core: Chebnet, { scene, drag, unsolved, largest }: Golde
   const opened = await openPage(core);
   await opened.app.openScene(await sceneOf(shared.hash));
   const { frame } = opened.app.opening!;
-  const expected = shared.positions ? { ...document, positions: document.positions! } : { ...document, positions: frame.positions, settled: false };
-  return { text: shared.hash, expected: { document: expected, deviations: Array.from(frame.deviations, (x) => Number(x.toPrecision(6))) } };
+  const expected = shared.positions
+    ? { ...document, positions: document.positions! }
+    : { ...document, positions: frame.positions, settled: false };
+  return {
+    text: shared.hash,
+    expected: { document: expected, deviations: Array.from(frame.deviations, (x) => Number(x.toPrecision(6))) },
+  };
 }
 
 async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Promise<void> {
-  const { vertex, target: [x, y, z] } = page.app.opening!.document.handles.at(-1)!;
+  const {
+    vertex,
+    target: [x, y, z],
+  } = page.app.opening!.document.handles.at(-1)!;
   await page.app.handles.move([{ vertex, target: [x + dx, y + dy, z + dz] }], 'drag');
   await page.solve();
 }
@@ -116,7 +127,11 @@ async function settings(core: Chebnet): Promise<Project> {
 function allSettings(core: Chebnet): SolverSettings[] {
   const usual: SolverSettings = { method: 'projection', initialisation: 'naive', options: {} };
   const methods = core.methods().map(({ name }) => ({ ...usual, method: name }));
-  const starts = core.initialisations().map(({ name, counted }) => ({ ...usual, initialisation: counted ? `${name}:2` : name }));
-  const options = core.options().map(({ name, kind, value }) => ({ ...usual, options: { [name]: kind === 'flag' ? value === 0 : 2 * value } }));
+  const starts = core
+    .initialisations()
+    .map(({ name, counted }) => ({ ...usual, initialisation: counted ? `${name}:2` : name }));
+  const options = core
+    .options()
+    .map(({ name, kind, value }) => ({ ...usual, options: { [name]: kind === 'flag' ? value === 0 : 2 * value } }));
   return [...methods, ...starts, ...options];
 }

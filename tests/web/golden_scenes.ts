@@ -2,7 +2,17 @@
  *  have is in one of them: a new field is added here, and the golden files that are missing are made (golden.test.ts). */
 import type { Chebnet, RestLengths } from '../../wasm/chebnet';
 import { DEFAULT_VIEW, freshScene } from '../../web/src/document/defaults';
-import type { ColourMap, Field, HandleSeed, NetSource, Scene, Symmetry, UpAxis, Vec3, ViewState } from '../../web/src/document/document';
+import type {
+  ColourMap,
+  Field,
+  HandleSeed,
+  NetSource,
+  Scene,
+  Symmetry,
+  UpAxis,
+  Vec3,
+  ViewState,
+} from '../../web/src/document/document';
 import type { ChangeName } from '../../web/src/document/naming';
 import { uneven } from './nets';
 
@@ -26,7 +36,14 @@ export const SMALL = { obj: uneven(3, 3), name: 'small.obj' };
 const CAMERA = { position: [1.5, -20.25, 3] as Vec3, target: [0, 0.125, -1e-3] as Vec3 };
 const SCREW: Vec3 = [0.3, -0.2, -0.4];
 
-const HANDLE: Whole<HandleSeed> = { vertex: 58, target: [-1e-17, 0.1 + 0.2, 2.2], anchor: false, name: 'Krone 顶', hidden: true, weight: 0.1 + 0.2 };
+const HANDLE: Whole<HandleSeed> = {
+  vertex: 58,
+  target: [-1e-17, 0.1 + 0.2, 2.2],
+  anchor: false,
+  name: 'Krone 顶',
+  hidden: true,
+  weight: 0.1 + 0.2,
+};
 const HANDLES: HandleSeed[] = [
   { vertex: 0, target: null, anchor: true },
   { vertex: 8, target: [2.9 + 0.1 / 3, -5, 0.9092948597320053], anchor: true, hidden: false },
@@ -58,7 +75,10 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
 
 /** Of a file, with a handle at rest and another pulled away. */
 function pulled(net: NetSource, vertex: number, target: Vec3, change: Partial<Scene> = {}): GoldenLink {
-  const handles = [{ vertex: 0, target: null, anchor: true }, { vertex, target, anchor: false }];
+  const handles = [
+    { vertex: 0, target: null, anchor: true },
+    { vertex, target, anchor: false },
+  ];
   return { scene: { ...freshScene(net), handles, ...change } };
 }
 
@@ -76,7 +96,10 @@ const FIELDS: Record<Field, GoldenLink> = {
   angle: seen({ field: 'angle' }),
   longer: seen({ field: 'longer' }),
 };
-const COLOUR_MAPS: Record<ColourMap, GoldenLink> = { paper: seen({ colourMap: 'paper' }), log: seen({ colourMap: 'log' }) };
+const COLOUR_MAPS: Record<ColourMap, GoldenLink> = {
+  paper: seen({ colourMap: 'paper' }),
+  log: seen({ colourMap: 'log' }),
+};
 const UP_AXES: Record<UpAxis, GoldenLink> = { y: seen({ upAxis: 'y' }), z: seen({ upAxis: 'z' }) };
 const AXES: Record<Symmetry['axis'], GoldenLink> = {
   x: withSymmetry({ axis: 'x', through: 'centre' }),
@@ -95,11 +118,44 @@ const REST_LENGTHS: Record<RestLengths, GoldenLink> = {
 
 /** Two pieces, the vertices of which take turns: a sheet of squares and triangles, and a hexagon between two pentagons. */
 const PIECES = [
-  ...[[0, 0, 0], [9, 0, 1], [1, 0, 0], [10, 0, 1], [1, 1, 0], [10.5, 0.9, 1], [0, 1, 0], [10, 1.8, 1], [2, 0, 0], [9, 1.8, 1]],
-  ...[[2, 1, 0.25], [8.5, 0.9, 1], [1, 2, 0.125], [11.4, 1.2, 0.6], [0, 2, 0], [11.6, -0.2, 0.4], [2, 2, 0], [11, -0.7, 0.7]],
-  ...[[7.6, 1.2, 0.6], [7.4, -0.2, 0.4], [8, -0.7, 0.7]],
+  ...[
+    [0, 0, 0],
+    [9, 0, 1],
+    [1, 0, 0],
+    [10, 0, 1],
+    [1, 1, 0],
+    [10.5, 0.9, 1],
+    [0, 1, 0],
+    [10, 1.8, 1],
+    [2, 0, 0],
+    [9, 1.8, 1],
+  ],
+  ...[
+    [2, 1, 0.25],
+    [8.5, 0.9, 1],
+    [1, 2, 0.125],
+    [11.4, 1.2, 0.6],
+    [0, 2, 0],
+    [11.6, -0.2, 0.4],
+    [2, 2, 0],
+    [11, -0.7, 0.7],
+  ],
+  ...[
+    [7.6, 1.2, 0.6],
+    [7.4, -0.2, 0.4],
+    [8, -0.7, 0.7],
+  ],
 ].map((point) => `v ${point.join(' ')}`);
-const FACES = ['1 3 5 7', '3 9 11', '3 11 5', '7 5 13 15', '5 11 17 13', '2 4 6 8 10 12', '4 18 16 14 6', '12 19 20 21 2'];
+const FACES = [
+  '1 3 5 7',
+  '3 9 11',
+  '3 11 5',
+  '7 5 13 15',
+  '5 11 17 13',
+  '2 4 6 8 10 12',
+  '4 18 16 14 6',
+  '12 19 20 21 2',
+];
 
 export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
   const shapes = core.shapes().map(({ name, parameters }): [string, GoldenLink] => {
@@ -109,7 +165,9 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
   const bent = core.openRecipe('dome:vertices=120').restPositions.map((x, i) => x + 0.05 * Math.sin(i));
   return {
     // A field more is a file more.
-    [`everything-in-${fieldsIn([EVERYTHING, HANDLE])}-fields`]: { scene: { ...EVERYTHING, handles: HANDLES, positions: null } },
+    [`everything-in-${fieldsIn([EVERYTHING, HANDLE])}-fields`]: {
+      scene: { ...EVERYTHING, handles: HANDLES, positions: null },
+    },
     ...Object.fromEntries(shapes),
     ...named('field', FIELDS),
     ...named('colours', COLOUR_MAPS),
@@ -118,11 +176,18 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
     ...named('plane', PLANES),
     ...named('lengths', REST_LENGTHS),
     'lengths-not-said': pulled({ obj: uneven(5, 5), name: 'cloth' }, 24, [4, 4, 0.5]),
-    pieces: pulled({ obj: [...PIECES, ...FACES.map((face) => `f ${face}`), ''].join('\n'), name: 'pieces.obj' }, 16, [2, 2, 0.5]),
+    pieces: pulled(
+      { obj: [...PIECES, ...FACES.map((face) => `f ${face}`), ''].join('\n'), name: 'pieces.obj' },
+      16,
+      [2, 2, 0.5],
+    ),
     'no-handles': { scene: { ...freshScene({ recipe: 'tube:vertices=120' }), handles: [] } },
     'at-rest': { scene: freshScene({ recipe: 'torus:vertices=120' }) },
     'not-settled': { scene: { ...freshScene({ recipe: 'dome:vertices=120' }), positions: bent }, unsolved: true },
-    'far-below-the-threshold': { scene: { ...freshScene({ recipe: 'steps:vertices=120' }), options: { threshold: 1e-10 } }, drag: SCREW },
+    'far-below-the-threshold': {
+      scene: { ...freshScene({ recipe: 'steps:vertices=120' }), options: { threshold: 1e-10 } },
+      drag: SCREW,
+    },
     'out-of-reach': { scene: freshScene({ recipe: 'jack:vertices=120' }), drag: [0, 0, 50] },
     'without-its-positions': { scene: freshScene({ recipe: 'dome:vertices=120' }), drag: SCREW, largest: 400 },
   };
@@ -144,11 +209,18 @@ type Sentence = Extract<ChangeName, readonly unknown[]>[0];
 
 /** Every change that a history can tell of. */
 export const CHANGES: Record<Sentence, ChangeName[]> = {
-  open: [['open', { shape: 'vault' }], ['open', 'mesh 网.obj']],
+  open: [
+    ['open', { shape: 'vault' }],
+    ['open', 'mesh 网.obj'],
+  ],
   shape: [['shape', { shape: 'dome' }]],
   newNet: [['newNet']],
   link: [['link']],
-  move: [['move', { handle: '7' }], ['move', { handle: 'crown' }], ['move', { handles: '3' }]],
+  move: [
+    ['move', { handle: '7' }],
+    ['move', { handle: 'crown' }],
+    ['move', { handles: '3' }],
+  ],
   add: [['add', { handle: '7' }]],
   remove: [['remove', { handles: '2' }]],
   handles: [['handles']],

@@ -21,7 +21,12 @@ let said: string[];
 let returning: boolean;
 
 const at = (vertex: number): Vec3 => [vertex % 5, Math.floor(vertex / 5), 0];
-const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({ vertex, target: at(vertex), anchor: false, ...rest });
+const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({
+  vertex,
+  target: at(vertex),
+  anchor: false,
+  ...rest,
+});
 const handles = () => opening.document.handles;
 const vertices = () => handles().map(({ vertex }) => vertex);
 const tick = () => new Promise((resolve) => setTimeout(resolve));
@@ -73,7 +78,12 @@ test('locked handles are neither turned nor removed, and this is said', async ()
   editor.select([0, 2, 7]);
   editor.transform({ kind: 'move', by: [0, 0, 1] });
   await tick();
-  expect(asked).toEqual([[{ vertex: 7, target: [2, 1, 1] }, { vertex: 0, target: [0, 0, 1] }]]);
+  expect(asked).toEqual([
+    [
+      { vertex: 7, target: [2, 1, 1] },
+      { vertex: 0, target: [0, 0, 1] },
+    ],
+  ]);
   editor.remove([0, 2]);
   await tick();
   expect(vertices()).toEqual([2, 7]);
@@ -92,7 +102,11 @@ test('Escape ends selecting several, and only then the selection', () => {
 
 test('a gesture of many moves is one entry, and cancelled it is none', () => {
   editor.beginDrag();
-  for (const z of [1, 2, 3]) editor.drag([{ vertex: 0, target: [0, 0, z] }, { vertex: 7, target: [2, 1, z] }]);
+  for (const z of [1, 2, 3])
+    editor.drag([
+      { vertex: 0, target: [0, 0, z] },
+      { vertex: 7, target: [2, 1, z] },
+    ]);
   editor.endDrag(false);
   expect(handles()[2]!.target).toEqual([2, 1, 3]);
   editor.beginDrag();
@@ -118,7 +132,10 @@ test('rows and columns cross at an inner vertex; the boundary does not come by',
   editor.select([7]);
   expect(editor.choice).toMatchObject({ onBoundary: false, lines: 2 });
   const ascending = ([...line]: readonly number[]) => line.sort((a, b) => a - b);
-  expect([editor.line(0), editor.line(1)].map(ascending).sort(([a = 0], [b = 0]) => a - b)).toEqual([[2, 7, 12], [5, 6, 7, 8, 9]]);
+  expect([editor.line(0), editor.line(1)].map(ascending).sort(([a = 0], [b = 0]) => a - b)).toEqual([
+    [2, 7, 12],
+    [5, 6, 7, 8, 9],
+  ]);
   expect(editor.line('boundary')).toEqual([]);
 });
 
@@ -154,7 +171,10 @@ describe('with symmetry', () => {
     editor.beginDrag();
     editor.drag([{ vertex: 5, target: [-1, 1, 2] }]);
     editor.endDrag(false);
-    expect(asked.at(-1)).toEqual([{ vertex: 5, target: [-1, 1, 2] }, { vertex: 9, target: [5, 1, 2] }]);
+    expect(asked.at(-1)).toEqual([
+      { vertex: 5, target: [-1, 1, 2] },
+      { vertex: 9, target: [5, 1, 2] },
+    ]);
     editor.remove([9]);
     await tick();
     expect(vertices()).toEqual([0, 2, 7]);
@@ -192,7 +212,13 @@ describe('a solver that comes in the place of one that was lost', () => {
 
   test.each([
     ['let go before', () => editor.endDrag(false)],
-    ['cancelled', () => ((returning = true), editor.endDrag(true))],
+    [
+      'cancelled',
+      () => {
+        returning = true;
+        editor.endDrag(true);
+      },
+    ],
     ['of another net', () => editor.netChanged()],
   ])('is not told of a drag that was %s', (_, end) => {
     editor.beginDrag();

@@ -3,18 +3,41 @@ import { describe, expect, test, vi } from 'vitest';
 import type { Ball } from '../../wasm/chebnet';
 import type { Vec3 } from '../../web/src/document/document';
 import { DragGuide, mobilityOf } from '../../web/src/handles/drag_guide';
-import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from '../../web/src/handles/reach';
+import {
+  type InHand,
+  isNearBorder,
+  type Limit,
+  limitsOf,
+  nearestInAll,
+  translated,
+  translationTo,
+} from '../../web/src/handles/reach';
 import type { Client } from '../../web/src/worker/client';
 import { random } from './random';
 
 const distance = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 const ball = (centre: Vec3, radius: number): Limit => ({ centre, radius, counts: [1, 1, 1] });
 /** Handles 1, 2, … in hand. */
-const inHand = (...all: [Vec3, Vec3][]): InHand[] => all.map(([base, follows], i) => ({ vertex: i + 1, base, follows }));
-const BOTH_SIDES = inHand([[1, 0, 0], [1, 1, 1]], [[-1, 0, 0], [-1, 1, 1]], [[0, 0, 1], [0, 1, 1]]);
+const inHand = (...all: [Vec3, Vec3][]): InHand[] =>
+  all.map(([base, follows], i) => ({ vertex: i + 1, base, follows }));
+const BOTH_SIDES = inHand(
+  [
+    [1, 0, 0],
+    [1, 1, 1],
+  ],
+  [
+    [-1, 0, 0],
+    [-1, 1, 1],
+  ],
+  [
+    [0, 0, 1],
+    [0, 1, 1],
+  ],
+);
 
 function isWithin(limits: readonly Limit[], point: Vec3, slack = 0): boolean {
-  const off = (counts: Vec3, centre: Vec3) => Math.hypot(...counts.map((each, axis) => each * (point[axis]! - centre[axis]!)));
+  const off = (counts: Vec3, centre: Vec3) =>
+    Math.hypot(...counts.map((each, axis) => each * (point[axis]! - centre[axis]!)));
   return limits.every(({ centre, radius, counts }) => off(counts, centre) <= (1 + slack) * radius);
 }
 
@@ -22,7 +45,13 @@ describe('the nearest point within all limits', () => {
   test('is within all of them, and none of many others is nearer', () => {
     const number = random(7);
     const point = (size: number): Vec3 => [0, 1, 2].map(() => size * (2 * number() - 1)) as Vec3;
-    const counts: Vec3[] = [[1, 1, 1], [1, 1, 1], [0, 1, 1], [1, 0, 0], [1, 1, 1]];
+    const counts: Vec3[] = [
+      [1, 1, 1],
+      [1, 1, 1],
+      [0, 1, 1],
+      [1, 0, 0],
+      [1, 1, 1],
+    ];
     for (let count = 1; count <= 5; count++) {
       const limits = Array.from({ length: count }, (_, i): Limit => {
         const centre = point(3);
@@ -48,7 +77,10 @@ describe('the nearest point within all limits', () => {
   });
 
   test('is finite and between balls that do not meet', () => {
-    const [x, y, z] = nearestInAll([-3, 3].map((each) => ball([each, 0, 0], 1)), [0, 5, 0]);
+    const [x, y, z] = nearestInAll(
+      [-3, 3].map((each) => ball([each, 0, 0], 1)),
+      [0, 5, 0],
+    );
     expect(Math.abs(x)).toBeLessThan(2.001);
     expect([y, z].every(Number.isFinite)).toBe(true);
   });
@@ -60,9 +92,19 @@ describe('the limits of a translation', () => {
     const held = Array.from({ length: 5000 }, (_, i): Ball => {
       const angle = 2 * Math.PI * number();
       const slack = i === 4321 ? 0.1 : 3 + number();
-      return { vertex: 100 + i, centre: i === 4321 ? [10, 0, 0] : [10 * Math.cos(angle), 10 * Math.sin(angle), 0], radius: 10 + slack };
+      return {
+        vertex: 100 + i,
+        centre: i === 4321 ? [10, 0, 0] : [10 * Math.cos(angle), 10 * Math.sin(angle), 0],
+        radius: 10 + slack,
+      };
     });
-    const limits = limitsOf(inHand([[0, 0, 0], [1, 1, 1]]), [held]);
+    const limits = limitsOf(
+      inHand([
+        [0, 0, 0],
+        [1, 1, 1],
+      ]),
+      [held],
+    );
     expect(limits.length).toBeLessThanOrEqual(1000);
     expect(nearestInAll(limits, [-2, 0, 0])).toEqual([expect.closeTo(-0.1, 9), 0, 0]);
   });
@@ -76,7 +118,11 @@ describe('the limits of a translation', () => {
     const mutual = 3;
     const reaches = BOTH_SIDES.map(({ vertex }) => [
       ...held,
-      ...BOTH_SIDES.filter((other) => other.vertex !== vertex).map(({ vertex: other, base }) => ({ vertex: other, centre: base, radius: mutual })),
+      ...BOTH_SIDES.filter((other) => other.vertex !== vertex).map(({ vertex: other, base }) => ({
+        vertex: other,
+        centre: base,
+        radius: mutual,
+      })),
     ]);
     const limits = limitsOf(BOTH_SIDES, reaches);
     let within = 0;
@@ -94,8 +140,20 @@ describe('the limits of a translation', () => {
   });
 
   test('are few: handles in hand do not limit each other, nor a ball what lies within it', () => {
-    const two = inHand([[1, 1, 1], [1, 1, 1]], [[2, 1, 1], [1, 1, 1]]);
-    const [near, far] = [{ vertex: 8, centre: [5, 5, 5] as Vec3, radius: 9 }, { vertex: 9, centre: [5, 5, 6] as Vec3, radius: 12 }];
+    const two = inHand(
+      [
+        [1, 1, 1],
+        [1, 1, 1],
+      ],
+      [
+        [2, 1, 1],
+        [1, 1, 1],
+      ],
+    );
+    const [near, far] = [
+      { vertex: 8, centre: [5, 5, 5] as Vec3, radius: 9 },
+      { vertex: 9, centre: [5, 5, 6] as Vec3, radius: 12 },
+    ];
     const each = (other: number): Ball[] => [near, far, { vertex: other, centre: [0, 0, 0], radius: 1 }];
     expect(limitsOf(two, [each(2), each(1)])).toEqual([ball([4, 4, 4], 9), ball([3, 4, 4], 9)]);
   });
@@ -104,7 +162,10 @@ describe('the limits of a translation', () => {
     const by: Vec3 = [0.1, 0.2, 0.3];
     const moved = BOTH_SIDES.map((each) => ({ vertex: each.vertex, target: translated(each, by) }));
     expect(distance(translationTo(moved, BOTH_SIDES)!, by)).toBeLessThan(1e-12);
-    const turned = moved.map(({ vertex, target: [x, y, z] }): { vertex: number; target: Vec3 } => ({ vertex, target: [y, -x, z] }));
+    const turned = moved.map(({ vertex, target: [x, y, z] }): { vertex: number; target: Vec3 } => ({
+      vertex,
+      target: [y, -x, z],
+    }));
     expect(translationTo(turned, BOTH_SIDES)).toBeNull();
   });
 });
@@ -118,11 +179,16 @@ describe('a drag', () => {
   const shown = { setRegion: vi.fn(), setReach: vi.fn() };
   const client = {
     setLocality: vi.fn(() => Promise.resolve()),
-    reach: vi.fn((vertices: number[]) => Promise.resolve(vertices.map((): Ball[] => [{ vertex: 9, centre: [0, 0, 0], radius: 1 }]))),
+    reach: vi.fn((vertices: number[]) =>
+      Promise.resolve(vertices.map((): Ball[] => [{ vertex: 9, centre: [0, 0, 0], radius: 1 }])),
+    ),
     distances: vi.fn(() => Promise.resolve(Float64Array.of(0, 1, 9))),
   };
   const guide = new DragGuide(client as unknown as Client, shown);
-  const one = inHand([[0.5, 0, 0], [1, 1, 1]]);
+  const one = inHand([
+    [0.5, 0, 0],
+    [1, 1, 1],
+  ]);
 
   test('stops at the reach of its handle, which is shown there', async () => {
     await guide.begin(one, null);
@@ -140,8 +206,23 @@ describe('a drag', () => {
   });
 
   test('of several stops them all together; turned, they are not held', async () => {
-    await guide.begin(inHand([[0, 0, 0], [1, 1, 1]], [[0, 0.5, 0], [1, 1, 1]]), null);
-    const at = (a: Vec3, b: Vec3) => [{ vertex: 1, target: a }, { vertex: 2, target: b }];
+    await guide.begin(
+      inHand(
+        [
+          [0, 0, 0],
+          [1, 1, 1],
+        ],
+        [
+          [0, 0.5, 0],
+          [1, 1, 1],
+        ],
+      ),
+      null,
+    );
+    const at = (a: Vec3, b: Vec3) => [
+      { vertex: 1, target: a },
+      { vertex: 2, target: b },
+    ];
     const [first, second] = guide.within(at([0, 3, 0], [0, 3.5, 0]));
     expect(distance(first!.target, [0, 0.5, 0])).toBeLessThan(1e-9);
     expect(distance(second!.target, [0, 1, 0])).toBeLessThan(1e-9);

@@ -2,7 +2,12 @@ import { expect, test } from 'vitest';
 import type { HandleData } from '../../web/src/document/document';
 import { all, toggled, united, unlocked, within } from '../../web/src/handles/selection';
 
-const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({ vertex, target: [0, 0, 0], anchor: false, ...rest });
+const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({
+  vertex,
+  target: [0, 0, 0],
+  anchor: false,
+  ...rest,
+});
 const handles = [handle(3), handle(5, { anchor: true }), handle(8), handle(9, { hidden: true })];
 
 test('a vertex goes in, and out again', () => {

@@ -25,7 +25,12 @@ describe('partners', () => {
 
   test('may lie half an edge beside the image, not more', () => {
     const shifted = (by: number) => net.restPositions.map((x, i) => (i === 12 ? x + by : x));
-    const at = (by: number) => new Mirror({ axis: 'x', through: 'origin' }, shifted(by).map((x, i) => (i % 3 === 0 ? x - 2 : x)), 1);
+    const at = (by: number) =>
+      new Mirror(
+        { axis: 'x', through: 'origin' },
+        shifted(by).map((x, i) => (i % 3 === 0 ? x - 2 : x)),
+        1,
+      );
     expect(at(0.4).partner(0)).toBe(4);
     expect(at(0.6).partner(0)).toBeNull();
   });
@@ -37,7 +42,10 @@ describe('partners', () => {
 
 describe('targets', () => {
   const moved = (targets: [number, Vec3][], handles: HandleData[]) =>
-    mirror.mirrored(targets.map(([vertex, target]) => ({ vertex, target })), handles);
+    mirror.mirrored(
+      targets.map(([vertex, target]) => ({ vertex, target })),
+      handles,
+    );
 
   test('are mirrored for the partner, if it is a handle and not locked', () => {
     expect(moved([[0, [-1, 5, 2]]], [handle(0), handle(4)])).toEqual([
@@ -54,7 +62,12 @@ describe('targets', () => {
 
   test('of two partners moved together follow the side of the first', () => {
     const both = [handle(0), handle(4), handle(5), handle(9)];
-    const up: [number, Vec3][] = [[4, [5, 0, 0]], [0, [1, 0, 0]], [5, [1, 1, 0]], [9, [5, 1, 0]]];
+    const up: [number, Vec3][] = [
+      [4, [5, 0, 0]],
+      [0, [1, 0, 0]],
+      [5, [1, 1, 0]],
+      [9, [5, 1, 0]],
+    ];
     expect(moved(up, both)).toEqual([
       { vertex: 4, target: [5, 0, 0] },
       { vertex: 0, target: [-1, 0, 0] },

@@ -9,7 +9,20 @@ const SOURCES = fileURLToPath(new URL('web/src', ROOT));
 
 /** From the ground up. A file beside the rooms is a room of its own. */
 const ROOMS = [
-  ...['language', 'part.ts', 'elements', 'net', 'document', 'worker', 'files', 'equalize', 'handles', 'offline', 'view', 'export'],
+  ...[
+    'language',
+    'part.ts',
+    'elements',
+    'net',
+    'document',
+    'worker',
+    'files',
+    'equalize',
+    'handles',
+    'offline',
+    'view',
+    'export',
+  ],
   ...['compare', 'experiments', 'panels', 'app.ts', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
 ];
 
@@ -22,8 +35,9 @@ const UP: Record<string, string> = {
   'files/openers.ts -> panels/equalize_dialog.ts': 'a file with faults is shown before it is opened',
   'files/openers.ts -> panels/file_dialog.ts': 'as above',
   'files/openers.ts -> view/scene.ts': 'and drawn',
-  'export/save.ts -> app.ts': 'what is saved is the app\'s: the type alone',
-  'language/en/core.ts -> worker/protocol.ts': 'the tables of the core, whose sentences are put into words: the type alone',
+  'export/save.ts -> app.ts': "what is saved is the app's: the type alone",
+  'language/en/core.ts -> worker/protocol.ts':
+    'the tables of the core, whose sentences are put into words: the type alone',
   'language/zh/core.ts -> worker/protocol.ts': 'as above',
   'panels/handle_row.ts -> keys.ts': 'keys are shown beside what they do',
   'panels/key_sheet.ts -> keys.ts': 'as above',
@@ -53,7 +67,9 @@ test('no file imports itself by way of others', () => {
 
 test('imports go down, but for those with a reason', () => {
   const level = (file: string) => ROOMS.indexOf(roomOf(file));
-  const up = [...imports].flatMap(([file, all]) => all.filter((next) => level(next) > level(file)).map((next) => `${file} -> ${next}`));
+  const up = [...imports].flatMap(([file, all]) =>
+    all.filter((next) => level(next) > level(file)).map((next) => `${file} -> ${next}`),
+  );
   expect(up.sort()).toEqual(Object.keys(UP).sort());
 });
 
@@ -66,7 +82,7 @@ function readImports(): Map<string, string[]> {
   const files = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.ts'));
   const known = new Set(files);
   const of = (file: string) => {
-    const text = readFileSync(join(SOURCES, file), 'utf8').replace(/\/\*[^]*?\*\//g, '');
+    const text = readFileSync(join(SOURCES, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
     const found = [...text.matchAll(/^(?:import|export)\s[^'"]*?'(\.[^']+)'|^import '(\.[^']+)'/gm)];
     const paths = found.map(([, from, alone]) => relative('.', join(dirname(file), (from ?? alone)!)));
     return paths.flatMap((path) => [`${path}.ts`, path].filter((each) => known.has(each)).slice(0, 1));

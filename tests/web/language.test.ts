@@ -48,7 +48,12 @@ describe('what the core says has Chinese words:', () => {
 
   test('its tables', async () => {
     const core = await load();
-    const tables = { shapes: core.shapes(), methods: core.methods(), initialisations: core.initialisations(), options: core.options() };
+    const tables = {
+      shapes: core.shapes(),
+      methods: core.methods(),
+      initialisations: core.initialisations(),
+      options: core.options(),
+    };
     const { shapes, methods, initialisations, options } = zh.core.tables(tables);
     expect(names(SHAPES)).toEqual(byName(shapes));
     for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
@@ -82,7 +87,13 @@ test('an error of the core keeps what the core says of it', () => {
 });
 
 test('a finding is told with its examples', () => {
-  const finding = { defect: 'duplicate_vertices', repaired: true, count: 1200, examples: [4, 7], sentence: 'as the core says' } as const;
+  const finding = {
+    defect: 'duplicate_vertices',
+    repaired: true,
+    count: 1200,
+    examples: [4, 7],
+    sentence: 'as the core says',
+  } as const;
   expect(en.core.finding({ ...finding, examples: [4, 7] })).toBe('as the core says');
   expect(zh.core.finding({ ...finding, examples: [4, 7] })).toMatch(/^1,200 .*：4、7…$/);
 });
@@ -116,19 +127,21 @@ test('no text stands outside of language/', () => {
     'Esc',
     'Home',
   ];
-  const COMMENT_OR_LITERAL = /\/\*[^]*?\*\/|\/\/.*|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g;
+  const COMMENT_OR_LITERAL = /\/\*[\s\S]*?\*\/|\/\/.*|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g;
   /** Two words side by side, or one with a capital. */
   const TEXT = /[A-Za-z]{2,}[,:;]? [A-Za-z]{2,}|^[A-Z][a-z]+…?$/;
 
   const files = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' });
-  const found = files.filter((file) => file.endsWith('.ts') && !FOR_PROGRAMS.test(file)).flatMap((file) => {
-    const source = readFileSync(new URL(file, SOURCES), 'utf8');
-    return [...source.matchAll(COMMENT_OR_LITERAL)].flatMap(({ 0: each, index }) => {
-      const text = each.slice(1, -1).replace(/\$\{[^}]*\}/g, '…');
-      const shown = !/^(\/|`\s*<)/.test(each) && !UNREAD.test(source.slice(0, index)); // no comment, no markup
-      return shown && TEXT.test(text) && !ALLOWED.includes(text) ? [`${file}: ${text}`] : [];
+  const found = files
+    .filter((file) => file.endsWith('.ts') && !FOR_PROGRAMS.test(file))
+    .flatMap((file) => {
+      const source = readFileSync(new URL(file, SOURCES), 'utf8');
+      return [...source.matchAll(COMMENT_OR_LITERAL)].flatMap(({ 0: each, index }) => {
+        const text = each.slice(1, -1).replace(/\$\{[^}]*\}/g, '…');
+        const shown = !/^(\/|`\s*<)/.test(each) && !UNREAD.test(source.slice(0, index)); // no comment, no markup
+        return shown && TEXT.test(text) && !ALLOWED.includes(text) ? [`${file}: ${text}`] : [];
+      });
     });
-  });
   expect(found).toEqual([]);
 });
 
@@ -136,6 +149,11 @@ test('the installed page is the same in both languages but for its words', () =>
   const manifest = (name: string): object => JSON.parse(readFileSync(new URL(`web/public/${name}`, ROOT), 'utf8'));
   const { name, description, ...others } = manifest('manifest.webmanifest') as Record<string, unknown>;
   const inChinese = manifest('manifest.zh.webmanifest') as Record<string, unknown>;
-  expect(inChinese).toMatchObject({ ...others, lang: zh.locale, name: zh.page.title, description: expect.stringMatching(HAN) });
+  expect(inChinese).toMatchObject({
+    ...others,
+    lang: zh.locale,
+    name: zh.page.title,
+    description: expect.stringMatching(HAN),
+  });
   expect([name, description]).toEqual([en.page.title, expect.any(String)]);
 });

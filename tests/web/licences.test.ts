@@ -12,7 +12,11 @@ let files: Rolldown.RolldownOutput['output'];
 let licences: string;
 beforeAll(async () => {
   const root = `${ROOT}web`;
-  const built = (await build({ root, logLevel: 'error', build: { write: false, sourcemap: true } })) as Rolldown.RolldownOutput;
+  const built = (await build({
+    root,
+    logLevel: 'error',
+    build: { write: false, sourcemap: true },
+  })) as Rolldown.RolldownOutput;
   files = built.output;
   const file = files.find(({ fileName }) => fileName === 'licences.txt');
   licences = file?.type === 'asset' ? String(file.source) : '';
@@ -26,7 +30,9 @@ function licenceOf(name: string): string {
 
 /** The files that the built scripts, also those of workers, were made of. */
 function sources(): string[] {
-  const maps = files.flatMap((file) => (file.type === 'asset' && file.fileName.endsWith('.map') ? [String(file.source)] : []));
+  const maps = files.flatMap((file) =>
+    file.type === 'asset' && file.fileName.endsWith('.map') ? [String(file.source)] : [],
+  );
   return maps.flatMap((map) => (JSON.parse(map) as { sources: string[] }).sources);
 }
 
@@ -36,7 +42,9 @@ test('chebnet comes first, under the licence of the repository', () => {
 });
 
 test('each package in a built script has its licence in the file', () => {
-  const packages = new Set(sources().flatMap((path) => /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1] ?? []));
+  const packages = new Set(
+    sources().flatMap((path) => /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1] ?? []),
+  );
   expect([...packages]).toEqual(expect.arrayContaining(['three', 'fflate', 'idb-keyval', 'rhino3dm']));
   for (const name of packages) expect(licenceOf(name), name).toMatch(/copyright/i);
 });
@@ -60,7 +68,9 @@ const HEADERS: readonly (readonly [place: RegExp, library: string])[] = [
 test('each library that the modules are compiled with has its licence in the file', () => {
   const log = execFileSync('ninja', ['-C', `${ROOT}build/wasm`, '-t', 'deps'], { encoding: 'utf8', maxBuffer: 1e8 });
   const paths = [...new Set(log.split('\n').filter((line) => line.startsWith('    ')))].map((line) => line.trim());
-  const foreign = paths.filter((path) => path.startsWith('/') && !path.startsWith(ROOT) || path.includes('fast_float'));
+  const foreign = paths.filter(
+    (path) => (path.startsWith('/') && !path.startsWith(ROOT)) || path.includes('fast_float'),
+  );
   const libraries = new Set(foreign.map((path) => HEADERS.find(([place]) => place.test(path))?.[1] ?? path));
   expect([...libraries].sort()).toEqual(['Eigen', 'Emscripten', 'LLVM', 'fast_float', 'musl']);
   for (const name of libraries) expect(licenceOf(name), name).toMatch(/copyright/i);
@@ -72,7 +82,9 @@ test('whoever passes Eigen on says where its source is', () => {
 });
 
 test('the list of dependencies marks the packages that the page contains', () => {
-  const marked = [...readFileSync(`${ROOT}DEPENDENCIES.md`, 'utf8').matchAll(/^\| (\S+) \| (\S+) \| \* /gm)].map(([, name, version]) => `${name} ${version}`);
+  const marked = [...readFileSync(`${ROOT}DEPENDENCIES.md`, 'utf8').matchAll(/^\| (\S+) \| (\S+) \| \* /gm)].map(
+    ([, name, version]) => `${name} ${version}`,
+  );
   const contained = [...licences.matchAll(/^=+\n(\S+ [\d.]+) \(.*\)\n=+$/gm)].map(([, title]) => title);
   expect(marked.filter((each) => contained.includes(each)).sort()).toEqual(contained);
 });

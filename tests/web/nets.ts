@@ -15,7 +15,14 @@ export function grid(columns: number, rows: number, isCut: () => boolean = () =>
     for (let column = 0; column + 1 < columns; ++column) {
       const a = row * columns + column;
       const [b, c, d] = [a + 1, a + 1 + columns, a + columns];
-      faces.push(...(isCut() ? [[a, b, c], [a, c, d]] : [[a, b, c, d]]));
+      faces.push(
+        ...(isCut()
+          ? [
+              [a, b, c],
+              [a, c, d],
+            ]
+          : [[a, b, c, d]]),
+      );
     }
   }
   const found = incidence(faces);
@@ -32,7 +39,11 @@ function incidence(faces: number[][]): Omit<PackingNet, 'restPositions' | 'restL
   }
   const starts = [0];
   for (const face of faces) starts.push((starts.at(-1) ?? 0) + face.length);
-  return { edges: Int32Array.from([...edges.values()].flat()), faceStart: Int32Array.from(starts), faceVertices: Int32Array.from(faces.flat()) };
+  return {
+    edges: Int32Array.from([...edges.values()].flat()),
+    faceStart: Int32Array.from(starts),
+    faceVertices: Int32Array.from(faces.flat()),
+  };
 }
 
 /** A document of a net that stands at `positions`. */

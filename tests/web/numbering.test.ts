@@ -25,10 +25,21 @@ const [first, core] = await Promise.all([loadFirst(), load()]);
 /** Every shape as it comes, and with each parameter at both its ends. */
 const RECIPES = core.shapes().flatMap(({ name, parameters }) => {
   const others = parameters.filter((parameter) => parameter.name !== 'vertices');
-  const ends = others.flatMap((each) => [each.smallest, each.largest].map((value) => `${name}:vertices=300,${each.name}=${value}`));
+  const ends = others.flatMap((each) =>
+    [each.smallest, each.largest].map((value) => `${name}:vertices=300,${each.name}=${value}`),
+  );
   return [name, `${name}:vertices=150`, ...ends];
 });
-const FILES = ['obj/blender.obj', 'obj/meshlab.obj', 'obj/rhino.obj', 'ply/blender.ply', 'ply/meshlab.ply', 'ply/scanner.ply', 'off/geomview.off', 'off/meshlab.off'];
+const FILES = [
+  'obj/blender.obj',
+  'obj/meshlab.obj',
+  'obj/rhino.obj',
+  'ply/blender.ply',
+  'ply/meshlab.ply',
+  'ply/scanner.ply',
+  'off/geomview.off',
+  'off/meshlab.off',
+];
 
 /** As the page opens a file: by way of the text that links and projects carry. */
 function openFile(path: string): Editor {
@@ -57,7 +68,9 @@ describe('is what it was', () => {
     editor.dispose();
   };
 
-  test.each(Object.entries(expected).filter(([name]) => !FILES.includes(name)))('%s', (recipe, each) => check(core.openRecipe(recipe), each));
+  test.each(Object.entries(expected).filter(([name]) => !FILES.includes(name)))('%s', (recipe, each) =>
+    check(core.openRecipe(recipe), each),
+  );
   test.each(FILES)('%s', (path) => check(openFile(path), expected[path]!));
 
   test('of every shape', () => expect(RECIPES.filter((recipe) => expected[recipe] === undefined)).toEqual([]));
@@ -81,8 +94,10 @@ test('tells edges and faces in another order or direction, and vertices by other
     return copy;
   };
   const all = [{ edges, faceStart, faceVertices }];
-  for (let e = 0; e < edges.length; ++e) all.push({ edges: swapped(edges, e, (e + 1) % edges.length), faceStart, faceVertices });
-  for (let k = 0; k < faceVertices.length; ++k) all.push({ edges, faceStart, faceVertices: swapped(faceVertices, k, (k + 1) % faceVertices.length) });
+  for (let e = 0; e < edges.length; ++e)
+    all.push({ edges: swapped(edges, e, (e + 1) % edges.length), faceStart, faceVertices });
+  for (let k = 0; k < faceVertices.length; ++k)
+    all.push({ edges, faceStart, faceVertices: swapped(faceVertices, k, (k + 1) % faceVertices.length) });
   for (let v = 1; v < net.info.vertices; ++v) {
     const relabelled = (numbers: Int32Array) => numbers.map((each) => (each === v ? v - 1 : each === v - 1 ? v : each));
     all.push({ edges: relabelled(edges), faceStart, faceVertices: relabelled(faceVertices) });
@@ -100,8 +115,12 @@ describe('when a core numbers the edges of domes the other way round,', () => {
       return recipe.startsWith('dome') ? Object.assign(editor, { edges: editor.edges.slice().reverse() }) : editor;
     },
   };
-  const golden = (kind: 'link' | 'chebnet.json', name: string) => goldens(kind).find((each) => each.name === name)!.text;
-  const REFUSAL = expect.objectContaining({ code: 'other_numbering', message: expect.stringMatching(/numbered otherwise/) });
+  const golden = (kind: 'link' | 'chebnet.json', name: string) =>
+    goldens(kind).find((each) => each.name === name)!.text;
+  const REFUSAL = expect.objectContaining({
+    code: 'other_numbering',
+    message: expect.stringMatching(/numbered otherwise/),
+  });
 
   let page: Page;
   beforeEach(async () => {

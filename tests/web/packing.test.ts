@@ -10,10 +10,13 @@ const chebnet = await load();
 
 function solved(recipe: string, threshold: number) {
   const editor = chebnet.openRecipe(recipe);
-  const handles = Array.from(editor.suggestedHandles, (vertex): { vertex: number; target: [number, number, number] } => {
-    const [x = 0, y = 0, z = 0] = editor.restPositions.subarray(3 * vertex, 3 * vertex + 3);
-    return { vertex, target: [x, y, z] };
-  });
+  const handles = Array.from(
+    editor.suggestedHandles,
+    (vertex): { vertex: number; target: [number, number, number] } => {
+      const [x = 0, y = 0, z = 0] = editor.restPositions.subarray(3 * vertex, 3 * vertex + 3);
+      return { vertex, target: [x, y, z] };
+    },
+  );
   const last = handles.at(-1);
   if (last) last.target = [last.target[0] + 0.3, last.target[1] - 0.2, last.target[2] - 0.8];
   editor.setHandles(handles);
@@ -75,7 +78,11 @@ test('several components and vertices in any order', () => {
 
 describe('damage is refused', () => {
   const net = grid(5, 5);
-  const packed = packPositions(net.restPositions.map((x, i) => x + Math.cos(i)), net, 1e-6);
+  const packed = packPositions(
+    net.restPositions.map((x, i) => x + Math.cos(i)),
+    net,
+    1e-6,
+  );
   const withStep = (step: number) => {
     const bytes = Uint8Array.from(packed);
     new DataView(bytes.buffer).setFloat64(0, step, true);
@@ -92,7 +99,10 @@ describe('damage is refused', () => {
     ['a step of nothing', withStep(0)],
     ['a step backwards', withStep(-1)],
     ['a number without end', Uint8Array.from([...packed.subarray(0, 8), ...Array(75).fill(255)])],
-    ['numbers that grow without bound', Uint8Array.from([...packed.subarray(0, 8), ...Array(75).fill([254, 255, 255, 255, 255, 255, 127]).flat()])],
+    [
+      'numbers that grow without bound',
+      Uint8Array.from([...packed.subarray(0, 8), ...Array(75).fill([254, 255, 255, 255, 255, 255, 127]).flat()]),
+    ],
     ['positions of another net', packPositions(grid(5, 6).restPositions, grid(5, 6), 1e-6)],
   ])('%s', (_what, bytes) => {
     expect(() => unpackPositions(bytes, net)).toThrow(expect.objectContaining({ code: 'bad_link' }));

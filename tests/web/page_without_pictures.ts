@@ -19,7 +19,12 @@ export async function openPage(core: Editors): Promise<Page> {
   const tasks: (() => void)[] = [];
   const said: string[] = [];
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
-  const parts = { createView: () => silent, createBeside: () => silent, createPanels: () => panels, spawnWorker: () => new WorkerHere(core, tasks) };
+  const parts = {
+    createView: () => silent,
+    createBeside: () => silent,
+    createPanels: () => panels,
+    spawnWorker: () => new WorkerHere(core, tasks),
+  };
   const app = new App(parts as unknown as AppParts, {} as AppServices);
   const solve = async () => {
     for (; !app.isQuiet; await new Promise((resolve) => setImmediate(resolve))) tasks.shift()?.();

@@ -36,7 +36,11 @@ describe('a project comes back', () => {
   };
 
   function anyHandle(): HandleData {
-    const handle: HandleData = { vertex: Math.floor(next() * 1e4), target: [anyNumber(), anyNumber(), anyNumber()], anchor: next() < 0.5 };
+    const handle: HandleData = {
+      vertex: Math.floor(next() * 1e4),
+      target: [anyNumber(), anyNumber(), anyNumber()],
+      anchor: next() < 0.5,
+    };
     if (next() < 0.3) handle.name = pick(['crown', '顶点', '"\\"', '']);
     if (next() < 0.3) handle.hidden = next() < 0.5;
     if (next() < 0.3) handle.weight = next() + 1e-9;
@@ -66,7 +70,8 @@ describe('a project comes back', () => {
   }
 
   /** Bits rather than numbers: 0 and −0 differ. */
-  const bits = ({ entries }: Project) => entries.map(({ state }) => state.positions && new BigUint64Array(state.positions.slice().buffer));
+  const bits = ({ entries }: Project) =>
+    entries.map(({ state }) => state.positions && new BigUint64Array(state.positions.slice().buffer));
 
   test.each(Array.from({ length: 40 }, (_, i) => i))('whole, from a file: %i', () => {
     const project = anyProject();
@@ -105,7 +110,10 @@ describe('a project comes back', () => {
 });
 
 describe('an entry', () => {
-  const named = (name: Entry['name']): Project => ({ ...projectOf([stateAt(Float64Array.of(1, 2, 3))]), entries: [{ name, state: stateAt(Float64Array.of(1, 2, 3)) }] });
+  const named = (name: Entry['name']): Project => ({
+    ...projectOf([stateAt(Float64Array.of(1, 2, 3))]),
+    entries: [{ name, state: stateAt(Float64Array.of(1, 2, 3)) }],
+  });
   const nameIn = (text: string) => parseProject(text).entries[0]!.name;
   const text = projectText(named(['move', { handle: '7' }]));
 
@@ -120,7 +128,17 @@ describe('an entry', () => {
 
   test('of an older version, or of one that knows more, keeps its words', () => {
     expect(nameIn(projectText(named('Move it')))).toBe('Move it');
-    const changes = ['["knit",{"handle":"7"}]', '["move",{"loop":"7"}]', '["move",{"handle":7}]', '["move"]', '["constructor","x"]', '["one","x","y"]', '7', '[[]]', '["move",null]'];
+    const changes = [
+      '["knit",{"handle":"7"}]',
+      '["move",{"loop":"7"}]',
+      '["move",{"handle":7}]',
+      '["move"]',
+      '["constructor","x"]',
+      '["one","x","y"]',
+      '7',
+      '[[]]',
+      '["move",null]',
+    ];
     for (const change of changes) {
       const other = text.replace('["move",{"handle":"7"}]', change);
       expect(other).toContain(change);
@@ -130,7 +148,14 @@ describe('an entry', () => {
 });
 
 describe('a hostile project is refused, and it is said where', () => {
-  const entry: Entry = { name: 'open', state: { ...stateAt(Float64Array.of(1, 2, 3)), numbering: 7, handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] } };
+  const entry: Entry = {
+    name: 'open',
+    state: {
+      ...stateAt(Float64Array.of(1, 2, 3)),
+      numbering: 7,
+      handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }],
+    },
+  };
   const text = projectText({ ...projectOf([entry.state]), entries: [entry] });
 
   test.each([
@@ -179,7 +204,9 @@ describe('a hostile project is refused, and it is said where', () => {
   });
 
   test('without any of its fields', () => {
-    for (const [field] of text.matchAll(/"(view|present|states|nets|positions|name|handles|method|options|settled|net|numbering|recipe|camera)":/g)) {
+    for (const [field] of text.matchAll(
+      /"(view|present|states|nets|positions|name|handles|method|options|settled|net|numbering|recipe|camera)":/g,
+    )) {
       expect(() => parseProject(text.replace(field, '"else":')), field).toThrow();
     }
   });

@@ -90,7 +90,12 @@ function settled(): { id: number; frame: FrameData } {
 }
 
 test('a frame says how far its numbers reach', () => {
-  open({ handles: [{ vertex: 0, target: null, anchor: true }, { vertex: dragged, target: away, anchor: false }] });
+  open({
+    handles: [
+      { vertex: 0, target: null, anchor: true },
+      { vertex: dragged, target: away, anchor: false },
+    ],
+  });
   run();
   const { deviations, deviationRange, cornerAngles, angleRange, maxDeviation } = settled().frame;
   expect(deviationRange).toEqual([Math.min(...deviations), Math.max(...deviations)]);
@@ -143,7 +148,12 @@ describe('a scene', () => {
   });
 
   test('is solved for its targets', () => {
-    open({ handles: [{ vertex: 0, target: null, anchor: true }, { vertex: dragged, target: away, anchor: false }] });
+    open({
+      handles: [
+        { vertex: 0, target: null, anchor: true },
+        { vertex: dragged, target: away, anchor: false },
+      ],
+    });
     run();
     expect(settled().frame.status).toBe('converged');
     expect(at(settled().frame.positions, dragged)).toEqual(away);
@@ -317,7 +327,9 @@ describe('by hand', () => {
     expect(distances[dragged]).toBe(0);
     ask({ type: 'reach', vertices: [dragged] });
     const { balls } = said.at(-1) as unknown as { balls: { vertex: number }[][] };
-    expect(balls[0]!.map(({ vertex }) => vertex)).toEqual(expect.arrayContaining([...reference.suggestedHandles].slice(0, -1)));
+    expect(balls[0]!.map(({ vertex }) => vertex)).toEqual(
+      expect.arrayContaining([...reference.suggestedHandles].slice(0, -1)),
+    );
     expect(balls[0]!.length).toBeGreaterThan(reference.suggestedHandles.length);
     ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
     run();
@@ -347,9 +359,15 @@ describe('by hand', () => {
   });
 
   test('restore brings back method and options with the rest', () => {
-    ask({ type: 'restore', scene: { ...freshScene({ recipe }), handles: [], method: 'li2022', options: { threshold: 1e-8 }, settled: true } });
+    ask({
+      type: 'restore',
+      scene: { ...freshScene({ recipe }), handles: [], method: 'li2022', options: { threshold: 1e-8 }, settled: true },
+    });
     expect(settled().frame).toMatchObject({ positions: reference.restPositions, method: 'li2022' });
-    ask({ type: 'restore', scene: { ...freshScene({ recipe }), handles: [{ vertex: 1e6, target: [0, 0, 0], anchor: false }] } });
+    ask({
+      type: 'restore',
+      scene: { ...freshScene({ recipe }), handles: [{ vertex: 1e6, target: [0, 0, 0], anchor: false }] },
+    });
     expect(said.at(-1)).toMatchObject({ type: 'error', code: 'index_out_of_range' });
   });
 
@@ -372,7 +390,10 @@ describe('by hand', () => {
       if (room) return solve(budget);
       throw Object.assign(new Error('too many vertices'), { code: 'too_large' });
     };
-    session = new Session({ ...core, openRecipe: () => refusing }, { post: (response) => said.push(response), ...host });
+    session = new Session(
+      { ...core, openRecipe: () => refusing },
+      { post: (response) => said.push(response), ...host },
+    );
     ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
     said = [];
     ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });

@@ -46,7 +46,17 @@ describe('a scene comes back', () => {
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
     const { net: source, numbering, symmetry, locality, method, initialisation, options } = full;
-    expect(rest).toEqual({ net: source, numbering, symmetry, locality, method, initialisation, options, view, settled: true });
+    expect(rest).toEqual({
+      net: source,
+      numbering,
+      symmetry,
+      locality,
+      method,
+      initialisation,
+      options,
+      view,
+      settled: true,
+    });
     expect(handles).toEqual([{ vertex: 0, target: null, anchor: true }, full.handles[1], full.handles[2]]);
     expect(positions).toHaveProperty('packed');
     if (positions && 'packed' in positions) {
@@ -153,7 +163,8 @@ describe('hostile links are refused', () => {
     return null;
   }
 
-  const bad = (text: string) => expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
+  const bad = (text: string) =>
+    expect(failureOf(text)).toMatchObject({ code: 'bad_link', message: expect.stringMatching(/link/) });
 
   test('not this one, made before links had an initialisation, ends of colours, an up axis, a symmetry, a locality, and names of handles', () => {
     const scene = decodeScene(hashOfJson(JSON.stringify(valid)));
@@ -171,15 +182,34 @@ describe('hostile links are refused', () => {
     expect(scene).not.toHaveProperty('numbering');
   });
 
-  test.each([undefined, -1, 0.5, 2 ** 32, '7', true, [7]])('of the second version with the numbering %j', (numbering) => {
-    bad(hashOfJson(JSON.stringify({ ...valid, numbering }), 2));
-  });
+  test.each([undefined, -1, 0.5, 2 ** 32, '7', true, [7]])(
+    'of the second version with the numbering %j',
+    (numbering) => {
+      bad(hashOfJson(JSON.stringify({ ...valid, numbering }), 2));
+    },
+  );
 
-  test.each(['#', '#nonsense', '#%E0%A4%A', '#v3=AAAA', '#v0=AAAA', '#v01=', '#v1', '#v1.0=', '#v1e0=', '#v=', '#V1=AAAA', `#${'A'.repeat(5000)}`])('foreign: %.20s', (text) => {
+  test.each([
+    '#',
+    '#nonsense',
+    '#%E0%A4%A',
+    '#v3=AAAA',
+    '#v0=AAAA',
+    '#v01=',
+    '#v1',
+    '#v1.0=',
+    '#v1e0=',
+    '#v=',
+    '#V1=AAAA',
+    `#${'A'.repeat(5000)}`,
+  ])('foreign: %.20s', (text) => {
     expect(failureOf(text)).toMatchObject({ code: 'foreign_link', message: expect.stringMatching(/link/) });
   });
 
-  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____', '#v2=', '#v2=AAAA'])('not deflated: %s', bad);
+  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____', '#v2=', '#v2=AAAA'])(
+    'not deflated: %s',
+    bad,
+  );
 
   test('cut off anywhere', () => {
     const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });
@@ -187,7 +217,8 @@ describe('hostile links are refused', () => {
       const scene = failureOf(whole.slice(0, length)) ?? decodeScene(whole.slice(0, length));
       // What is cut off at the very end may be no more than some positions, which the net then misses.
       if (scene instanceof Error) expect(scene).toMatchObject({ code: 'bad_link' });
-      else expect(() => unpackPositions((scene as { positions: { packed: Uint8Array } }).positions.packed, net)).toThrow();
+      else
+        expect(() => unpackPositions((scene as { positions: { packed: Uint8Array } }).positions.packed, net)).toThrow();
     }
   });
 

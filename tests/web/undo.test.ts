@@ -79,7 +79,9 @@ test('changes of the same key join, until another comes between', () => {
   expect(history.undo(state(5))?.positions?.[0]).toBe(3);
   history.redo(state(3));
   history.record(state(5), 'move', 'move 7');
-  expect([state(6), state(5), state(3), state(2)].map((now) => history.undo(now)?.positions?.[0])).toEqual([5, 3, 2, 0]);
+  expect([state(6), state(5), state(3), state(2)].map((now) => history.undo(now)?.positions?.[0])).toEqual([
+    5, 3, 2, 0,
+  ]);
 });
 
 test('forgets the oldest states of large nets, never the last', () => {

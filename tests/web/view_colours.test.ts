@@ -36,7 +36,9 @@ describe('the logarithmic map', () => {
   test('keeps off the colours of the page, light or dark', () => {
     const lightness = (dark: boolean) => {
       const scale = scaleOf('deviation', 'log', { ...COLOURS, dark });
-      return Array.from({ length: 50 }, (_, i) => scale.colour(i / 49)).map(([r, g, b]) => 0.21 * r + 0.72 * g + 0.07 * b);
+      return Array.from({ length: 50 }, (_, i) => scale.colour(i / 49)).map(
+        ([r, g, b]) => 0.21 * r + 0.72 * g + 0.07 * b,
+      );
     };
     expect(Math.max(...lightness(false))).toBeLessThan(0.75);
     expect(Math.min(...lightness(true))).toBeGreaterThan(0.2);
@@ -62,7 +64,13 @@ describe('with ends set by hand', () => {
     expect(scale.ticks.map(({ label }) => label)).toEqual(['1e-8', '1e-4']);
   });
 
-  test.each([[80, 90], [60, 100], [90, 95], [100, 110], [10, 20]])('from %d to %d degrees a right angle would keep its colour', (...ends) => {
+  test.each([
+    [80, 90],
+    [60, 100],
+    [90, 95],
+    [100, 110],
+    [10, 20],
+  ])('from %d to %d degrees a right angle would keep its colour', (...ends) => {
     const scale = scaleOf('angle', 'paper', COLOURS, ends);
     if (ends[0] <= 90 && 90 <= ends[1]) expect(colourOf(scale, 90)).toEqual(COLOURS.right);
     if (ends[0] < 90) expect(colourOf(scale, ends[0])).toEqual(COLOURS.narrow);
@@ -77,7 +85,13 @@ describe('with ends set by hand', () => {
 });
 
 test('every tick lies on the legend', () => {
-  for (const { ticks, shown } of [paper, log, angle, scaleOf('longer', 'paper', COLOURS), scaleOf('angle', 'paper', COLOURS, [80, 85])]) {
+  for (const { ticks, shown } of [
+    paper,
+    log,
+    angle,
+    scaleOf('longer', 'paper', COLOURS),
+    scaleOf('angle', 'paper', COLOURS, [80, 85]),
+  ]) {
     for (const { value } of ticks) {
       expect(value).toBeGreaterThanOrEqual(shown[0]);
       expect(value).toBeLessThanOrEqual(shown[1]);

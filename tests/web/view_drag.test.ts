@@ -6,7 +6,8 @@ function record() {
   const said: string[] = [];
   const report = new DragReport({
     dragStart: () => void said.push('start'),
-    dragMove: (targets) => void said.push(`move ${targets.map(({ vertex, target }) => `${vertex} to ${target}`).join(' and ')}`),
+    dragMove: (targets) =>
+      void said.push(`move ${targets.map(({ vertex, target }) => `${vertex} to ${target}`).join(' and ')}`),
     dragEnd: (cancelled) => void said.push(cancelled ? 'cancel' : 'end'),
   });
   return { said, report };

@@ -36,7 +36,8 @@ function stretched({ restPositions }: OpenedNet, factor: number): Float64Array {
 }
 
 describe('edges longer than they are to be', () => {
-  const along = (e: number) => Math.abs(net.restPositions[3 * net.edges[2 * e]!]! - net.restPositions[3 * net.edges[2 * e + 1]!]!);
+  const along = (e: number) =>
+    Math.abs(net.restPositions[3 * net.edges[2 * e]!]! - net.restPositions[3 * net.edges[2 * e + 1]!]!);
   const notAcross = Array.from({ length: edges }, (_, e) => along(e) > 1e-3 * net.info.meanLength);
 
   test('are none at rest, where lengths are off by rounding alone', () => {
@@ -74,7 +75,11 @@ describe('the textures of a net', () => {
     const { data: points } = uniforms.vertices.value!.image as { data: Float32Array };
     const { data: ends } = uniforms.ends.value!.image as { data: Int32Array };
     expect(points).toBe(data.points);
-    expect(Array.from(points.subarray(0, 4 * vertices)).every((x, i) => (i % 4 === 3 ? Math.abs(x - 90) < 1e-4 : Math.abs(x) <= 1))).toBe(true);
+    expect(
+      Array.from(points.subarray(0, 4 * vertices)).every((x, i) =>
+        i % 4 === 3 ? Math.abs(x - 90) < 1e-4 : Math.abs(x) <= 1,
+      ),
+    ).toBe(true);
     expect(ends.subarray(0, 2 * edges)).toEqual(net.edges);
   });
 

@@ -21,7 +21,10 @@ const VAULT: ShapeInfo = { name: 'vault', title: 'Vault', sentence: '', paramete
 describe('recipes', () => {
   test('are read', () => {
     expect(parseRecipe('dome')).toEqual({ name: 'dome', values: {} });
-    expect(parseRecipe('vault: vertices=4000, rise=0.4')).toEqual({ name: 'vault', values: { vertices: 4000, rise: 0.4 } });
+    expect(parseRecipe('vault: vertices=4000, rise=0.4')).toEqual({
+      name: 'vault',
+      values: { vertices: 4000, rise: 0.4 },
+    });
   });
   test('are written without defaults', () => {
     expect(formatRecipe({ name: 'vault', values: { vertices: 2000, rise: 0.4 } }, VAULT)).toBe('vault:rise=0.4');
@@ -47,7 +50,16 @@ describe('recipes', () => {
 
 function rows(...solve: [stage: number, maxDeviation: number][]): TraceRow[] {
   return solve.map(([stage, maxDeviation], i) => {
-    const zero = { p: 2, energy: 0, gradientNorm: 0, step: 1, freeVertices: 0, assemblyMs: 0, factorisationMs: 0, lineSearchMs: 0 };
+    const zero = {
+      p: 2,
+      energy: 0,
+      gradientNorm: 0,
+      step: 1,
+      freeVertices: 0,
+      assemblyMs: 0,
+      factorisationMs: 0,
+      lineSearchMs: 0,
+    };
     return { ...zero, iteration: i + 1, stage, maxDeviation, totalMs: 10 * (i + 1) };
   });
 }
@@ -59,7 +71,11 @@ describe('the record of convergence', () => {
     expect(record.curve(false)).toEqual({
       x: [1, 2, 3, 4],
       y: [-1, -2, -4, -7],
-      marks: [{ x: 1, stage: 1 }, { x: 3, stage: 2 }, { x: 4, stage: 3 }],
+      marks: [
+        { x: 1, stage: 1 },
+        { x: 3, stage: 2 },
+        { x: 4, stage: 3 },
+      ],
     });
     expect(record.curve(true).x).toEqual([10, 20, 30, 40]);
   });
@@ -102,7 +118,10 @@ describe('the record of convergence', () => {
 });
 
 describe('thumbnails', () => {
-  const net = { edges: Int32Array.from([0, 1, 2, 3]), positions: Float32Array.from([0, -9, 0, 1, -9, 0, 0, 9, 0, 1, 9, 4]) };
+  const net = {
+    edges: Int32Array.from([0, 1, 2, 3]),
+    positions: Float32Array.from([0, -9, 0, 1, -9, 0, 0, 9, 0, 1, 9, 4]),
+  };
   test('fit their box', () => {
     const flat = project(net, 100, 60);
     for (let i = 0; i < flat.length; i += 2) {
@@ -120,7 +139,11 @@ describe('thumbnails', () => {
 test('numbers and states are put in words', () => {
   expect([0, 1e-30, 4.23e-7, 0.68, 12, Infinity].map(small)).toEqual(['0', '< 1e-16', '4.2e-7', '0.68', '12', '∞']);
   expect([0.04, 9.96, 152.4].map(milliseconds)).toEqual(['0.0', '10.0', '152']);
-  expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual(['1.23457', '-1234.568', '2']);
+  expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual([
+    '1.23457',
+    '-1234.568',
+    '2',
+  ]);
   expect(statusWords('running', true, 1)).toMatch(/solving/i);
   expect(statusWords('running', false, 1)).toMatch(/stopped/i);
   expect(statusWords('running', false, 0)).toMatch(/not solved/i);

@@ -61,7 +61,9 @@ describe('the vertex under the pointer', () => {
   });
   test('is the one that a plain search finds', () => {
     const next = random(7);
-    const points = pack(...Array.from({ length: 2000 }, (): [number, number, number] => [0, 8 * next() - 4, 4 * next() - 2]));
+    const points = pack(
+      ...Array.from({ length: 2000 }, (): [number, number, number] => [0, 8 * next() - 4, 4 * next() - 2]),
+    );
     for (let k = 0; k < 50; k++) {
       const [x, y] = [800 * next(), 400 * next()];
       const distances = Array.from({ length: 2000 }, (_, i) => {
@@ -83,7 +85,9 @@ test('of two handles under the pointer the one in front is meant', () => {
 
 describe('the whole net in sight', () => {
   const next = random(3);
-  const cloud = pack(...Array.from({ length: 400 }, (): [number, number, number] => [next(), 3 * next(), 0.5 * next()]));
+  const cloud = pack(
+    ...Array.from({ length: 400 }, (): [number, number, number] => [next(), 3 * next(), 0.5 * next()]),
+  );
 
   test.each([
     [2, { top: 0.1, right: 0.05, bottom: 0.2, left: 0.1 }],
@@ -96,7 +100,9 @@ describe('the whole net in sight', () => {
     camera.lookAt(target);
     camera.updateMatrixWorld();
     const flat = { ...projectionOf(camera), width: 1, height: 1 };
-    const seen = Array.from({ length: 400 }, (_, i) => project(flat, cloud[4 * i]!, cloud[4 * i + 1]!, cloud[4 * i + 2]!));
+    const seen = Array.from({ length: 400 }, (_, i) =>
+      project(flat, cloud[4 * i]!, cloud[4 * i + 1]!, cloud[4 * i + 2]!),
+    );
     const gaps = {
       left: Math.min(...seen.map(({ x }) => x)) - margins.left,
       right: 1 - Math.max(...seen.map(({ x }) => x)) - margins.right,

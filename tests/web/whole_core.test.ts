@@ -14,7 +14,10 @@ const reference = first.openRecipe(recipe);
 const dragged = reference.suggestedHandles.at(-1) ?? -1;
 const [x = NaN, y = NaN, z = NaN] = reference.restPositions.subarray(3 * dragged, 3 * dragged + 3);
 const drag: Body = { type: 'drag', targets: [{ vertex: dragged, target: [x, y, z - 1] }] };
-const li2022: Body = { type: 'options', settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } } };
+const li2022: Body = {
+  type: 'options',
+  settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } },
+};
 
 let session: Session;
 let said: Response[];
@@ -36,7 +39,12 @@ beforeEach(() => {
       fail = reject;
     });
   };
-  session = new Session(first, { post: (response) => said.push(response), soon: (task) => tasks.push(task), now: () => 0, wholeCore });
+  session = new Session(first, {
+    post: (response) => said.push(response),
+    soon: (task) => tasks.push(task),
+    now: () => 0,
+    wholeCore,
+  });
   ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
 });
 
@@ -50,7 +58,9 @@ function solve(): void {
 }
 
 function settled(): Extract<Response, { type: 'settled' }> {
-  return said.flatMap((response) => (response.type === 'settled' ? [response] : [])).at(-1) ?? expect.fail('not settled');
+  return (
+    said.flatMap((response) => (response.type === 'settled' ? [response] : [])).at(-1) ?? expect.fail('not settled')
+  );
 }
 
 /** Lets what waits for a promise run. */
@@ -125,7 +135,10 @@ test('a solve under way goes on there', async () => {
 });
 
 test('a net from a file opens with it', async () => {
-  const id = ask({ type: 'open', scene: freshScene({ obj: 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n', name: 'square.obj' }) });
+  const id = ask({
+    type: 'open',
+    scene: freshScene({ obj: 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n', name: 'square.obj' }),
+  });
   arrive(whole);
   await turn();
   expect(said.at(-1)).toMatchObject({ id, type: 'opened', net: { info: { vertices: 4 } } });
@@ -136,7 +149,12 @@ test('if it does not come, the request fails, the net stays, and the next one tr
   const after = ask(drag);
   fail(new Error('no network'));
   await turn();
-  expect(said).toContainEqual({ id, type: 'error', code: 'not_loaded', message: 'The rest of the solver could not be loaded: no network' });
+  expect(said).toContainEqual({
+    id,
+    type: 'error',
+    code: 'not_loaded',
+    message: 'The rest of the solver could not be loaded: no network',
+  });
   solve();
   expect(settled()).toMatchObject({ id: after, frame: { status: 'converged', method: 'projection' } });
   const again = ask(li2022);

@@ -84,10 +84,7 @@ export class App {
   #runsBeside: readonly Run[] = [];
   #saidUnreachable = false;
 
-  constructor(
-    { createView, createBeside, createPanels, spawnWorker }: AppParts,
-    services: AppServices,
-  ) {
+  constructor({ createView, createBeside, createPanels, spawnWorker }: AppParts, services: AppServices) {
     this.#client = new Client(spawnWorker, {
       frame: (frame, settled) => this.#showFrame(frame, settled),
       restarted: (why, opened) => this.#restarted(why, opened),
@@ -169,7 +166,10 @@ export class App {
 
   /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
    *  @param change what the history calls it. */
-  async openScene(scene: Scene, change: NamedChange = { name: ['open', netTitle(scene.net)], key: null }): Promise<void> {
+  async openScene(
+    scene: Scene,
+    change: NamedChange = { name: ['open', netTitle(scene.net)], key: null },
+  ): Promise<void> {
     const opened = await this.#await(this.#client.open(scene));
     this.handles.endDrag(false);
     const before = this.#snapshot();
@@ -510,9 +510,15 @@ export class App {
     const last = frame.handles.length - 1;
     // Of the handles that come with a recipe the last is the one to drag.
     const handles = frame.handles.map(({ vertex, target }, i) =>
-      scene.handles === 'suggested' ? { vertex, target, anchor: i < last } : { anchor: false, ...scene.handles[i], vertex, target },
+      scene.handles === 'suggested'
+        ? { vertex, target, anchor: i < last }
+        : { anchor: false, ...scene.handles[i], vertex, target },
     );
-    this.#opening = { net, frame, document: { ...scene, numbering: net.numbering, handles, positions: frame.positions } };
+    this.#opening = {
+      net,
+      frame,
+      document: { ...scene, numbering: net.numbering, handles, positions: frame.positions },
+    };
     this.#emit('changed');
     this.handles.netChanged();
     // First, for the view leaves room for what the panels say.

@@ -22,7 +22,11 @@ export const PAGE_KEYS: readonly PageKey[] = [
   { keys: ['Ctrl+O', '⌘+O'], does: 'open', inFields: true, run: (_, services) => services.pickFile() },
   { keys: ['Ctrl+A', '⌘+A'], does: 'selectAll', run: (app) => app.handles.selectAll() },
   { keys: ['L'], does: 'selecting', run: (app) => app.handles.toggleSelecting() },
-  { keys: ['Esc'], does: 'deselect', run: (app) => (app.canCancelOpening ? app.cancelOpening() : app.handles.escape()) },
+  {
+    keys: ['Esc'],
+    does: 'deselect',
+    run: (app) => (app.canCancelOpening ? app.cancelOpening() : app.handles.escape()),
+  },
   { keys: ['Delete', 'Backspace'], does: 'remove', run: (app) => app.handles.removeSelected() },
   // As in other programs for shapes: grab, rotate, scale.
   { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },

@@ -63,7 +63,9 @@ export interface Scripting {
   handles(): HandleData[];
   stats(): Stats;
   /** Chooses method and initialisation (`naive`, `arap:N`, `local_global:N`) and sets the solver's options by the names in core/solve/options.h; others stay as they are. */
-  setOptions(options: { method?: string; initialisation?: string } & Record<string, number | boolean | string | undefined>): Promise<void>;
+  setOptions(
+    options: { method?: string; initialisation?: string } & Record<string, number | boolean | string | undefined>,
+  ): Promise<void>;
   /** `listener` is called for each new frame, whenever the net has settled, or with each error shown to the user.
    *  Returns what ends this. */
   on(event: 'frame' | 'settled', listener: () => void): () => void;
@@ -98,7 +100,8 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     },
     setLocality: async (radius) => {
       await ready;
-      if (radius !== null && !(radius > 0 && radius < Infinity)) throw failure('bad_option', 'a locality must be a number above 0, or null');
+      if (radius !== null && !(radius > 0 && radius < Infinity))
+        throw failure('bad_option', 'a locality must be a number above 0, or null');
       app.handles.setLocality(radius ?? undefined);
     },
     settled: async () => {
@@ -113,7 +116,8 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
       await ready;
       await setOptions(app, options);
     },
-    on: (event: AppEvent, listener: (error: ChebnetError) => void) => app.on(event, (error) => listener(error as ChebnetError)),
+    on: (event: AppEvent, listener: (error: ChebnetError) => void) =>
+      app.on(event, (error) => listener(error as ChebnetError)),
     screenPosition: (vertex) => app.screenPosition(vertex),
     link: async () => {
       await ready;

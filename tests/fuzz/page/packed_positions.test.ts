@@ -41,8 +41,13 @@ attacks('packed positions', {
     expect(Math.max(...again.map((x, i) => Math.abs(x - (positions[i] ?? NaN))))).toBeLessThan(1e-4);
   }),
   'any bytes': attack(fc.tuple(anyNet, bytes), ([net, packed]) => checkUnpacked(packed, net)),
-  'a step of any size': attack(fc.tuple(anyNet, fc.double(), bytes), ([net, step, rest]) => checkUnpacked(withStep(step, rest), net)),
-  'a step of any size and as many integers as coordinates': attack(fc.tuple(anyNet, fc.double(), small), ([net, step, rest]) => {
-    checkUnpacked(withStep(step, rest.subarray(0, net.restPositions.length)), net);
-  }),
+  'a step of any size': attack(fc.tuple(anyNet, fc.double(), bytes), ([net, step, rest]) =>
+    checkUnpacked(withStep(step, rest), net),
+  ),
+  'a step of any size and as many integers as coordinates': attack(
+    fc.tuple(anyNet, fc.double(), small),
+    ([net, step, rest]) => {
+      checkUnpacked(withStep(step, rest.subarray(0, net.restPositions.length)), net);
+    },
+  ),
 });

@@ -8,7 +8,12 @@ import { attack, attacks } from './attack';
 import { changed, changes, checkFinite, document, view } from './scenes';
 
 const project: fc.Arbitrary<Project> = fc
-  .record({ documents: fc.array(document, { minLength: 1, maxLength: 4 }), name: fc.string({ maxLength: 50 }), present: fc.nat(), view })
+  .record({
+    documents: fc.array(document, { minLength: 1, maxLength: 4 }),
+    name: fc.string({ maxLength: 50 }),
+    present: fc.nat(),
+    view,
+  })
   .map(({ documents, name, present, view: seen }) => ({
     entries: documents.map(({ view: _, ...state }) => ({ name, state })),
     present: present % documents.length,

@@ -28,7 +28,11 @@ const handle: fc.Arbitrary<HandleData> = fc
 const source: fc.Arbitrary<NetSource> = fc.oneof(
   fc.record({ recipe: text }),
   fc.record({ obj: text, name: text }),
-  fc.record({ obj: text, name: text, restLengths: fc.constantFrom('automatic' as const, 'equal' as const, 'own' as const) }),
+  fc.record({
+    obj: text,
+    name: text,
+    restLengths: fc.constantFrom('automatic' as const, 'equal' as const, 'own' as const),
+  }),
 );
 
 /** Written with seven digits. */
@@ -47,7 +51,10 @@ export const view: fc.Arbitrary<ViewState> = fc
       colourMap: fc.constantFrom('paper' as const, 'log' as const),
       showFaces: fc.boolean(),
     }),
-    partial({ ends: partial({ deviation: ends('deviation'), angle: ends('angle') }), upAxis: fc.constantFrom('y' as const, 'z' as const) }),
+    partial({
+      ends: partial({ deviation: ends('deviation'), angle: ends('angle') }),
+      upAxis: fc.constantFrom('y' as const, 'z' as const),
+    }),
   )
   .map(([needed, more]) => ({ ...needed, ...more }));
 
@@ -74,7 +81,10 @@ export const document: fc.Arbitrary<ChebnetDocument> = fc
     }),
     partial({
       numbering: fc.nat(2 ** 32 - 1),
-      symmetry: fc.record({ axis: fc.constantFrom('x' as const, 'y' as const, 'z' as const), through: fc.constantFrom('centre' as const, 'origin' as const) }),
+      symmetry: fc.record({
+        axis: fc.constantFrom('x' as const, 'y' as const, 'z' as const),
+        through: fc.constantFrom('centre' as const, 'origin' as const),
+      }),
       locality: positive,
       experiment: text,
       compare: fc.array(text, { maxLength: 3 }),
@@ -90,7 +100,10 @@ interface Change {
   value: unknown;
 }
 
-const hostile = fc.oneof(fc.jsonValue(), fc.constantFrom(1e308, -1, 0.5, 2 ** 53, '', null, [], {}, [[[[]]]], undefined));
+const hostile = fc.oneof(
+  fc.jsonValue(),
+  fc.constantFrom(1e308, -1, 0.5, 2 ** 53, '', null, [], {}, [[[[]]]], undefined),
+);
 
 export const changes: fc.Arbitrary<Change[]> = fc.array(
   fc.record({ turns: fc.array(fc.nat(30), { minLength: 1, maxLength: 6 }), value: hostile }),
@@ -116,7 +129,12 @@ function change(tree: unknown, turns: readonly number[], value: unknown): void {
     delete record[key];
   } else {
     // A copy, since a later change may go into it.
-    Object.defineProperty(record, key, { value: structuredClone(value), enumerable: true, writable: true, configurable: true });
+    Object.defineProperty(record, key, {
+      value: structuredClone(value),
+      enumerable: true,
+      writable: true,
+      configurable: true,
+    });
   }
 }
 

@@ -18,7 +18,8 @@ export class Bench {
   constructor(spawn: () => WorkerLike) {
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = ({ message }) => this.#reject(new SolverError('worker_lost', message || words.solver.notStarted));
+    this.#worker.onerror = ({ message }) =>
+      this.#reject(new SolverError('worker_lost', message || words.solver.notStarted));
     this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', words.solver.garbled));
   }
 
@@ -59,7 +60,8 @@ export class Bench {
   }
 
   #receive(response: Response): void {
-    if (response.type === 'error') return this.#reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
+    if (response.type === 'error')
+      return this.#reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
     if (response.type === 'frame' || response.type === 'settled') this.#post({ type: 'seen' });
     this.#take(response);
   }

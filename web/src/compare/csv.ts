@@ -45,14 +45,17 @@ export function tracesCsv({ runs }: Comparison): string {
   const rows = runs.flatMap((run): Cell[][] => {
     const { label, startDeviation, trace } = run;
     const first = (trace[0]?.iteration ?? 1) - 1;
-    const start = startDeviation === null ? [] : [[label, first, 0, startDeviation, ...columns.slice(3).map(() => null)]];
+    const start =
+      startDeviation === null ? [] : [[label, first, 0, startDeviation, ...columns.slice(3).map(() => null)]];
     return [...start, ...trace.map((row) => [label, ...columns.map(([key]) => row[key])])];
   });
   return toCsv([['run', ...columns.map(([, name]) => name)], ...rows]);
 }
 
 function optionsText(options: SolverOptions): string {
-  return Object.entries(options).map(([name, value]) => `${name}=${value}`).join(' ');
+  return Object.entries(options)
+    .map(([name, value]) => `${name}=${value}`)
+    .join(' ');
 }
 
 function toCsv(rows: Cell[][]): string {

@@ -57,7 +57,16 @@ export interface ComparisonWish {
 }
 
 export function newRun(plan: RunPlan): Run {
-  return { ...plan, state: 'waiting', startDeviation: null, trace: [], frame: null, measures: null, distance: null, fault: null };
+  return {
+    ...plan,
+    state: 'waiting',
+    startDeviation: null,
+    trace: [],
+    frame: null,
+    measures: null,
+    distance: null,
+    fault: null,
+  };
 }
 
 /** Whether its net can be shown in the place of the one that is open. */

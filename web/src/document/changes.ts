@@ -14,7 +14,10 @@ export function handlesTitle(handles: readonly HandleData[], of: readonly { vert
   return { handle: handles.find(({ vertex }) => vertex === first.vertex)?.name ?? String(first.vertex) };
 }
 
-export function traitsChange(traits: { [Trait in keyof HandleData]?: HandleData[Trait] | undefined }, who: Term): ChangeName {
+export function traitsChange(
+  traits: { [Trait in keyof HandleData]?: HandleData[Trait] | undefined },
+  who: Term,
+): ChangeName {
   if ('anchor' in traits) return [traits.anchor ? 'lock' : 'unlock', who];
   if ('hidden' in traits) return [traits.hidden ? 'hide' : 'show', who];
   if ('weight' in traits) return [traits.weight === undefined ? 'harden' : 'soften', who];
@@ -45,6 +48,7 @@ export function settingsChange(before: SolverSettings, after: SolverSettings): N
   if (first === undefined) return null;
   if (more.length > 0) return { name: ['options'], key: null };
   const value = after.options[first];
-  const name: ChangeName = value === undefined ? ['optionBack', { option: first }] : ['option', { option: first }, String(value)];
+  const name: ChangeName =
+    value === undefined ? ['optionBack', { option: first }] : ['option', { option: first }, String(value)];
   return { name, key: `option ${first}` };
 }

@@ -4,7 +4,18 @@
  */
 import type { RestLengths } from '../../../wasm/chebnet';
 import { areEnds, LONGEST_NAME } from './document';
-import type { Ends, HandleData, HandleSeed, NetSource, ScaledField, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
+import type {
+  Ends,
+  HandleData,
+  HandleSeed,
+  NetSource,
+  ScaledField,
+  Scene,
+  SolverOptions,
+  Symmetry,
+  UpAxis,
+  ViewState,
+} from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import type { Field } from './field';
 import { words } from '../language/language';
@@ -16,7 +27,10 @@ export type State<Handle> = Omit<Snapshot, 'net' | 'positions' | 'handles'> & { 
 // ------------------------------------------------------------------------------------------------------------- writing
 
 /** @param rest targets that are the rest positions need no place; null: all are written. */
-export function writeState({ net, numbering, positions, handles, ...settings }: Snapshot, rest: Float64Array | null): object {
+export function writeState(
+  { net, numbering, positions, handles, ...settings }: Snapshot,
+  rest: Float64Array | null,
+): object {
   return { ...settings, numbering: numbering ?? null, handles: handles.map((handle) => writeHandle(handle, rest)) };
 }
 
@@ -28,7 +42,10 @@ function writeHandle({ vertex, anchor, target, ...more }: HandleData, rest: Floa
 }
 
 export function writeView(view: ViewState): object {
-  return { ...view, camera: view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7))) };
+  return {
+    ...view,
+    camera: view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7))),
+  };
 }
 
 // ------------------------------------------------------------------------------------------------------------- reading
@@ -64,7 +81,9 @@ export function readNet(net: Field): NetSource {
     obj: net.at('obj').text(),
     name: net.at('name').text(),
     // Links made before there was a choice have none.
-    ...given({ restLengths: net.at('restLengths').maybe((each) => each.oneOf<RestLengths>(['automatic', 'equal', 'own'])) }),
+    ...given({
+      restLengths: net.at('restLengths').maybe((each) => each.oneOf<RestLengths>(['automatic', 'equal', 'own'])),
+    }),
   };
 }
 
@@ -130,7 +149,8 @@ function readEnds(ends: Field): ViewState['ends'] {
 
 function readCamera(camera: Field): NonNullable<ViewState['camera']> {
   const [x, y, z, u, v, w, ...more] = camera.list().map((each) => each.number());
-  const complete = x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
+  const complete =
+    x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
   if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(words.fields.camera);
   return { position: [x, y, z], target: [u, v, w] };
 }

@@ -29,7 +29,9 @@ export function sentenceOf(name: ChangeName): string {
 
 function textOf(term: Term): string {
   if (typeof term === 'string') return term;
-  return Object.entries(term).map(([kind, value]) => KINDS[kind as keyof typeof KINDS](value)).join('');
+  return Object.entries(term)
+    .map(([kind, value]) => KINDS[kind as keyof typeof KINDS](value))
+    .join('');
 }
 
 /** As fields of an entry. Versions that know no more than the words find them. */
@@ -54,5 +56,7 @@ function isKnown(change: unknown): change is ChangeName {
 function isTerm(term: unknown): boolean {
   if (typeof term === 'string') return term.length <= LONGEST;
   if (typeof term !== 'object' || term === null) return false;
-  return Object.entries(term).every(([kind, value]) => Object.hasOwn(KINDS, kind) && typeof value === 'string' && value.length <= LONGEST);
+  return Object.entries(term).every(
+    ([kind, value]) => Object.hasOwn(KINDS, kind) && typeof value === 'string' && value.length <= LONGEST,
+  );
 }

@@ -192,7 +192,11 @@ function neighboursOf({ edges }: PackingNet, count: number): number[][] {
   return adjacent;
 }
 
-function cornersOf({ faceStart, faceVertices }: PackingNet, rankOf: (vertex: number) => number, count: number): number[][] {
+function cornersOf(
+  { faceStart, faceVertices }: PackingNet,
+  rankOf: (vertex: number) => number,
+  count: number,
+): number[][] {
   const corners: number[][] = Array.from({ length: count }, () => []);
   for (let face = 0; face + 1 < faceStart.length; ++face) {
     const quad = faceVertices.subarray(faceStart[face], faceStart[face + 1]);

@@ -44,7 +44,14 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
     net: nets.numberOf(state.net),
     positions: state.positions && positions.numberOf(state.positions),
   }));
-  return { chebnet: VERSION, view: writeView(project.view), present, states, nets: nets.values, positions: positions.values };
+  return {
+    chebnet: VERSION,
+    view: writeView(project.view),
+    present,
+    states,
+    nets: nets.values,
+    positions: positions.values,
+  };
 }
 
 /** The text of a file. */
@@ -105,7 +112,10 @@ export function parseProject(text: string): Project {
 export function readProject(value: unknown): Project {
   const project = new Field(value);
   const reader = readerOfProject(project);
-  const nets = project.at('nets').list().map((net) => reader.net(net));
+  const nets = project
+    .at('nets')
+    .list()
+    .map((net) => reader.net(net));
   const positions = project.at('positions').list().map(readPositions);
   const states = project.at('states').list();
   if (states.length === 0 || states.length > MOST_STATES) project.at('states').fail(words.fields.states(MOST_STATES));
@@ -121,7 +131,12 @@ function readerOfProject(project: Field): Reader {
   return reader;
 }
 
-function readEntry(reader: Reader, field: Field, nets: readonly NetSource[], positions: readonly Float64Array[]): Entry {
+function readEntry(
+  reader: Reader,
+  field: Field,
+  nets: readonly NetSource[],
+  positions: readonly Float64Array[],
+): Entry {
   const net = nets[field.at('net').index(nets.length)]!;
   const place = field.at('positions');
   const { handles, ...settings } = reader.state(field);

@@ -32,7 +32,12 @@ export type Shared = { hash: string; positions: boolean } | { hash: null };
  * than `largest`, and whoever opens it solves for them.
  * @param threshold dL below which edges are in order; see packPositions.
  */
-export function encodeScene(document: ChebnetDocument, net: PackingNet, threshold: number, largest = LARGEST_LINK): Shared {
+export function encodeScene(
+  document: ChebnetDocument,
+  net: PackingNet,
+  threshold: number,
+  largest = LARGEST_LINK,
+): Shared {
   const atRest = document.positions === null || document.positions.every((x, i) => x === net.restPositions[i]);
   const packed = atRest || document.positions === null ? null : packPositions(document.positions, net, threshold);
   const whole = toHash(header(document, net, document.settled), packed);
@@ -126,7 +131,12 @@ function inflate(deflated: Uint8Array): Uint8Array {
 function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array | null): Scene {
   try {
     const head = new Field(JSON.parse(strFromU8(json)));
-    return { ...reader.state(head), net: reader.net(head.at('net')), view: reader.view(head.at('view')), positions: packed && { packed } };
+    return {
+      ...reader.state(head),
+      net: reader.net(head.at('net')),
+      view: reader.view(head.at('view')),
+      positions: packed && { packed },
+    };
   } catch {
     throw damaged();
   }

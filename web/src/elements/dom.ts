@@ -43,7 +43,10 @@ export function makeSelect(
   return { row: make('label', { class: 'row' }, make('span', {}, label), select), select };
 }
 
-export function makeSwitch(label: string, changed: (on: boolean) => void): { row: HTMLLabelElement; box: HTMLInputElement } {
+export function makeSwitch(
+  label: string,
+  changed: (on: boolean) => void,
+): { row: HTMLLabelElement; box: HTMLInputElement } {
   const box = make('input', { type: 'checkbox', class: 'switch' });
   box.addEventListener('change', () => changed(box.checked));
   return { row: make('label', { class: 'row' }, make('span', {}, label), box), box };

@@ -20,7 +20,8 @@ export function readNet(value: unknown): Parameters<Scripting['open']>[0] {
 }
 
 export function readHandles(value: unknown): ScriptHandle[] {
-  if (!Array.isArray(value) || value.length > MOST_HANDLES) throw new BadArguments(`handles must be a list of at most ${MOST_HANDLES}`);
+  if (!Array.isArray(value) || value.length > MOST_HANDLES)
+    throw new BadArguments(`handles must be a list of at most ${MOST_HANDLES}`);
   return value.map((each) => {
     const { vertex, target, anchor, name, hidden, weight } = readObject(each, 'a handle');
     return {
@@ -35,12 +36,14 @@ export function readHandles(value: unknown): ScriptHandle[] {
 }
 
 export function readVertex(value: unknown): number {
-  if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw new BadArguments('a vertex must be an integer from 0');
+  if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0)
+    throw new BadArguments('a vertex must be an integer from 0');
   return value;
 }
 
 export function readPoint(value: unknown): Vec3 {
-  const [x, y, z] = Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) ? (value as number[]) : [];
+  const [x, y, z] =
+    Array.isArray(value) && value.length === 3 && value.every(Number.isFinite) ? (value as number[]) : [];
   if (x === undefined || y === undefined || z === undefined) throw new BadArguments('a point must be 3 finite numbers');
   return [x, y, z];
 }

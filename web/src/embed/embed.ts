@@ -36,7 +36,11 @@ function makeShield(view: HTMLElement): HTMLElement {
 
 /** Leads to the editor as a page of its own, with the scene as it is at that moment. */
 function makeWayOut(app: App): HTMLElement {
-  const link = make('a', { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' }, words.embed.open);
+  const link = make(
+    'a',
+    { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' },
+    words.embed.open,
+  );
   link.addEventListener('click', () => (link.href = location.pathname + (hashOf(app).hash ?? '')));
   return link;
 }

@@ -78,6 +78,9 @@ function showStats({ edges, maxDeviation, iterations }: Stats): void {
 /** The last handle is the one to drag. */
 async function moveCrown(up: number): Promise<void> {
   const handles = (await call('handles')) as { vertex: number; target: Vec3 }[];
-  const { vertex, target: [x, y, z] } = handles.at(-1)!;
+  const {
+    vertex,
+    target: [x, y, z],
+  } = handles.at(-1)!;
   await call('move', vertex, [x, y, z + up]);
 }

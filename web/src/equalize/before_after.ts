@@ -26,8 +26,14 @@ export function meanLength(positions: Float64Array, { edges }: Pick<OpenedNet, '
 
 /** A frame that nobody solves. */
 export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedNet, 'edges'>): FrameData {
-  const deviations = Float32Array.from(edgeLengths(positions, edges), (each) => (each / length - 1) ** 2 / (each / length));
-  const range = deviations.reduce<[number, number]>(([low, high], dL) => [Math.min(low, dL), Math.max(high, dL)], [Infinity, 0]);
+  const deviations = Float32Array.from(
+    edgeLengths(positions, edges),
+    (each) => (each / length - 1) ** 2 / (each / length),
+  );
+  const range = deviations.reduce<[number, number]>(
+    ([low, high], dL) => [Math.min(low, dL), Math.max(high, dL)],
+    [Infinity, 0],
+  );
   return {
     positions,
     deviations,

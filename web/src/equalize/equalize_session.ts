@@ -6,7 +6,11 @@ import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 /** Milliseconds between two pieces of news; one iteration is the least. */
 const SLICE = 80;
 
-export function equalize(core: Chebnet, { mesh, options }: EqualizeRequest, post: (response: EqualizeResponse) => void): void {
+export function equalize(
+  core: Chebnet,
+  { mesh, options }: EqualizeRequest,
+  post: (response: EqualizeResponse) => void,
+): void {
   try {
     const equalizer = core.equalizer(mesh, options);
     post(solveToTheEnd(equalizer, mesh, post));
@@ -22,6 +26,12 @@ function solveToTheEnd(equalizer: Equalizer, mesh: Mesh, post: (response: Equali
     const report = equalizer.solve({ milliseconds: SLICE });
     const positions = equalizer.positions();
     if (report.status === 'running') post({ type: 'news', report, positions });
-    else return { type: 'ended', report, positions, obj: report.status === 'converged' ? objText({ ...mesh, positions }) : null };
+    else
+      return {
+        type: 'ended',
+        report,
+        positions,
+        obj: report.status === 'converged' ? objText({ ...mesh, positions }) : null,
+      };
   }
 }

@@ -26,5 +26,14 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet): Subject
 export function equalizedScene(document: ChebnetDocument, obj: string): Scene {
   const handles = document.handles.map((handle) => ({ ...handle, target: null }));
   const net = { obj, name: fileNameOf(document.net, 'obj') };
-  return { ...document, net, numbering: undefined, handles, positions: null, settled: true, experiment: undefined, compare: undefined };
+  return {
+    ...document,
+    net,
+    numbering: undefined,
+    handles,
+    positions: null,
+    settled: true,
+    experiment: undefined,
+    compare: undefined,
+  };
 }

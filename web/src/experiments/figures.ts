@@ -74,7 +74,9 @@ export function settingsOf({ method, initialisation = 'naive', options = {} }: V
 export function isOfNet(edit: string, net: NetSource): boolean {
   const own = EDITS[edit]?.net;
   if (own === undefined) return false;
-  return 'recipe' in own ? 'recipe' in net && net.recipe === own.recipe : 'name' in net && net.name === fileNameOf(own.mesh);
+  return 'recipe' in own
+    ? 'recipe' in net && net.recipe === own.recipe
+    : 'name' in net && net.name === fileNameOf(own.mesh);
 }
 
 export function fileNameOf(mesh: string): string {

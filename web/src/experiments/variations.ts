@@ -7,7 +7,9 @@ import { type Figure, isOfNet, settingsOf, textOf, type Variant } from './figure
 /** On the edit that is open, as far as a variant is not for a net of its own. */
 export function variationsOf(figure: Figure, { net }: ChebnetDocument): Promise<RunWish[]> {
   // What is open may be the net of a single variant.
-  const usual = figure.variants.some(({ edit }) => edit !== undefined && isOfNet(edit, net)) ? figure.edits[0] : undefined;
+  const usual = figure.variants.some(({ edit }) => edit !== undefined && isOfNet(edit, net))
+    ? figure.edits[0]
+    : undefined;
   const wishOf = async (variant: Variant): Promise<RunWish> => {
     const edit = variant.edit ?? usual;
     const isOpen = edit === undefined || isOfNet(edit, net);

@@ -27,11 +27,20 @@ function drawn(job: Extract<ExportJob, { kind: 'svg' }>): ExportAnswer {
   if ('reason' in pattern) return { fault: pattern };
   const lines = listsOf(job.lines);
   const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, job.mesh, incidence);
-  const svg = patternSvg({ ...job, pattern, inner: lines.filter((line) => !isBoundary(line)), boundary: lines.filter(isBoundary) });
+  const svg = patternSvg({
+    ...job,
+    pattern,
+    inner: lines.filter((line) => !isBoundary(line)),
+    boundary: lines.filter(isBoundary),
+  });
   return { bytes: new TextEncoder().encode(svg) };
 }
 
 self.onmessage = ({ data }: MessageEvent<ExportJob>) => {
-  const failed = (error: unknown): ExportAnswer => ({ message: error instanceof Error ? error.message : String(error) });
-  answer(data).catch(failed).then((each) => self.postMessage(each));
+  const failed = (error: unknown): ExportAnswer => ({
+    message: error instanceof Error ? error.message : String(error),
+  });
+  answer(data)
+    .catch(failed)
+    .then((each) => self.postMessage(each));
 };

@@ -85,7 +85,10 @@ class Layout {
   /** Lays a face so that it reaches by `step` from the edge at corner `k`, which has its place. */
   private lay(face: number, k: number, step: Step): PatternFault | null {
     const [a, b, c, d] = [0, 1, 2, 3].map((i) => this.vertex(face, k + i)) as [number, number, number, number];
-    for (const [vertex, below] of [[d, a], [c, b]] as const) {
+    for (const [vertex, below] of [
+      [d, a],
+      [c, b],
+    ] as const) {
       const [x, y] = this.place(below);
       if (!this.put(vertex, x + step[0], y + step[1])) return { reason: 'closed', vertex };
     }

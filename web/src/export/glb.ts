@@ -1,5 +1,16 @@
 /** A net as binary glTF: its triangles with a colour at each vertex, and its edges. Loaded when it is asked for. */
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, SRGBColorSpace } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  SRGBColorSpace,
+} from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { UpAxis } from '../document/document';
 import type { Rgb } from '../view/colour_map';
@@ -16,7 +27,15 @@ export interface Painted {
   name: string;
 }
 
-export async function glbOf({ positions, triangles, edges, colours, ink, up, name }: Painted): Promise<Uint8Array<ArrayBuffer>> {
+export async function glbOf({
+  positions,
+  triangles,
+  edges,
+  colours,
+  ink,
+  up,
+  name,
+}: Painted): Promise<Uint8Array<ArrayBuffer>> {
   const places = new BufferAttribute(Float32Array.from(positions), 3);
   const faces = new BufferGeometry();
   faces.setAttribute('position', places);

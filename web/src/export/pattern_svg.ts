@@ -30,7 +30,7 @@ export function patternSvg(drawing: Drawing): string {
   const strokes = (lines: readonly Int32Array[]): string => lines.map((line) => stroke(line, drawing)).join('');
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${mm(width)}mm" height="${mm(height)}mm" viewBox="0 0 ${mm(width)} ${mm(height)}">`,
-    `<title>${escape(name)}</title>`,
+    `<title>${escaped(name)}</title>`,
     '<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">',
     `<path id="net" stroke-width="${mm(THIN * edgeMm)}" d="${strokes(inner)}"/>`,
     `<path id="boundary" stroke-width="${mm(BOLD * edgeMm)}" d="${strokes(boundary)}"/>`,
@@ -52,7 +52,8 @@ function stroke(vertices: Int32Array, drawing: Drawing): string {
 /** Where a line turns, and its ends. */
 function corners(vertices: Int32Array, { places }: FlatPattern): number[] {
   const isStraight = (a: number, b: number, c: number): boolean =>
-    places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! && places[2 * a + 1]! + places[2 * c + 1]! === 2 * places[2 * b + 1]!;
+    places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! &&
+    places[2 * a + 1]! + places[2 * c + 1]! === 2 * places[2 * b + 1]!;
   return [...vertices].filter((vertex, i) => {
     const [before, after] = [vertices[i - 1], vertices[i + 1]];
     return before === undefined || after === undefined || !isStraight(before, vertex, after);
@@ -72,7 +73,7 @@ function mark({ vertex, name = String(vertex) }: HandleData, drawing: Drawing): 
   const [anchor, side] = onTheRight ? ['end', -1] : ['start', 1];
   return (
     `<circle cx="${x}" cy="${y}" r="${mm(MARK_RADIUS * edgeMm)}"/>` +
-    `<text x="${x}" y="${y}" text-anchor="${anchor}" dx="${mm(side * SHIFT * edgeMm)}" dy="${mm(-SHIFT * edgeMm)}">${escape(name)}</text>`
+    `<text x="${x}" y="${y}" text-anchor="${anchor}" dx="${mm(side * SHIFT * edgeMm)}" dy="${mm(-SHIFT * edgeMm)}">${escaped(name)}</text>`
   );
 }
 
@@ -90,7 +91,7 @@ function mm(length: number): string {
 }
 
 /** A name may hold anything; XML may not. */
-function escape(text: string): string {
+function escaped(text: string): string {
   const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;' };
   return text.replace(/[&<>\p{Cc}]/gu, (sign) => entities[sign] ?? ' ');
 }

@@ -16,7 +16,10 @@ export interface RhinoNet {
 }
 
 /** @param wasmUrl of the library's module; without it, it is looked for beside the library. */
-export async function rhinoFileOf({ mesh, positions, lines, name, layers }: RhinoNet, wasmUrl?: string): Promise<Uint8Array<ArrayBuffer>> {
+export async function rhinoFileOf(
+  { mesh, positions, lines, name, layers }: RhinoNet,
+  wasmUrl?: string,
+): Promise<Uint8Array<ArrayBuffer>> {
   const rhino = await rhino3dm(wasmUrl === undefined ? {} : { locateFile: () => wasmUrl });
   const file = new rhino.File3dm();
   const on = (layer: string): ObjectAttributes => {
@@ -28,7 +31,10 @@ export async function rhinoFileOf({ mesh, positions, lines, name, layers }: Rhin
   file.objects().addMesh(meshOf(rhino, mesh, positions), on(layers.mesh));
   const lineLayer = on(layers.lines);
   for (const line of listsOf(lines)) {
-    file.objects().addPolyline(Array.from(line, (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]), lineLayer);
+    file.objects().addPolyline(
+      Array.from(line, (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
+      lineLayer,
+    );
   }
   return Uint8Array.from(file.toByteArray());
 }
@@ -37,7 +43,8 @@ export async function rhinoFileOf({ mesh, positions, lines, name, layers }: Rhin
 function meshOf(rhino: RhinoModule, { faceStart, faceVertices }: RhinoNet['mesh'], positions: Float64Array): Mesh {
   const mesh = new rhino.Mesh();
   const vertices = mesh.vertices();
-  for (let i = 0; i < positions.length; i += 3) vertices.addPoint3d(positions[i]!, positions[i + 1]!, positions[i + 2]!);
+  for (let i = 0; i < positions.length; i += 3)
+    vertices.addPoint3d(positions[i]!, positions[i + 1]!, positions[i + 2]!);
   const faces = mesh.faces();
   for (let face = 0; face + 1 < faceStart.length; face++) {
     const [first = 0, ...others] = faceVertices.subarray(faceStart[face], faceStart[face + 1]);

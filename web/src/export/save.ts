@@ -43,8 +43,17 @@ function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: O
   const { edges, faceStart, faceVertices, restLengths, triangles } = net;
   const { positions } = frame;
   const lines = { start: net.lineStart, vertices: net.lineVertices };
-  if (kind === '3dm') return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
-  if (kind === 'svg') return { kind, mesh: { edges, faceStart, faceVertices, restLengths }, lines, handles: document.handles, name, edgeMm };
+  if (kind === '3dm')
+    return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
+  if (kind === 'svg')
+    return {
+      kind,
+      mesh: { edges, faceStart, faceVertices, restLengths },
+      lines,
+      handles: document.handles,
+      name,
+      edgeMm,
+    };
   const { field, colourMap, upAxis: up = 'z' } = document.view;
   const colours = vertexColours(scaleOf(field, colourMap, theme, endsOf(document.view)), field, frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };

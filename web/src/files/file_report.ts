@@ -3,7 +3,8 @@ import type { Chebnet, Editor, Finding, Mesh, NetInfo } from '../../../wasm/cheb
 import { edgeLengths, spreadOf } from '../net/edge_lengths';
 import type { LengthSpread } from '../net/edge_lengths';
 
-export interface FileReport extends Pick<NetInfo, 'vertices' | 'edges' | 'faces' | 'boundaryLoops' | 'components' | 'singularVertices'> {
+export interface FileReport
+  extends Pick<NetInfo, 'vertices' | 'edges' | 'faces' | 'boundaryLoops' | 'components' | 'singularVertices'> {
   /** Number of corners → how many faces. */
   facesByArity: Record<string, number>;
   lengths: LengthSpread;
@@ -30,7 +31,12 @@ export function checkMesh(core: Chebnet, given: Mesh): CheckedMesh {
 /** Throws ChebnetError if even the repaired mesh is no net. */
 export function reportOf(core: Chebnet, { given, repaired, findings }: CheckedMesh): FileReport {
   const measured = withEditor(core, repaired, measure);
-  return { ...measured, facesByArity: countArities(repaired), findings, refusal: findings.length > 0 ? refusalOf(core, given) : null };
+  return {
+    ...measured,
+    facesByArity: countArities(repaired),
+    findings,
+    refusal: findings.length > 0 ? refusalOf(core, given) : null,
+  };
 }
 
 function measure({ info, edges, restPositions }: Editor): Omit<FileReport, 'facesByArity' | 'findings' | 'refusal'> {

@@ -97,7 +97,10 @@ export class DragGuide {
   /** From where the leading handle stood. */
   #showReach(shown: boolean): void {
     const [x, y, z] = this.#inHand[0]!.base;
-    const place = ({ centre, ...limit }: Limit): Limit => ({ ...limit, centre: [centre[0] + x, centre[1] + y, centre[2] + z] });
+    const place = ({ centre, ...limit }: Limit): Limit => ({
+      ...limit,
+      centre: [centre[0] + x, centre[1] + y, centre[2] + z],
+    });
     this.#marks.setReach(shown ? this.#limits.map(place) : null);
   }
 }

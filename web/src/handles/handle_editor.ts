@@ -231,8 +231,12 @@ export class HandleEditor implements HandleWishes {
   /** Moves, turns or scales the selection about its centre. */
   transform(motion: Motion): void {
     const moving = unlocked(this.#selection, this.#handles);
-    const targets = transformed(moving.map(({ target }) => target), motion);
-    if (moving.length > 0) this.#desk.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
+    const targets = transformed(
+      moving.map(({ target }) => target),
+      motion,
+    );
+    if (moving.length > 0)
+      this.#desk.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
   }
 
   /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */

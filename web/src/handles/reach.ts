@@ -68,7 +68,9 @@ function withoutNeedless(limits: readonly Limit[]): Limit[] {
 
 function nearest(limits: readonly Limit[]): Limit[] {
   const slack = (limit: Limit): number => limit.radius - distance(limit, [0, 0, 0]);
-  return limits.length > MOST_LIMITS ? [...limits].sort((a, b) => slack(a) - slack(b)).slice(0, MOST_LIMITS) : [...limits];
+  return limits.length > MOST_LIMITS
+    ? [...limits].sort((a, b) => slack(a) - slack(b)).slice(0, MOST_LIMITS)
+    : [...limits];
 }
 
 /** The point nearest to `wish` within all limits. Here rather than in the core: the pointer's next place cannot wait for the
@@ -121,7 +123,9 @@ export function isNearBorder(limits: readonly Limit[], point: Vec3): boolean {
 export function translationTo(targets: readonly Handle[], inHand: readonly InHand[]): Vec3 | null {
   const translation = [0, 1, 2].map((axis) => {
     const leading = inHand.findIndex(({ follows }) => follows[axis] !== 0);
-    return leading === -1 ? 0 : inHand[leading]!.follows[axis]! * (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!);
+    return leading === -1
+      ? 0
+      : inHand[leading]!.follows[axis]! * (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!);
   }) as Vec3;
   const isThere = (each: InHand, i: number): boolean => {
     const off = plus(targets[i]!.target, translated(each, translation), -1);
@@ -143,7 +147,9 @@ function nearestIn(limit: Limit, point: Vec3): Vec3 {
   const { centre, radius, counts } = limit;
   const away = distance(limit, point);
   if (away <= radius) return point;
-  return point.map((x, axis) => (counts[axis] === 0 ? x : centre[axis]! + (radius / away) * (x - centre[axis]!))) as Vec3;
+  return point.map((x, axis) =>
+    counts[axis] === 0 ? x : centre[axis]! + (radius / away) * (x - centre[axis]!),
+  ) as Vec3;
 }
 
 function plus(a: Vec3, b: Readonly<Vec3>, times: number): Vec3 {

@@ -15,7 +15,9 @@ export function united(selection: Selection, more: readonly number[]): Selection
 /** What is left of it when these are the handles. */
 export function within(selection: Selection, handles: readonly HandleData[]): Selection {
   const present = new Set(handles.map(({ vertex }) => vertex));
-  return selection.every((vertex) => present.has(vertex)) ? selection : selection.filter((vertex) => present.has(vertex));
+  return selection.every((vertex) => present.has(vertex))
+    ? selection
+    : selection.filter((vertex) => present.has(vertex));
 }
 
 /** Those of the selection that may be moved or removed, the leading one first. */

@@ -56,7 +56,10 @@ export class Mirror {
     return targets.filter(leads).flatMap(({ vertex, target }) => {
       const partner = this.partner(vertex);
       if (partner === vertex) return [{ vertex, target: this.#besidePlane(vertex, target) }];
-      const image = partner !== null && mayMove.has(partner) ? [{ vertex: partner, target: this.#imageFor(vertex, target, partner) }] : [];
+      const image =
+        partner !== null && mayMove.has(partner)
+          ? [{ vertex: partner, target: this.#imageFor(vertex, target, partner) }]
+          : [];
       return [{ vertex, target }, ...image];
     });
   }
@@ -75,7 +78,11 @@ export class Mirror {
     let nearest: number | null = null;
     let smallest = (REACH * this.edgeLength) ** 2;
     for (let i = 0; i < restPositions.length; i += 3) {
-      const [dx, dy, dz] = [restPositions[i]! - place[0], restPositions[i + 1]! - place[1], restPositions[i + 2]! - place[2]];
+      const [dx, dy, dz] = [
+        restPositions[i]! - place[0],
+        restPositions[i + 1]! - place[1],
+        restPositions[i + 2]! - place[2],
+      ];
       const distance = dx * dx + dy * dy + dz * dz;
       if (distance > smallest) continue;
       smallest = distance;

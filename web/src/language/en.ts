@@ -6,7 +6,8 @@ export const en = {
   core,
   page: {
     title: 'chebnet: an editor for Chebyshev nets',
-    description: 'An editor for discrete Chebyshev nets: drag a handle and the whole net follows, every edge keeping its length.',
+    description:
+      'An editor for discrete Chebyshev nets: drag a handle and the whole net follows, every edge keeping its length.',
     over: 'Title, actions and legend',
     controls: 'Controls',
     language: 'Language',
@@ -16,7 +17,10 @@ export const en = {
     drag: { before: 'Drag the ', sphere: 'orange sphere', after: '. Every edge keeps its length.' },
     click: 'Click a vertex to take hold of it. Every edge keeps its length.',
     noHandles: 'Click a vertex to make it a handle.',
-    select: (count: number) => (count === 0 ? 'Click handles to select them, or draw around several.' : `${count} selected. Drag to move, or draw around more.`),
+    select: (count: number) =>
+      count === 0
+        ? 'Click handles to select them, or draw around several.'
+        : `${count} selected. Drag to move, or draw around more.`,
   },
   sections: {
     shape: 'Shape',
@@ -118,7 +122,11 @@ export const en = {
     apply: 'Apply',
     mode: 'What the arrows do',
     modes: { translate: 'Move', rotate: 'Rotate', scale: 'Scale' },
-    modeHints: { translate: 'Move the selected handles (G)', rotate: 'Rotate about their centre (R)', scale: 'Scale about their centre (S)' },
+    modeHints: {
+      translate: 'Move the selected handles (G)',
+      rotate: 'Rotate about their centre (R)',
+      scale: 'Scale about their centre (S)',
+    },
     boundaryLoop: 'Boundary loop',
     netLine: (line: number) => `Net line ${line}`,
     netLineHint: 'Make all vertices of this net line handles',
@@ -147,7 +155,8 @@ export const en = {
     withinHint: 'A drag stops where the other handles and the edges between let the net come no farther',
     showReach: 'Always show reach',
     showReachHint: 'While a handle is dragged, show how far it can go; otherwise only near the limit',
-    tooLocal: 'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
+    tooLocal:
+      'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
   },
   numbers: {
     vertices: 'Vertices',
@@ -211,7 +220,8 @@ export const en = {
   comparison: {
     heading: 'Comparison',
     close: 'Close the comparison',
-    about: 'Each method solves the present edit from the same start, with the initialisation and settings of the section Solver.',
+    about:
+      'Each method solves the present edit from the same start, with the initialisation and settings of the section Solver.',
     methods: 'Methods',
     startFrom: 'Start from',
     rest: 'The rest shape',
@@ -235,9 +245,15 @@ export const en = {
       iterations: { title: 'Iterations', hint: 'Iterations made, without those of the initialisation' },
       milliseconds: { title: 'ms', hint: 'Time spent in the solver' },
       maxDeviation: { title: 'Max dL', hint: 'Largest deviation of an edge from its length' },
-      bend: { title: 'Bend', hint: 'Fairness: root mean square change of the bend of net lines from rest; less is smoother' },
+      bend: {
+        title: 'Bend',
+        hint: 'Fairness: root mean square change of the bend of net lines from rest; less is smoother',
+      },
       smallestAngle: { title: 'Smallest angle', hint: 'Smallest angle at a corner of a face' },
-      distance: { title: 'From first', hint: 'Distance of the vertices from those of the first net: root mean square, in mean edge lengths' },
+      distance: {
+        title: 'From first',
+        hint: 'Distance of the vertices from those of the first net: root mean square, in mean edge lengths',
+      },
       handleError: { title: 'Handle error', hint: 'Largest distance of a handle from its target' },
       status: { title: 'Status', hint: 'How the run ended' },
     },
@@ -307,14 +323,16 @@ export const en = {
   },
   link: {
     copied: (advice: string) => `The link is copied. ${advice}`.trim(),
-    inAddressBar: (advice: string) => `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
+    inAddressBar: (advice: string) =>
+      `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
     otherVersion: 'This link was made by another version of chebnet.',
     foreign: 'This link is not one of chebnet.',
     damaged: 'This link is damaged: perhaps a part of it was cut off.',
     tooLarge: 'This net is too large for a link. Save it as a file instead.',
     withoutShape: (size: string) =>
       `The link leaves out the shape of the moment, which is too large; it will be solved again. It has ${size} characters.`,
-    huge: (size: string) => `The link has ${size} characters; many programs cut so long a link. Saving the net as a file is safer.`,
+    huge: (size: string) =>
+      `The link has ${size} characters; many programs cut so long a link. Saving the net as a file is safer.`,
     long: (size: string) => `The link has ${size} characters; some chat programs cut so long a link.`,
   },
   keys: {
@@ -324,7 +342,12 @@ export const en = {
     or: 'or',
     click: 'click',
     drag: 'drag',
-    where: { page: 'Anywhere', picture: 'In the picture, once it is clicked', selection: 'With handles selected', list: 'In the list of handles' },
+    where: {
+      page: 'Anywhere',
+      picture: 'In the picture, once it is clicked',
+      selection: 'With handles selected',
+      list: 'In the list of handles',
+    },
     does: {
       undo: 'Undo',
       redo: 'Redo',
@@ -384,7 +407,8 @@ export const en = {
       'Only the vertices near edges that are still off move, until dL is below 0.000001.',
     ],
     now: (p: number, ratio: string) => `Now: p = ${p}; the worst edge, the dot, has r = ${ratio}`,
-    graph: (p: number, ratio: string) => `The energy of an edge against r, for p = ${p}; the worst edge has r = ${ratio}`,
+    graph: (p: number, ratio: string) =>
+      `The energy of an edge against r, for p = ${p}; the worst edge has r = ${ratio}`,
   },
   hints: {
     drag: 'Drag this sphere, and the net follows.',
@@ -401,7 +425,8 @@ export const en = {
     repairAndOpen: 'Repair and equalise…',
     openAsItIs: 'Equalise as it is…',
     title: (name: string) => `Equalise ${name}`,
-    introduction: 'All edges get one length. The net stays as near to the original as it can, and its faces and vertices stay the same.',
+    introduction:
+      'All edges get one length. The net stays as near to the original as it can, and its faces and vertices stay the same.',
     length: 'Length of every edge',
     mean: (length: string) => `The mean of the original, ${length}`,
     fitting: 'The best fit',
@@ -410,7 +435,8 @@ export const en = {
       'The net keeps the size of the original. At the mean length, a mesh that was split from triangles must crumple, and that shrinks it.',
     given: 'Another length',
     noLength: 'A length is a number above 0.',
-    hold: (handles: number) => (handles === 1 ? 'Hold the handle where it is' : `Hold the ${handles} handles where they are`),
+    hold: (handles: number) =>
+      handles === 1 ? 'Hold the handle where it is' : `Hold the ${handles} handles where they are`,
     start: 'Equalise',
     stop: 'Stop',
     take: 'Open the equalised net',
@@ -422,17 +448,21 @@ export const en = {
     share: (percent: number, end: string) => (percent === 100 ? end : `${percent} % ${end}`),
     shown: (deviation: string) => `Largest dL in the picture: ${deviation}`,
     starting: 'Starting',
-    progress: (iterations: string, deviation: string) => `Iteration ${iterations}, largest dL ${deviation}; done below 1e-9`,
+    progress: (iterations: string, deviation: string) =>
+      `Iteration ${iterations}, largest dL ${deviation}; done below 1e-9`,
     converged: (length: string) => `Every edge has the length ${length}.`,
     stalled: 'There may be no such net near this mesh: the solver got stuck before the edges were equal.',
-    tooMany: (iterations: string) => `There may be no such net near this mesh: after ${iterations} iterations the edges were still not equal.`,
+    tooMany: (iterations: string) =>
+      `There may be no such net near this mesh: after ${iterations} iterations the edges were still not equal.`,
     overflow: 'The numbers grew beyond what a computer can hold.',
-    worstEdge: (a: number, b: number, is: string, wanted: string) => `The worst edge, from vertex ${a} to ${b}, is ${is} long instead of ${wanted}.`,
+    worstEdge: (a: number, b: number, is: string, wanted: string) =>
+      `The worst edge, from vertex ${a} to ${b}, is ${is} long instead of ${wanted}.`,
     unchanged: 'Nothing was changed.',
     unreachable: (a: number, b: number, distance: string, reach: string) =>
       `There is no such net: handles ${a} and ${b} are ${distance} apart, and with this length the net between them reaches only ${reach}. Take a longer length, or do not hold the handles.`,
     fault: (sentence: string) => `It cannot be equalised: ${sentence}`,
-    shrunk: (fitting: string) => `At this length the net had to shrink. With ${fitting}, the best fit, it keeps its size.`,
+    shrunk: (fitting: string) =>
+      `At this length the net had to shrink. With ${fitting}, the best fit, it keeps its size.`,
     range: (shortest: string, longest: string) => `${shortest} to ${longest}`,
     edgeLengths: (number: string) => `${number} edge lengths`,
     iterations: 'Iterations',
@@ -503,7 +533,8 @@ export const en = {
     noJson: 'this is no chebnet project, or a part of it is missing.',
     foreign: 'this is no chebnet project.',
     otherVersion: 'this project was made by another version of chebnet.',
-    tooLarge: (file: string, megabytes: number, largest: number) => `${file} has ${megabytes} MB; projects have ${largest} MB at most.`,
+    tooLarge: (file: string, megabytes: number, largest: number) =>
+      `${file} has ${megabytes} MB; projects have ${largest} MB at most.`,
   },
   fields: {
     must: (path: string, expected: string) => `${path || 'the file'} must be ${expected}`,
@@ -549,8 +580,10 @@ export const en = {
       closed: (vertex: number) =>
         `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
       not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
-      overlap: (face: number) => `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
-      unequal: 'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
+      overlap: (face: number) =>
+        `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
+      unequal:
+        'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
       pieces: 'There is no flat pattern: the net is in several pieces, or its faces meet at a vertex only.',
     },
   },

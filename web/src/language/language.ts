@@ -12,6 +12,7 @@ export function translateDocument(document: Document): void {
   document.documentElement.lang = words.locale;
   document.title = words.page.title;
   document.querySelector('meta[name=description]')?.setAttribute('content', words.page.description);
-  if (language !== 'en') document.querySelector('link[rel=manifest]')?.setAttribute('href', `./manifest.${language}.webmanifest`);
+  if (language !== 'en')
+    document.querySelector('link[rel=manifest]')?.setAttribute('href', `./manifest.${language}.webmanifest`);
   document.querySelector('#beside')?.setAttribute('aria-label', words.comparison.net);
 }

@@ -17,7 +17,8 @@ export const zh: Words = {
     drag: { before: '拖动', sphere: '橙色小球', after: '，每条边的长度保持不变。' },
     click: '点击一个顶点即可抓住它，每条边的长度保持不变。',
     noHandles: '点击一个顶点，使它成为手柄。',
-    select: (count) => (count === 0 ? '逐个点击手柄，或画线圈选多个。' : `已选中 ${count} 个。拖动即可移动，也可继续圈选。`),
+    select: (count) =>
+      count === 0 ? '逐个点击手柄，或画线圈选多个。' : `已选中 ${count} 个。拖动即可移动，也可继续圈选。`,
   },
   sections: {
     shape: '形状',
@@ -203,7 +204,8 @@ export const zh: Words = {
     arrowsHint: '从顶点原来的位置指向新的位置；最长的箭头画成四条边长',
     idle: '求解一次迭代后停止。箭头表示移动的方向。',
     numbers: { iteration: '迭代', energy: '能量', step: '步长', move: '位移（边长）' },
-    stage: (stage, p, vertices) => `${stage === 0 ? '起始' : `阶段 ${stage}`}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
+    stage: (stage, p, vertices) =>
+      `${stage === 0 ? '起始' : `阶段 ${stage}`}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
   },
   comparison: {
     heading: '比较结果',

@@ -66,7 +66,8 @@ export class Hints {
     if (!before || !now || before.net !== now.net) return;
     const [old, present] = [before.document.handles, now.document.handles];
     if (present.length > old.length) this.done('add');
-    else if (present.length === old.length && present.some(({ target }, i) => target !== old[i]!.target)) this.done('drag');
+    else if (present.length === old.length && present.some(({ target }, i) => target !== old[i]!.target))
+      this.done('drag');
   }
 
   #show(): void {

@@ -25,7 +25,8 @@ export class Teacher {
   constructor(app: App) {
     this.#app = app;
     // Before the view takes hold of anything.
-    for (const touch of ['pointerdown', 'keydown']) addEventListener(touch, () => this.#lesson.abort(), { capture: true });
+    for (const touch of ['pointerdown', 'keydown'])
+      addEventListener(touch, () => this.#lesson.abort(), { capture: true });
     app.on('settled', () => this.#lookAtEnd());
   }
 

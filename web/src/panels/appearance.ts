@@ -27,7 +27,9 @@ export class Appearance {
       { value: 'y', text: 'y' },
     ];
     const field = makeSelect(words.appearance.colourBy, fields, (value) => events.setView({ field: value as Field }));
-    const map = makeSelect(words.appearance.colours, maps, (value) => events.setView({ colourMap: value as ColourMap }));
+    const map = makeSelect(words.appearance.colours, maps, (value) =>
+      events.setView({ colourMap: value as ColourMap }),
+    );
     const faces = makeSwitch(words.appearance.faces, (showFaces) => events.setView({ showFaces }));
     const up = makeSelect(words.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
     [this.field, this.map, this.mapRow] = [field.select, map.select, map.row];

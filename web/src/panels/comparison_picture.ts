@@ -12,7 +12,9 @@ export async function savePicture(
   plots: readonly ComparisonPlot[],
   curves: readonly (CurveStyle & { title: string })[],
 ): Promise<void> {
-  const drawn = plots.flatMap(({ canvas, element: { firstChild } }) => (canvas ? [{ canvas, caption: firstChild?.textContent ?? '' }] : []));
+  const drawn = plots.flatMap(({ canvas, element: { firstChild } }) =>
+    canvas ? [{ canvas, caption: firstChild?.textContent ?? '' }] : [],
+  );
   const ratio = devicePixelRatio;
   const widths = drawn.map(({ canvas }) => canvas.width / ratio + MARGIN);
   const height = Math.max(0, ...drawn.map(({ canvas }) => canvas.height / ratio));
@@ -44,7 +46,10 @@ export async function savePicture(
 type Key = CurveStyle & { title: string; x: number; y: number };
 
 /** Keys in columns, as many as fit. */
-function placeKeys(curves: readonly (CurveStyle & { title: string })[], width: number): { placed: Key[]; height: number } {
+function placeKeys(
+  curves: readonly (CurveStyle & { title: string })[],
+  width: number,
+): { placed: Key[]; height: number } {
   const column = 200;
   const columns = Math.max(1, Math.floor((width - 2 * MARGIN) / column));
   const placed = curves.map((curve, i) => ({

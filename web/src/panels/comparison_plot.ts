@@ -63,7 +63,12 @@ export class ComparisonPlot {
     const width = this.host.clientWidth;
     if (width === 0 || this.comparison === null || this.library === null) return;
     if (this.plot) this.plot.setSize({ width, height: HEIGHT });
-    else this.plot = new this.library(this.options(this.comparison, width), this.data(this.library, this.comparison), this.host);
+    else
+      this.plot = new this.library(
+        this.options(this.comparison, width),
+        this.data(this.library, this.comparison),
+        this.host,
+      );
   }
 
   private data({ join }: typeof uPlot, { runs }: Comparison): uPlot.AlignedData {

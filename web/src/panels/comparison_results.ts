@@ -24,7 +24,9 @@ export class ComparisonResults {
   private readonly stop: HTMLButtonElement;
   private readonly plots: ComparisonPlot[];
   private readonly table: ComparisonTable;
-  private readonly abreast = makeButton(words.comparison.abreast, () => this.toggleAbreast(), { title: words.comparison.abreastHint });
+  private readonly abreast = makeButton(words.comparison.abreast, () => this.toggleAbreast(), {
+    title: words.comparison.abreastHint,
+  });
   private comparison: Comparison | null = null;
   private current: Run | null = null;
   private beside: readonly Run[] = [];

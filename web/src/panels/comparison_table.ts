@@ -10,13 +10,16 @@ const NOTHING = '–';
 
 const { columns } = words.comparison;
 const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined }[] = [
-  { ...columns.iterations, text: ({ frame }) => frame ? count(frame.iterations) : undefined },
-  { ...columns.milliseconds, text: ({ frame }) => frame ? milliseconds(frame.milliseconds) : undefined },
-  { ...columns.maxDeviation, text: ({ frame }) => frame ? small(frame.maxDeviation) : undefined },
-  { ...columns.bend, text: ({ measures }) => measures ? small(measures.bend) : undefined },
-  { ...columns.smallestAngle, text: ({ measures }) => measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined },
-  { ...columns.distance, text: ({ distance }) => distance === null ? undefined : small(distance) },
-  { ...columns.handleError, text: ({ measures }) => measures ? small(measures.handleError) : undefined },
+  { ...columns.iterations, text: ({ frame }) => (frame ? count(frame.iterations) : undefined) },
+  { ...columns.milliseconds, text: ({ frame }) => (frame ? milliseconds(frame.milliseconds) : undefined) },
+  { ...columns.maxDeviation, text: ({ frame }) => (frame ? small(frame.maxDeviation) : undefined) },
+  { ...columns.bend, text: ({ measures }) => (measures ? small(measures.bend) : undefined) },
+  {
+    ...columns.smallestAngle,
+    text: ({ measures }) => (measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined),
+  },
+  { ...columns.distance, text: ({ distance }) => (distance === null ? undefined : small(distance)) },
+  { ...columns.handleError, text: ({ measures }) => (measures ? small(measures.handleError) : undefined) },
   { ...columns.status, text: runWords },
 ];
 
@@ -34,7 +37,12 @@ interface Row {
 }
 
 export class ComparisonTable {
-  readonly element = make('div', { class: 'table', tabindex: 0, role: 'region', 'aria-label': words.comparison.results });
+  readonly element = make('div', {
+    class: 'table',
+    tabindex: 0,
+    role: 'region',
+    'aria-label': words.comparison.results,
+  });
   private rows: Row[] = [];
 
   constructor(
@@ -47,7 +55,12 @@ export class ComparisonTable {
     this.rows = runs.map((run) => this.makeRow(run));
     const body = make('tbody', {}, ...this.rows.map((row) => this.makeLine(row)));
     this.element.replaceChildren(
-      make('table', {}, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.run), ...heads, make('td'))), body),
+      make(
+        'table',
+        {},
+        make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.run), ...heads, make('td'))),
+        body,
+      ),
     );
   }
 
@@ -66,7 +79,10 @@ export class ComparisonTable {
     const { colour, line } = this.styleOf(run);
     const swatch = make('i', { class: `swatch ${line}` });
     swatch.style.setProperty('color', `var(${colour})`);
-    const button = makeButton(swatch, () => {}, { class: 'plain', title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet });
+    const button = makeButton(swatch, () => {}, {
+      class: 'plain',
+      title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet,
+    });
     button.append(run.label);
     const beside = makeButton(words.comparison.beside, () => this.events.showBeside(run), {
       class: 'plain link',

@@ -15,7 +15,11 @@ const REST_MS = 1000;
 export class ConvergencePlot {
   readonly element = make('div', { class: 'plot' });
   private readonly record = new Convergence();
-  private readonly host = make('div', { role: 'img', 'aria-label': words.plot.label }, make('p', { class: 'unplotted' }, words.plot.empty));
+  private readonly host = make(
+    'div',
+    { role: 'img', 'aria-label': words.plot.label },
+    make('p', { class: 'unplotted' }, words.plot.empty),
+  );
   private plot: uPlot | null = null;
   /** There has been something to plot. */
   private wanted = false;
@@ -103,10 +107,7 @@ export class ConvergencePlot {
         x: { time: false, range: (_, low, high) => roomyRange(low, high) },
         y: { range: (_, low, high) => decadeRange(low, high, this.threshold) },
       },
-      series: [
-        {},
-        { stroke: colour, width: 1.5, points: { show: true, size: 4, fill: colour } },
-      ],
+      series: [{}, { stroke: colour, width: 1.5, points: { show: true, size: 4, fill: colour } }],
       axes: plotAxes(this.element),
       hooks: { drawClear: [(plot) => this.drawMarks(plot)] },
     };

@@ -10,13 +10,25 @@ const NEAREST = 2;
 
 export class DragPanel {
   readonly content: HTMLElement[];
-  private readonly slider = make('input', { type: 'range', min: 0, max: STEPS, value: 0, title: words.drag.localityHint });
+  private readonly slider = make('input', {
+    type: 'range',
+    min: 0,
+    max: STEPS,
+    value: 0,
+    title: words.drag.localityHint,
+  });
   private readonly output = make('output');
   private farthest = 50;
   private shown: number | undefined;
 
   constructor(private readonly wishes: HandleWishes) {
-    const row = make('label', { class: 'slider locality' }, make('span', {}, words.drag.locality), this.slider, this.output);
+    const row = make(
+      'label',
+      { class: 'slider locality' },
+      make('span', {}, words.drag.locality),
+      this.slider,
+      this.output,
+    );
     this.slider.addEventListener('input', () => this.adjust());
     this.slider.addEventListener('focus', () => this.adjust());
     this.slider.addEventListener('blur', () => wishes.previewLocality(undefined));
@@ -38,7 +50,8 @@ export class DragPanel {
 
   show(locality: number | undefined): void {
     this.shown = locality;
-    if (document.activeElement !== this.slider || this.radius() !== locality) this.slider.valueAsNumber = this.stepOf(locality);
+    if (document.activeElement !== this.slider || this.radius() !== locality)
+      this.slider.valueAsNumber = this.stepOf(locality);
     this.write(locality);
   }
 
@@ -52,7 +65,8 @@ export class DragPanel {
   }
 
   private write(locality: number | undefined): void {
-    const text = locality === undefined ? words.drag.everything : words.drag.radius(locality.toLocaleString(words.locale));
+    const text =
+      locality === undefined ? words.drag.everything : words.drag.radius(locality.toLocaleString(words.locale));
     this.output.value = text;
     this.slider.setAttribute('aria-valuetext', text);
   }

@@ -18,7 +18,9 @@ export class EnergyGraph {
 
   constructor() {
     const axes = make('path', { d: `M${LEFT} ${TOP}V${HEIGHT - BOTTOM}H${WIDTH}`, class: 'axis' });
-    const ticks = [0.5, 1, 2].map((r) => label(x(r), HEIGHT - 4, r === 0.5 ? '½' : String(r), r === 0.5 ? 'start' : r === 2 ? 'end' : 'middle'));
+    const ticks = [0.5, 1, 2].map((r) =>
+      label(x(r), HEIGHT - 4, r === 0.5 ? '½' : String(r), r === 0.5 ? 'start' : r === 2 ? 'end' : 'middle'),
+    );
     const levels = [2, 3, 4, 5].map((e) => label(LEFT - 6, y(e) + 4, String(e), 'end'));
     const usual = USUAL.map((p) => make('path', { d: path(p), class: 'usual' }));
     this.element.append(axes, ...ticks, ...levels, ...usual, this.curve, this.name, this.mark);
@@ -65,7 +67,10 @@ function place(element: SVGElement, atX: number, atY: number): void {
   element.setAttribute('y', atY.toFixed(1));
 }
 
-function make<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Record<string, string | number>): SVGElementTagNameMap[Tag] {
+function make<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string | number>,
+): SVGElementTagNameMap[Tag] {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;

@@ -34,12 +34,25 @@ export class EqualizeDialog implements EqualizerLike {
   private readonly results = new EqualizeResults();
   private readonly slider = make('input', { type: 'range', min: 0, max: 1, step: 0.01, 'aria-label': TEXT.between });
   private readonly farEnd = make('span');
-  private readonly sliderRow = make('div', { class: 'between' }, make('span', {}, TEXT.original), this.slider, this.farEnd);
+  private readonly sliderRow = make(
+    'div',
+    { class: 'between' },
+    make('span', {}, TEXT.original),
+    this.slider,
+    this.farEnd,
+  );
   private readonly shown = make('p', { class: 'quiet' });
   private readonly start = makeButton(TEXT.start, () => void this.run(), { class: 'primary' });
   private readonly stop = makeButton(TEXT.stop, () => this.giveUp());
   private readonly take = makeButton(TEXT.take, () => this.finish(this.obj), { class: 'primary' });
-  private readonly buttons = make('div', { class: 'buttons' }, this.start, this.stop, this.take, makeButton(TEXT.cancel, () => this.close()));
+  private readonly buttons = make(
+    'div',
+    { class: 'buttons' },
+    this.start,
+    this.stop,
+    this.take,
+    makeButton(TEXT.cancel, () => this.close()),
+  );
   private equalizing: Equalizing | null = null;
   private obj: string | null = null;
   private finish!: (obj: string | null) => void;
@@ -55,7 +68,13 @@ export class EqualizeDialog implements EqualizerLike {
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
     const figure = make('figure', {}, picture, make('figcaption', {}, this.sliderRow, this.shown));
-    const side = make('div', { class: 'side' }, make('p', {}, TEXT.introduction), this.form.element, this.results.element);
+    const side = make(
+      'div',
+      { class: 'side' },
+      make('p', {}, TEXT.introduction),
+      this.form.element,
+      this.results.element,
+    );
     this.dialog = make(
       'dialog',
       { class: 'file equalize', 'aria-labelledby': heading.id },
@@ -161,7 +180,10 @@ export class EqualizeDialog implements EqualizerLike {
 
   private showBetween(): void {
     const share = Number(this.slider.value);
-    this.slider.setAttribute('aria-valuetext', share === 0 ? TEXT.original : TEXT.share(Math.round(100 * share), this.farEnd.textContent ?? ''));
+    this.slider.setAttribute(
+      'aria-valuetext',
+      share === 0 ? TEXT.original : TEXT.share(Math.round(100 * share), this.farEnd.textContent ?? ''),
+    );
     this.show(between(this.before, this.after ?? this.before, share));
   }
 

@@ -21,7 +21,13 @@ export class EqualizeForm {
     handleCount: number,
     private readonly changed: () => void,
   ) {
-    this.number = make('input', { type: 'number', min: 0, step: 'any', value: Number(mean.toPrecision(6)), 'aria-label': TEXT.given });
+    this.number = make('input', {
+      type: 'number',
+      min: 0,
+      step: 'any',
+      value: Number(mean.toPrecision(6)),
+      'aria-label': TEXT.given,
+    });
     this.number.addEventListener('input', () => this.choose('given'));
     const radio = (value: Choice): HTMLInputElement => {
       const input = make('input', { type: 'radio', name: 'equalize-length', value, checked: value === this.choice });

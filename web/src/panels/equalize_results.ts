@@ -50,7 +50,8 @@ export class EqualizeResults {
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
     this.end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
     // A hundredth is below what the eye sees.
-    if (equal && report.fittingLength > 1.01 * report.length) this.end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
+    if (equal && report.fittingLength > 1.01 * report.length)
+      this.end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
   showFault(sentence: string): void {
@@ -72,7 +73,11 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
     [TEXT.meanMove, TEXT.edgeLengths(small(report.meanMove))],
     [TEXT.maxMove, TEXT.edgeLengths(small(report.maxMove))],
   ];
-  return make('dl', { class: 'facts' }, ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))));
+  return make(
+    'dl',
+    { class: 'facts' },
+    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+  );
 }
 
 /** Why there is no such net, as far as the core can tell. */
@@ -80,7 +85,12 @@ function refusal({ status, unreachablePairs: [pair], worstEdges: [edge], length,
   if (status === 'unreachable' && pair) {
     return TEXT.unreachable(pair.vertexA, pair.vertexB, lengthWords(pair.distance), lengthWords(pair.reach));
   }
-  const why = status === 'max_iterations' ? TEXT.tooMany(count(iterations)) : status === 'non_finite' ? TEXT.overflow : TEXT.stalled;
+  const why =
+    status === 'max_iterations'
+      ? TEXT.tooMany(count(iterations))
+      : status === 'non_finite'
+        ? TEXT.overflow
+        : TEXT.stalled;
   const worst = edge ? TEXT.worstEdge(edge.vertexA, edge.vertexB, lengthWords(edge.length), lengthWords(length)) : '';
   return words.core.sentences([why, worst, TEXT.unchanged]);
 }

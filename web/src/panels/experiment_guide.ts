@@ -1,7 +1,16 @@
 /** The list of the paper's figures, and the note on the one that is open: what to look for, what the paper claims and what was
  *  measured, and ways to try it. */
 import type { ChebnetDocument } from '../document/document';
-import { EDITS, type Figure, FIGURES, findFigure, isOfNet, settingsOf, textOf, type Variant } from '../experiments/figures';
+import {
+  EDITS,
+  type Figure,
+  FIGURES,
+  findFigure,
+  isOfNet,
+  settingsOf,
+  textOf,
+  type Variant,
+} from '../experiments/figures';
 import { experimentLink } from '../experiments/links';
 import { texts } from '../experiments/texts';
 import { variationsOf } from '../experiments/variations';
@@ -36,8 +45,13 @@ export class ExperimentGuide {
     private readonly failed: (error: unknown) => void,
   ) {
     note.setAttribute('aria-label', texts.label);
-    const items = FIGURES.map(({ figure }, i) => make('li', {}, make('span', {}, texts.figure(figure)), this.listed[i]!.link));
-    this.content = [make('ul', { class: 'experiments' }, ...items), make('p', { class: 'quiet' }, texts.about, ' ', makeCitation())];
+    const items = FIGURES.map(({ figure }, i) =>
+      make('li', {}, make('span', {}, texts.figure(figure)), this.listed[i]!.link),
+    );
+    this.content = [
+      make('ul', { class: 'experiments' }, ...items),
+      make('p', { class: 'quiet' }, texts.about, ' ', makeCitation()),
+    ];
   }
 
   show(document: ChebnetDocument): void {
@@ -73,8 +87,14 @@ export class ExperimentGuide {
         makeClaims(figure),
         make('p', { class: 'quiet' }, makeCitation()),
       ),
-      makeOffers(texts.edits, edits.map(({ link }) => link)),
-      makeOffers(texts.variants, variants.map(({ link }, i) => (figure.variants[i]!.ours ? marked(link) : link))),
+      makeOffers(
+        texts.edits,
+        edits.map(({ link }) => link),
+      ),
+      makeOffers(
+        texts.variants,
+        variants.map(({ link }, i) => (figure.variants[i]!.ours ? marked(link) : link)),
+      ),
       make('div', { class: 'buttons' }, ...buttons),
     );
   }
@@ -96,7 +116,15 @@ function offerFigure(figure: Figure): Offer {
 function offerEdit({ name, variants }: Figure, edit: string, place: number): Offer {
   return {
     link: makeLink(titleOf(edit)),
-    hash: (document) => experimentLink(name, place, Math.max(0, variants.findIndex((each) => isOpenVariant(each, document)))),
+    hash: (document) =>
+      experimentLink(
+        name,
+        place,
+        Math.max(
+          0,
+          variants.findIndex((each) => isOpenVariant(each, document)),
+        ),
+      ),
     isOpen: ({ net }) => isOfNet(edit, net),
   };
 }
@@ -105,7 +133,15 @@ function offerEdit({ name, variants }: Figure, edit: string, place: number): Off
 function offerVariant({ name, edits }: Figure, variant: Variant, place: number): Offer {
   return {
     link: makeLink(textOf(variant.label)),
-    hash: ({ net }) => experimentLink(name, Math.max(0, edits.findIndex((each) => isOfNet(each, net))), place),
+    hash: ({ net }) =>
+      experimentLink(
+        name,
+        Math.max(
+          0,
+          edits.findIndex((each) => isOfNet(each, net)),
+        ),
+        place,
+      ),
     isOpen: (document) => isOpenVariant(variant, document),
   };
 }

@@ -19,7 +19,14 @@ const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
 
 export function createExportMenu({ save, record }: PanelEvents): Menu {
   const { usual, smallest, largest } = EDGE_MM;
-  const edge = make('input', { type: 'number', value: usual, min: smallest, max: largest, step: 'any', 'aria-label': words.save.edgeLength });
+  const edge = make('input', {
+    type: 'number',
+    value: usual,
+    min: smallest,
+    max: largest,
+    step: 'any',
+    'aria-label': words.save.edgeLength,
+  });
   const sizes = MAGNIFICATIONS.map((factor) => make('option', { value: factor }, `${factor}×`));
   const size = make('select', { 'aria-label': words.save.magnification }, ...sizes);
 
@@ -39,5 +46,7 @@ export function createExportMenu({ save, record }: PanelEvents): Menu {
 
 function recordItem(record: () => void): MenuItem {
   const { kind: title, hint, impossible } = words.recording;
-  return filmType() === null ? { title, hint: impossible, choose: record, disabled: true } : { title, hint, choose: record };
+  return filmType() === null
+    ? { title, hint: impossible, choose: record, disabled: true }
+    : { title, hint, choose: record };
 }

@@ -71,7 +71,11 @@ function makeFacts(report: FileReport): HTMLElement {
     [terms.longest, lengthWords(lengths.largest)],
     [terms.deviation, percentWords(lengths.largestDeviation)],
   ];
-  return make('dl', { class: 'facts' }, ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))));
+  return make(
+    'dl',
+    { class: 'facts' },
+    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+  );
 }
 
 function makeDefects({ findings, refusal }: FileReport): HTMLElement {
@@ -90,7 +94,10 @@ function makeDefects({ findings, refusal }: FileReport): HTMLElement {
 }
 
 /** The first is what Enter does. */
-function openButtons({ findings, refusal }: FileReport, open: (repaired: boolean) => void): [HTMLElement, ...HTMLElement[]] {
+function openButtons(
+  { findings, refusal }: FileReport,
+  open: (repaired: boolean) => void,
+): [HTMLElement, ...HTMLElement[]] {
   const primary = { class: 'primary' };
   if (findings.length === 0) return [makeButton(words.file.open, () => open(false), primary)];
   const repair = makeButton(words.file.repair, () => open(true), primary);
@@ -104,7 +111,11 @@ function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], equalize
   buttons.forEach((button, i) => setText(button, (findings.length === 0 ? sound : broken)[i] ?? ''));
 }
 
-const LENGTH_CHOICES: readonly { value: FileChoice['restLengths']; text: (report: FileReport) => string; hint: string }[] = [
+const LENGTH_CHOICES: readonly {
+  value: FileChoice['restLengths'];
+  text: (report: FileReport) => string;
+  hint: string;
+}[] = [
   { value: 'own', text: () => words.file.own.text, hint: words.file.own.hint },
   {
     value: 'equal',

@@ -13,7 +13,9 @@ export function faceWords({ faces, facesByArity }: Pick<FileReport, 'faces' | 'f
 
 /** E.g. "4 of valence 3, 1 of valence 5". */
 export function singularWords(singularVertices: Record<string, number>): string {
-  const kinds = Object.entries(singularVertices).map(([valence, number]) => words.file.singular(valence, count(number)));
+  const kinds = Object.entries(singularVertices).map(([valence, number]) =>
+    words.file.singular(valence, count(number)),
+  );
   return kinds.length > 0 ? words.file.list(kinds) : words.file.none;
 }
 

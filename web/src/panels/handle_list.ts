@@ -18,7 +18,14 @@ export class HandleList {
   private readonly more = makeButton('', () => this.showMore(), { class: 'plain', hidden: true });
   private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
   private readonly several = make('p', { class: 'quiet' }, words.handles.several);
-  private readonly number = make('input', { type: 'number', min: 0, step: 1, required: true, placeholder: words.handles.number, 'aria-label': words.handles.vertexNumber });
+  private readonly number = make('input', {
+    type: 'number',
+    min: 0,
+    step: 1,
+    required: true,
+    placeholder: words.handles.number,
+    'aria-label': words.handles.vertexNumber,
+  });
   private readonly form: SelectionForm;
   private readonly symmetry: SymmetryChoice;
   readonly content: HTMLElement[];
@@ -61,13 +68,20 @@ export class HandleList {
     const listed = this.listed(alone ? choice.selection[0] : undefined);
     if (listed.length !== this.rows.size || listed.some(({ vertex }) => !this.rows.has(vertex))) this.rebuild(listed);
     this.more.hidden = listed.length === handles.length;
-    setText(this.more, words.handles.more(Math.min(ROWS_AT_A_TIME, handles.length - listed.length), handles.length - listed.length));
+    setText(
+      this.more,
+      words.handles.more(Math.min(ROWS_AT_A_TIME, handles.length - listed.length), handles.length - listed.length),
+    );
     for (const handle of listed) {
       const isSelected = selected.has(handle.vertex);
       this.rows.get(handle.vertex)!.show(handle, isSelected, isSelected && alone, this.edgeLength);
     }
     if (alone) this.bringIntoSight(choice.selection[0]!);
-    this.form.show(handles.filter(({ vertex }) => selected.has(vertex)), choice, this.edgeLength);
+    this.form.show(
+      handles.filter(({ vertex }) => selected.has(vertex)),
+      choice,
+      this.edgeLength,
+    );
   }
 
   /** The first of them, and the one that is selected. */

@@ -36,15 +36,22 @@ export class HandleRow {
     vertex: number,
     private readonly events: RowEvents,
   ) {
-    this.select = makeButton(make('i', { class: 'mark' }), () => {}, { class: 'plain name', title: words.handles.renameHint });
+    this.select = makeButton(make('i', { class: 'mark' }), () => {}, {
+      class: 'plain name',
+      title: words.handles.renameHint,
+    });
     this.select.append(this.title);
     this.select.addEventListener('click', (event) => this.clicked(event));
     this.select.addEventListener('dblclick', () => this.rename());
     this.select.addEventListener('keydown', (event) => {
       if (event.key === 'F2') this.rename();
     });
-    this.eye = new Toggle(ICONS.eye, ICONS.eyeOff, [words.handles.hide, words.handles.show], (hidden) => events.change({ hidden: hidden || undefined }));
-    this.lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) => events.change({ anchor }));
+    this.eye = new Toggle(ICONS.eye, ICONS.eyeOff, [words.handles.hide, words.handles.show], (hidden) =>
+      events.change({ hidden: hidden || undefined }),
+    );
+    this.lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
+      events.change({ anchor }),
+    );
     const remove = makeButton(makeIcon(ICONS.cross), () => events.remove(), {
       class: 'plain tool',
       'aria-label': words.handles.removeAt(vertex),

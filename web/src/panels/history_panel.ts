@@ -10,7 +10,12 @@ export class HistoryPanel {
   private history: HistoryView | null = null;
 
   constructor(private readonly goTo: (index: number) => void) {
-    this.section = makeSection(words.history.title, false, this.list, make('p', { class: 'quiet' }, words.history.hint));
+    this.section = makeSection(
+      words.history.title,
+      false,
+      this.list,
+      make('p', { class: 'quiet' }, words.history.hint),
+    );
     this.section.addEventListener('toggle', () => this.refresh());
     this.list.addEventListener('keydown', (event) => this.pressKey(event));
   }

@@ -30,7 +30,9 @@ export function showKeySheet(root: HTMLElement, tables: readonly KeyTable[]): vo
 }
 
 function makeTable({ where, rows }: KeyTable): HTMLElement[] {
-  const list = rows.map(({ keys, does }) => make('div', {}, make('dt', {}, TEXT.does[does]), make('dd', {}, ...keys.filter(isHere).flatMap(makeKey))));
+  const list = rows.map(({ keys, does }) =>
+    make('div', {}, make('dt', {}, TEXT.does[does]), make('dd', {}, ...keys.filter(isHere).flatMap(makeKey))),
+  );
   return [make('h3', {}, TEXT.where[where]), make('dl', { class: 'facts' }, ...list)];
 }
 

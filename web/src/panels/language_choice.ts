@@ -11,7 +11,11 @@ const NAMES: readonly [Language, string][] = [
 /** `choose` is called with another language than the present one. */
 export function makeLanguageChoice(choose: (language: Language) => void): HTMLElement {
   const buttons = NAMES.map(([each, name]) =>
-    makeButton(name, () => each !== language && choose(each), { class: 'plain', lang: each, 'aria-pressed': String(each === language) }),
+    makeButton(name, () => each !== language && choose(each), {
+      class: 'plain',
+      lang: each,
+      'aria-pressed': String(each === language),
+    }),
   );
   return make('footer', { class: 'languages', role: 'group', 'aria-label': words.page.language }, ...buttons);
 }

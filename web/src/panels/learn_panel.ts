@@ -22,7 +22,10 @@ export class LearnPanel {
   constructor(events: PanelEvents) {
     const lesson = (name: Lesson, ...more: Node[]): HTMLElement => {
       const { title, text, show } = TEXT.lessons[name];
-      const button = makeButton(TEXT.showMe, () => events.showLesson(name), { title: show, 'aria-label': `${TEXT.showMe} ${show}` });
+      const button = makeButton(TEXT.showMe, () => events.showLesson(name), {
+        title: show,
+        'aria-label': `${TEXT.showMe} ${show}`,
+      });
       return make('section', { class: 'lesson' }, make('h3', {}, title), make('p', {}, text), ...more, button);
     };
     this.element = makeSection(
@@ -32,7 +35,11 @@ export class LearnPanel {
       lesson('deviation'),
       lesson('energy', this.graph.element, this.now),
       lesson('stages', make('ol', {}, ...this.stages)),
-      make('p', { class: 'quiet' }, make('a', { href: './licences.txt', target: '_blank', rel: 'noopener' }, TEXT.licences)),
+      make(
+        'p',
+        { class: 'quiet' },
+        make('a', { href: './licences.txt', target: '_blank', rel: 'noopener' }, TEXT.licences),
+      ),
     );
     this.element.addEventListener('toggle', () => {
       if (this.element.open) this.element.scrollIntoView({ block: 'start' });

@@ -16,7 +16,9 @@ export class LiveNumbers {
       this.element.append(make('div', {}, make('dt', {}, label), value));
       return value;
     };
-    this.cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as typeof this.cells;
+    this.cells = Object.fromEntries(
+      Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
+    ) as typeof this.cells;
   }
 
   showNet({ info }: OpenedNet): void {

@@ -44,7 +44,9 @@ export class Menu {
     this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title }, ...parts);
     // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
     // frame of another site a browser would complain.
-    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true), { once: true });
+    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true), {
+      once: true,
+    });
     this.menu.addEventListener('toggle', () => this.place());
     // Escape is for the menu alone.
     this.menu.addEventListener('keydown', (event) => {

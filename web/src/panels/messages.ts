@@ -21,7 +21,12 @@ export class Messages {
 
   /** A line that stays until the user accepts or dismisses it. */
   offer(message: string, button: string, accept: () => void): void {
-    const line = make('p', { class: 'message' }, make('span', {}, message), makeButton(button, accept, { class: 'plain link' }));
+    const line = make(
+      'p',
+      { class: 'message' },
+      make('span', {}, message),
+      makeButton(button, accept, { class: 'plain link' }),
+    );
     line.append(this.makeDismiss(line));
     this.errors.before(make('div', { role: 'status' }, line));
   }

@@ -67,7 +67,14 @@ export class MethodChoice {
 export class InitialisationChoice {
   readonly content: HTMLElement[];
   private readonly choice: Choice<InitialisationInfo>;
-  private readonly count = make('input', { type: 'number', step: 1, min: 1, max: 10000, value: USUAL_COUNT, required: true });
+  private readonly count = make('input', {
+    type: 'number',
+    step: 1,
+    min: 1,
+    max: 10000,
+    value: USUAL_COUNT,
+    required: true,
+  });
   private readonly countRow = make('label', { class: 'row' }, make('span', {}, words.solver.count), this.count);
 
   constructor(changed: () => void) {

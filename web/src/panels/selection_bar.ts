@@ -23,15 +23,27 @@ export class SelectionBar {
 
   constructor(private readonly events: PanelEvents) {
     const { handles } = events;
-    const mode = (each: GizmoMode) => tool(ICONS[each], words.handles.modes[each], words.handles.modeHints[each], () => handles.setMode(each));
+    const mode = (each: GizmoMode) =>
+      tool(ICONS[each], words.handles.modes[each], words.handles.modeHints[each], () => handles.setMode(each));
     this.modes = new Map(GIZMO_MODES.map((each) => [each, mode(each)]));
-    this.modeGroup = make('div', { class: 'modes', role: 'group', 'aria-label': words.handles.mode }, ...this.modes.values());
+    this.modeGroup = make(
+      'div',
+      { class: 'modes', role: 'group', 'aria-label': words.handles.mode },
+      ...this.modes.values(),
+    );
     this.boundary = this.lineButton('boundary', ICONS.boundary, words.handles.boundaryLoop, words.handles.boundaryLoop);
     this.lines = Array.from({ length: MOST_LINES }, (_, i) =>
-      this.lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, words.handles.netLine(i + 1), words.handles.netLineHint),
+      this.lineButton(
+        i,
+        i % 2 === 0 ? ICONS.along : ICONS.across,
+        words.handles.netLine(i + 1),
+        words.handles.netLineHint,
+      ),
     );
     this.lock = tool(ICONS.locked, words.handles.lock, words.handles.lock, () => this.turnLock());
-    this.remove = tool(ICONS.bin, words.handles.removeSelected, words.handles.removeHint, () => handles.remove(this.vertices));
+    this.remove = tool(ICONS.bin, words.handles.removeSelected, words.handles.removeHint, () =>
+      handles.remove(this.vertices),
+    );
     this.element = make(
       'div',
       { class: 'toolbar selection-bar', role: 'group', 'aria-label': words.handles.selection, hidden: true },

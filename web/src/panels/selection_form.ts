@@ -15,7 +15,11 @@ export class SelectionForm {
   private readonly count = make('h3');
   private readonly centre = AXES.map(() => numberField(''));
   private readonly by = AXES.map(() => numberField('0'));
-  private readonly axis = make('select', { 'aria-label': words.handles.axis }, ...AXES.map((axis) => make('option', { value: axis }, axis)));
+  private readonly axis = make(
+    'select',
+    { 'aria-label': words.handles.axis },
+    ...AXES.map((axis) => make('option', { value: axis }, axis)),
+  );
   private readonly degrees = numberField('90', words.handles.degrees);
   private readonly factor = numberField('1.1', words.handles.factor);
   private readonly motions: HTMLFieldSetElement;
@@ -29,8 +33,17 @@ export class SelectionForm {
     this.motions = make(
       'fieldset',
       {},
-      make('div', { class: 'motion', role: 'group', 'aria-label': words.handles.centre }, make('span', {}, words.handles.centre), makeCoordinates(this.centre)),
-      this.motion(words.handles.moveBy, () => ({ kind: 'move', by: this.by.map((input) => input.valueAsNumber) as Vec3 }), makeCoordinates(this.by)),
+      make(
+        'div',
+        { class: 'motion', role: 'group', 'aria-label': words.handles.centre },
+        make('span', {}, words.handles.centre),
+        makeCoordinates(this.centre),
+      ),
+      this.motion(
+        words.handles.moveBy,
+        () => ({ kind: 'move', by: this.by.map((input) => input.valueAsNumber) as Vec3 }),
+        makeCoordinates(this.by),
+      ),
       this.motion(
         words.handles.rotate,
         () => ({ kind: 'rotate', axis: this.axis.value as Axis, degrees: this.degrees.valueAsNumber }),
@@ -39,7 +52,13 @@ export class SelectionForm {
       this.motion(words.handles.scale, () => ({ kind: 'scale', factor: this.factor.valueAsNumber }), this.factor),
     );
     this.softness = new Softness((traits) => events.handles.change(this.selection, traits));
-    this.element = make('section', { class: 'selection', 'aria-label': words.handles.selection }, this.count, this.motions, ...this.softness.rows);
+    this.element = make(
+      'section',
+      { class: 'selection', 'aria-label': words.handles.selection },
+      this.count,
+      this.motions,
+      ...this.softness.rows,
+    );
   }
 
   show(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
@@ -63,7 +82,13 @@ export class SelectionForm {
   }
 
   private motion(label: string, read: () => Motion, fields: HTMLElement): HTMLFormElement {
-    const form = make('form', { class: 'motion', 'aria-label': label }, make('span', {}, label), fields, make('button', {}, words.handles.apply));
+    const form = make(
+      'form',
+      { class: 'motion', 'aria-label': label },
+      make('span', {}, label),
+      fields,
+      make('button', {}, words.handles.apply),
+    );
     form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.events.handles.transform(read());
@@ -73,5 +98,11 @@ export class SelectionForm {
 }
 
 function numberField(value: string, label = ''): HTMLInputElement {
-  return make('input', { type: 'number', step: 'any', required: true, value, ...(label ? { 'aria-label': label, title: label } : {}) });
+  return make('input', {
+    type: 'number',
+    step: 'any',
+    required: true,
+    value,
+    ...(label ? { 'aria-label': label, title: label } : {}),
+  });
 }

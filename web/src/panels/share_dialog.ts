@@ -23,7 +23,11 @@ export class ShareDialog {
     const { linkWithin, embedded, copyLink } = parts;
     const heading = make('h2', { id: 'share-title' }, words.toolbar.link.label);
     const copy = async (): Promise<void> => setText(this.said, await copyLink());
-    const snippet = make('textarea', { readonly: true, rows: 3, 'aria-label': words.share.embed, spellcheck: 'false' }, frameCode(embedded));
+    const snippet = make(
+      'textarea',
+      { readonly: true, rows: 3, 'aria-label': words.share.embed, spellcheck: 'false' },
+      frameCode(embedded),
+    );
     snippet.addEventListener('focus', () => snippet.select());
     const copySnippet = async (): Promise<void> => {
       setText(this.said, (await copyText(snippet.value)) ? words.share.embedCopied : words.share.clipboardClosed);
@@ -37,7 +41,12 @@ export class ShareDialog {
         { class: 'body' },
         this.said,
         this.code,
-        make('div', { class: 'embed' }, make('h3', {}, words.share.embed), makeButton(words.share.copyEmbed, copySnippet)),
+        make(
+          'div',
+          { class: 'embed' },
+          make('h3', {}, words.share.embed),
+          makeButton(words.share.copyEmbed, copySnippet),
+        ),
         snippet,
       ),
       make(
@@ -60,13 +69,19 @@ export class ShareDialog {
     const { qrCode, QR_CAPACITY } = await import('../export/qr_code');
     const short = linkWithin(QR_CAPACITY);
     if (short) this.code.append(drawn(qrCode(short.link)));
-    if (!short?.positions) this.code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
+    if (!short?.positions)
+      this.code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
   }
 }
 
 /** Dark on light in any theme: not every reader takes the reverse. */
 function drawn({ size, path }: QrCode): SVGSVGElement {
   const paper = makeSvg('path', { d: `M0 0h${size}v${size}H0z`, class: 'paper' });
-  const picture = { viewBox: `0 0 ${size} ${size}`, 'shape-rendering': 'crispEdges', role: 'img', 'aria-label': words.share.qr };
+  const picture = {
+    viewBox: `0 0 ${size} ${size}`,
+    'shape-rendering': 'crispEdges',
+    role: 'img',
+    'aria-label': words.share.qr,
+  };
   return makeSvg('svg', picture, paper, makeSvg('path', { d: path }));
 }

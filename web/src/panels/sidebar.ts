@@ -268,7 +268,11 @@ class Sidebar implements Panels {
     this.fold.classList.add('fold');
     this.fold.setAttribute('aria-controls', this.sections.id);
     this.unfold(false);
-    const keys = makeButton('?', () => events.showKeys(), { class: 'keys-button', 'aria-label': words.keys.title, title: words.keys.hint });
+    const keys = makeButton('?', () => events.showKeys(), {
+      class: 'keys-button',
+      'aria-label': words.keys.title,
+      title: words.keys.hint,
+    });
     return make('div', { class: 'status' }, this.light, this.status, keys, this.fold);
   }
 

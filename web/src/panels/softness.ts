@@ -12,7 +12,13 @@ export class Softness {
   private readonly soft: ReturnType<typeof makeSwitch>;
   private readonly weight = make('input', { type: 'range', min: WEIGHTS.smallest, max: WEIGHTS.largest, step: 0.1 });
   private readonly value = make('output');
-  private readonly weightRow = make('label', { class: 'slider' }, make('span', {}, words.handles.weight), this.weight, this.value);
+  private readonly weightRow = make(
+    'label',
+    { class: 'slider' },
+    make('span', {}, words.handles.weight),
+    this.weight,
+    this.value,
+  );
 
   constructor(change: (traits: HandleTraits) => void) {
     this.soft = makeSwitch(words.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));

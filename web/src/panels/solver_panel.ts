@@ -63,7 +63,8 @@ export class SolverPanel {
     this.options = options;
     this.method.show(method);
     this.initialisation.show(initialisation);
-    for (const { option, input } of this.settings) this.showSetting(option, input, options[option.name] ?? option.value);
+    for (const { option, input } of this.settings)
+      this.showSetting(option, input, options[option.name] ?? option.value);
     this.defaults.hidden = Object.keys(options).length === 0;
   }
 
@@ -87,7 +88,12 @@ export class SolverPanel {
     input.addEventListener('change', () => {
       if (input.reportValidity()) this.change(option, input.valueAsNumber);
     });
-    const row = make('label', { class: 'row', title: option.sentence }, make('span', {}, words.core.name(option.name)), input);
+    const row = make(
+      'label',
+      { class: 'row', title: option.sentence },
+      make('span', {}, words.core.name(option.name)),
+      input,
+    );
     return { option, input, row };
   }
 

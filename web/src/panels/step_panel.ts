@@ -27,7 +27,9 @@ export class StepPanel {
       numbers.append(make('div', {}, make('dt', {}, label), value));
       return value;
     };
-    this.cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as typeof this.cells;
+    this.cells = Object.fromEntries(
+      Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
+    ) as typeof this.cells;
     const step = makeButton(words.step.step, () => events.step(), { title: words.step.stepHint });
     this.content = [make('div', { class: 'buttons' }, step), row, this.stage, numbers];
   }

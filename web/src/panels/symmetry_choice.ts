@@ -13,7 +13,9 @@ export class SymmetryChoice {
 
   constructor(private readonly chosen: (symmetry: Symmetry | undefined) => void) {
     const axes = AXES.map((axis) => ({ value: axis, text: words.symmetry.across(axis) }));
-    this.axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () => this.choose());
+    this.axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () =>
+      this.choose(),
+    );
     this.through = makeSelect(
       words.symmetry.through,
       [

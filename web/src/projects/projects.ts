@@ -60,7 +60,8 @@ export class Projects {
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
-    if (isMarked(last.id)) return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
+    if (isMarked(last.id))
+      return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
     await this.#restore(last);
     return () => this.#offer(words.projects.restored, words.projects.startAfresh, () => this.newNet());
   }
@@ -94,7 +95,8 @@ export class Projects {
    *  nothing, a link of its own carries the net over. */
   async reload(): Promise<void> {
     await this.#autosave.save();
-    if (this.#autosave.refused) history.replaceState(null, '', (await linking()).hashOf(this.#app).hash ?? location.hash);
+    if (this.#autosave.refused)
+      history.replaceState(null, '', (await linking()).hashOf(this.#app).hash ?? location.hash);
     else if (isOwn(this.#autosave.id)) return location.replace(location.pathname + location.search);
     location.reload();
   }
@@ -122,7 +124,10 @@ export class Projects {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
       if (isCancelled(error)) throw error;
-      throw new FileError('bad_project', words.projects.fault(file.name, error instanceof Error ? error.message : String(error)));
+      throw new FileError(
+        'bad_project',
+        words.projects.fault(file.name, error instanceof Error ? error.message : String(error)),
+      );
     }
     this.#autosave.begin(newId(), true);
     this.#app.say(words.projects.opened);

@@ -141,7 +141,9 @@ function angleScale({ narrow, right, wide }: MapColours, ends: Ends = [45, 135])
     ticks: [...new Set(marked)].map((value) => ({ value, label: `${endText(value)}°` })),
     colour: (t) => {
       const value = low + (high - low) * t;
-      return low < 90 && value <= 90 ? mix(narrow, right, (value - low) / (90 - low)) : mix(right, wide, (value - 90) / (high - 90));
+      return low < 90 && value <= 90
+        ? mix(narrow, right, (value - low) / (90 - low))
+        : mix(right, wide, (value - 90) / (high - 90));
     },
   };
 }

@@ -1,5 +1,5 @@
 /** One drag of handles, whoever moves them: a pointer in the view plane, the gizmo or the arrow keys. */
-import { type Camera, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { type Camera, Plane, Raycaster, type Vector2, Vector3 } from 'three';
 import type { Handle } from '../../../wasm/chebnet';
 import type { ViewEvents } from './view';
 

@@ -295,7 +295,8 @@ export class Gestures {
     this.hoverFrame = requestAnimationFrame(() => {
       const last = this.hover;
       this.hover = null;
-      if (last && !this.press) this.setHover(last.target === this.stage.canvas ? this.find(this.place(last), last) : null);
+      if (last && !this.press)
+        this.setHover(last.target === this.stage.canvas ? this.find(this.place(last), last) : null);
     });
   }
 

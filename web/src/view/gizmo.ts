@@ -1,6 +1,16 @@
 /** Arrows, rings and boxes along x, y, z at the selected handles: three's TransformControls, bound to this page's way of
  *  dragging. They come when there is something to be moved by them. */
-import { Color, Group, Matrix4, Mesh, Object3D, type PerspectiveCamera, SRGBColorSpace, type Vector2, Vector3 } from 'three';
+import {
+  Color,
+  Group,
+  Matrix4,
+  Mesh,
+  Object3D,
+  type PerspectiveCamera,
+  SRGBColorSpace,
+  type Vector2,
+  Vector3,
+} from 'three';
 import type { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { UpAxis } from '../document/document';
 import type { GizmoMode } from '../handles/wishes';
@@ -85,7 +95,9 @@ export class Gizmo {
       this.toStart.copy(this.pivotMatrix()).invert();
       this.events.start();
     });
-    controls.addEventListener('objectChange', () => this.events.move(this.pivotMatrix().clone().multiply(this.toStart)));
+    controls.addEventListener('objectChange', () =>
+      this.events.move(this.pivotMatrix().clone().multiply(this.toStart)),
+    );
     controls.addEventListener('mouseUp', () => this.events.end());
   }
 

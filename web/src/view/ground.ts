@@ -1,7 +1,7 @@
 /** A floor under the net: a faint grid, and the net's soft shadow as if from an overcast sky. The shadow is the plan of the
  *  faces, drawn small and blurred twice; it is redrawn only when the net moves, not when the camera does. */
 import {
-  BufferGeometry,
+  type BufferGeometry,
   Color,
   GLSL3,
   LinearFilter,
@@ -174,7 +174,12 @@ export class Ground {
     renderer.setRenderTarget(null);
   }
 
-  private paint(renderer: WebGLRenderer, geometry: BufferGeometry, material: ShaderMaterial, to: WebGLRenderTarget): void {
+  private paint(
+    renderer: WebGLRenderer,
+    geometry: BufferGeometry,
+    material: ShaderMaterial,
+    to: WebGLRenderTarget,
+  ): void {
     this.painter.geometry = geometry;
     this.painter.material = material;
     renderer.setRenderTarget(to);

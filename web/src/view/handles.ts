@@ -64,7 +64,14 @@ export class HandleMarks {
     const mark = ({ vertex, target, anchor, weight, hidden }: HandleData): Mark => {
       const point = inHand.get(vertex) ?? new Vector3();
       if (!inHand.has(vertex)) space.toScene(point, target);
-      return { vertex, locked: anchor, soft: weight !== undefined, hidden: hidden === true, selected: selected.has(vertex), point };
+      return {
+        vertex,
+        locked: anchor,
+        soft: weight !== undefined,
+        hidden: hidden === true,
+        selected: selected.has(vertex),
+        point,
+      };
     };
     this.marks = new Map(handles.map((handle) => [handle.vertex, mark(handle)]));
   }
@@ -108,7 +115,8 @@ export class HandleMarks {
   }
 
   setTheme(theme: Theme): void {
-    for (const spheres of [this.spheres, this.manySpheres]) spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
+    for (const spheres of [this.spheres, this.manySpheres])
+      spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
     this.rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
@@ -123,9 +131,21 @@ export class HandleMarks {
     const plain = points(({ locked, soft }) => !locked && !soft);
     this.spheres.place(plain.length > MANY ? [] : plain, camera, size);
     this.manySpheres.place(plain.length > MANY ? plain : [], camera, size);
-    this.hollow.place(points(({ locked, soft }) => !locked && soft), camera, size);
-    this.cubes.place(points(({ locked }) => locked), camera, CUBE * size);
-    this.rings.place(points(({ selected }) => selected), camera, size);
+    this.hollow.place(
+      points(({ locked, soft }) => !locked && soft),
+      camera,
+      size,
+    );
+    this.cubes.place(
+      points(({ locked }) => locked),
+      camera,
+      CUBE * size,
+    );
+    this.rings.place(
+      points(({ selected }) => selected),
+      camera,
+      size,
+    );
   }
 
   dispose(): void {

@@ -9,7 +9,11 @@ const ROUNDING = 1e-8;
 /** @param positions 3 numbers a vertex. */
 export function isLonger({ edges, restLengths }: Edges, positions: Float64Array, edge: number): boolean {
   const [a, b] = [3 * edges[2 * edge]!, 3 * edges[2 * edge + 1]!];
-  const [x, y, z] = [positions[a]! - positions[b]!, positions[a + 1]! - positions[b + 1]!, positions[a + 2]! - positions[b + 2]!];
+  const [x, y, z] = [
+    positions[a]! - positions[b]!,
+    positions[a + 1]! - positions[b + 1]!,
+    positions[a + 2]! - positions[b + 2]!,
+  ];
   const bound = restLengths[edge]! * (1 + ROUNDING);
   return x * x + y * y + z * z > bound * bound;
 }

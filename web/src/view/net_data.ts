@@ -96,7 +96,9 @@ export class NetData {
       points[to + 2] = (positions[from + axisZ]! - cz) * scale;
       points[to + 3] = cornerAngles[i]! * DEGREES;
     }
-    if (field === 'longer') for (let edge = 0; edge < deviations.length; edge++) this.edgeValues[edge] = Number(isLonger(this.net, positions, edge));
+    if (field === 'longer')
+      for (let edge = 0; edge < deviations.length; edge++)
+        this.edgeValues[edge] = Number(isLonger(this.net, positions, edge));
     else this.edgeValues.set(deviations);
     this.vertices.needsUpdate = true;
     this.edgeTexture.needsUpdate = true;

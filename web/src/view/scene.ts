@@ -1,5 +1,15 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
-import { Color, DirectionalLight, HemisphereLight, Matrix4, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer } from 'three';
+import {
+  Color,
+  DirectionalLight,
+  HemisphereLight,
+  Matrix4,
+  Scene,
+  SRGBColorSpace,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { endsOf, type HandleData, type Symmetry, type Vec3, type ViewState } from '../document/document';
 import type { Film } from '../export/recording';
 import { words } from '../language/language';
@@ -111,7 +121,8 @@ class SceneView implements View {
       changed: () => this.requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet, this.reach]) this.scene.add(part.object);
+    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet, this.reach])
+      this.scene.add(part.object);
     this.scene.add(this.gizmo.object, this.rig.camera);
     this.addLights();
     this.gestures = this.createGestures(canvas);
@@ -268,7 +279,8 @@ class SceneView implements View {
     this.gestures.dispose();
     this.removeNet();
     const { gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer } = this;
-    for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer]) thing.dispose();
+    for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer])
+      thing.dispose();
     this.renderer.domElement.remove();
     this.overlay.element.remove();
     this.notice.remove();
@@ -372,7 +384,8 @@ class SceneView implements View {
   }
 
   private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet, this.reach]) part.setTheme(this.theme);
+    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet, this.reach])
+      part.setTheme(this.theme);
     this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
     this.setAppearance(this.appearance);
   }
@@ -507,13 +520,15 @@ class SceneView implements View {
   }
 
   private drawnStrains(): Strain[] {
-    return (this.latest?.unreachable ?? []).slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
-      const [a, b] = [this.marks.point(vertexA), this.marks.point(vertexB)];
-      if (!a || !b) return [];
-      const [from, to] = [this.place(a), this.place(b)];
-      const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
-      return [{ from, to, label: i === 0 ? { text, at: this.between(from, to) } : null }];
-    });
+    return (this.latest?.unreachable ?? [])
+      .slice(0, SHOWN_STRAINS)
+      .flatMap(({ vertexA, vertexB, distance, reach }, i) => {
+        const [a, b] = [this.marks.point(vertexA), this.marks.point(vertexB)];
+        if (!a || !b) return [];
+        const [from, to] = [this.place(a), this.place(b)];
+        const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
+        return [{ from, to, label: i === 0 ? { text, at: this.between(from, to) } : null }];
+      });
   }
 
   /** The middle of two places, kept on the canvas so that a label there can be read. */

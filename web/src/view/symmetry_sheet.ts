@@ -25,7 +25,12 @@ export class SymmetrySheet {
   readonly object = new Group();
   private readonly area = new BufferGeometry();
   private readonly outline = new BufferGeometry();
-  private readonly sheet = new MeshBasicMaterial({ transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false });
+  private readonly sheet = new MeshBasicMaterial({
+    transparent: true,
+    opacity: 0.1,
+    side: DoubleSide,
+    depthWrite: false,
+  });
   private readonly rim = new LineBasicMaterial({ transparent: true, opacity: 0.6 });
 
   constructor() {

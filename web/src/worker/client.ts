@@ -244,7 +244,9 @@ export class Client {
       this.#dragsUnderWay -= 1;
       if (this.#dragsUnderWay === 0) this.#sendDrag();
     };
-    this.#ask({ type: 'drag', targets: Array.from(targets, ([vertex, target]) => ({ vertex, target })) }, 'done').then(taken, refused).finally(onward);
+    this.#ask({ type: 'drag', targets: Array.from(targets, ([vertex, target]) => ({ vertex, target })) }, 'done')
+      .then(taken, refused)
+      .finally(onward);
   }
 
   #remember(handles: readonly Handle[], positions: Float64Array | null): void {
@@ -256,7 +258,8 @@ export class Client {
   // -------------------------------------------------------------------------------------------------------- answers
 
   #receive(response: Response): void {
-    if (response.type === 'error' && response.code === CRASHED) return this.#lose(words.core.failure(CRASHED, response.message));
+    if (response.type === 'error' && response.code === CRASHED)
+      return this.#lose(words.core.failure(CRASHED, response.message));
     this.#proven = true;
     if (response.type === 'frame' || response.type === 'settled') this.#news(response);
     else this.#answered(response);

@@ -122,7 +122,10 @@ export class Session {
       case 'measure':
         return this.#reply(request, this.#measured());
       case 'reach':
-        return this.#reply(request, { type: 'reach', balls: request.vertices.map((vertex) => this.#net().reach(vertex)) });
+        return this.#reply(request, {
+          type: 'reach',
+          balls: request.vertices.map((vertex) => this.#net().reach(vertex)),
+        });
       case 'distances':
         return this.#distances(request);
       case 'thumbnail':
@@ -203,9 +206,11 @@ export class Session {
 
   #measured(): Answer {
     const editor = this.#net();
-    return { type: 'measured', measures: { bend: editor.bend(), smallestAngle: editor.smallestAngle(), handleError: editor.handleError() } };
+    return {
+      type: 'measured',
+      measures: { bend: editor.bend(), smallestAngle: editor.smallestAngle(), handleError: editor.handleError() },
+    };
   }
-
 
   // ---------------------------------------------------------------------------------------------------- the whole core
 
@@ -216,7 +221,10 @@ export class Session {
       this.#moveTo(await this.#host.wholeCore());
     } catch (error) {
       late.shift();
-      this.#refuse(request.id, failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`));
+      this.#refuse(
+        request.id,
+        failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`),
+      );
     }
     this.#late = null;
     for (const each of late) this.handle(each);
@@ -270,7 +278,8 @@ export class Session {
   #solveFailed(error: unknown): void {
     const code = codeOf(error);
     // Hard problems end with a status; what else throws is broken.
-    if (code !== TOO_LARGE) return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+    if (code !== TOO_LARGE)
+      return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
     this.#judge();
     this.#settle();
     this.#refuse(this.#touch, error);
@@ -386,7 +395,10 @@ function openNet(core: Editors, net: OpenScene['net']): Editor {
 
 function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
   if (numbering === undefined || numbering === numberingOf(editor)) return;
-  throw failure('other_numbering', 'This net is numbered otherwise than when it was saved: its shape and handles would belong to other vertices.');
+  throw failure(
+    'other_numbering',
+    'This net is numbered otherwise than when it was saved: its shape and handles would belong to other vertices.',
+  );
 }
 
 function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
@@ -399,20 +411,38 @@ function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): 
   applySettings(core, editor, scene);
   const rest = editor.restPositions;
   const seeds =
-    scene.handles === 'suggested' ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null })) : scene.handles;
+    scene.handles === 'suggested'
+      ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null }))
+      : scene.handles;
   // A vertex that is out of range gets a target all the same: the core says what is wrong with it.
-  const at = (vertex: number): [number, number, number] => [rest[3 * vertex] ?? 0, rest[3 * vertex + 1] ?? 0, rest[3 * vertex + 2] ?? 0];
-  const handles = seeds.map(({ vertex, target, weight }: Omit<HandleSeed, 'anchor'>) => ({ vertex, target: target ?? at(vertex), weight }));
+  const at = (vertex: number): [number, number, number] => [
+    rest[3 * vertex] ?? 0,
+    rest[3 * vertex + 1] ?? 0,
+    rest[3 * vertex + 2] ?? 0,
+  ];
+  const handles = seeds.map(({ vertex, target, weight }: Omit<HandleSeed, 'anchor'>) => ({
+    vertex,
+    target: target ?? at(vertex),
+    weight,
+  }));
   editor.setHandles(targetsOf(handles));
   const { positions } = scene;
-  if (positions !== null) editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
+  if (positions !== null)
+    editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
 }
 
 /** Puts the net into the state of another editor. */
 function takeOver(core: Editors, editor: Editor, from: Editor): void {
   const handles = from.handles().map((handle) => ({ ...handle, anchor: false }));
   const { method, initialisation } = from;
-  prepare(core, editor, { method, initialisation, options: from.options(), handles, positions: from.positions(), settled: true });
+  prepare(core, editor, {
+    method,
+    initialisation,
+    options: from.options(),
+    handles,
+    positions: from.positions(),
+    settled: true,
+  });
   const locality = from.locality();
   if (locality !== null) editor.setLocality(locality.radius, locality.origins);
 }
@@ -440,7 +470,9 @@ function applySettings(core: Editors, editor: Editor, { method, initialisation, 
 
 /** What of a message is moved to the page rather than copied. */
 function buffersOf(message: OpenedNet | FrameData): Transferable[] {
-  return Object.values(message).flatMap((value: unknown) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+  return Object.values(message).flatMap((value: unknown) =>
+    ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : [],
+  );
 }
 
 function rangeOf(values: Float32Array): [number, number] {

@@ -16,7 +16,8 @@ export function warmUp(core: Editors): void {
   editor.setHandles(handles);
   const start = performance.now();
   for (let depth = 0.1; performance.now() - start < MILLISECONDS; depth += 0.1) {
-    for (const { vertex, target } of handles.slice(-1)) editor.moveHandle(vertex, [target[0], target[1], target[2] - depth]);
+    for (const { vertex, target } of handles.slice(-1))
+      editor.moveHandle(vertex, [target[0], target[1], target[2] - depth]);
     editor.solve({ milliseconds: MILLISECONDS });
     editor.reset();
   }

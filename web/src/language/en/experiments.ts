@@ -1,8 +1,10 @@
 /** The experiments, apart from what figures.json says of each. */
 export const experiments = {
   label: 'Experiment',
-  about: 'The paper’s claims, tried on nets of our own. Verdicts were measured natively; their numbers are those of the first edit.',
-  paper: 'Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022.',
+  about:
+    'The paper’s claims, tried on nets of our own. Verdicts were measured natively; their numbers are those of the first edit.',
+  paper:
+    'Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022.',
   /** null: what section 4 says without one. */
   figure: (figure: number | null) => (figure === null ? 'Section 4' : `Figure ${figure}`),
   heading: (figure: string, title: string) => `${figure}: ${title}`,

@@ -51,7 +51,12 @@ export const SHAPES: Record<string, ShapeWords> = {
   elephant: {
     title: '大象',
     sentence: '由方块搭成的大象。角上汇集三条、五条或六条边，而非四条。',
-    parameters: { vertices: VERTICES, legs: '腿的长度（躯干高度为 4）。', trunk: '象鼻的长度（躯干高度为 4）。', smooth: SMOOTH },
+    parameters: {
+      vertices: VERTICES,
+      legs: '腿的长度（躯干高度为 4）。',
+      trunk: '象鼻的长度（躯干高度为 4）。',
+      smooth: SMOOTH,
+    },
   },
   teddy: {
     title: '玩具熊',
@@ -82,10 +87,19 @@ export const SHAPES: Record<string, ShapeWords> = {
 
 export const METHODS: Record<string, { title: string; sentence: string }> = {
   li2022: { title: 'Li 等 2022', sentence: '论文的方法：能量为 r^p + r^-p，对其凸优超函数作牛顿迭代，分三个阶段。' },
-  projection: { title: '投影', sentence: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。' },
+  projection: {
+    title: '投影',
+    sentence: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。',
+  },
   composite_majorization: { title: '复合优超', sentence: '论文的能量与阶段；受压的边没有切向刚度。' },
-  projected_newton: { title: '投影牛顿法', sentence: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。' },
-  gauss_newton: { title: '高斯–牛顿法', sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。' },
+  projected_newton: {
+    title: '投影牛顿法',
+    sentence: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。',
+  },
+  gauss_newton: {
+    title: '高斯–牛顿法',
+    sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。',
+  },
   dp4: { title: 'D^p，p = 4', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。' },
   dp8: { title: 'D^p，p = 8', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。' },
   arap: { title: 'ARAP', sentence: '尽可能刚性：各顶点处的边从初始形状起一同转动；保持形状，不保持长度。' },
@@ -203,7 +217,10 @@ export const core = {
       return { ...shape, title, sentence, parameters: own };
     }),
     methods: methods.map((each) => ({ ...each, sentence: METHODS[each.name]?.sentence ?? each.sentence })),
-    initialisations: initialisations.map((each) => ({ ...each, sentence: INITIALISATIONS[each.name]?.sentence ?? each.sentence })),
+    initialisations: initialisations.map((each) => ({
+      ...each,
+      sentence: INITIALISATIONS[each.name]?.sentence ?? each.sentence,
+    })),
     options: options.map((each) => ({ ...each, sentence: OPTIONS[each.name] ?? each.sentence })),
   }),
   name: (name: string) => NAMES[name] ?? name,

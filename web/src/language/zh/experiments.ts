@@ -4,7 +4,8 @@ import type { Widened } from '../words';
 export const experiments: Widened<typeof en> = {
   label: '实验',
   about: '论文的各项论断，在我们自己的网上试验。结论由本机程序测得，所列数值取自第一个编辑。',
-  paper: 'Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022。',
+  paper:
+    'Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022。',
   figure: (figure) => (figure === null ? '第 4 节' : `图 ${figure}`),
   heading: (figure, title) => `${figure}：${title}`,
   claims: '论文的论断，以及我们的测量',
