@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { chordOf, PAGE_KEYS } from '../../web/src/keys';
+import { chordOf } from '../../web/src/elements/keys';
+import { PAGE_KEYS } from '../../web/src/keys';
 
 function chord(key: string, held: Partial<Record<'ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey', true>> = {}): string {
   return chordOf({ key, ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...held } as KeyboardEvent);

@@ -1,10 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
-import { Convergence } from '../../web/src/panels/convergence';
-import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/panels/recipe';
-import { edgeLayers, project } from '../../web/src/panels/thumbnail';
-import { coordinate, milliseconds, small, stageWords, statusWords } from '../../web/src/panels/words';
+import { Convergence } from '../../web/src/net/convergence';
+import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/sidebar/recipe';
+import { edgeLayers, project } from '../../web/src/sidebar/thumbnail';
+import { coordinate, milliseconds, small } from '../../web/src/language/numbers';
+import { stageWords, statusWords } from '../../web/src/sidebar/status';
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,

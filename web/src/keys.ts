@@ -1,13 +1,6 @@
 /** The keys that work wherever the focus is, but in a field for text or a dialog. The sheet of keys is made from this table. */
 import type { App, AppServices } from './app';
-import type { Words } from './language/language';
-
-/** What some keys do, each of them alone. Such tables stand beside the code that handles the keys. */
-export interface KeyRow {
-  /** Keys held together are joined by `+`. */
-  keys: readonly string[];
-  does: keyof Words['keys']['does'];
-}
+import { chordOf, type KeyRow } from './elements/keys';
 
 interface PageKey extends KeyRow {
   /** In a field for text too. */
@@ -42,14 +35,6 @@ export function commandOf(event: KeyboardEvent): PageKey['run'] | null {
   const chord = chordOf(event);
   const row = PAGE_KEYS.find(({ keys, inFields }) => keys.includes(chord) && (inFields || !isTyping(event)));
   return row?.run ?? null;
-}
-
-/** As the table writes it. Shift counts with letters only: other signs say themselves whether they need it. */
-export function chordOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): string {
-  const isLetter = /^\p{L}$/u.test(key);
-  const name = isLetter ? key.toUpperCase() : key === 'Escape' ? 'Esc' : key;
-  const held = [ctrlKey && 'Ctrl+', altKey && 'Alt+', metaKey && '⌘+', shiftKey && isLetter && 'Shift+'];
-  return [...held, name].filter(Boolean).join('');
 }
 
 /** In a field for text the keys belong to the text, in a list of choices those without Ctrl do. */

@@ -1,6 +1,6 @@
 /** What is equalised, and what becomes of the net that was open. */
 import type { ChebnetDocument, Scene } from '../document/document';
-import { fileNameOf } from '../export/kinds';
+import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface Subject {

@@ -1,5 +1,4 @@
 /** As what a net leaves the page. */
-import type { NetSource } from '../document/document';
 import type { ExportFormat } from '../worker/protocol';
 
 /** Those that the export worker makes; the core writes the others, and the view gives `png`. */
@@ -29,13 +28,4 @@ const TYPES: Record<FileKind, string> = {
 
 export function typeOf(kind: FileKind): string {
   return TYPES[kind];
-}
-
-/** After the shape of a recipe or the file that was opened. */
-export function baseNameOf(net: NetSource): string {
-  return ('recipe' in net ? net.recipe.split(':')[0] : net.name.replace(/\.(obj|ply|off)$/i, '')) || 'net';
-}
-
-export function fileNameOf(net: NetSource, extension: string): string {
-  return `${baseNameOf(net)}.${extension}`;
 }

@@ -1,5 +1,6 @@
 /** A film of the view, as the browser can make one. */
 import { words } from '../language/language';
+import type { Film } from '../view/view';
 
 /** A film runs no longer, in seconds. */
 export const LONGEST = 60;
@@ -15,12 +16,6 @@ export function filmType(): string | null {
 
 export function filmExtension(type: string): 'webm' | 'mp4' {
   return type.startsWith('video/mp4') ? 'mp4' : 'webm';
-}
-
-/** The picture as it goes on. */
-export interface Film {
-  stream: MediaStream;
-  end(): void;
 }
 
 /** Records until it is stopped or the film is as long as it may be. */

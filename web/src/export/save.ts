@@ -1,19 +1,29 @@
 /** Saves the net that is open as a file of some kind. */
-import type { App } from '../app';
 import { endsOf } from '../document/document';
+import { baseNameOf, fileNameOf } from '../document/file_name';
 import { download } from '../files/download';
 import { words } from '../language/language';
 import { scaleOf } from '../view/colour_map';
 import type { Theme } from '../view/theme';
 import type { Opening } from '../worker/opening';
+import type { ExportFormat } from '../worker/protocol';
 import type { PatternFault } from './flat_pattern';
 import type { ExportAnswer, ExportJob } from './job';
-import { baseNameOf, fileNameOf, typeOf } from './kinds';
+import { typeOf } from './kinds';
 import type { MadeKind, SaveWish } from './kinds';
 import { vertexColours } from './paint';
 
+/** What is saved. */
+export interface Saveable {
+  readonly opening: Opening | null;
+  /** See View.picture(). */
+  picture(magnification: number): Promise<Blob>;
+  /** The present net as the bytes of a file. */
+  exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>>;
+}
+
 export interface SaveParts {
-  app: App;
+  app: Saveable;
   theme(): Theme;
   spawnWorker(): Worker;
 }

@@ -2,7 +2,7 @@
 import type { App } from '../app';
 import type { HandleData, Vec3 } from '../document/document';
 import { words } from '../language/language';
-import type { Lesson } from '../panels/lessons';
+import type { Lesson } from '../panels';
 
 /** How far a handle is pulled, in edge lengths: a little to be seen, more to give the solver something to do. */
 const LITTLE = 3;

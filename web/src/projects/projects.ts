@@ -3,7 +3,7 @@ import type { App } from '../app';
 import { defaultScene } from '../document/defaults';
 import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
 import { download } from '../files/download';
-import { baseNameOf } from '../export/kinds';
+import { baseNameOf } from '../document/file_name';
 import { FileError } from '../files/file_error';
 import { words } from '../language/language';
 import { isCancelled } from '../worker/client';

@@ -6,7 +6,7 @@ import { Matrix4, TOUCH, Vector2, Vector3, type PerspectiveCamera } from 'three'
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
 import { words } from '../language/language';
-import type { KeyRow } from '../keys';
+import type { KeyRow } from '../elements/keys';
 import { type DragReport, ViewPlane } from './drag';
 import type { Gizmo } from './gizmo';
 import type { HandleMarks } from './handles';

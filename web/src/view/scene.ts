@@ -11,7 +11,6 @@ import {
   WebGLRenderer,
 } from 'three';
 import { endsOf, type HandleData, type Symmetry, type Vec3, type ViewState } from '../document/document';
-import type { Film } from '../export/recording';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -35,7 +34,7 @@ import { Space } from './space';
 import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
-import type { View, ViewChoice, ViewEvents } from './view';
+import type { Film, View, ViewChoice, ViewEvents } from './view';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
 type Appearance = Omit<ViewState, 'camera'>;

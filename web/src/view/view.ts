@@ -2,7 +2,6 @@
  *  it never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
-import type { Film } from '../export/recording';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/wishes';
@@ -42,6 +41,12 @@ export const LOOKING_ONLY: ViewEvents = {
 
 /** What the view shows of a choice. */
 export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting'>;
+
+/** The picture as it goes on. */
+export interface Film {
+  stream: MediaStream;
+  end(): void;
+}
 
 export interface View {
   /** Shows another net; frames the camera unless one is given. */

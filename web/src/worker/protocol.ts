@@ -1,17 +1,6 @@
-import type {
-  Ball,
-  FileFormat,
-  Handle,
-  InitialisationInfo,
-  MethodInfo,
-  NetInfo,
-  OptionInfo,
-  ShapeInfo,
-  Status,
-  TraceRow,
-  UnreachablePair,
-} from '../../../wasm/chebnet';
+import type { Ball, FileFormat, Handle, NetInfo, Status, TraceRow, UnreachablePair } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings } from '../document/document';
+import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
 export const PROTOCOL_VERSION = 7;
@@ -55,14 +44,6 @@ export type Request = { id: number } & (
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
 );
-
-/** What the core can do. */
-export interface Tables {
-  shapes: ShapeInfo[];
-  methods: MethodInfo[];
-  initialisations: InitialisationInfo[];
-  options: OptionInfo[];
-}
 
 export interface Measures {
   /** Fairness, see core/net/measures.h. */

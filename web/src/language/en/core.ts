@@ -1,6 +1,6 @@
 /** What the core says. It speaks English: its sentences stand as they are, its names are made readable. */
 import type { Finding } from '../../../../wasm/chebnet';
-import type { Tables } from '../../worker/protocol';
+import type { Tables } from '../../net/tables';
 
 /** Methods and initialisations that are more than their words. */
 const METHODS: Record<string, string> = {

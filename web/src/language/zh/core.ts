@@ -1,6 +1,6 @@
 /** What the core says, by the names in its tables and the codes of its errors. */
 import type { Defect, Finding } from '../../../../wasm/chebnet';
-import type { Tables } from '../../worker/protocol';
+import type { Tables } from '../../net/tables';
 
 interface ShapeWords {
   title: string;

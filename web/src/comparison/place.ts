@@ -1,0 +1,45 @@
+/** The place of a comparison's results, which come when they are first wanted. */
+import type { Comparison, Run } from '../compare/run';
+import { part } from '../part';
+import type { ComparisonResults } from './results';
+import { make } from '../elements/dom';
+import type { PanelEvents } from '../panels';
+
+const loadResults = part(() => import('./results'));
+
+export class ComparisonPlace {
+  /** Until then. */
+  readonly element = make('section', { hidden: true });
+  private results: ComparisonResults | null = null;
+  private comparison: Comparison | null = null;
+
+  /** @param failed is told why they did not come. */
+  constructor(
+    private readonly events: PanelEvents,
+    private readonly failed: (error: unknown) => void,
+  ) {}
+
+  /** May be called often. */
+  show(comparison: Comparison): void {
+    const isNew = comparison !== this.comparison;
+    this.comparison = comparison;
+    if (this.results) this.results.show(comparison);
+    else if (isNew) this.load().catch(this.failed);
+  }
+
+  showCurrent(run: Run | null, beside: readonly Run[]): void {
+    this.results?.showCurrent(run, beside);
+  }
+
+  netChanged(): void {
+    this.results?.netChanged();
+  }
+
+  private async load(): Promise<void> {
+    const { ComparisonResults } = await loadResults();
+    if (this.results || !this.comparison) return;
+    this.results = new ComparisonResults(this.events);
+    this.element.replaceWith(this.results.element);
+    this.results.show(this.comparison);
+  }
+}

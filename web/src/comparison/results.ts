@@ -1,0 +1,160 @@
+/** The results of a comparison, below the picture: curves that grow, a table, and files of both. */
+import { tableCsv, tracesCsv } from '../compare/csv';
+import { canShow, type Comparison, type Run } from '../compare/run';
+import { download } from '../files/download';
+import { words } from '../language/language';
+import { savePicture } from './picture';
+import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
+import { ComparisonTable } from './table';
+import { make, makeButton, setText } from '../elements/dom';
+import type { PanelEvents } from '../panels';
+
+/** Numbers that change more often cannot be read. */
+const REFRESH_MS = 120;
+/** Colours for curves in the style sheet; every five styles the line is another. */
+const CURVE_COLOURS = 10;
+const CURVES_OF_A_LINE = 5;
+const LINES: readonly LineStyle[] = ['solid', 'dashed', 'dotted'];
+/** Nets side by side; a phone has room for two. */
+const ABREAST = { desktop: 3, phone: 2 };
+
+export class ComparisonResults {
+  readonly element: HTMLElement;
+  private readonly words = make('p', { role: 'status' });
+  private readonly stop: HTMLButtonElement;
+  private readonly plots: ComparisonPlot[];
+  private readonly table: ComparisonTable;
+  private readonly abreast = makeButton(words.comparison.abreast, () => this.toggleAbreast(), {
+    title: words.comparison.abreastHint,
+  });
+  private comparison: Comparison | null = null;
+  private current: Run | null = null;
+  private beside: readonly Run[] = [];
+  private netIsOpen = true;
+  private timer = 0;
+
+  constructor(private readonly events: PanelEvents) {
+    this.plots = [new ComparisonPlot('iterations', styleOf), new ComparisonPlot('milliseconds', styleOf)];
+    this.table = new ComparisonTable(styleOf, {
+      show: (run) => events.showRun(run === this.current ? null : run),
+      showBeside: (run) => this.toggleBeside(run),
+    });
+    this.stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
+    this.element = make(
+      'section',
+      { class: 'comparison', 'aria-label': words.comparison.heading, hidden: true },
+      make(
+        'header',
+        {},
+        make('h2', {}, words.comparison.heading),
+        this.words,
+        this.actions(),
+        makeButton('×', () => this.close(), { 'aria-label': words.comparison.close }),
+      ),
+      make('div', { class: 'plots' }, ...this.plots.map(({ element }) => element)),
+      this.table.element,
+    );
+  }
+
+  /** May be called often. */
+  show(comparison: Comparison): void {
+    if (comparison !== this.comparison) this.begin(comparison);
+    if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), comparison.running ? REFRESH_MS : 0);
+  }
+
+  /** The run whose net is in the view (null: the user's own is), and those beside it. */
+  showCurrent(run: Run | null, beside: readonly Run[]): void {
+    [this.current, this.beside] = [run, beside];
+    this.refreshTable();
+  }
+
+  /** Another net is open: those of the comparison cannot be shown in its place. */
+  netChanged(): void {
+    this.netIsOpen = false;
+    this.refreshTable();
+  }
+
+  private begin(comparison: Comparison): void {
+    this.comparison = comparison;
+    this.netIsOpen = true;
+    this.element.hidden = false;
+    this.table.showRuns(comparison.runs);
+  }
+
+  private refresh(): void {
+    this.timer = 0;
+    const comparison = this.comparison!;
+    for (const plot of this.plots) plot.show(comparison);
+    this.refreshTable();
+    setText(this.words, progress(comparison));
+    this.stop.disabled = !comparison.running;
+  }
+
+  private refreshTable(): void {
+    this.table.refresh(this.current, this.beside, this.netIsOpen);
+    this.abreast.disabled = !this.netIsOpen || this.toShowAbreast().length < 2;
+    this.abreast.setAttribute('aria-pressed', String(this.current !== null && this.beside.length > 0));
+  }
+
+  /** The first runs with a net to show. */
+  private toShowAbreast(): Run[] {
+    return this.comparison?.runs.filter(canShow).slice(0, mostAbreast()) ?? [];
+  }
+
+  private toggleAbreast(): void {
+    const [first = null, ...others] = this.abreast.getAttribute('aria-pressed') === 'true' ? [] : this.toShowAbreast();
+    this.events.showRun(first);
+    this.events.showBeside(others);
+  }
+
+  private toggleBeside(run: Run): void {
+    const others = this.beside.filter((each) => each !== run);
+    const isThere = others.length < this.beside.length;
+    this.events.showBeside(isThere ? others : [...others, run].slice(1 - mostAbreast()));
+  }
+
+  private actions(): HTMLElement {
+    const save = (name: string, csv: (comparison: Comparison) => string) => () => {
+      if (this.comparison) download(name, csv(this.comparison), 'text/csv');
+    };
+    return make(
+      'div',
+      { class: 'actions' },
+      this.stop,
+      this.abreast,
+      makeButton(words.comparison.tableCsv, save('comparison.csv', tableCsv)),
+      makeButton(words.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
+      makeButton(words.comparison.plotsPng, () => this.savePlots()),
+    );
+  }
+
+  private savePlots(): void {
+    const curves = this.comparison?.runs.map((run) => ({ title: run.label, ...styleOf(run) })) ?? [];
+    void savePicture(this.element, this.plots, curves);
+  }
+
+  private close(): void {
+    this.events.cancelComparison();
+    this.events.showRun(null);
+    this.events.showBeside([]);
+    this.element.hidden = true;
+  }
+}
+
+function styleOf({ style }: Run): CurveStyle {
+  const round = Math.floor(style / CURVES_OF_A_LINE) % LINES.length;
+  return { colour: `--curve-${(style % CURVE_COLOURS) + 1}`, line: LINES[round]! };
+}
+
+function mostAbreast(): number {
+  return matchMedia('(max-width: 720px)').matches ? ABREAST.phone : ABREAST.desktop;
+}
+
+function progress({ runs, running }: Comparison): string {
+  const done = runs.filter(({ state }) => state === 'ended' || state === 'failed').length;
+  const current = runs.find(({ state }) => state === 'running');
+  if (running && current) return words.comparison.running(current.label, done + 1, runs.length);
+  if (done < runs.length) return words.comparison.cancelled(done, runs.length);
+  const idle = runs.every(({ frame }) => frame?.iterations === 0);
+  return idle ? words.comparison.idle : words.comparison.done(done);
+}

@@ -1,0 +1,107 @@
+/** The numbers of a comparison, one line a run. A click on a line asks for its net. */
+import { canShow, type Run } from '../compare/run';
+import { words } from '../language/language';
+import type { CurveStyle } from './plot';
+import { make, makeButton, setText } from '../elements/dom';
+import { count, milliseconds, NOTHING, small } from '../language/numbers';
+
+const DEGREES = 180 / Math.PI;
+
+const { columns } = words.comparison;
+const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined }[] = [
+  { ...columns.iterations, text: ({ frame }) => (frame ? count(frame.iterations) : undefined) },
+  { ...columns.milliseconds, text: ({ frame }) => (frame ? milliseconds(frame.milliseconds) : undefined) },
+  { ...columns.maxDeviation, text: ({ frame }) => (frame ? small(frame.maxDeviation) : undefined) },
+  { ...columns.bend, text: ({ measures }) => (measures ? small(measures.bend) : undefined) },
+  {
+    ...columns.smallestAngle,
+    text: ({ measures }) => (measures ? `${(measures.smallestAngle * DEGREES).toFixed(1)}°` : undefined),
+  },
+  { ...columns.distance, text: ({ distance }) => (distance === null ? undefined : small(distance)) },
+  { ...columns.handleError, text: ({ measures }) => (measures ? small(measures.handleError) : undefined) },
+  { ...columns.status, text: runWords },
+];
+
+interface TableEvents {
+  show(run: Run): void;
+  /** Or no longer, if it is there. */
+  showBeside(run: Run): void;
+}
+
+interface Row {
+  run: Run;
+  button: HTMLButtonElement;
+  beside: HTMLButtonElement;
+  cells: HTMLElement[];
+}
+
+export class ComparisonTable {
+  readonly element = make('div', {
+    class: 'table',
+    tabindex: 0,
+    role: 'region',
+    'aria-label': words.comparison.results,
+  });
+  private rows: Row[] = [];
+
+  constructor(
+    private readonly styleOf: (run: Run) => CurveStyle,
+    private readonly events: TableEvents,
+  ) {}
+
+  showRuns(runs: readonly Run[]): void {
+    const heads = COLUMNS.map(({ title, hint }) => make('th', { scope: 'col', title: hint }, title));
+    this.rows = runs.map((run) => this.makeRow(run));
+    const body = make('tbody', {}, ...this.rows.map((row) => this.makeLine(row)));
+    this.element.replaceChildren(
+      make(
+        'table',
+        {},
+        make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.run), ...heads, make('td'))),
+        body,
+      ),
+    );
+  }
+
+  /** @param current the run whose net is in the view. @param open whether nets of this comparison can be shown. */
+  refresh(current: Run | null, beside: readonly Run[], open: boolean): void {
+    for (const row of this.rows) {
+      const { run, cells } = row;
+      row.button.setAttribute('aria-pressed', String(run === current));
+      row.beside.setAttribute('aria-pressed', String(beside.includes(run)));
+      row.button.disabled = row.beside.disabled = !open || !canShow(run);
+      COLUMNS.forEach(({ text }, i) => setText(cells[i]!, text(run) ?? NOTHING));
+    }
+  }
+
+  private makeRow(run: Run): Row {
+    const { colour, line } = this.styleOf(run);
+    const swatch = make('i', { class: `swatch ${line}` });
+    swatch.style.setProperty('color', `var(${colour})`);
+    const button = makeButton(swatch, () => {}, {
+      class: 'plain',
+      title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet,
+    });
+    button.append(run.label);
+    const beside = makeButton(words.comparison.beside, () => this.events.showBeside(run), {
+      class: 'plain link',
+      title: words.comparison.besideHint,
+      'aria-label': words.comparison.besideOther(run.label),
+    });
+    return { run, button, beside, cells: COLUMNS.map(() => make('td')) };
+  }
+
+  private makeLine({ run, button, beside, cells }: Row): HTMLElement {
+    const line = make('tr', {}, make('th', { scope: 'row' }, button), ...cells, make('td', {}, beside));
+    line.addEventListener('click', ({ target }) => {
+      if (!button.disabled && target !== beside) this.events.show(run);
+    });
+    return line;
+  }
+}
+
+/** How a run of a comparison stands, short enough for a table. */
+function runWords({ state, frame, fault }: Run): string {
+  if (state === 'ended') return frame ? words.comparison.status[frame.status] : '';
+  return fault === null ? words.comparison.state[state] : words.core.sentence(fault);
+}

@@ -1,0 +1,96 @@
+/** How equalising goes on, and what came of it. */
+import type { EqualizeReport } from '../../../wasm/chebnet';
+import { words } from '../language/language';
+import { make, setText } from '../elements/dom';
+import { lengthWords, percentWords } from './file_words';
+import { count, milliseconds, small } from '../language/numbers';
+
+const TEXT = words.equalize;
+/** Below it all edges count as equal; k_equal_deviation of core/edit/equalize.h. */
+const EQUAL = 1e-9;
+
+export class EqualizeResults {
+  readonly element = make('div', { class: 'results' });
+  private readonly progressWords = make('label', { for: 'equalize-progress' });
+  private readonly progress = make('progress', { id: 'equalize-progress', max: 1 });
+  private readonly progressRow = make('p', { class: 'progress' }, this.progressWords, this.progress);
+  // In the page before anything is said, or screen readers miss it.
+  private readonly end = make('div', { role: 'status' });
+  private start = NaN;
+
+  constructor() {
+    this.element.append(this.progressRow, this.end);
+    this.clear();
+  }
+
+  clear(): void {
+    this.progressRow.hidden = true;
+    this.end.replaceChildren();
+  }
+
+  begin(): void {
+    this.clear();
+    this.start = NaN;
+    this.progress.removeAttribute('value');
+    setText(this.progressWords, TEXT.starting);
+    this.progressRow.hidden = false;
+  }
+
+  /** The bar counts the decades that the largest deviation has gone down; it never goes back. */
+  showProgress({ iterations, maxDeviation }: EqualizeReport): void {
+    if (Number.isNaN(this.start)) this.start = maxDeviation;
+    const done = Math.log(this.start / maxDeviation) / Math.log(this.start / EQUAL);
+    this.progress.value = Math.min(1, Math.max(this.progress.position, done, 0));
+    setText(this.progressWords, TEXT.progress(count(iterations), small(maxDeviation)));
+  }
+
+  showEnd(report: EqualizeReport, meanBefore: number): void {
+    this.clear();
+    const equal = report.status === 'converged';
+    const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
+    this.end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
+    // A hundredth is below what the eye sees.
+    if (equal && report.fittingLength > 1.01 * report.length)
+      this.end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
+  }
+
+  showFault(sentence: string): void {
+    this.clear();
+    this.end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
+  }
+}
+
+function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
+  const { before, after, length } = report;
+  const range = ({ shortest, longest }: typeof before, mean: number): string =>
+    TEXT.range(lengthWords(shortest * mean), lengthWords(longest * mean));
+  const facts: [string, string][] = [
+    [TEXT.iterations, TEXT.iterationsIn(count(report.iterations), milliseconds(report.milliseconds))],
+    [TEXT.deviation, small(report.maxDeviation)],
+    [TEXT.edgesBefore, range(before, meanBefore)],
+    ...(report.status === 'converged' ? [] : [[TEXT.edgesNow, range(after, length)] satisfies [string, string]]),
+    [TEXT.spreadBefore, percentWords(before.standardDeviation)],
+    [TEXT.meanMove, TEXT.edgeLengths(small(report.meanMove))],
+    [TEXT.maxMove, TEXT.edgeLengths(small(report.maxMove))],
+  ];
+  return make(
+    'dl',
+    { class: 'facts' },
+    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+  );
+}
+
+/** Why there is no such net, as far as the core can tell. */
+function refusal({ status, unreachablePairs: [pair], worstEdges: [edge], length, iterations }: EqualizeReport): string {
+  if (status === 'unreachable' && pair) {
+    return TEXT.unreachable(pair.vertexA, pair.vertexB, lengthWords(pair.distance), lengthWords(pair.reach));
+  }
+  const why =
+    status === 'max_iterations'
+      ? TEXT.tooMany(count(iterations))
+      : status === 'non_finite'
+        ? TEXT.overflow
+        : TEXT.stalled;
+  const worst = edge ? TEXT.worstEdge(edge.vertexA, edge.vertexB, lengthWords(edge.length), lengthWords(length)) : '';
+  return words.core.sentences([why, worst, TEXT.unchanged]);
+}

@@ -1,0 +1,146 @@
+/** A file on its way in: how far its reading is, then what it holds, what is wrong with it, and how to open it. Escape or
+ *  Cancel ends it at any time before the net is opened. */
+import { STAGES } from '../files/file_protocol';
+import type { Stage } from '../files/file_protocol';
+import type { FileReport } from '../files/file_report';
+import type { FileChoice, FileDialogLike } from './file_opener';
+import { words } from '../language/language';
+import { make, makeButton, setText } from '../elements/dom';
+import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
+import { count } from '../language/numbers';
+
+export class FileDialog implements FileDialogLike {
+  readonly closed: Promise<null>;
+  private readonly dialog: HTMLDialogElement;
+  private readonly stage = make('label', { for: 'file-progress' });
+  private readonly progress = make('progress', { id: 'file-progress', max: STAGES.length });
+  private readonly progressRow = make('p', { class: 'progress', role: 'status' }, this.stage, this.progress);
+  private readonly cancel = makeButton(words.file.cancel, () => this.close());
+  private readonly body = make('div', { class: 'body' }, this.progressRow);
+  private readonly buttons = make('div', { class: 'buttons' }, this.cancel);
+  private lengths: LengthChoice | null = null;
+
+  constructor(root: HTMLElement, name: string) {
+    const heading = make('h2', { id: 'file-title' }, name);
+    this.dialog = make('dialog', { class: 'file', 'aria-labelledby': heading.id }, heading, this.body, this.buttons);
+    this.closed = new Promise((resolve) => this.dialog.addEventListener('close', () => resolve(null)));
+    this.dialog.addEventListener('close', () => this.dialog.remove());
+    this.showStage('loading');
+    root.append(this.dialog);
+    this.dialog.showModal();
+  }
+
+  showStage(stage: Stage): void {
+    setText(this.stage, words.file.stages[stage]);
+    this.progress.value = STAGES.indexOf(stage);
+  }
+
+  ask(report: FileReport): Promise<FileChoice> {
+    return new Promise((choose) => {
+      if (!report.isChebyshev) this.lengths ??= new LengthChoice(report);
+      const { lengths } = this;
+      this.body.replaceChildren(makeFacts(report));
+      if (report.findings.length > 0) this.body.append(makeDefects(report));
+      if (lengths) this.body.append(lengths.element);
+      const open = (repaired: boolean): void => choose({ repaired, restLengths: lengths?.chosen ?? 'automatic' });
+      const [first, ...others] = openButtons(report, open);
+      this.buttons.replaceChildren(first, ...others, this.cancel);
+      if (lengths) lengths.changed = () => setOpenWords(report, [first, ...others], lengths.chosen === 'equalized');
+      lengths?.changed();
+      first.focus();
+    });
+  }
+
+  close(): void {
+    this.dialog.close();
+  }
+}
+
+function makeFacts(report: FileReport): HTMLElement {
+  const { vertices, edges, boundaryLoops, components, singularVertices, lengths } = report;
+  const terms = words.file.facts;
+  const facts: [string, string][] = [
+    [terms.vertices, count(vertices)],
+    [terms.edges, count(edges)],
+    [terms.faces, faceWords(report)],
+    [terms.pieces, count(components)],
+    [terms.boundaryLoops, count(boundaryLoops)],
+    [terms.singularVertices, singularWords(singularVertices)],
+    [terms.shortest, lengthWords(lengths.smallest)],
+    [terms.mean, lengthWords(lengths.mean)],
+    [terms.longest, lengthWords(lengths.largest)],
+    [terms.deviation, percentWords(lengths.largestDeviation)],
+  ];
+  return make(
+    'dl',
+    { class: 'facts' },
+    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+  );
+}
+
+function makeDefects({ findings, refusal }: FileReport): HTMLElement {
+  const rows = findings.map((finding) => {
+    const name = words.file.defect(words.core.name(finding.defect), count(finding.count));
+    return make('li', {}, make('strong', {}, name), make('span', {}, words.core.finding(finding)));
+  });
+  return make(
+    'section',
+    { class: 'defects', 'aria-labelledby': 'file-defects' },
+    make('h3', { id: 'file-defects' }, words.file.defects),
+    make('p', {}, words.file.defectsHint),
+    make('ul', {}, ...rows),
+    ...(refusal === null ? [] : [make('p', {}, words.file.refused(words.core.failure(refusal.code, refusal.message)))]),
+  );
+}
+
+/** The first is what Enter does. */
+function openButtons(
+  { findings, refusal }: FileReport,
+  open: (repaired: boolean) => void,
+): [HTMLElement, ...HTMLElement[]] {
+  const primary = { class: 'primary' };
+  if (findings.length === 0) return [makeButton(words.file.open, () => open(false), primary)];
+  const repair = makeButton(words.file.repair, () => open(true), primary);
+  return refusal === null ? [repair, makeButton(words.file.asItIs, () => open(false))] : [repair];
+}
+
+function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], equalize: boolean): void {
+  const { open, repairAndOpen, openAsItIs } = words.equalize;
+  const sound = [equalize ? open : words.file.open];
+  const broken = equalize ? [repairAndOpen, openAsItIs] : [words.file.repair, words.file.asItIs];
+  buttons.forEach((button, i) => setText(button, (findings.length === 0 ? sound : broken)[i] ?? ''));
+}
+
+const LENGTH_CHOICES: readonly {
+  value: FileChoice['restLengths'];
+  text: (report: FileReport) => string;
+  hint: string;
+}[] = [
+  { value: 'own', text: () => words.file.own.text, hint: words.file.own.hint },
+  {
+    value: 'equal',
+    text: ({ lengths }) => words.file.equal.text(lengthWords(lengths.mean)),
+    hint: words.file.equal.hint,
+  },
+  { value: 'equalized', text: () => words.equalize.choice, hint: words.equalize.choiceHint },
+];
+
+/** Which length edges are to keep that differ in length. */
+class LengthChoice {
+  readonly element: HTMLElement;
+  chosen: FileChoice['restLengths'] = 'own';
+  changed: () => void = () => {};
+
+  constructor(report: FileReport) {
+    const legend = words.file.lengths(percentWords(report.lengths.largestDeviation));
+    const rows = LENGTH_CHOICES.map(({ value, text, hint }) => {
+      const radio = make('input', { type: 'radio', name: 'file-lengths', value, checked: value === this.chosen });
+      radio.addEventListener('change', () => {
+        this.chosen = value;
+        this.changed();
+      });
+      return make('label', {}, radio, make('span', {}, text(report), make('small', {}, hint)));
+    });
+    this.element = make('fieldset', { class: 'lengths' }, make('legend', {}, legend), ...rows);
+  }
+}

@@ -1,0 +1,96 @@
+/** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
+import type { RestLengths } from '../../../wasm/chebnet';
+import type { NetSource } from '../document/document';
+import { words } from '../language/language';
+import type { Subject } from '../equalize/subject';
+import type { OpenedNet } from '../worker/protocol';
+import { FileError } from '../files/file_error';
+import type { Stage } from '../files/file_protocol';
+import { FileReading } from '../files/file_reading';
+import type { FileWorkerLike } from '../files/file_reading';
+import type { FileReport } from '../files/file_report';
+
+/** Larger files are not nets one could edit: a net of 100,000 vertices has 10 MB. */
+export const LARGEST_FILE = 100e6;
+
+/** How a user wants a file to be opened. */
+export interface FileChoice {
+  repaired: boolean;
+  /** `equalized`: as a net near it whose edges have one length. */
+  restLengths: RestLengths | 'equalized';
+}
+
+/** Where the user sees what is going on and is asked. */
+export interface FileDialogLike {
+  showStage(stage: Stage): void;
+  /** Resolves when the user has chosen; may be asked again. */
+  ask(report: FileReport): Promise<FileChoice>;
+  /** Resolves as soon as the user wants no more of it, or `close` is called. */
+  readonly closed: Promise<null>;
+  close(): void;
+}
+
+/** Where the user sees a net equalised. */
+export interface EqualizerLike {
+  /** OBJ text of the net that the user takes, or null. */
+  readonly result: Promise<string | null>;
+  close(): void;
+}
+
+export interface OpenerParts {
+  spawnWorker(): FileWorkerLike;
+  createDialog(name: string): FileDialogLike;
+  createEqualizer(subject: Subject): EqualizerLike;
+  open(net: NetSource): Promise<void>;
+}
+
+/** One file at a time: the next one takes the place of one that is still being read or asked about. */
+export class FileOpener {
+  #dialog: FileDialogLike | null = null;
+
+  constructor(private readonly parts: OpenerParts) {}
+
+  /** Resolves when the net is open or the user has given up. Throws FileError. */
+  async open(file: File): Promise<void> {
+    checkSize(file);
+    this.#dialog?.close();
+    const dialog = this.parts.createDialog(file.name);
+    this.#dialog = dialog;
+    const reading = new FileReading(
+      () => this.parts.spawnWorker(),
+      (stage) => dialog.showStage(stage),
+    );
+    try {
+      const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
+      if (net === null) return;
+      dialog.close();
+      await this.parts.open(net);
+    } finally {
+      reading.close();
+      dialog.close();
+    }
+  }
+
+  async #readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<NetSource> {
+    const { name } = file;
+    const report = await reading.report(file, name);
+    for (;;) {
+      const { repaired, restLengths } = await dialog.ask(report);
+      if (restLengths !== 'equalized') return { obj: await reading.text(repaired), name, restLengths };
+      const obj = await this.#equalized(name, await reading.net(repaired), dialog);
+      if (obj !== null) return { obj, name };
+    }
+  }
+
+  #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<string | null> {
+    const equalizer = this.parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
+    void dialog.closed.then(() => equalizer.close());
+    return equalizer.result;
+  }
+}
+
+function checkSize({ name, size }: File): void {
+  if (size <= LARGEST_FILE) return;
+  const [megabytes = 0, largest = 0] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
+  throw new FileError('too_large', words.file.tooLarge(name, megabytes, largest));
+}

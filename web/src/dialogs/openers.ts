@@ -1,0 +1,52 @@
+/** Dialogs that lead to another net, from a file or by equalising, put together. They come when they are first wanted. */
+import type { NetSource, Scene } from '../document/document';
+import { equalizedScene, subjectOfNet } from '../equalize/subject';
+import type { Subject } from '../equalize/subject';
+import { EqualizeDialog } from './equalize_dialog';
+import { FileDialog } from './file_dialog';
+import { createView } from '../view/scene';
+import type { Opening } from '../worker/opening';
+import { FileOpener } from './file_opener';
+
+/** Where the nets go. */
+export interface OpenNet {
+  readonly opening: Opening | null;
+  openNet(net: NetSource): Promise<void>;
+  openScene(scene: Scene): Promise<void>;
+}
+
+export class Openers {
+  readonly #files: FileOpener;
+
+  /** @param root where the dialogs stand. */
+  constructor(
+    private readonly app: OpenNet,
+    private readonly root: HTMLElement,
+  ) {
+    this.#files = new FileOpener({
+      spawnWorker: () => new Worker(new URL('../files/file_worker.ts', import.meta.url), { type: 'module' }),
+      createDialog: (name) => new FileDialog(root, name),
+      createEqualizer: (subject) => this.#createEqualizer(subject),
+      open: (net) => app.openNet(net),
+    });
+  }
+
+  openFile(file: File): Promise<void> {
+    return this.#files.open(file);
+  }
+
+  async equalizeNet(): Promise<void> {
+    if (this.app.opening === null) return;
+    const { document, net } = this.app.opening;
+    const obj = await this.#createEqualizer(subjectOfNet(document, net)).result;
+    if (obj !== null) await this.app.openScene(equalizedScene(document, obj));
+  }
+
+  #createEqualizer(subject: Subject): EqualizeDialog {
+    return new EqualizeDialog(this.root, subject, {
+      spawnWorker: () => new Worker(new URL('../equalize/equalize_worker.ts', import.meta.url), { type: 'module' }),
+      createView,
+      upAxis: this.app.opening?.document.view.upAxis,
+    });
+  }
+}

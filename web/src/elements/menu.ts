@@ -1,0 +1,79 @@
+/** A button and the menu it opens, which closes by Escape or a click elsewhere. */
+import { make, makeButton, makeIcon } from './dom';
+
+/** Between button and menu, and between menu and the edge of the page. */
+const GAP = 8;
+
+export interface MenuItem {
+  title: string;
+  hint: string;
+  choose(): void;
+  disabled?: boolean;
+  /** How it is to be done: controls at the end of the line. */
+  beside?: readonly HTMLElement[];
+}
+
+/** Lines that belong together, below a heading. */
+export interface MenuGroup {
+  title: string;
+  items: readonly MenuItem[];
+}
+
+export interface MenuLook {
+  id: string;
+  icon: string;
+  label: string;
+  /** What the button is for. */
+  hint: string;
+  /** What the menu is. */
+  title: string;
+}
+
+export class Menu {
+  readonly button: HTMLButtonElement;
+  readonly menu: HTMLElement;
+
+  constructor({ id, icon, label, hint, title }: MenuLook, content: readonly (MenuItem | MenuGroup)[]) {
+    this.button = make(
+      'button',
+      { type: 'button', title: hint, 'aria-label': label, popovertarget: id, 'aria-haspopup': 'true' },
+      makeIcon(icon),
+      make('span', {}, label),
+    );
+    const parts = content.map((each) => ('items' in each ? this.makeGroup(each) : this.makeLine(each)));
+    this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title }, ...parts);
+    // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
+    // frame of another site a browser would complain.
+    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true), {
+      once: true,
+    });
+    this.menu.addEventListener('toggle', () => this.place());
+    // Escape is for the menu alone.
+    this.menu.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') event.stopPropagation();
+    });
+  }
+
+  private makeGroup({ title, items }: MenuGroup): HTMLElement {
+    return make('section', {}, make('h3', {}, title), ...items.map((each) => this.makeLine(each)));
+  }
+
+  private makeLine({ title, hint, choose, disabled = false, beside = [] }: MenuItem): HTMLElement {
+    const chosen = (): void => {
+      this.menu.hidePopover();
+      choose();
+    };
+    const item = makeButton(make('strong', {}, title), chosen, { class: 'plain', disabled });
+    item.append(make('span', {}, hint));
+    return make('div', { class: 'line' }, item, ...beside);
+  }
+
+  /** Below the button, or above it where there is more room; in sight in any case. */
+  private place(): void {
+    const { left, top, bottom } = this.button.getBoundingClientRect();
+    const { offsetWidth, offsetHeight } = this.menu;
+    const below = bottom + GAP + offsetHeight < innerHeight;
+    this.menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - offsetWidth - GAP))}px`;
+    this.menu.style.top = `${below ? bottom + GAP : Math.max(GAP, top - GAP - offsetHeight)}px`;
+  }
+}

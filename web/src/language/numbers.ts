@@ -1,0 +1,31 @@
+/** Numbers as people read them. */
+import { words } from './language';
+
+/** Below this a deviation is the rounding of the computer, not of the net. */
+export const ROUNDING = 1e-16;
+
+/** A small number with two digits, e.g. 4.2e-7. */
+export function small(value: number): string {
+  if (value === 0) return '0';
+  if (value < ROUNDING) return '< 1e-16';
+  if (!Number.isFinite(value)) return '∞';
+  return value >= 0.01 && value < 1000 ? String(Number(value.toPrecision(2))) : value.toExponential(1);
+}
+
+/** Stands for a number that there is not. */
+export const NOTHING = '–';
+
+export function count(value: number): string {
+  return value.toLocaleString(words.locale);
+}
+
+/** Three digits, and no more decimals than a clock in a browser is good for. */
+export function milliseconds(value: number): string {
+  return value < 99.95 ? value.toFixed(1) : value.toFixed(0);
+}
+
+/** A coordinate, to a ten-thousandth of an edge. */
+export function coordinate(value: number, edgeLength: number): string {
+  const decimals = Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(edgeLength))));
+  return String(Number(value.toFixed(decimals)));
+}

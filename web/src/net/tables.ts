@@ -1,0 +1,9 @@
+import type { InitialisationInfo, MethodInfo, OptionInfo, ShapeInfo } from '../../../wasm/chebnet';
+
+/** What the core can do. */
+export interface Tables {
+  shapes: ShapeInfo[];
+  methods: MethodInfo[];
+  initialisations: InitialisationInfo[];
+  options: OptionInfo[];
+}

@@ -1,0 +1,117 @@
+/** The colour map with its ends, which can be set by hand, and below it the range of the data. */
+import { endsOf, type ViewState } from '../document/document';
+import { words } from '../language/language';
+import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
+import { shareOfLonger } from '../view/longer';
+import { onThemeChange, readTheme } from '../view/theme';
+import type { FrameData, OpenedNet } from '../worker/protocol';
+import { make, setText } from '../elements/dom';
+import { MapEnds } from './map_ends';
+import type { PanelEvents } from '../panels';
+import { ROUNDING, small } from '../language/numbers';
+
+const STOPS = 24;
+const DEGREES = 180 / Math.PI;
+
+type Coloured = Pick<ViewState, 'field' | 'colourMap' | 'ends'>;
+
+export class Legend {
+  private readonly name = make('h2');
+  private readonly bar = make('div', { class: 'bar' });
+  private readonly data = make('div', { class: 'data' });
+  private readonly ticks = make('div', { class: 'ticks' });
+  private readonly words = make('p', { class: 'words' });
+  private readonly ends: MapEnds;
+  readonly element: HTMLElement;
+  private view: Coloured = { field: 'deviation', colourMap: 'paper' };
+  private scale: Scale | null = null;
+  private frame: FrameData | null = null;
+  private net: OpenedNet | null = null;
+
+  constructor({ setView }: Pick<PanelEvents, 'setView'>) {
+    this.ends = new MapEnds((ends) => setView({ ends: { ...this.view.ends, [this.view.field]: ends } }));
+    this.element = make(
+      'section',
+      { class: 'legend', 'aria-label': words.legend.label },
+      this.name,
+      this.bar,
+      make('div', { class: 'track' }, this.data),
+      this.ticks,
+      this.words,
+      this.ends.element,
+    );
+    onThemeChange(() => this.draw());
+  }
+
+  show(view: Coloured): void {
+    const { field, colourMap, ends } = this.view;
+    const same = this.scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
+    this.view = view;
+    if (!same) this.draw();
+  }
+
+  showNet(net: OpenedNet): void {
+    this.net = net;
+    this.frame = null;
+  }
+
+  showFrame(frame: FrameData): void {
+    this.frame = frame;
+    this.drawData();
+  }
+
+  private drawData(): void {
+    if (!this.scale || !this.frame) return;
+    if (this.view.field === 'longer') return this.writeShare(this.frame);
+    const byAngle = this.view.field === 'angle';
+    const [low, high] = byAngle ? this.frame.angleRange : this.frame.deviationRange;
+    const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
+    const left = legendPosition(this.scale, from);
+    const width = Math.max(0.02, legendPosition(this.scale, to) - left);
+    this.data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
+    this.data.style.width = `${(100 * width).toFixed(1)}%`;
+    setText(this.words, words.legend.net(byAngle ? angleRange(from, to) : deviationRange(from, to)));
+  }
+
+  private writeShare({ positions }: FrameData): void {
+    if (this.net) setText(this.words, words.legend.share((100 * shareOfLonger(this.net, positions)).toFixed(1)));
+  }
+
+  private draw(): void {
+    const { field, colourMap } = this.view;
+    const ends = endsOf(this.view);
+    const scale = scaleOf(field, colourMap, readTheme(document.documentElement), ends);
+    this.scale = scale;
+    this.data.hidden = this.ends.element.hidden = field === 'longer';
+    if (field !== 'longer') this.ends.show(field, scale, ends !== undefined);
+    setText(this.name, scale.title);
+    const [low, high] = scale.shown;
+    const stops = Array.from({ length: STOPS + 1 }, (_, i) => {
+      const value = scale.logarithmic ? low * (high / low) ** (i / STOPS) : low + (high - low) * (i / STOPS);
+      return cssColour(scale.colour(positionOn(scale, value)));
+    });
+    this.bar.style.background = `linear-gradient(to right, ${stops.join(',')})`;
+    this.ticks.replaceChildren(
+      ...scale.ticks.map(({ value, label }) => {
+        const tick = make('span', {}, label);
+        tick.style.left = `${100 * legendPosition(scale, value)}%`;
+        return tick;
+      }),
+    );
+    this.drawData();
+  }
+}
+
+/** Where a value stands on the legend, which may show more than the map tells apart. */
+function legendPosition(scale: Scale, value: number): number {
+  return positionOn({ ...scale, low: scale.shown[0], high: scale.shown[1] }, value);
+}
+
+function deviationRange(low: number, high: number): string {
+  if (high < ROUNDING) return words.legend.exact;
+  return low < ROUNDING ? words.legend.upTo(small(high)) : words.legend.range(small(low), small(high));
+}
+
+function angleRange(low: number, high: number): string {
+  return words.legend.range(`${low.toFixed(0)}°`, `${high.toFixed(0)}°`);
+}

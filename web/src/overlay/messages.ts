@@ -1,0 +1,58 @@
+/** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
+import { words } from '../language/language';
+import { make, makeButton } from '../elements/dom';
+import type { Action } from '../panels';
+
+const INFO_MS = 6000;
+/** Whoever is offered something has to decide. */
+const OFFER_MS = 20_000;
+
+export class Messages {
+  // Both must be in the page before anything is said, or screen readers miss the first line.
+  private readonly infos = make('div', { role: 'status' });
+  private readonly errors = make('div', { role: 'alert' });
+  readonly element = make('div', { class: 'messages' }, this.infos, this.errors);
+  private timer = 0;
+
+  say(message: string, kind: 'info' | 'error', action?: Action): void {
+    if (kind === 'error') this.sayError(message);
+    else this.sayInfo(message, action);
+  }
+
+  /** A line that stays until the user accepts or dismisses it. */
+  offer(message: string, button: string, accept: () => void): void {
+    const line = make(
+      'p',
+      { class: 'message' },
+      make('span', {}, message),
+      makeButton(button, accept, { class: 'plain link' }),
+    );
+    line.append(this.makeDismiss(line));
+    this.errors.before(make('div', { role: 'status' }, line));
+  }
+
+  private sayInfo(message: string, action?: Action): void {
+    const line = make('p', { class: 'message' }, make('span', {}, message));
+    const end = (): void => line.remove();
+    if (action) {
+      const act = (): void => {
+        end();
+        action.run();
+      };
+      line.append(makeButton(action.label, act, { class: 'plain link' }));
+    }
+    this.infos.replaceChildren(line);
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(end, action ? OFFER_MS : INFO_MS);
+  }
+
+  private sayError(message: string): void {
+    const line = make('p', { class: 'message error' }, make('span', {}, message));
+    line.append(this.makeDismiss(line));
+    this.errors.replaceChildren(line);
+  }
+
+  private makeDismiss(line: HTMLElement): HTMLButtonElement {
+    return makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss });
+  }
+}

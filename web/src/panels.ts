@@ -1,0 +1,95 @@
+/** The contract between the page and its controls; built from native HTML elements. Panels show state and report
+ *  intentions; they never change the document themselves. */
+import type { Comparison, ComparisonWish, Run, RunWish } from './compare/run';
+import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './document/document';
+import type { HistoryView } from './document/undo';
+import type { SaveWish } from './export/kinds';
+import type { Language } from './language/choice';
+import type { Choice, HandleWishes, LineName } from './handles/wishes';
+import type { Tables } from './net/tables';
+import type { FrameData, OpenedNet } from './worker/protocol';
+
+/** What the net shows on request. */
+export const LESSONS = ['net', 'deviation', 'energy', 'stages'] as const;
+export type Lesson = (typeof LESSONS)[number];
+
+export interface PanelEvents {
+  openRecipe(recipe: string): void;
+  /** Give up the net on its way. */
+  cancelOpening(): void;
+  /** The user wants to pick a file, a net or a project. */
+  pickFile(): void;
+  showKeys(): void;
+  /** Let the net show what a paragraph says. */
+  showLesson(lesson: Lesson): void;
+  /** Give all edges of the net that is open one length. */
+  equalize(): void;
+  /** The first net in place of the present one. */
+  newNet(): void;
+  saveProject(): void;
+  /** What was kept before the present net. */
+  restoreLast(): void;
+  chooseLanguage(language: Language): void;
+  handles: HandleWishes;
+  /** Show what a button would take; null: no longer. */
+  previewLine(name: LineName | null): void;
+  setOptions(settings: SolverSettings): void;
+  setView(change: Partial<Omit<ViewState, 'camera'>>): void;
+  solve(): void;
+  step(): void;
+  setStepArrows(shown: boolean): void;
+  cancel(): void;
+  reset(): void;
+  undo(): void;
+  redo(): void;
+  /** Goes to an entry of the history. */
+  goTo(index: number): void;
+  /** Run these methods one after another on the present edit. */
+  compare(wish: ComparisonWish): void;
+  /** Run these from rest, those without an edit of their own on the present one. */
+  runAll(wishes: readonly RunWish[]): void;
+  cancelComparison(): void;
+  /** Show the net of a run in place of one's own; null: one's own again. */
+  showRun(run: Run | null): void;
+  /** Show the nets of these runs, two at most, beside the other, and no more. */
+  showBeside(runs: readonly Run[]): void;
+  /** Pass on a link to what is seen. */
+  share(): void;
+  /** Save the net as a file. */
+  save(wish: SaveWish): void;
+  /** Record what is seen. */
+  record(): void;
+  frameAll(): void;
+}
+
+/** What a message offers to do. */
+export interface Action {
+  label: string;
+  run(): void;
+}
+
+export interface Panels {
+  /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
+  showTables(
+    tables: Tables,
+    thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
+  ): void;
+  /** After anything in the document changed. */
+  showDocument(document: ChebnetDocument, choice: Choice): void;
+  /** After anything was done, undone or redone. */
+  showHistory(history: HistoryView): void;
+  showNet(net: OpenedNet): void;
+  /** While another net is on its way for long. */
+  showOpening(isUnderWay: boolean, canCancel: boolean): void;
+  /** Live numbers and the plot. `solving`: the worker is busy. */
+  showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
+  showHandles(handles: readonly HandleData[], choice: Choice): void;
+  /** Whenever there is news of it. */
+  showComparison(comparison: Comparison): void;
+  /** The run whose net is in the view (null: one's own is), and those beside it. */
+  showRuns(run: Run | null, beside: readonly Run[]): void;
+  /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
+  say(message: string, kind: 'info' | 'error', action?: Action): void;
+  /** A line with a button; it stays until that is pressed or the line is dismissed. */
+  offer(message: string, button: string, accept: () => void): void;
+}

@@ -1,3 +1,0 @@
-/** What the net shows on request. */
-export const LESSONS = ['net', 'deviation', 'energy', 'stages'] as const;
-export type Lesson = (typeof LESSONS)[number];

@@ -1,0 +1,46 @@
+/** The places of the experiments, which come when they are first wanted: their list in the sidebar, and over the picture the
+ *  note on the one that is open. */
+import type { ChebnetDocument } from '../document/document';
+import { words } from '../language/language';
+import { part } from '../part';
+import { make, makeSection } from '../elements/dom';
+import type { ExperimentGuide } from './experiment_guide';
+import type { PanelEvents } from '../panels';
+
+const loadGuide = part(() => import('./experiment_guide'));
+
+export class ExperimentsPlace {
+  readonly note = make('section', { class: 'experiment', hidden: true });
+  readonly section = makeSection(words.sections.experiments, false);
+  private guide: ExperimentGuide | null = null;
+  private document: ChebnetDocument | null = null;
+
+  /** @param failed is told why they did not come. */
+  constructor(
+    private readonly events: PanelEvents,
+    private readonly failed: (error: unknown) => void,
+  ) {
+    this.section.addEventListener('toggle', () => this.section.open && this.load());
+  }
+
+  show(document: ChebnetDocument): void {
+    this.document = document;
+    if (this.guide) return this.guide.show(document);
+    if (document.experiment === undefined) return;
+    // At once, for the picture leaves room for it.
+    this.note.hidden = false;
+    this.load();
+  }
+
+  private load(): void {
+    if (!this.guide) this.open().catch(this.failed);
+  }
+
+  private async open(): Promise<void> {
+    const { ExperimentGuide } = await loadGuide();
+    if (this.guide) return;
+    this.guide = new ExperimentGuide(this.note, this.events, this.failed);
+    this.section.append(...this.guide.content);
+    if (this.document) this.guide.show(this.document);
+  }
+}

@@ -1,0 +1,41 @@
+/** The numbers of the moment. */
+import { words } from '../language/language';
+import type { FrameData, OpenedNet } from '../worker/protocol';
+import { make, setText } from '../elements/dom';
+import { count, milliseconds, NOTHING, small } from '../language/numbers';
+
+const LABELS = words.numbers;
+
+export class LiveNumbers {
+  readonly element = make('dl', { class: 'numbers' });
+  private readonly cells: Record<keyof typeof LABELS, HTMLElement>;
+
+  constructor() {
+    const cell = (label: string) => {
+      const value = make('dd', {}, NOTHING);
+      this.element.append(make('div', {}, make('dt', {}, label), value));
+      return value;
+    };
+    this.cells = Object.fromEntries(
+      Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
+    ) as typeof this.cells;
+  }
+
+  showNet({ info }: OpenedNet): void {
+    setText(this.cells.vertices, count(info.vertices));
+    setText(this.cells.edges, count(info.edges));
+  }
+
+  showHandles(handles: number): void {
+    setText(this.cells.handles, count(handles));
+  }
+
+  showFrame(frame: FrameData, framesPerSecond: number): void {
+    setText(this.cells.maxDeviation, small(frame.maxDeviation));
+    const solved = frame.iterations > 0;
+    setText(this.cells.stage, solved ? String(frame.stage) : NOTHING);
+    setText(this.cells.iterations, solved ? count(frame.iterations) : NOTHING);
+    setText(this.cells.milliseconds, solved ? milliseconds(frame.milliseconds) : NOTHING);
+    setText(this.cells.framesPerSecond, framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
+  }
+}

@@ -1,0 +1,52 @@
+/** Sliders for what the recipe of the present shape can vary. */
+import type { ShapeInfo, ShapeParameter } from '../../../wasm/chebnet';
+import { words } from '../language/language';
+import { make } from '../elements/dom';
+import { formatRecipe, fromSlider, parseRecipe, SLIDER_STEPS, toSlider, type Recipe } from './recipe';
+import { count } from '../language/numbers';
+
+export class ShapeParameters {
+  readonly element = make('div', { class: 'parameters' });
+  private shown = '';
+
+  constructor(private readonly open: (recipe: string) => void) {}
+
+  /** null: the net is from a file. */
+  show(text: string | null, shapes: ShapeInfo[]): void {
+    const recipe = text === null ? null : parseRecipe(text);
+    const shape = shapes.find(({ name }) => name === recipe?.name);
+    const key = shape ? text! : '';
+    if (key === this.shown) return;
+    this.shown = key;
+    // Whoever works a slider by keys keeps it.
+    const focused = (document.activeElement as HTMLElement | null)?.dataset.parameter;
+    this.element.replaceChildren(
+      ...(recipe && shape ? shape.parameters.map((parameter) => this.slider(parameter, recipe, shape)) : []),
+    );
+    if (focused) this.element.querySelector<HTMLElement>(`[data-parameter="${focused}"]`)?.focus();
+  }
+
+  private slider(parameter: ShapeParameter, recipe: Recipe, shape: ShapeInfo): HTMLElement {
+    const value = recipe.values[parameter.name] ?? parameter.value;
+    const input = make('input', {
+      type: 'range',
+      min: 0,
+      max: SLIDER_STEPS,
+      value: toSlider(parameter, value),
+      title: parameter.sentence,
+      'data-parameter': parameter.name,
+      'aria-valuetext': count(value),
+    });
+    const output = make('output', {}, count(value));
+    input.addEventListener('input', () => {
+      const text = count(fromSlider(parameter, input.valueAsNumber));
+      output.value = text;
+      input.setAttribute('aria-valuetext', text);
+    });
+    input.addEventListener('change', () => {
+      const values = { ...recipe.values, [parameter.name]: fromSlider(parameter, input.valueAsNumber) };
+      this.open(formatRecipe({ name: recipe.name, values }, shape));
+    });
+    return make('label', { class: 'slider' }, make('span', {}, words.core.name(parameter.name)), input, output);
+  }
+}

@@ -1,0 +1,42 @@
+/** Whether handles are soft, and how hard they pull then. */
+import type { HandleTraits } from '../handles/wishes';
+import { words } from '../language/language';
+import { make, makeSwitch, setText, setValue } from '../elements/dom';
+import { small } from '../language/numbers';
+
+/** Weights as powers of ten, and the one a handle begins with. */
+const WEIGHTS = { smallest: -2, largest: 2, usual: 1 };
+
+export class Softness {
+  readonly rows: HTMLElement[];
+  private readonly soft: ReturnType<typeof makeSwitch>;
+  private readonly weight = make('input', { type: 'range', min: WEIGHTS.smallest, max: WEIGHTS.largest, step: 0.1 });
+  private readonly value = make('output');
+  private readonly weightRow = make(
+    'label',
+    { class: 'slider' },
+    make('span', {}, words.handles.weight),
+    this.weight,
+    this.value,
+  );
+
+  constructor(change: (traits: HandleTraits) => void) {
+    this.soft = makeSwitch(words.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));
+    this.weight.addEventListener('input', () => setText(this.value, small(this.chosen())));
+    this.weight.addEventListener('change', () => change({ weight: this.chosen() }));
+    this.rows = [this.soft.row, this.weightRow];
+  }
+
+  /** undefined: exact. */
+  show(weight: number | undefined): void {
+    this.soft.box.checked = weight !== undefined;
+    this.weightRow.hidden = weight === undefined;
+    if (weight === undefined) return;
+    setValue(this.weight, String(Math.log10(weight)));
+    setText(this.value, small(weight));
+  }
+
+  private chosen(): number {
+    return Number((10 ** this.weight.valueAsNumber).toPrecision(2));
+  }
+}

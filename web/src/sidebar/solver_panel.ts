@@ -1,0 +1,124 @@
+/** The method and its settings, and the buttons that set it going. */
+import type { OptionInfo } from '../../../wasm/chebnet';
+import type { ChebnetDocument, SolverOptions } from '../document/document';
+import { words } from '../language/language';
+import type { Tables } from '../net/tables';
+import { make, makeButton, makeSwitch, setValue } from '../elements/dom';
+import { InitialisationChoice, MethodChoice } from './method_choice';
+import type { PanelEvents } from '../panels';
+
+/** Shown at once; the rest of the table is a click away. */
+const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 'adaptive_reduction'];
+
+interface Setting {
+  option: OptionInfo;
+  input: HTMLInputElement;
+  row: HTMLElement;
+}
+
+export class SolverPanel {
+  readonly content: HTMLElement[];
+  private readonly method = new MethodChoice(() => this.set(this.options));
+  private readonly initialisation = new InitialisationChoice(() => this.set(this.options));
+  private readonly usual = make('div');
+  private readonly seldom = make('div');
+  private readonly defaults: HTMLButtonElement;
+  private readonly buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
+  private settings: Setting[] = [];
+  private options: SolverOptions = {};
+
+  constructor(private readonly events: PanelEvents) {
+    this.buttons = {
+      cancel: makeButton(words.solver.cancel, () => events.cancel(), { disabled: true }),
+      undo: makeButton(words.solver.undo, () => events.undo(), { disabled: true }),
+    };
+    this.defaults = makeButton(words.solver.defaults, () => this.set({}), { class: 'plain link' });
+    this.content = [
+      make(
+        'div',
+        { class: 'buttons' },
+        makeButton(words.solver.solve, () => events.solve(), { title: words.solver.solveHint }),
+        this.buttons.cancel,
+        makeButton(words.solver.reset, () => events.reset()),
+        this.buttons.undo,
+      ),
+      ...this.method.content,
+      ...this.initialisation.content,
+      this.usual,
+      make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.seldom),
+      this.defaults,
+    ];
+  }
+
+  showTables({ methods, initialisations, options }: Tables): void {
+    this.method.showTable(methods);
+    this.initialisation.showTable(initialisations);
+    this.settings = options.map((option) => this.makeSetting(option));
+    const isUsual = ({ option }: Setting) => USUAL.includes(option.name);
+    this.usual.replaceChildren(...this.settings.filter(isUsual).map(({ row }) => row));
+    this.seldom.replaceChildren(...this.settings.filter((each) => !isUsual(each)).map(({ row }) => row));
+  }
+
+  showDocument({ method, initialisation, options }: ChebnetDocument): void {
+    this.options = options;
+    this.method.show(method);
+    this.initialisation.show(initialisation);
+    for (const { option, input } of this.settings)
+      this.showSetting(option, input, options[option.name] ?? option.value);
+    this.defaults.hidden = Object.keys(options).length === 0;
+  }
+
+  showUndo(canUndo: boolean): void {
+    this.buttons.undo.disabled = !canUndo;
+  }
+
+  showSolving(solving: boolean): void {
+    if (this.buttons.cancel.disabled === solving) this.buttons.cancel.disabled = !solving;
+  }
+
+  private makeSetting(option: OptionInfo): Setting {
+    if (option.kind === 'flag') {
+      const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.change(option, on));
+      row.title = option.sentence;
+      return { option, input: box, row };
+    }
+    const step = option.kind === 'integer' ? 1 : 'any';
+    const { smallest: min, largest: max } = option;
+    const input = make('input', { type: 'number', step, min, max, required: true });
+    input.addEventListener('change', () => {
+      if (input.reportValidity()) this.change(option, input.valueAsNumber);
+    });
+    const row = make(
+      'label',
+      { class: 'row', title: option.sentence },
+      make('span', {}, words.core.name(option.name)),
+      input,
+    );
+    return { option, input, row };
+  }
+
+  private showSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
+    if (kind === 'flag') input.checked = Boolean(value);
+    else setValue(input, plain(Number(value)));
+  }
+
+  private change({ name }: OptionInfo, value: number | boolean): void {
+    this.set({ ...this.options, [name]: value });
+  }
+
+  private set(options: SolverOptions): void {
+    // Sent whole: what is left out goes back to its default.
+    const all = Object.fromEntries(this.settings.map(({ option }) => [option.name, usualValue(option)]));
+    const [method, initialisation] = [this.method.value, this.initialisation.value];
+    this.events.setOptions({ method, initialisation, options: { ...all, ...options } });
+  }
+}
+
+function usualValue({ kind, value }: OptionInfo): number | boolean {
+  return kind === 'flag' ? value !== 0 : value;
+}
+
+/** 1e-6 rather than 0.000001. */
+function plain(value: number): string {
+  return value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential() : String(value);
+}
