@@ -5,6 +5,7 @@ import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
 import { plotsInPageLanguage } from './plots_in_page_language.ts';
 import { rhino3dmWithoutEval } from './rhino3dm_without_eval.ts';
+import { stylesWhileDeveloping } from './styles_while_developing.ts';
 import { wordsFirst } from './words_first.ts';
 
 const licenceTexts = licences();
@@ -12,7 +13,15 @@ const licenceTexts = licences();
 export default defineConfig({
   // Relative addresses, so that the built page can be put into any folder of any site.
   base: './',
-  plugins: [leanThree(), plasma(), plotsInPageLanguage(), wordsFirst(), licenceTexts.page, offline()],
+  plugins: [
+    leanThree(),
+    plasma(),
+    plotsInPageLanguage(),
+    wordsFirst(),
+    stylesWhileDeveloping(),
+    licenceTexts.page,
+    offline(),
+  ],
   // The facade and the wasm module lie beside this folder.
   server: { fs: { allow: ['.', '../wasm', '../build/wasm', '../tests'] } },
   // Its main file is no module.

@@ -3,6 +3,7 @@ import type { MethodInfo } from '../../../wasm/chebnet';
 import type { ComparisonWish, StartingPoint } from '../compare/run';
 import { words } from '../language/language';
 import { make, makeButton, makeSelect } from '../elements/dom';
+import './form.css';
 
 /** Ticked at first: the paper's method, our own, and one of each other kind. */
 const USUAL = ['li2022', 'projection', 'composite_majorization', 'local_global'];

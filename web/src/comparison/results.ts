@@ -8,6 +8,7 @@ import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
 import { make, makeButton, setText } from '../elements/dom';
 import type { PanelEvents } from '../panels';
+import './results.css';
 
 /** Numbers that change more often cannot be read. */
 const REFRESH_MS = 120;

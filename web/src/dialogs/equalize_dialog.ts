@@ -15,6 +15,8 @@ import { make, makeButton, setText } from '../elements/dom';
 import { EqualizeForm } from './equalize_form';
 import { EqualizeResults } from './equalize_results';
 import { small } from '../language/numbers';
+import './dialog.css';
+import './equalize_dialog.css';
 
 const TEXT = words.equalize;
 

@@ -8,6 +8,8 @@ import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
 import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
 import { count } from '../language/numbers';
+import './dialog.css';
+import './file_dialog.css';
 
 export class FileDialog implements FileDialogLike {
   readonly closed: Promise<null>;

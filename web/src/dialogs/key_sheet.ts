@@ -2,6 +2,8 @@
 import type { KeyRow } from '../elements/keys';
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import './dialog.css';
+import './key_sheet.css';
 
 const TEXT = words.keys;
 

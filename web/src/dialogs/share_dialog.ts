@@ -4,6 +4,8 @@ import type { QrCode } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
 import { words } from '../language/language';
 import { make, makeButton, makeSvg, setText } from '../elements/dom';
+import './dialog.css';
+import './share_dialog.css';
 
 export interface ShareParts {
   /** For a QR code: the link in so many characters, without the positions if need be; null: it takes more. */

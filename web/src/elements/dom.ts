@@ -1,4 +1,5 @@
 /** A few words for building native elements; all that the panels need instead of a framework. */
+import './elements.css';
 
 type Attributes = Record<string, string | number | boolean>;
 

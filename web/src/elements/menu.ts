@@ -1,5 +1,6 @@
 /** A button and the menu it opens, which closes by Escape or a click elsewhere. */
 import { make, makeButton, makeIcon } from './dom';
+import './menu.css';
 
 /** Between button and menu, and between menu and the edge of the page. */
 const GAP = 8;

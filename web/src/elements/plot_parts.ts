@@ -3,7 +3,7 @@ import type uPlot from 'uplot';
 
 /** The library comes when there is something to plot: the first net is shown without it. */
 export async function loadPlots(): Promise<typeof uPlot> {
-  return (await import('uplot')).default;
+  return (await import('./uplot')).default;
 }
 
 /** A colour of the style sheet, as it is at this moment: it follows dark and light. */

@@ -6,6 +6,7 @@ import { hashOf } from '../projects/link';
 import type { Scripting } from '../scripting';
 import { Host } from './host';
 import type { Answer, News } from './protocol';
+import './embed.css';
 
 /** @param view the element that holds the picture. */
 export function embed(view: HTMLElement, app: App, script: Scripting): void {

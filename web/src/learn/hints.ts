@@ -3,6 +3,7 @@ import type { App } from '../app';
 import { words } from '../language/language';
 import type { Opening } from '../worker/opening';
 import { make, makeButton, setText } from '../elements/dom';
+import './hints.css';
 
 const HINTS = ['drag', 'add', 'share'] as const;
 type Hint = (typeof HINTS)[number];

@@ -9,6 +9,7 @@ import { make, setText } from '../elements/dom';
 import { MapEnds } from './map_ends';
 import type { PanelEvents } from '../panels';
 import { ROUNDING, small } from '../language/numbers';
+import './legend.css';
 
 const STOPS = 24;
 const DEGREES = 180 / Math.PI;

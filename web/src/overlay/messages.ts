@@ -2,6 +2,7 @@
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import type { Action } from '../panels';
+import './messages.css';
 
 const INFO_MS = 6000;
 /** Whoever is offered something has to decide. */

@@ -1,6 +1,7 @@
 /** Says over the picture that another net is on its way, and gives it up. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import './messages.css';
 
 export class OpeningNotice {
   // In the page before anything is said, or screen readers miss it.

@@ -2,6 +2,7 @@
 import { LONGEST } from '../export/recording';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
+import './recording_notice.css';
 
 export class RecordingNotice {
   private readonly time = make('span', { class: 'time' });

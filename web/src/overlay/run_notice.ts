@@ -2,6 +2,7 @@
 import type { Run } from '../compare/run';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
+import './messages.css';
 
 export class RunNotice {
   // In the page before anything is said, or screen readers miss it.

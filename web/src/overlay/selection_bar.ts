@@ -6,6 +6,7 @@ import { words } from '../language/language';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import type { PanelEvents } from '../panels';
+import './toolbar.css';
 
 /** At singular vertices more lines than this begin; so many are offered. */
 const MOST_LINES = 6;

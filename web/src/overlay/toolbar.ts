@@ -5,6 +5,7 @@ import { make, makeButton, makeIcon } from '../elements/dom';
 import { createExportMenu } from './export_menu';
 import type { PanelEvents } from '../panels';
 import { createProjectMenu } from './project_menu';
+import './toolbar.css';
 
 const ICONS = {
   select:

@@ -19,6 +19,7 @@ import { make, makeButton } from '../elements/dom';
 import { makeClaims, makePicture } from './experiment_claims';
 import type { PanelEvents } from '../panels';
 import { count } from '../language/numbers';
+import './experiment_guide.css';
 
 /** With less room, a note begins folded. */
 const ROOMY = '(min-width: 721px)';

@@ -6,6 +6,7 @@ import { part } from '../part';
 import { make, makeSection } from '../elements/dom';
 import type { ExperimentGuide } from './experiment_guide';
 import type { PanelEvents } from '../panels';
+import './experiments_place.css';
 
 const loadGuide = part(() => import('./experiment_guide'));
 

@@ -4,6 +4,7 @@ import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Idle } from './idle';
 import { drawThumbnail, type Wireframe } from './thumbnail';
+import './gallery.css';
 
 /** Enough to tell the shape, few enough to see the net. */
 const THUMBNAIL_VERTICES = 300;

@@ -8,6 +8,7 @@ import { HandleRow } from './handle_row';
 import type { PanelEvents } from '../panels';
 import { SelectionForm } from './selection_form';
 import { SymmetryChoice } from './symmetry_choice';
+import './handle_list.css';
 
 /** So many rows are made at first, and more with each press of the button below them: thousands of handles, of which nobody
  *  reads the list, must not hold the page up. */

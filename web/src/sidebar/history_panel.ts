@@ -2,6 +2,7 @@
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
+import './history_panel.css';
 
 export class HistoryPanel {
   readonly section: HTMLDetailsElement;

@@ -6,6 +6,7 @@ import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
 import { EnergyGraph } from './energy_graph';
 import type { PanelEvents } from '../panels';
+import './learn_panel.css';
 
 const TEXT = words.learn;
 

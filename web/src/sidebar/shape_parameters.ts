@@ -4,6 +4,7 @@ import { words } from '../language/language';
 import { make } from '../elements/dom';
 import { formatRecipe, fromSlider, parseRecipe, SLIDER_STEPS, toSlider, type Recipe } from './recipe';
 import { count } from '../language/numbers';
+import './gallery.css';
 
 export class ShapeParameters {
   readonly element = make('div', { class: 'parameters' });

@@ -34,6 +34,8 @@ import { StepPanel } from './step_panel';
 import type { Wireframe } from './thumbnail';
 import { Toolbar } from '../overlay/toolbar';
 import { statusWords } from './status';
+import '../overlay/overlay.css';
+import './sidebar.css';
 
 /** Numbers that change more often cannot be read. */
 const REFRESH_MS = 120;

@@ -35,6 +35,7 @@ import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, View, ViewChoice, ViewEvents } from './view';
+import './view.css';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
 type Appearance = Omit<ViewState, 'camera'>;
