@@ -31,7 +31,7 @@ struct Family {
 };
 
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
-    k_shirt;
+    k_shirt, k_sheet;
 
 /// The parameter that every family has.
 constexpr ShapeParameter vertices_parameter(double value) {

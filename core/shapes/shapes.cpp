@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t k_longest_recipe = 1000;  // characters
 constexpr double k_shape_size = 10;
 
-const std::array k_families = {&k_vault,    &k_dome,  &k_tube,   &k_torus, &k_jack, &k_steps,
-                               &k_elephant, &k_teddy, &k_rabbit, &k_horse, &k_jug,  &k_shirt};
+const std::array k_families = {&k_vault,    &k_sheet, &k_dome,   &k_tube,  &k_torus, &k_jack, &k_steps,
+                               &k_elephant, &k_teddy, &k_rabbit, &k_horse, &k_jug,   &k_shirt};
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());

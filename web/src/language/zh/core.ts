@@ -23,6 +23,11 @@ export const SHAPES: Record<string, ShapeWords> = {
       slope: '波浪的陡峭程度，以度为单位。',
     },
   },
+  sheet: {
+    title: '平网',
+    sentence: '方格的平网，如刚从卷上展开的金属丝网。',
+    parameters: { vertices: VERTICES, aspect: '平网的长宽之比。' },
+  },
   dome: {
     title: '穹顶',
     sentence: '球面的一部分，用圆规从在顶点相交的两道拱出发织成网。',
