@@ -15,7 +15,8 @@ Shape make(const Values& values) {
     const Positions across = guide(size.columns, [](double) { return Eigen::Vector3d::UnitX(); }),
                     along = guide(size.rows, [](double) { return Eigen::Vector3d::UnitY(); });
 
-    // Two opposite corners: all others would hold the sheet flat, since its net lines between them are already straight.
+    // Two opposite corners: all others would hold the sheet flat, since its net lines between them are already
+    // straight.
     const auto vertex = [size](int column, int row) { return row * size.columns + column; };
     return {place_net({sum_of_guides(across, along), grid_faces(size)}),
             {vertex(0, 0), vertex(size.columns - 1, size.rows - 1), vertex(size.columns / 2, size.rows / 2)}};

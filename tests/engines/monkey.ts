@@ -6,7 +6,8 @@ import type { Visitor } from './visitor';
 
 declare global {
   interface Window {
-    caged?: true;
+    /** False when the page was left, and came back out of the browser's memory. */
+    caged?: boolean;
   }
 }
 
@@ -78,7 +79,8 @@ export class Monkey {
       await this.#visitor.run(cage);
       await this.#act();
     } catch (error) {
-      // Another language loads the page anew. What is done meanwhile has no page to go to, which drivers take ill.
+      // Another language loads the page anew, and so do the steps back and forward over it. What is done meanwhile has no
+      // page to go to, which drivers take ill.
       await sleep(2000);
       await this.#visitor.waitForNet();
       if (await this.#isCaged()) throw error;
@@ -259,8 +261,10 @@ function clamp(x: number, end: number): number {
 
 /** Runs in the page. No driver can answer the window in which a file is chosen, and none follows to another tab. */
 function cage(): void {
-  if (window.caged) return;
+  const first = window.caged === undefined;
   window.caged = true;
+  if (!first) return;
+  addEventListener('pagehide', () => (window.caged = false));
   const click = HTMLInputElement.prototype.click;
   HTMLInputElement.prototype.click = function (this: HTMLInputElement) {
     if (this.type === 'file') this.dispatchEvent(new Event('cancel'));
