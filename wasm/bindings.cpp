@@ -152,11 +152,8 @@ val suggested_handles(const Session& session) { return copy_out(session.suggeste
 // --------------------------------------------------------------------------------------------------- what is asked for
 
 std::string method(const Session& session) { return session.editor.method(); }
-void set_method(Session& session, std::string name) { session.editor.set_method(name); }
 std::string initialisation(const Session& session) { return session.editor.initialisation(); }
-void set_initialisation(Session& session, std::string text) { session.editor.set_initialisation(text); }
 val options(const Session& session) { return option_rows(session.editor.options()); }
-void set_option(Session& session, std::string name, std::string value) { session.editor.set_option(name, value); }
 
 val handle_vertices(const Session& session) {
     std::vector<int> vertices;
@@ -178,28 +175,24 @@ val handle_weights(const Session& session) {
 }
 
 /// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n, `weights`: a Float64Array of n.
-void set_handles(Session& session, val vertices, val targets, val weights) {
+std::vector<Handle> handles_in(val vertices, val targets, val weights) {
     const auto vertex = emscripten::convertJSArrayToNumberVector<int>(vertices);
     const auto target = emscripten::convertJSArrayToNumberVector<double>(targets);
     const auto weight = emscripten::convertJSArrayToNumberVector<double>(weights);
     std::vector<Handle> handles;
     for (std::size_t i = 0; i < vertex.size(); ++i)
         handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2]), weight[i]});
-    session.editor.set_handles(std::move(handles));
-}
-
-/// `origins`: an Int32Array.
-void set_locality(Session& session, double radius, val origins) {
-    session.editor.set_locality(radius, emscripten::convertJSArrayToNumberVector<int>(origins));
+    return handles;
 }
 
 /// null: everything may move.
 val locality(const Session& session) {
-    const std::optional<Region>& region = session.editor.region();
-    if (!region) return val::null();
+    const std::optional<Locality> locality = session.editor.state().locality;
+    if (!locality) return val::null();
     val object = val::object();
-    object.set("radius", region->radius);
-    object.set("origins", copy_out(region->origins));
+    object.set("radius", locality->radius);
+    object.set("origins", copy_out(locality->origins));
+    object.set("heldAt", copy_out(locality->held_at));
     return object;
 }
 
@@ -221,10 +214,26 @@ void move_handle(Session& session, int vertex, double x, double y, double z) {
 }
 
 /// `flat`: a Float64Array whose length is a multiple of 3.
-void set_positions(Session& session, val flat) {
+Positions positions_in(val flat) {
     const auto numbers = emscripten::convertJSArrayToNumberVector<double>(flat);
-    session.editor.set_positions(
-        Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3)));
+    return Eigen::Map<const Positions>(numbers.data(), 3, static_cast<Eigen::Index>(numbers.size() / 3));
+}
+
+/// `options`: names and values in turn; those not named are at their defaults. `locality`: as locality() gives it.
+void set_state(Session& session, std::string method, std::string initialisation, val options, val handles, val locality,
+               val positions) {
+    EditState state;
+    state.method = std::move(method);
+    state.initialisation = std::move(initialisation);
+    const auto words = emscripten::vecFromJSArray<std::string>(options);
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) set_option(state.options, words[i], words[i + 1]);
+    state.handles = handles_in(handles["vertices"], handles["targets"], handles["weights"]);
+    if (!locality.isNull())
+        state.locality = Locality{locality["radius"].as<double>(),
+                                  emscripten::convertJSArrayToNumberVector<int>(locality["origins"]),
+                                  positions_in(locality["heldAt"])};
+    state.positions = positions_in(positions);
+    session.editor.set_state(std::move(state));
 }
 
 // ------------------------------------------------------------------------------------------------------------ solving
@@ -312,21 +321,16 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("boundaryLoops", guarded<&boundary_loops>)
         .function("suggestedHandles", guarded<&suggested_handles>)
         .function("method", guarded<&method>)
-        .function("setMethod", guarded<&set_method>)
         .function("initialisation", guarded<&initialisation>)
-        .function("setInitialisation", guarded<&set_initialisation>)
         .function("options", guarded<&options>)
-        .function("setOption", guarded<&set_option>)
         .function("handleVertices", guarded<&handle_vertices>)
         .function("handleTargets", guarded<&handle_targets>)
         .function("handleWeights", guarded<&handle_weights>)
-        .function("setHandles", guarded<&set_handles>)
-        .function("setLocality", guarded<&set_locality>)
         .function("locality", guarded<&locality>)
         .function("reach", guarded<&reach>)
         .function("distances", guarded<&distances>)
         .function("moveHandle", guarded<&move_handle>)
-        .function("setPositions", guarded<&set_positions>)
+        .function("setState", guarded<&set_state>)
         .function("solve", guarded<&solve>)
         .function("reset", guarded<&reset>)
         .function("positions", guarded<&positions>)

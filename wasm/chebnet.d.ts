@@ -74,6 +74,26 @@ export interface Handle {
   weight?: number;
 }
 
+/** Where a net may move; see `setLocality`. */
+export interface Locality {
+  radius: number;
+  origins: readonly number[];
+  /** Where the net stood when this began and is held; without it, where it stands now. */
+  heldAt?: Float64Array;
+}
+
+/** All that another editor of the same net needs to go on from there; see core/edit/edit_state.h. */
+export interface EditState {
+  handles: readonly Handle[];
+  method: string;
+  initialisation: string;
+  /** Those not named are at their defaults. */
+  options: Readonly<Record<string, number | boolean>>;
+  /** null: everything may move. */
+  locality: Locality | null;
+  positions: Float64Array;
+}
+
 /** All points as near to a centre as this, where a vertex is held. */
 export interface Ball {
   vertex: number;
@@ -200,14 +220,18 @@ export interface Editor {
   options(): Record<string, number | boolean>;
   setOption(name: string, value: number | boolean): void;
 
+  state(): EditState;
+  /** Exact handles then snap to their targets. If anything of it is refused, nothing changes; if it is the present state, a
+   *  solve under way goes on. Each function of this interface that begins with `set` sets the present state with one thing
+   *  changed. */
+  setState(state: EditState): void;
+
   handles(): Handle[];
   setHandles(handles: readonly Handle[]): void;
   moveHandle(vertex: number, target: readonly [number, number, number]): void;
 
   /** From now on only what lies within `radius` edge lengths of the `origins`, along the net, may move; Infinity: everything. */
   setLocality(radius: number, origins: readonly number[]): void;
-  /** What it was given, as long as it holds; null: everything may move. */
-  locality(): { radius: number; origins: number[] } | null;
   /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
    *  balls. A handle that has another on a shortest path to this one has no ball: it allows no less. None for a soft handle. */
   reach(vertex: number): Ball[];

@@ -24,6 +24,20 @@ export interface CoreReport {
   trace: Float64Array;
 }
 
+export interface CoreHandles {
+  vertices: Int32Array;
+  targets: Float64Array;
+  /** Infinity: exact. */
+  weights: Float64Array;
+}
+
+export interface CoreLocality {
+  radius: number;
+  origins: Int32Array;
+  /** Empty: where the net stands now. */
+  heldAt: Float64Array;
+}
+
 export interface Session {
   info(): NetInfo;
   edges(): Int32Array;
@@ -35,23 +49,26 @@ export interface Session {
   boundaryLoops(): VertexLists;
   suggestedHandles(): Int32Array;
   method(): string;
-  setMethod(name: string): void;
   initialisation(): string;
-  setInitialisation(text: string): void;
   options(): OptionInfo[];
-  setOption(name: string, value: string): void;
   handleVertices(): Int32Array;
   handleTargets(): Float64Array;
   /** Infinity: exact. */
   handleWeights(): Float64Array;
-  setHandles(vertices: Int32Array, targets: Float64Array, weights: Float64Array): void;
-  setLocality(radius: number, origins: Int32Array): void;
-  locality(): { radius: number; origins: Int32Array } | null;
+  locality(): CoreLocality | null;
   /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;
   distances(origins: Int32Array): Float64Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
-  setPositions(positions: Float64Array): void;
+  /** `options`: names and values in turn. */
+  setState(
+    method: string,
+    initialisation: string,
+    options: string[],
+    handles: CoreHandles,
+    locality: CoreLocality | null,
+    positions: Float64Array,
+  ): void;
   solve(iterations: number, milliseconds: number): CoreReport;
   reset(): void;
   positions(): Float64Array;

@@ -2,8 +2,8 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
- * @import { Core, CoreEqualizer, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Ball, Budget, Chebnet, Defect, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Locality, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -69,6 +69,41 @@ function integer(value, what, smallest, largest) {
 function size(value, what) {
   if (typeof value !== 'number') throw failure('bad_option', `${what} must be a number above 0, not ${shown(value)}`);
   return value;
+}
+
+/** @param {readonly Handle[]} handles @returns {CoreHandles} */
+function flatHandles(handles) {
+  if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
+  return {
+    vertices: Int32Array.from(handles, (handle) => vertexNumber(handle?.vertex)),
+    targets: Float64Array.from(handles.flatMap((handle) => point(handle.target, handle.vertex))),
+    weights: Float64Array.from(handles, ({ weight = Infinity }) => size(weight, 'the weight of a handle')),
+  };
+}
+
+/** @param {Locality} locality @param {number} numbers of all positions @returns {CoreLocality} */
+function flatLocality({ radius, origins, heldAt }, numbers) {
+  return {
+    radius: size(radius, 'a locality'),
+    origins: Int32Array.from(origins, vertexNumber),
+    heldAt: heldAt === undefined ? new Float64Array() : allPositions(heldAt, numbers),
+  };
+}
+
+/** @param {unknown} value @param {number} numbers how many there must be @returns {Float64Array} */
+function allPositions(value, numbers) {
+  if (value instanceof Float64Array && value.length === numbers) return value;
+  const got = value instanceof Float64Array ? `one of ${value.length}` : shown(value);
+  throw failure('index_out_of_range', `positions must be a Float64Array of ${numbers} numbers, not ${got}`);
+}
+
+/** @param {string} name @param {unknown} value @returns {[string, string]} */
+function option(name, value) {
+  text(name, 'the name of an option', 'bad_option');
+  if (typeof value !== 'number' && typeof value !== 'boolean') {
+    throw failure('bad_option', `option ${name} must be a number or true or false, not ${shown(value)}`);
+  }
+  return [name, String(value)];
 }
 
 /** @param {Budget} budget @returns {[number, number]} iterations and milliseconds */
@@ -159,7 +194,7 @@ class WasmEditor {
 
   /** @param {string} name */
   setMethod(name) {
-    this.#open.setMethod(text(name, 'the name of a method', 'bad_option'));
+    this.#change({ method: name });
   }
 
   get initialisation() {
@@ -168,7 +203,7 @@ class WasmEditor {
 
   /** @param {string} initialisation */
   setInitialisation(initialisation) {
-    this.#open.setInitialisation(text(initialisation, 'an initialisation', 'bad_option'));
+    this.#change({ initialisation });
   }
 
   options() {
@@ -178,11 +213,38 @@ class WasmEditor {
 
   /** @param {string} name @param {number | boolean} value */
   setOption(name, value) {
-    text(name, 'the name of an option', 'bad_option');
-    if (typeof value !== 'number' && typeof value !== 'boolean') {
-      throw failure('bad_option', `option ${name} must be a number or true or false, not ${shown(value)}`);
-    }
-    this.#open.setOption(name, String(value));
+    this.#change({ options: { ...this.options(), [name]: value } });
+  }
+
+  /** @returns {EditState} */
+  state() {
+    const locality = this.#open.locality();
+    return {
+      handles: this.handles(),
+      method: this.method,
+      initialisation: this.initialisation,
+      options: this.options(),
+      locality: locality && { ...locality, origins: Array.from(locality.origins) },
+      positions: this.positions(),
+    };
+  }
+
+  /** @param {EditState} state */
+  setState({ handles, method, initialisation, options, locality, positions }) {
+    const numbers = this.restPositions.length;
+    this.#open.setState(
+      text(method, 'the name of a method', 'bad_option'),
+      text(initialisation, 'an initialisation', 'bad_option'),
+      Object.entries(options).flatMap(([name, value]) => option(name, value)),
+      flatHandles(handles),
+      locality ? flatLocality(locality, numbers) : null,
+      allPositions(positions, numbers),
+    );
+  }
+
+  /** @param {Partial<EditState>} change */
+  #change(change) {
+    this.setState({ ...this.state(), ...change });
   }
 
   handles() {
@@ -198,21 +260,12 @@ class WasmEditor {
 
   /** @param {readonly Handle[]} handles */
   setHandles(handles) {
-    if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
-    const vertices = handles.map((handle) => vertexNumber(handle?.vertex));
-    const targets = handles.flatMap((handle) => point(handle.target, handle.vertex));
-    const weights = handles.map(({ weight = Infinity }) => size(weight, 'the weight of a handle'));
-    this.#open.setHandles(Int32Array.from(vertices), Float64Array.from(targets), Float64Array.from(weights));
+    this.#change({ handles, locality: null });
   }
 
   /** @param {number} radius @param {readonly number[]} origins */
   setLocality(radius, origins) {
-    this.#open.setLocality(size(radius, 'a locality'), Int32Array.from(origins, vertexNumber));
-  }
-
-  locality() {
-    const locality = this.#open.locality();
-    return locality && { radius: locality.radius, origins: Array.from(locality.origins) };
+    this.#change({ locality: { radius, origins } });
   }
 
   /** @param {number} vertex @returns {Ball[]} */
@@ -251,12 +304,7 @@ class WasmEditor {
 
   /** @param {Float64Array} positions */
   setPositions(positions) {
-    const expected = 3 * this.info.vertices;
-    if (!(positions instanceof Float64Array) || positions.length !== expected) {
-      const got = positions instanceof Float64Array ? `one of ${positions.length}` : shown(positions);
-      throw failure('index_out_of_range', `positions must be a Float64Array of ${expected} numbers, not ${got}`);
-    }
-    this.#open.setPositions(positions);
+    this.#change({ positions, locality: null });
   }
 
   deviations() {

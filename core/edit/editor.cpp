@@ -47,6 +47,37 @@ void check_softness(const std::vector<Handle>& handles, const Method& method, co
                                                std::to_string(soft->vertex) + " is soft; projection can do that");
 }
 
+void check_positions(const Net& net, const Positions& positions) {
+    if (positions.cols() != net.vertex_count())
+        throw Error(ErrorCode::index_out_of_range, "positions of " + std::to_string(positions.cols()) +
+                                                       " vertices do not fit a net of " +
+                                                       std::to_string(net.vertex_count()));
+    if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
+}
+
+void check_locality(const Net& net, const Locality& locality) {
+    if (!(locality.radius > 0))
+        throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
+    for (int origin : locality.origins) check_vertex(net, origin, "the origin of a locality");
+    if (locality.held_at.size() > 0) check_positions(net, locality.held_at);
+}
+
+void snap(const std::vector<Handle>& handles, Positions& positions) {
+    for (const Handle& handle : handles)
+        if (handle.is_exact()) positions.col(handle.vertex) = handle.target;
+}
+
+/// As Editor::state() says it: exact handles at their targets, no locality where everything may move.
+void normalise(EditState& state) {
+    snap(state.handles, state.positions);
+    if (!state.locality) return;
+    auto& [radius, origins, held_at] = *state.locality;
+    if (!std::isfinite(radius) || origins.empty())
+        state.locality.reset();
+    else if (held_at.size() == 0)
+        held_at = state.positions;
+}
+
 }  // namespace
 
 Editor::Editor(Net net)
@@ -60,31 +91,19 @@ Editor::Editor(Net net)
       m_method(make_method(k_default_method)) {}
 
 void Editor::set_handles(std::vector<Handle> handles) {
-    check_handles(*m_net, handles);
-    check_softness(handles, *m_method, m_method_name);
-    const auto same_kind = [](const Handle& a, const Handle& b) {
-        return a.vertex == b.vertex && a.is_exact() == b.is_exact();
-    };
-    const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_kind);
-    for (const Handle& handle : m_handles) m_handle_at[handle.vertex] = -1;
-    m_handles = std::move(handles);
-    for (std::size_t i = 0; i < m_handles.size(); ++i) m_handle_at[m_handles[i].vertex] = static_cast<int>(i);
-    if (!same_set) {
-        m_prepared = false;
-        m_handle_graph.reset();
-    }
-    leave_region();
-    snap_handles();
-    restart();
+    EditState changed = state();
+    changed.handles = std::move(handles);
+    changed.locality.reset();
+    set_state(std::move(changed));
 }
 
 void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     check_target(vertex, target);
     Handle& handle = m_handles[place_of_handle(vertex)];
-    if (m_region && m_region->is_outside(vertex)) leave_region();
+    if (m_region && m_region->is_outside(vertex)) replace_region(std::nullopt);
     handle.target = target;
     if (handle.is_exact()) m_positions.col(vertex) = target;
-    restart();
+    m_running = false;
 }
 
 const Handle* Editor::find_handle(int vertex) const {
@@ -100,65 +119,114 @@ std::size_t Editor::place_of_handle(int vertex) const {
 }
 
 void Editor::set_locality(double radius, std::span<const int> origins) {
-    if (!(radius > 0)) throw Error(ErrorCode::bad_option, "the locality must be a number of edge lengths above 0");
-    for (int origin : origins) check_vertex(*m_net, origin, "the origin of a locality");
-    leave_region();
-    restart();
-    if (!std::isfinite(radius) || origins.empty()) return;
-    m_region = region_around(*m_net, *m_topology, m_positions, origins, radius);
-    m_prepared = false;
+    EditState changed = state();
+    changed.locality = Locality{radius, {origins.begin(), origins.end()}, {}};
+    set_state(std::move(changed));
 }
 
-void Editor::leave_region() {
-    if (m_region) m_prepared = false;
-    m_region.reset();
+void Editor::set_method(std::string_view name) {
+    EditState changed = state();
+    changed.method = name;
+    set_state(std::move(changed));
 }
-
-void Editor::set_method(std::string_view name) { set_method(make_method(name), std::string(name)); }
 
 void Editor::set_method(std::unique_ptr<Method> method, std::string name) {
     check_softness(m_handles, *method, name);
     m_method = std::move(method);
     m_method_name = std::move(name);
     m_prepared = false;
-    restart();
+    m_running = false;
 }
 
 void Editor::set_initialisation(std::string_view text) {
-    m_initialisation = Initialisation(text);
-    m_prepared = false;
-    restart();
+    EditState changed = state();
+    changed.initialisation = text;
+    set_state(std::move(changed));
 }
 
 void Editor::set_option(std::string_view key, std::string_view value) {
-    chebnet::set_option(m_options, key, value);
-    restart();
+    EditState changed = state();
+    chebnet::set_option(changed.options, key, value);
+    set_state(std::move(changed));
 }
 
 void Editor::set_positions(const Positions& positions) {
-    if (positions.cols() != m_net->vertex_count())
-        throw Error(ErrorCode::index_out_of_range, "positions of " + std::to_string(positions.cols()) +
-                                                       " vertices do not fit a net of " +
-                                                       std::to_string(m_net->vertex_count()));
-    if (!positions.allFinite()) throw Error(ErrorCode::non_finite, "a position is not finite");
-    if (positions.cwiseAbs().maxCoeff() > k_largest_size)
-        throw Error(ErrorCode::bad_scale, "a position is farther away than any net can be");
-    m_positions = positions;
-    leave_region();
-    snap_handles();
-    restart();
+    EditState changed = state();
+    changed.positions = positions;
+    changed.locality.reset();
+    set_state(std::move(changed));
 }
 
 void Editor::reset() {
-    m_positions = m_net->rest_positions();
-    for (Handle& handle : m_handles) handle.target = m_positions.col(handle.vertex);
-    leave_region();
-    restart();
+    EditState changed = state();
+    changed.positions = m_net->rest_positions();
+    for (Handle& handle : changed.handles) handle.target = changed.positions.col(handle.vertex);
+    changed.locality.reset();
+    set_state(std::move(changed));
 }
 
-void Editor::snap_handles() {
-    for (const Handle& handle : m_handles)
-        if (handle.is_exact()) m_positions.col(handle.vertex) = handle.target;
+EditState Editor::state() const {
+    EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_positions};
+    if (m_region) {
+        state.locality = Locality{m_region->radius, m_region->origins, m_positions};
+        for (const Hold& hold : m_region->holds) state.locality->held_at.col(hold.vertex) = hold.target;
+    }
+    return state;
+}
+
+void Editor::set_state(EditState next) {
+    // Whatever can be refused comes before the first change.
+    const EditState present = state();
+    std::unique_ptr<Method> other_method = next.method == m_method_name ? nullptr : make_method(next.method);
+    Initialisation other_initialisation(next.initialisation);
+    check_options(next.options);
+    check_handles(*m_net, next.handles);
+    check_softness(next.handles, other_method ? *other_method : *m_method, next.method);
+    check_positions(*m_net, next.positions);
+    if (next.locality) check_locality(*m_net, *next.locality);
+    normalise(next);
+    if (next == present) return;  // a solve under way goes on
+    std::optional<Region> region = region_of(next.locality);
+
+    if (other_method) {
+        m_method = std::move(other_method);
+        m_method_name = std::move(next.method);
+        m_prepared = false;
+    }
+    if (next.initialisation != present.initialisation) {
+        m_initialisation = std::move(other_initialisation);
+        m_prepared = false;
+    }
+    m_options = next.options;
+    replace_handles(std::move(next.handles));
+    replace_region(std::move(region));
+    m_positions = std::move(next.positions);
+    m_running = false;
+}
+
+void Editor::replace_handles(std::vector<Handle> handles) {
+    const auto same_kind = [](const Handle& a, const Handle& b) {
+        return a.vertex == b.vertex && a.is_exact() == b.is_exact();
+    };
+    const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_kind);
+    for (const Handle& handle : m_handles) m_handle_at[handle.vertex] = -1;
+    m_handles = std::move(handles);
+    for (std::size_t i = 0; i < m_handles.size(); ++i) m_handle_at[m_handles[i].vertex] = static_cast<int>(i);
+    if (!same_set) {
+        m_prepared = false;
+        m_handle_graph.reset();
+    }
+}
+
+void Editor::replace_region(std::optional<Region> region) {
+    const bool same_outside = region && m_region ? region->outside == m_region->outside : !region && !m_region;
+    if (!same_outside) m_prepared = false;
+    m_region = std::move(region);
+}
+
+std::optional<Region> Editor::region_of(const std::optional<Locality>& locality) const {
+    if (!locality) return std::nullopt;
+    return region_around(*m_net, *m_topology, locality->held_at, locality->origins, locality->radius);
 }
 
 /// Exact handles, and what lies outside the region that may move.
@@ -232,7 +300,7 @@ void Editor::store_positions() {
     const Positions kept = m_region ? Positions(m_positions(Eigen::all, m_region->outside)) : Positions();
     m_positions = m_unit * m_unit_positions;
     if (m_region) m_positions(Eigen::all, m_region->outside) = kept;
-    snap_handles();
+    snap(m_handles, m_positions);
 }
 
 /// Adds what the initialisation does to the trace.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "edit/edit_state.h"
 #include "edit/handle_graph.h"
 #include "edit/locality.h"
 #include "net/net.h"
@@ -19,16 +20,6 @@
 #include "solve/trace.h"
 
 namespace chebnet {
-
-/// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
-/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Hold).
-struct Handle {
-    int vertex;
-    Eigen::Vector3d target;
-    double weight = std::numeric_limits<double>::infinity();
-
-    bool is_exact() const { return weight == std::numeric_limits<double>::infinity(); }
-};
 
 /// Two vertices that no net can hold: they are to stand farther apart than the net between them is long.
 struct UnreachablePair {
@@ -65,6 +56,13 @@ public:
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
     const std::string& initialisation() const { return m_initialisation.name(); }
+    /// All of the above that can change, and the locality, as one value.
+    EditState state() const;
+    /// Goes to such a state, of this editor or of another of the same net; exact handles then snap to their targets. If
+    /// it is the present one, nothing changes and a solve under way goes on. Symbolic work survives if method,
+    /// initialisation, handles and what may move are as before. Throws as the functions below do, each of which but
+    /// move_handle() sets the present state with one thing changed, and then changes nothing.
+    void set_state(EditState next);
 
     /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite,
     /// or bad_option for a weight out of range or one that the method does not know, and then changes nothing.
@@ -91,7 +89,7 @@ public:
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; exact handles then snap to their targets, and
     /// everything may move again.
-    /// Throws Error index_out_of_range for a wrong size, non_finite, bad_scale for one beyond k_largest_size.
+    /// Throws Error index_out_of_range for a wrong size, non_finite.
     void set_positions(const Positions& positions);
     /// Back to the rest positions; handles keep their vertices and take the rest positions as targets. Everything may
     /// move again.
@@ -130,9 +128,9 @@ public:
 private:
     const Handle* find_handle(int vertex) const;
     std::size_t place_of_handle(int vertex) const;
-    void snap_handles();
-    void restart() { m_running = false; }
-    void leave_region();
+    void replace_handles(std::vector<Handle> handles);
+    void replace_region(std::optional<Region> region);
+    std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     std::vector<int> fixed_vertices() const;
     void collect_holds();
     void prepare();

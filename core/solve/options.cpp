@@ -103,6 +103,13 @@ double get_option(const Options& options, std::string_view key) {
     return std::visit([&](auto member) { return static_cast<double>(options.*member); }, find_entry(key).member);
 }
 
+void check_options(const Options& options) {
+    for (const OptionInfo& info : option_table()) {
+        const double value = get_option(options, info.name);
+        if (!(value >= info.smallest && value <= info.largest)) refuse(info, number_text(value, 6));
+    }
+}
+
 std::span<const OptionInfo> option_table() {
     static const auto table = [] {
         std::vector<OptionInfo> infos;

@@ -22,12 +22,17 @@ struct Options {
     int active_rings = 2;               ///< and so many rings of neighbours around them
     bool reduce_once = false;           ///< section 3.3 to the letter: these vertices are chosen once, and stay
     bool direct_energy = false;         ///< li2022 minimises E_p (eq. 2) itself in place of energy (3)
+
+    bool operator==(const Options&) const = default;
 };
 
 /// Sets one option from text, e.g. set_option(o, "p_end", "30") or ("adaptive_p", "off"). Booleans take
 /// on/off/true/false/1/0. Throws Error bad_option, naming the known options or the range, if key or value are not
 /// valid.
 void set_option(Options& options, std::string_view key, std::string_view value);
+
+/// Throws Error bad_option, naming the range, for the first option that is out of it.
+void check_options(const Options& options);
 
 /// One line for each option, for help texts and the page: name, default, range and a sentence.
 struct OptionInfo {

@@ -82,12 +82,12 @@ describe('locality', () => {
   });
 
   test('is told as long as it holds', () => {
-    expect(editor.locality()).toBe(null);
+    expect(editor.state().locality).toBe(null);
     editor.setLocality(9, [dragged.vertex]);
     editor.setMethod('li2022');
-    expect(editor.locality()).toEqual({ radius: 9, origins: [dragged.vertex] });
+    expect(editor.state().locality).toMatchObject({ radius: 9, origins: [dragged.vertex] });
     editor.setHandles(handles);
-    expect(editor.locality()).toBe(null);
+    expect(editor.state().locality).toBe(null);
   });
 
   test('is refused if it is no length or nowhere', () => {

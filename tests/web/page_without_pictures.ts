@@ -13,24 +13,29 @@ export interface Page {
   said: string[];
   /** Solves until nothing is left to be solved. */
   solve(): Promise<void>;
+  /** The worker breaks. */
+  loseWorker(): void;
 }
 
-export async function openPage(core: Editors): Promise<Page> {
+/** @param whole what the worker goes over to where `core` has left something out. */
+export async function openPage(core: Editors, whole = core): Promise<Page> {
   const tasks: (() => void)[] = [];
+  const workers: WorkerHere[] = [];
   const said: string[] = [];
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
   const parts = {
     createView: () => silent,
     createBeside: () => silent,
     createPanels: () => panels,
-    spawnWorker: () => new WorkerHere(core, tasks),
+    spawnWorker: () => workers[workers.push(new WorkerHere(core, whole, tasks)) - 1],
   };
   const app = new App(parts as unknown as AppParts, {} as AppServices);
   const solve = async () => {
     for (; !app.isQuiet; await new Promise((resolve) => setImmediate(resolve))) tasks.shift()?.();
   };
+  const loseWorker = () => workers.at(-1)?.onerror?.({ message: 'lost' } as ErrorEvent);
   await app.start();
-  return { app, said, solve };
+  return { app, said, solve, loseWorker };
 }
 
 /** Has every method, none of which does anything. */
@@ -42,13 +47,13 @@ class WorkerHere implements WorkerLike {
   onmessageerror: WorkerLike['onmessageerror'] = null;
   readonly #session: Session;
 
-  constructor(core: Editors, tasks: (() => void)[]) {
+  constructor(core: Editors, whole: Editors, tasks: (() => void)[]) {
     const post = (response: Response): void => {
       const data = structuredClone(response);
       queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
     };
     const soon = (task: () => void) => tasks.push(task);
-    this.#session = new Session(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(core) });
+    this.#session = new Session(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(whole) });
   }
 
   postMessage(request: Request): void {

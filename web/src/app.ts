@@ -85,8 +85,9 @@ export class App {
 
   constructor({ createView, createBeside, createPanels, spawnWorker }: AppParts, services: AppServices) {
     this.#client = new Client(spawnWorker, {
+      document: () => this.#opening?.document ?? null,
       frame: (frame, settled) => this.#showFrame(frame, settled),
-      restarted: (why, opened) => this.#restarted(why, opened),
+      restarted: (why, isBack) => this.#restarted(why, isBack),
       gaveUp: (why) => this.report(why),
     });
     this.#comparer = new Comparer(spawnWorker, (comparison) => this.#panels.showComparison(comparison));
@@ -255,7 +256,7 @@ export class App {
       return { ...handle, target: [x, y, z] };
     };
     this.#history.record(before, ['reset']);
-    this.#change({ handles: before.handles.map(atRest) });
+    this.#change({ handles: before.handles.map(atRest), positions: restPositions });
     this.#showDocument();
     await this.#client.reset();
   }
@@ -542,13 +543,12 @@ export class App {
     this.#emit('settled');
   }
 
-  #restarted(why: SolverError, opened: Opened | null): void {
+  #restarted(why: SolverError, isBack: boolean): void {
     if (!isCancelled(why)) this.#emit('restarted');
-    if (opened === null || this.#opening === null) {
+    if (!isBack) {
       this.#panels.say(words.solver.stopped(sentence(why)), 'error');
       return;
     }
-    this.#change({ handles: opened.frame.handles.map((handle) => this.#withTraits(handle)) });
     this.handles.resumeDrag();
     this.#showDocument();
     if (!isCancelled(why)) this.#panels.say(words.solver.restarted(sentence(why)), 'error');

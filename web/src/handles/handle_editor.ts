@@ -121,8 +121,11 @@ export class HandleEditor implements HandleWishes {
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
-      if (before) this.#desk.change({ handles: [...before.handles] });
-      throw error;
+      // A solver that comes in the place of one that was lost has them from the document.
+      if (!this.#client.returning) {
+        if (before) this.#desk.change({ handles: [...before.handles] });
+        throw error;
+      }
     }
     if (before) this.#history.record(before, name);
     this.#desk.show();

@@ -16,12 +16,15 @@ export interface WorkerLike {
   onmessageerror: ((event: MessageEvent) => void) | null;
 }
 
-export interface ClientEvents {
+/** The page, as the client knows it. */
+export interface ClientHost {
+  /** The net that is open, for the worker after one that is lost; null: none is. */
+  document(): OpenScene | null;
   /** News of the net; `settled`: nothing is left to be solved. Frames from before the last open, restore or reset do not come. */
   frame(frame: FrameData, settled: boolean): void;
-  /** A worker was lost, or ended by `cancelOpening`. Another has the net as it last stood, here it is; null: it could not,
-   *  and no net is open. */
-  restarted(why: SolverError, opened: Opened | null): void;
+  /** A worker was lost, or ended by `cancelOpening`. Another has opened the document; unless `isBack`, it could not, and no
+   *  net is open. */
+  restarted(why: SolverError, isBack: boolean): void;
   /** A solve was given up; the net stays as the last frame has it. */
   gaveUp(why: SolverError): void;
 }
@@ -67,7 +70,7 @@ interface PendingDrag {
 
 export class Client {
   readonly #spawn: () => WorkerLike;
-  readonly #events: ClientEvents;
+  readonly #host: ClientHost;
   readonly #patience: number;
   #worker: WorkerLike | null = null;
   /** The worker has done something already: if it is lost, another may do better. */
@@ -82,17 +85,17 @@ export class Client {
   #settled = 0;
   /** News of requests before this one is of the past. */
   #barrier = 0;
-  /** The net as it last stood, for the next worker. */
-  #scene: OpenScene | null = null;
-  /** The same while a new worker opens it. */
-  #returning: OpenScene | null = null;
+  /** The worker has a net. */
+  #hasNet = false;
+  /** How a new worker opens the document in place of one that was lost; null: none does. */
+  #returning: Pick<OpenScene, 'settled'> | null = null;
   #silence: ReturnType<typeof setTimeout> | undefined;
   #whenIdle: (() => void)[] = [];
 
   /** @param patience milliseconds of silence, while the worker is busy, after which it counts as lost. */
-  constructor(spawn: () => WorkerLike, events: ClientEvents, patience = 60_000) {
+  constructor(spawn: () => WorkerLike, host: ClientHost, patience = 60_000) {
     this.#spawn = spawn;
-    this.#events = events;
+    this.#host = host;
     this.#patience = patience;
   }
 
@@ -112,7 +115,7 @@ export class Client {
     return this.#touched > this.#settled;
   }
 
-  /** Whether a new worker is opening the net of one that was lost. */
+  /** Whether a new worker is opening the document in place of one that was lost. */
   get returning(): boolean {
     return this.#returning !== null;
   }
@@ -131,8 +134,7 @@ export class Client {
   async open(scene: OpenScene): Promise<Opened> {
     this.#sendDrag();
     const { net, frame } = await this.#ask({ type: 'open', scene }, 'opened');
-    this.#scene = scene;
-    this.#remember(frame.handles, frame.positions);
+    this.#hasNet = true;
     return { net, frame };
   }
 
@@ -141,15 +143,14 @@ export class Client {
   cancelOpening(): void {
     if (![...this.#waiting.values()].some(({ type }) => type === 'open')) return;
     const why = new SolverError('cancelled', words.solver.openingCancelled);
-    const scene = this.#scene ? { ...this.#scene, settled: !this.solving } : this.#returning;
+    const back = this.#hasNet ? { settled: !this.solving } : this.#returning;
     this.#endWorker(why);
-    if (scene !== null) this.#bringBack(scene, why);
+    if (back !== null) this.#bringBack(back, why);
     this.#rest();
   }
 
-  async setHandles(handles: Handle[]): Promise<void> {
-    await this.#tell({ type: 'handles', handles });
-    this.#remember(handles, null);
+  setHandles(handles: Handle[]): Promise<void> {
+    return this.#tell({ type: 'handles', handles });
   }
 
   /**
@@ -168,15 +169,13 @@ export class Client {
     return this.#tell({ type: 'locality', radius, origins: [...origins] });
   }
 
-  async setOptions(settings: SolverSettings): Promise<void> {
-    await this.#tell({ type: 'options', settings });
-    if (this.#scene) this.#scene = { ...this.#scene, ...settings };
+  setOptions(settings: SolverSettings): Promise<void> {
+    return this.#tell({ type: 'options', settings });
   }
 
   /** Puts the net that is open to a state of before. */
-  async restore(scene: Omit<OpenScene, 'net'>): Promise<void> {
-    await this.#tell({ type: 'restore', scene });
-    if (this.#scene) this.#scene = { ...this.#scene, ...scene };
+  restore(scene: Omit<OpenScene, 'net'>): Promise<void> {
+    return this.#tell({ type: 'restore', scene });
   }
 
   solve(): Promise<void> {
@@ -249,12 +248,6 @@ export class Client {
       .finally(onward);
   }
 
-  #remember(handles: readonly Handle[], positions: Float64Array | null): void {
-    if (this.#scene === null) return;
-    const seeds = handles.map((handle) => ({ ...handle, anchor: false }));
-    this.#scene = { ...this.#scene, handles: seeds, positions: positions ?? this.#scene.positions };
-  }
-
   // -------------------------------------------------------------------------------------------------------- answers
 
   #receive(response: Response): void {
@@ -268,10 +261,7 @@ export class Client {
 
   #news({ id, type, frame }: Answered<'frame' | 'settled'>): void {
     if (type === 'settled') this.#settled = Math.max(this.#settled, id);
-    if (id >= this.#barrier) {
-      this.#remember(frame.handles, frame.positions);
-      this.#events.frame(frame, !this.solving);
-    }
+    if (id >= this.#barrier) this.#host.frame(frame, !this.solving);
     this.#post({ id: ++this.#lastId, type: 'seen' });
   }
 
@@ -280,7 +270,7 @@ export class Client {
     this.#waiting.delete(response.id);
     if (response.type === 'error') {
       const why = new SolverError(response.code, words.core.failure(response.code, response.message));
-      if (waiting === undefined) return this.#events.gaveUp(why);
+      if (waiting === undefined) return this.#host.gaveUp(why);
       // What failed changed nothing, so the news of what went on before still counts.
       if (this.#barrier === response.id) this.#barrier = 0;
       waiting.reject(why);
@@ -320,33 +310,37 @@ export class Client {
   /** The net is not solved on: that may be what broke the worker. */
   #lose(reason: string): void {
     const why = new SolverError('worker_lost', reason);
-    const scene = this.#scene && { ...this.#scene, settled: true };
-    const hopeful = this.#proven;
+    const [hadNet, hopeful] = [this.#hasNet, this.#proven];
     this.#endWorker(why);
-    if (scene !== null && hopeful) this.#bringBack(scene, why);
-    else if (scene !== null) this.#events.restarted(why, null);
+    if (hadNet && hopeful) this.#bringBack({ settled: true }, why);
+    else if (hadNet) this.#host.restarted(why, false);
     this.#rest();
   }
 
   #endWorker(why: SolverError): void {
     this.#worker?.terminate();
     this.#worker = null;
-    this.#scene = null;
+    this.#hasNet = false;
     this.#settled = this.#touched;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     for (const { reject } of waiting) reject(why);
   }
 
-  /** Opens the net as it last stood in a new worker. */
-  #bringBack(scene: OpenScene, why: SolverError): void {
-    this.#returning = scene;
-    const end = (opened: Opened | null): void => {
+  /** Opens the document in a new worker. */
+  #bringBack(back: Pick<OpenScene, 'settled'>, why: SolverError): void {
+    const document = this.#host.document();
+    if (document === null) return;
+    this.#returning = back;
+    const end = (isBack: boolean): void => {
       this.#returning = null;
-      this.#events.restarted(why, opened);
+      this.#host.restarted(why, isBack);
     };
     // If this is given up too, it begins anew.
-    this.open(scene).then(end, (error: unknown) => isCancelled(error) || end(null));
+    this.open({ ...document, ...back }).then(
+      () => end(true),
+      (error: unknown) => isCancelled(error) || end(false),
+    );
   }
 
   /** Nobody waits any longer if there is nothing to wait for. */

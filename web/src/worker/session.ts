@@ -1,9 +1,9 @@
 /** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
-import type { Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
+import type { EditState, Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
-import type { HandleSeed, SolverOptions, SolverSettings } from '../document/document';
+import type { HandleSeed } from '../document/document';
 import { edgesCsv } from '../net/edges_csv';
 import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
@@ -97,7 +97,7 @@ export class Session {
         this.#net().setLocality(request.radius ?? Infinity, request.origins);
         return this.#reply(request, { type: 'done' });
       case 'options':
-        applySettings(this.#core, this.#net(), request.settings);
+        this.#net().setState({ ...this.#net().state(), ...request.settings });
         if (!this.#solving) this.#judge();
         return this.#accept(request, this.#solving);
       case 'solve':
@@ -148,7 +148,7 @@ export class Session {
     const editor = openNet(this.#core, scene.net);
     try {
       checkNumbering(editor, scene);
-      prepare(this.#core, editor, scene);
+      editor.setState(stateOf(scene, editor));
     } catch (error) {
       editor.dispose();
       throw error;
@@ -190,7 +190,7 @@ export class Session {
 
   #restore({ scene }: Extract<Request, { type: 'restore' }>): void {
     const editor = this.#net();
-    prepare(this.#core, editor, { ...scene, positions: scene.positions ?? editor.restPositions });
+    editor.setState(stateOf(scene, editor));
     this.#judge();
   }
 
@@ -234,7 +234,7 @@ export class Session {
   #moveTo(core: Editors): void {
     if (this.#editor !== null && this.#source !== null) {
       const editor = openNet(core, this.#source);
-      takeOver(core, editor, this.#editor);
+      editor.setState(this.#editor.state());
       this.#editor.dispose();
       this.#editor = editor;
     }
@@ -405,10 +405,9 @@ function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
   return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
 }
 
-function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): void {
-  // Soft handles of before would stand in the way of a method that knows none.
-  if (editor.handles().some(({ weight }) => weight !== undefined)) editor.setHandles([]);
-  applySettings(core, editor, scene);
+/** The state that a scene wants the editor's net to be in. */
+function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
+  const { method, initialisation, options, positions } = scene;
   const rest = editor.restPositions;
   const seeds =
     scene.handles === 'suggested'
@@ -425,47 +424,8 @@ function prepare(core: Editors, editor: Editor, scene: Omit<OpenScene, 'net'>): 
     target: target ?? at(vertex),
     weight,
   }));
-  editor.setHandles(targetsOf(handles));
-  const { positions } = scene;
-  if (positions !== null)
-    editor.setPositions(positions instanceof Float64Array ? positions : unpackPositions(positions.packed, editor));
-}
-
-/** Puts the net into the state of another editor. */
-function takeOver(core: Editors, editor: Editor, from: Editor): void {
-  const handles = from.handles().map((handle) => ({ ...handle, anchor: false }));
-  const { method, initialisation } = from;
-  prepare(core, editor, {
-    method,
-    initialisation,
-    options: from.options(),
-    handles,
-    positions: from.positions(),
-    settled: true,
-  });
-  const locality = from.locality();
-  if (locality !== null) editor.setLocality(locality.radius, locality.origins);
-}
-
-/** Sets the options named and puts the others back to their defaults; if one is refused, changes nothing. */
-function applySettings(core: Editors, editor: Editor, { method, initialisation, options }: SolverSettings): void {
-  const before = { method: editor.method, initialisation: editor.initialisation, options: editor.options() };
-  const set = (name: string, start: string, values: SolverOptions): void => {
-    // What stays the same is not set again: a new method would do its symbolic work again.
-    if (name !== editor.method) editor.setMethod(name);
-    if (start !== editor.initialisation) editor.setInitialisation(start);
-    const present = editor.options();
-    for (const [key, value] of Object.entries(values)) {
-      if (Number(value) !== Number(present[key])) editor.setOption(key, value);
-    }
-  };
-  const defaults = Object.fromEntries(core.options().map(({ name, value }) => [name, value]));
-  try {
-    set(method, initialisation, { ...defaults, ...options });
-  } catch (error) {
-    set(before.method, before.initialisation, before.options);
-    throw error;
-  }
+  const stands = positions !== null && 'packed' in positions ? unpackPositions(positions.packed, editor) : positions;
+  return { method, initialisation, options, handles: targetsOf(handles), locality: null, positions: stands ?? rest };
 }
 
 /** What of a message is moved to the page rather than copied. */

@@ -1,0 +1,172 @@
+/** The state of an edit, every field of it, on each way it can take: to the other module, through undo, a link and a project,
+ *  and to the worker after one that was lost. */
+import { beforeEach, expect, test } from 'vitest';
+import type { EditState, Editor, Editors } from '../../wasm/chebnet';
+import { freshScene } from '../../web/src/document/defaults';
+import type { ChebnetDocument, Scene } from '../../web/src/document/document';
+import { parseProject, projectText } from '../../web/src/document/project';
+import { hashOf, sceneOf } from '../../web/src/projects/link';
+import { largestDistance, load, loadFirst } from '../wasm/load';
+import { openPage } from './page_without_pictures';
+import type { Page } from './page_without_pictures';
+
+type Place = [number, number, number];
+
+const [first, whole] = await Promise.all([loadFirst(), load()]);
+const recipe = 'vault:vertices=300';
+const fresh = whole.openRecipe(recipe);
+const dragged = fresh.suggestedHandles.at(-1) ?? -1;
+const anchors = Array.from(fresh.suggestedHandles).slice(0, -1);
+
+/** Nothing as in a net just opened. */
+const scene: Scene = {
+  ...freshScene({ recipe }),
+  handles: [
+    ...anchors.map((vertex) => ({ vertex, target: at(vertex), anchor: true })),
+    { vertex: dragged, target: at(dragged), anchor: false, name: 'crown' },
+    { vertex: 5, target: at(5, 0.5), anchor: false, weight: 0.25, hidden: true },
+  ],
+  initialisation: 'arap:3',
+  options: { threshold: 1e-8, max_iterations: 150, adaptive_p: false },
+  locality: 5,
+  symmetry: { axis: 'x', through: 'centre' },
+  experiment: 'fig-locking',
+  compare: ['li2022', 'dp4'],
+};
+
+let editors: Editor[];
+let page: Page;
+
+function at(vertex: number, up = 0): Place {
+  const [x = NaN, y = NaN, z = NaN] = fresh.restPositions.subarray(3 * vertex, 3 * vertex + 3);
+  return [x, y, z + up];
+}
+
+/** The core, which keeps the editors it opens where the test can see them. */
+function watched(core: Editors): Editors {
+  const keep = (editor: Editor): Editor => editors[editors.push(editor) - 1]!;
+  return { ...core, openRecipe: (from) => keep(core.openRecipe(from)) };
+}
+
+function editor(): Editor {
+  return editors.at(-1) ?? expect.fail('no net is open');
+}
+
+/** A copy: of what is to come back nothing may be shared. */
+function present(): ChebnetDocument {
+  return structuredClone(page.app.toShare()!.document);
+}
+
+/** What the solver has of the document, at rest: a locality is that of a drag. */
+async function expectBack(document: ChebnetDocument, state: EditState): Promise<void> {
+  await page.solve();
+  expect(present()).toEqual(document);
+  expect(editor().state()).toEqual({ ...state, locality: null });
+}
+
+beforeEach(async () => {
+  editors = [];
+  page = await openPage(watched(first), watched(whole));
+  await page.app.openScene(scene);
+  await page.app.handles.move([{ vertex: dragged, target: at(dragged, -1) }]);
+  await page.solve();
+});
+
+test('is nowhere as in a net just opened, but for the method of the first module', () => {
+  const [state, usual] = [editor().state(), fresh.state()];
+  for (const field of Object.keys(state) as (keyof EditState)[]) {
+    if (field !== 'method') expect(state[field], field).not.toEqual(usual[field]);
+  }
+  expect(state).toMatchObject({ initialisation: 'arap:3', options: scene.options, locality: { radius: 5 } });
+  expect(state.locality?.heldAt).not.toEqual(state.positions);
+  expect(state.handles).toContainEqual({ vertex: 5, target: at(5, 0.5), weight: 0.25 });
+});
+
+test('goes to the other module, and on from there bit for bit', async () => {
+  const before = editor().state();
+  const stayed = first.openRecipe(recipe);
+  stayed.setState(before);
+  await page.app.exported('obj');
+  expect(editors).toHaveLength(2);
+  expect(editor().state()).toEqual(before);
+  for (const each of [stayed, editor()]) {
+    each.moveHandle(dragged, at(dragged, -1.1));
+    expect(each.solve().status).toBe('converged');
+  }
+  expect(editor().state()).toEqual(stayed.state());
+});
+
+test('comes back by undo, and again by redo', async () => {
+  const [document, state] = [present(), editor().state()];
+  const { app } = page;
+  await app.handles.set([{ vertex: 0, target: at(0, 1), anchor: false }]);
+  await app.setOptions({ method: 'li2022', initialisation: 'naive', options: {} });
+  app.handles.setLocality(undefined);
+  app.handles.setSymmetry(undefined);
+  await page.solve();
+  const [otherDocument, otherState] = [present(), editor().state()];
+  expect(otherState).toMatchObject({ method: 'li2022', options: fresh.options() });
+  app.goTo(app.history.present - 4);
+  await expectBack(document, state);
+  app.goTo(app.history.present + 4);
+  await expectBack(otherDocument, otherState);
+});
+
+test('comes back from a link, positions so exact that the net stays solved', async () => {
+  const [document, state] = [present(), editor().state()];
+  const { hash } = hashOf(page.app);
+  await page.app.openScene(await sceneOf(hash ?? expect.fail('no link')));
+  await page.solve();
+  const { positions } = editor().state();
+  expect(editors).toHaveLength(2);
+  expect(largestDistance(positions, state.positions)).toBeLessThan(1e-4 * fresh.info.meanLength);
+  expect(Math.max(...editor().deviations())).toBeLessThan(1e-8);
+  await expectBack({ ...document, positions }, { ...state, positions });
+});
+
+test('comes back from a project', async () => {
+  const [document, state] = [present(), editor().state()];
+  await page.app.openProject(parseProject(projectText(page.app.project()!)));
+  expect(editors).toHaveLength(2);
+  await expectBack(document, state);
+});
+
+test('comes back in the worker after one that was lost, be it just told or not', async () => {
+  const [document, state] = [present(), editor().state()];
+  page.loseWorker();
+  await expectBack(document, state);
+  expect(editors).toHaveLength(2);
+  expect(page.said).toHaveLength(1);
+
+  const handles = document.handles.slice(1);
+  const telling = page.app.handles.set(handles);
+  page.loseWorker();
+  await telling;
+  await expectBack({ ...document, handles }, { ...state, handles: state.handles.slice(1) });
+  expect(editors).toHaveLength(3);
+  page.app.undo();
+  await expectBack(document, state);
+});
+
+test('with anything wrong in it changes nothing', async () => {
+  const before = editor().state();
+  const refused: [Partial<EditState>, string][] = [
+    [{ handles: [{ vertex: 1e6, target: [0, 0, 0] }] }, 'index_out_of_range'],
+    [{ handles: [{ vertex: 1, target: [0, 0, 0], weight: -1 }] }, 'bad_option'],
+    [{ method: 'magic' }, 'bad_option'],
+    [{ initialisation: 'arap:0' }, 'bad_option'],
+    [{ options: { p_end: 1000 } }, 'bad_option'],
+    [{ options: { magic: 1 } }, 'bad_option'],
+    [{ locality: { radius: 0, origins: [1] } }, 'bad_option'],
+    [{ locality: { radius: 3, origins: [1], heldAt: new Float64Array(3) } }, 'index_out_of_range'],
+    [{ positions: new Float64Array(3) }, 'index_out_of_range'],
+    [{ positions: before.positions.map(() => NaN) }, 'non_finite'],
+  ];
+  for (const [change, code] of refused) {
+    // None of the rest is as the editor has it.
+    expect(() => editor().setState({ ...fresh.state(), ...change }), Object.keys(change).join()).toThrow(
+      expect.objectContaining({ code }),
+    );
+    expect(editor().state()).toEqual(before);
+  }
+});
