@@ -205,8 +205,8 @@ val reach(const Session& session, int vertex) {
     return copy_out(numbers);
 }
 
-val distances(const Session& session, val origins) {
-    return copy_out(session.editor.distances_from(emscripten::convertJSArrayToNumberVector<int>(origins)));
+val mobility(const Session& session, double radius, val origins) {
+    return copy_out(session.editor.mobility(radius, emscripten::convertJSArrayToNumberVector<int>(origins)));
 }
 
 void move_handle(Session& session, int vertex, double x, double y, double z) {
@@ -328,7 +328,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("handleWeights", guarded<&handle_weights>)
         .function("locality", guarded<&locality>)
         .function("reach", guarded<&reach>)
-        .function("distances", guarded<&distances>)
+        .function("mobility", guarded<&mobility>)
         .function("moveHandle", guarded<&move_handle>)
         .function("setState", guarded<&set_state>)
         .function("solve", guarded<&solve>)

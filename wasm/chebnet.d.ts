@@ -235,8 +235,8 @@ export interface Editor {
   /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
    *  balls. A handle that has another on a shortest path to this one has no ball: it allows no less. None for a soft handle. */
   reach(vertex: number): Ball[];
-  /** Length of the shortest path along edges from each vertex to the nearest of the `origins`; Infinity where there is none. */
-  distances(origins: readonly number[]): Float64Array;
+  /** How freely `setLocality` would let each vertex move, 0 … 1; see core/edit/locality.h. */
+  mobility(radius: number, origins: readonly number[]): Float32Array;
 
   /** Goes on with the present solve until it ends or the budget runs out (`running`). */
   solve(budget?: Budget): SolveReport;

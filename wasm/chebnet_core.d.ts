@@ -58,7 +58,7 @@ export interface Session {
   locality(): CoreLocality | null;
   /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;
-  distances(origins: Int32Array): Float64Array;
+  mobility(radius: number, origins: Int32Array): Float32Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
   /** `options`: names and values in turn. */
   setState(

@@ -278,9 +278,9 @@ class WasmEditor {
     }));
   }
 
-  /** @param {readonly number[]} origins */
-  distances(origins) {
-    return this.#open.distances(Int32Array.from(origins, vertexNumber));
+  /** @param {number} radius @param {readonly number[]} origins */
+  mobility(radius, origins) {
+    return this.#open.mobility(size(radius, 'a locality'), Int32Array.from(origins, vertexNumber));
   }
 
   /** @param {number} vertex @param {readonly [number, number, number]} target */

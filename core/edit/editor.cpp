@@ -437,9 +437,10 @@ std::vector<Ball> Editor::reach(int vertex) const {
     return balls;
 }
 
-std::vector<double> Editor::distances_from(std::span<const int> origins) const {
-    for (int origin : origins) check_vertex(*m_net, origin, "the origin of distances");
-    return m_topology->distances_from(origins);
+Eigen::VectorXf Editor::mobility(double radius, std::span<const int> origins) const {
+    check_locality(*m_net, {radius, {origins.begin(), origins.end()}, {}});
+    if (origins.empty()) return Eigen::VectorXf::Ones(m_net->vertex_count());
+    return chebnet::mobility(*m_net, *m_topology, origins, radius);
 }
 
 bool Editor::are_joined(int a, int b) const {

@@ -119,9 +119,8 @@ public:
     /// Which exact handles bound each other directly: places in handles(), where soft ones have no neighbours. Made
     /// when needed, once for a set of handles.
     const HandleGraph& handle_graph() const;
-    /// V, length of the shortest path along edges to the nearest of the `origins`; infinity where there is none. Throws
-    /// Error index_out_of_range.
-    std::vector<double> distances_from(std::span<const int> origins) const;
+    /// V, how freely set_locality() would let each vertex move, 0 … 1; see chebnet::mobility(). Throws as it does.
+    Eigen::VectorXf mobility(double radius, std::span<const int> origins) const;
     /// Largest distance of an exact handle from its target at the present positions: 0 by construction.
     double handle_error() const;
 

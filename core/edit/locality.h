@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -29,6 +30,11 @@ struct Region {
 
     bool is_outside(int vertex) const { return std::binary_search(outside.begin(), outside.end(), vertex); }
 };
+
+/// V, how freely each vertex would move in such a region: 1 up to half the radius, falling evenly to 0 where all is
+/// fixed. Where the hold of a vertex has the weight w < 1, it is 1 / (1 + √w R/2): the reach 1/√w of the hold's
+/// influence, as part of itself and the zone.
+Eigen::VectorXf mobility(const Net& net, const Topology& topology, std::span<const int> origins, double radius);
 
 /// `radius`: in mean edge lengths, above 0. `positions`: 3×V, where the net stands. The origins themselves may move.
 Region region_around(const Net& net, const Topology& topology, const Positions& positions, std::span<const int> origins,

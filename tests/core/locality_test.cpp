@@ -71,6 +71,15 @@ TEST_CASE("A region is what lies within its radius, held the more the closer to 
     }
     for (int d = 0; d <= 4; ++d) CHECK(weight_at[d] == 0);
     for (int d = 5; d < 8; ++d) CHECK(weight_at[d] > weight_at[d - 1]);
+
+    const Eigen::VectorXf freely = mobility(net, topology, std::vector{220}, 8);
+    for (int v = 0; v < net.vertex_count(); ++v) {
+        const double w = weight_at[std::min(std::lround(distance[v]), 7L)];
+        if (region.is_outside(v))
+            CHECK(freely[v] == 0);
+        else if (w < 1)
+            CHECK(freely[v] == Approx(1 / (1 + std::sqrt(w) * 4)));
+    }
 }
 
 TEST_CASE("What lies beyond the locality stays where it is, bit for bit, and every edge keeps its length") {

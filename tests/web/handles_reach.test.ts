@@ -2,7 +2,7 @@
 import { describe, expect, test, vi } from 'vitest';
 import type { Ball } from '../../wasm/chebnet';
 import type { Vec3 } from '../../web/src/document/document';
-import { DragGuide, mobilityOf } from '../../web/src/handles/drag_guide';
+import { DragGuide } from '../../web/src/handles/drag_guide';
 import {
   type InHand,
   isNearBorder,
@@ -170,11 +170,6 @@ describe('the limits of a translation', () => {
   });
 });
 
-test('the mobility falls from 1 in the inner half of the region to 0 at its border', () => {
-  const mobility = mobilityOf(Float64Array.of(0, 1, 2, 3, 4, Infinity), { radius: 8, edgeLength: 0.5 });
-  expect([...mobility]).toEqual([1, 1, 1, 0.5, 0, 0]);
-});
-
 describe('a drag', () => {
   const shown = { setRegion: vi.fn(), setReach: vi.fn() };
   const client = {
@@ -182,7 +177,7 @@ describe('a drag', () => {
     reach: vi.fn((vertices: number[]) =>
       Promise.resolve(vertices.map((): Ball[] => [{ vertex: 9, centre: [0, 0, 0], radius: 1 }])),
     ),
-    distances: vi.fn(() => Promise.resolve(Float64Array.of(0, 1, 9))),
+    mobility: vi.fn(() => Promise.resolve(Float32Array.of(1, 1, 0))),
   };
   const guide = new DragGuide(client as unknown as Client, shown);
   const one = inHand([
@@ -231,8 +226,9 @@ describe('a drag', () => {
   });
 
   test('tells the solver its locality and shades what stays; the next without one frees everything', async () => {
-    await guide.begin(one, { radius: 3, edgeLength: 1 });
+    await guide.begin(one, 3);
     expect(client.setLocality).toHaveBeenLastCalledWith(3, [1]);
+    expect(client.mobility).toHaveBeenLastCalledWith(3, [1]);
     expect(shown.setRegion.mock.lastCall?.[0]).toEqual(Float32Array.of(1, 1, 0));
     guide.end();
     expect(shown.setRegion).toHaveBeenLastCalledWith(null);

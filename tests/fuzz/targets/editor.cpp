@@ -103,9 +103,8 @@ private:
     }
 
     void ask() {
-        const std::vector<int> origins = any_vertices();
-        for (const double distance : m_editor.distances_from(origins))
-            fuzz::require(distance >= 0, "a distance is no number");
+        for (const float mobility : m_editor.mobility(3, any_vertices()))
+            fuzz::require(mobility >= 0 && mobility <= 1, "a mobility is out of range");
         for (const UnreachablePair& pair : m_editor.unreachable_pairs())
             fuzz::require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
         for (const Ball& ball : m_editor.reach(any_vertex()))

@@ -6,6 +6,8 @@
  * Layout: the step as a 64-bit float, little end first; then for each axis the vertices, in the order of `makeWalk`.
  */
 
+import { deviation, edgeLengths } from '../net/edge_lengths';
+
 /** The part of an opened net that packing looks at; both sides must have the same, numbered alike (numbering.ts). */
 export interface PackingNet {
   restPositions: Float64Array;
@@ -86,26 +88,13 @@ function toSteps(positions: Float64Array, { restPositions }: PackingNet, step: n
   return positions.map((x, i) => Math.round((x - (restPositions[i] ?? 0)) / step));
 }
 
-function shortestEdge(net: PackingNet): number {
-  let shortest = Infinity;
-  for (let e = 0; e < net.edges.length; e += 2) shortest = Math.min(shortest, edgeLength(net.restPositions, net, e));
-  return shortest;
+function shortestEdge({ restPositions, edges }: PackingNet): number {
+  return edgeLengths(restPositions, edges).reduce((shortest, length) => Math.min(shortest, length), Infinity);
 }
 
-function largestDeviation(positions: Float64Array, net: PackingNet): number {
-  let largest = 0;
-  for (let e = 0; e < net.edges.length; e += 2) {
-    const r = edgeLength(positions, net, e) / (net.restLengths[e / 2] ?? NaN);
-    largest = Math.max(largest, r + 1 / r - 2);
-  }
-  return largest;
-}
-
-function edgeLength(positions: Float64Array, { edges }: PackingNet, e: number): number {
-  const a = 3 * (edges[e] ?? 0);
-  const b = 3 * (edges[e + 1] ?? 0);
-  const along = (axis: number): number => (positions[a + axis] ?? 0) - (positions[b + axis] ?? 0);
-  return Math.hypot(along(0), along(1), along(2));
+function largestDeviation(positions: Float64Array, { edges, restLengths }: PackingNet): number {
+  const ratios = edgeLengths(positions, edges).map((length, e) => length / (restLengths[e] ?? NaN));
+  return ratios.reduce((largest, ratio) => Math.max(largest, deviation(ratio)), 0);
 }
 
 // ------------------------------------------------------------------------------------------------------- the prediction

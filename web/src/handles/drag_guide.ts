@@ -11,13 +11,6 @@ export interface GuideMarks {
   setReach(limits: readonly Limit[] | null): void;
 }
 
-/** A locality as the net measures it. */
-export interface Locality {
-  /** In edge lengths. */
-  radius: number;
-  edgeLength: number;
-}
-
 /** More handles in hand than this are not held: by what limits each of them the page would be held up itself. */
 const MOST_HELD = 500;
 
@@ -42,15 +35,15 @@ export class DragGuide {
     this.#marks = marks;
   }
 
-  /** Before handles are moved. */
-  async limit(vertices: readonly number[], locality: Locality | null): Promise<void> {
+  /** Before handles are moved. `locality`: a radius in edge lengths; null: none. */
+  async limit(vertices: readonly number[], locality: number | null): Promise<void> {
     if (locality === null && !this.#local) return;
     this.#local = locality !== null;
-    await this.#client.setLocality(locality?.radius ?? null, vertices);
+    await this.#client.setLocality(locality, vertices);
   }
 
   /** As a hand begins to drag handles, the leading one first. The limits come a moment later. */
-  async begin(inHand: readonly InHand[], locality: Locality | null): Promise<void> {
+  async begin(inHand: readonly InHand[], locality: number | null): Promise<void> {
     this.#inHand = inHand;
     this.#limits = [];
     const vertices = inHand.map(({ vertex }) => vertex);
@@ -75,11 +68,11 @@ export class DragGuide {
   }
 
   /** Shades what would stay. */
-  async showRegion(origins: readonly number[], locality: Locality | null): Promise<void> {
+  async showRegion(origins: readonly number[], locality: number | null): Promise<void> {
     if (locality === null || origins.length === 0) return this.hideRegion();
     const question = ++this.#regions;
-    const distances = await this.#client.distances(origins);
-    if (question === this.#regions) this.#marks.setRegion(mobilityOf(distances, locality));
+    const mobility = await this.#client.mobility(locality, origins);
+    if (question === this.#regions) this.#marks.setRegion(mobility);
   }
 
   hideRegion(): void {
@@ -103,12 +96,4 @@ export class DragGuide {
     });
     this.#marks.setReach(shown ? this.#limits.map(place) : null);
   }
-}
-
-/** As in core/edit/locality.h the outer half of the region moves less and less. */
-export function mobilityOf(distances: Float64Array, { radius, edgeLength }: Locality): Float32Array {
-  return Float32Array.from(distances, (distance) => {
-    const s = Math.min(Math.max(2 * (1 - distance / edgeLength / radius), 0), 1);
-    return s * s * (3 - 2 * s);
-  });
 }

@@ -9,7 +9,7 @@ import { words } from '../language/language';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
-import type { DragGuide, Locality } from './drag_guide';
+import type { DragGuide } from './drag_guide';
 import { listsThrough } from './lines';
 import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
@@ -197,7 +197,7 @@ export class HandleEditor implements HandleWishes {
   previewLocality(locality: number | undefined): void {
     const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
     const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
-    this.#desk.attempt(this.#guide.showRegion(this.#mirrored(origins), this.#localityOf(locality)));
+    this.#desk.attempt(this.#guide.showRegion(this.#mirrored(origins), locality ?? null));
   }
 
   setKeepWithin(on: boolean): void {
@@ -208,13 +208,8 @@ export class HandleEditor implements HandleWishes {
     this.#guide.alwaysShowsReach = on;
   }
 
-  #localityOf(radius: number | undefined): Locality | null {
-    const net = this.#desk.opening()?.net;
-    return radius === undefined || net === undefined ? null : { radius, edgeLength: net.info.meanLength };
-  }
-
-  get #locality(): Locality | null {
-    return this.#localityOf(this.#desk.opening()?.document.locality);
+  get #locality(): number | null {
+    return this.#desk.opening()?.document.locality ?? null;
   }
 
   /** Changes one after another with the same `key` are undone together. */

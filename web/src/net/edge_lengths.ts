@@ -1,4 +1,4 @@
-/** Lengths of edges where the vertices stand. */
+/** Lengths of edges where the vertices stand, and how they deviate. */
 
 /** @param edges 2 vertices an edge. */
 export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64Array {
@@ -7,6 +7,11 @@ export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64
     const along = (axis: number): number => (positions[a + axis] ?? NaN) - (positions[b + axis] ?? NaN);
     return Math.hypot(along(0), along(1), along(2));
   });
+}
+
+/** dL = r + 1/r - 2 of an edge with r = length / rest length, without cancellation; see core/net/measures.h. */
+export function deviation(ratio: number): number {
+  return (ratio - 1) * ((ratio - 1) / ratio);
 }
 
 export interface LengthSpread {

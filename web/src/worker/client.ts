@@ -204,8 +204,8 @@ export class Client {
     return (await this.#ask({ type: 'reach', vertices: [...vertices] }, 'reach')).balls;
   }
 
-  async distances(origins: readonly number[]): Promise<Float64Array> {
-    return (await this.#ask({ type: 'distances', origins: [...origins] }, 'distances')).distances;
+  async mobility(radius: number, origins: readonly number[]): Promise<Float32Array> {
+    return (await this.#ask({ type: 'mobility', radius, origins: [...origins] }, 'mobility')).mobility;
   }
 
   thumbnail(recipe: string): Promise<ThumbnailNet> {

@@ -3,7 +3,7 @@ import type { Scene, SolverSettings } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 7;
+export const PROTOCOL_VERSION = 8;
 
 /** As what the net can be saved; `csv`: its edges with their lengths. */
 export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
@@ -39,8 +39,8 @@ export type Request = { id: number } & (
   | { type: 'measure' }
   /** Where each of these handles may be moved; see Editor.reach(). */
   | { type: 'reach'; vertices: number[] }
-  /** How far each vertex is from the nearest of the origins, along the net. */
-  | { type: 'distances'; origins: number[] }
+  /** How freely a locality would let each vertex move; see Editor.mobility(). */
+  | { type: 'mobility'; radius: number; origins: number[] }
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
 );
@@ -114,7 +114,7 @@ export type Response = { id: number } & (
   | { type: 'exported'; bytes: Uint8Array<ArrayBuffer> }
   | { type: 'measured'; measures: Measures }
   | { type: 'reach'; balls: Ball[][] }
-  | { type: 'distances'; distances: Float64Array }
+  | { type: 'mobility'; mobility: Float32Array }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }

@@ -126,8 +126,8 @@ export class Session {
           type: 'reach',
           balls: request.vertices.map((vertex) => this.#net().reach(vertex)),
         });
-      case 'distances':
-        return this.#distances(request);
+      case 'mobility':
+        return this.#mobility(request);
       case 'thumbnail':
         return this.#reply(request, { type: 'thumbnail', ...thumbnailOf(this.#core, request.recipe) });
     }
@@ -199,9 +199,9 @@ export class Session {
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
   }
 
-  #distances({ id, origins }: Extract<Request, { type: 'distances' }>): void {
-    const distances = this.#net().distances(origins);
-    this.#post({ id, type: 'distances', distances }, [distances.buffer as ArrayBuffer]);
+  #mobility({ id, radius, origins }: Extract<Request, { type: 'mobility' }>): void {
+    const mobility = this.#net().mobility(radius, origins);
+    this.#post({ id, type: 'mobility', mobility }, [mobility.buffer as ArrayBuffer]);
   }
 
   #measured(): Answer {
