@@ -147,6 +147,7 @@ val rest_positions(const Session& session) { return copy_out(session.editor.net(
 val rest_lengths(const Session& session) { return copy_out(session.editor.net().rest_lengths()); }
 val net_lines(const Session& session) { return lists_out(session.editor.topology().net_lines()); }
 val boundary_loops(const Session& session) { return lists_out(session.editor.topology().boundary_loops()); }
+val flat_pattern(const Session& session) { return flat_pattern_out(session.editor.net(), session.editor.topology()); }
 val suggested_handles(const Session& session) { return copy_out(session.suggested_handles); }
 
 // --------------------------------------------------------------------------------------------------- what is asked for
@@ -319,6 +320,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("restLengths", guarded<&rest_lengths>)
         .function("netLines", guarded<&net_lines>)
         .function("boundaryLoops", guarded<&boundary_loops>)
+        .function("flatPattern", guarded<&flat_pattern>)
         .function("suggestedHandles", guarded<&suggested_handles>)
         .function("method", guarded<&method>)
         .function("initialisation", guarded<&initialisation>)

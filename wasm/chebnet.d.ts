@@ -158,6 +158,25 @@ export interface VertexLists {
   vertices: Int32Array;
 }
 
+/** A net laid flat, where it can be: a piece of the square grid; see core/fabricate/flat_pattern.h. */
+export interface FlatPattern {
+  /** Column and row of each vertex, from 0; rows count upwards, and the first face is seen from its front. */
+  places: Int32Array;
+  columns: number;
+  rows: number;
+}
+
+/** Why a net has no flat pattern. */
+export type PatternFault =
+  | { reason: 'not_quads'; face: number }
+  | { reason: 'unequal' }
+  | { reason: 'singular'; vertex: number; valence: number }
+  /** Two ways to the vertex lead to two places. */
+  | { reason: 'closed'; vertex: number }
+  /** The face would lie upon another one. */
+  | { reason: 'overlap'; face: number }
+  | { reason: 'pieces' };
+
 /** What can be wrong with a mesh; see core/net/repair.h. */
 export type Defect =
   | 'duplicate_vertices'
@@ -209,6 +228,7 @@ export interface Editor {
   netLines(): VertexLists;
   /** Closed chains of edges with one face, without repetition of the first vertex. */
   boundaryLoops(): VertexLists;
+  flatPattern(): FlatPattern | PatternFault;
   /** For a net made from a recipe: vertices that make a good first edit, the last the one to drag. Empty otherwise. */
   readonly suggestedHandles: Int32Array;
 

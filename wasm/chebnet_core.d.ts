@@ -2,11 +2,13 @@
 import type {
   Defect,
   EqualizeReport,
+  FlatPattern,
   InitialisationInfo,
   Mesh,
   MethodInfo,
   NetInfo,
   OptionInfo,
+  PatternFault,
   RepairedMesh,
   ShapeInfo,
   Status,
@@ -47,6 +49,7 @@ export interface Session {
   restLengths(): Float64Array;
   netLines(): VertexLists;
   boundaryLoops(): VertexLists;
+  flatPattern(): FlatPattern | PatternFault;
   suggestedHandles(): Int32Array;
   method(): string;
   initialisation(): string;

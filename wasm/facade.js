@@ -188,6 +188,10 @@ class WasmEditor {
     return this.#open.boundaryLoops();
   }
 
+  flatPattern() {
+    return this.#open.flatPattern();
+  }
+
   get method() {
     return this.#open.method();
   }

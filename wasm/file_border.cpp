@@ -1,8 +1,10 @@
-// Files and meshes that are no nets yet, seen from JavaScript: reading and repairing them.
+// What is made of a net or becomes one, seen from JavaScript: reading and repairing meshes, laying nets flat.
 
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "fabricate/flat_pattern.h"
 #include "mesh_border.h"
 #include "net/repair.h"
 
@@ -61,6 +63,29 @@ val defects() {
     return names;
 }
 
+val fault_out(const PatternFault& fault, const Topology& topology) {
+    val object = val::object();
+    object.set("reason", std::string(to_string(fault.reason)));
+    if (fault.face != -1) object.set("face", fault.face);
+    if (fault.vertex == -1) return object;
+    object.set("vertex", fault.vertex);
+    object.set("valence", topology.valence(fault.vertex));
+    return object;
+}
+
+}  // namespace
+
+val flat_pattern_out(const Net& net, const Topology& topology) {
+    const std::variant<FlatPattern, PatternFault> result = flat_pattern(net, topology);
+    if (const auto* fault = std::get_if<PatternFault>(&result)) return fault_out(*fault, topology);
+    const FlatPattern& pattern = std::get<FlatPattern>(result);
+    val object = val::object();
+    object.set("places", copy_out(pattern.places));
+    object.set("columns", pattern.columns);
+    object.set("rows", pattern.rows);
+    return object;
+}
+
 EMSCRIPTEN_BINDINGS(chebnet_meshes) {
     emscripten::constant("mergeTolerance", k_merge_tolerance);
     emscripten::function("defects", guarded<&defects>);
@@ -68,5 +93,4 @@ EMSCRIPTEN_BINDINGS(chebnet_meshes) {
     emscripten::function("repairMesh", guarded<&repair_mesh>);
 }
 
-}  // namespace
 }  // namespace chebnet

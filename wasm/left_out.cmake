@@ -4,6 +4,6 @@ set(LEFT_OUT_METHODS composite_majorization dp gradient_descent lbfgs li2022 pro
 list(TRANSFORM LEFT_OUT_METHODS REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/\\1.cpp")
 set(LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
 foreach(source base/number io/mesh_file io/obj io/off io/ply io/ply_header io/stl io/other_format io/indexed_rows
-               shapes/smooth_figure shapes/relaxation edit/equalize)
+               shapes/smooth_figure shapes/relaxation edit/equalize fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

@@ -12,6 +12,7 @@
 #include "edit/editor.h"
 #include "io/mesh_file.h"
 #include "net/mesh.h"
+#include "net/topology.h"
 
 namespace chebnet {
 
@@ -24,6 +25,9 @@ val pairs_out(const std::vector<UnreachablePair>& pairs);
 
 /// The lists one after another: list k of the object is `vertices[start[k]] … vertices[start[k + 1] − 1]`.
 val lists_out(const std::vector<std::vector<int>>& lists);
+
+/// An object with `places`, `columns` and `rows`, or with `reason` and what it names.
+val flat_pattern_out(const Net& net, const Topology& topology);
 
 template <typename T>
 using Names = std::vector<std::pair<std::string_view, T>>;

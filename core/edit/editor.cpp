@@ -151,6 +151,9 @@ void Editor::set_option(std::string_view key, std::string_view value) {
 }
 
 void Editor::set_positions(const Positions& positions) {
+    check_positions(*m_net, positions);
+    if (positions.cwiseAbs().maxCoeff() > k_largest_size)
+        throw Error(ErrorCode::bad_scale, "a position is farther away than any net can be");
     EditState changed = state();
     changed.positions = positions;
     changed.locality.reset();

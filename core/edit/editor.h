@@ -89,7 +89,7 @@ public:
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; exact handles then snap to their targets, and
     /// everything may move again.
-    /// Throws Error index_out_of_range for a wrong size, non_finite.
+    /// Throws Error index_out_of_range for a wrong size, non_finite, bad_scale for one beyond k_largest_size.
     void set_positions(const Positions& positions);
     /// Back to the rest positions; handles keep their vertices and take the rest positions as targets. Everything may
     /// move again.

@@ -1,10 +1,8 @@
 /** What leaves the page beside the core's own formats: flat patterns, 3DM, glTF, QR codes. */
 import rhino3dm from 'rhino3dm';
 import { describe, expect, test, vi } from 'vitest';
-import { flatten } from '../../web/src/export/flat_pattern';
-import type { FlatPattern, LengthNet } from '../../web/src/export/flat_pattern';
+import type { FlatPattern } from '../../wasm/chebnet';
 import { glbOf } from '../../web/src/export/glb';
-import { incidenceOf, onBoundary } from '../../web/src/export/incidence';
 import { vertexColours } from '../../web/src/export/paint';
 import { patternSvg } from '../../web/src/export/pattern_svg';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
@@ -21,70 +19,6 @@ import { grid } from './nets';
 const chebnet = await load();
 const vault = chebnet.openRecipe('vault:vertices=300');
 
-function patternOf(net: LengthNet) {
-  return flatten(net, incidenceOf(net));
-}
-
-describe('a flat pattern', () => {
-  test('is the square grid the vault was bent from', () => {
-    const { places, columns, rows } = patternOf(vault) as FlatPattern;
-    expect((columns + 1) * (rows + 1)).toBe(vault.info.vertices);
-    const taken = new Set<string>();
-    for (let v = 0; v < places.length; v += 2) taken.add(`${places[v]},${places[v + 1]}`);
-    expect(taken.size).toBe(vault.info.vertices);
-    const steps = Array.from({ length: vault.info.edges }, (_, e) => {
-      const [a, b] = [2 * vault.edges[2 * e]!, 2 * vault.edges[2 * e + 1]!];
-      return Math.abs(places[a]! - places[b]!) + Math.abs(places[a + 1]! - places[b + 1]!);
-    });
-    expect(new Set(steps)).toEqual(new Set([1]));
-  });
-
-  test('shows the front of the faces', () => {
-    const net = grid(3, 2);
-    const { places } = patternOf(net) as FlatPattern;
-    const [a, b, d] = [net.faceVertices[0]!, net.faceVertices[1]!, net.faceVertices[3]!];
-    const along = (from: number, to: number, axis: number): number => places[2 * to + axis]! - places[2 * from + axis]!;
-    expect(along(a, b, 0) * along(a, d, 1) - along(a, b, 1) * along(a, d, 0)).toBe(1);
-  });
-
-  test.each([
-    ['a jack', () => chebnet.openRecipe('jack'), { reason: 'singular', valence: 3 }],
-    ['a torus', () => chebnet.openRecipe('torus'), { reason: 'closed' }],
-    ['a tube', () => chebnet.openRecipe('tube'), { reason: 'closed' }],
-    ['cut squares', () => grid(3, 3, () => true), { reason: 'not_quads', face: 0 }],
-    ['unequal edges', () => chebnet.openObj('v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n'), { reason: 'unequal' }],
-    [
-      'two pieces',
-      () => chebnet.openObj(`${SQUARE}v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 5 6 7 8\n`),
-      { reason: 'pieces' },
-    ],
-    ['a winding stair', stair, { reason: 'overlap' }],
-  ])('of %s there is none, for a reason', (_, net, fault) => {
-    expect(patternOf(net())).toMatchObject(fault);
-  });
-});
-
-const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
-
-/** Five squares around one boundary vertex: the fifth would lie upon the first. */
-function stair(): LengthNet {
-  const faces = Array.from({ length: 5 }, (_, i) => [0, 1 + 2 * i, 2 + 2 * i, 3 + 2 * i]).flat();
-  const pairs = new Map<string, [number, number]>();
-  for (let corner = 0; corner < faces.length; corner++) {
-    const [a, b] = [faces[corner]!, faces[corner % 4 === 3 ? corner - 3 : corner + 1]!].sort((x, y) => x - y) as [
-      number,
-      number,
-    ];
-    pairs.set(`${a},${b}`, [a, b]);
-  }
-  return {
-    edges: Int32Array.from([...pairs.values()].flat()),
-    faceStart: Int32Array.from({ length: 6 }, (_, i) => 4 * i),
-    faceVertices: Int32Array.from(faces),
-    restLengths: new Float64Array(pairs.size).fill(1),
-  };
-}
-
 test('a pattern is drawn to scale, with its boundary and handles', () => {
   const net = grid(4, 3);
   const handles = [
@@ -92,13 +26,11 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
     { vertex: 11, target: [3, 2, 0] as [number, number, number], anchor: true },
     { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
   ];
-  const lines = listsOf(chebnet.openMesh({ ...net, positions: net.restPositions }).netLines());
-  const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, net, incidenceOf(net));
-  const [inner, boundary] = [lines.filter((line) => !isBoundary(line)), lines.filter(isBoundary)];
+  const editor = chebnet.openMesh({ ...net, positions: net.restPositions });
   const svg = patternSvg({
-    pattern: patternOf(net) as FlatPattern,
-    inner,
-    boundary,
+    pattern: editor.flatPattern() as FlatPattern,
+    lines: editor.netLines(),
+    loops: editor.boundaryLoops(),
     handles,
     name: 'grid',
     edgeMm: 12.5,

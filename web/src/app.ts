@@ -1,6 +1,6 @@
 /** The controller: owns the document, its history and the worker's client, and keeps view and panels in step with them.
  *  Everything a user or a script can do to the net is a method here. */
-import type { Handle, OptionInfo } from '../../wasm/chebnet';
+import type { FlatPattern, Handle, OptionInfo, PatternFault } from '../../wasm/chebnet';
 import { Beside } from './compare/beside';
 import { Comparer } from './compare/comparer';
 import type { ComparisonWish, Run, RunPlan, RunWish } from './compare/run';
@@ -215,6 +215,11 @@ export class App {
   /** The present net as the bytes of a file. */
   exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
     return this.#client.exportFile(format);
+  }
+
+  /** The net laid flat, or why it cannot be. */
+  flatPattern(): Promise<FlatPattern | PatternFault> {
+    return this.#client.flatPattern();
   }
 
   /** What the view shows, as PNG without a background, with so many times the pixels of the screen. */

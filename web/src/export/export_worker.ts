@@ -1,8 +1,5 @@
 /** The module worker that makes one file; a library that only one kind of file needs is loaded for that kind alone. */
 import rhinoUrl from 'rhino3dm/rhino3dm.wasm?url';
-import { listsOf } from '../handles/lines';
-import { flatten } from './flat_pattern';
-import { incidenceOf, onBoundary } from './incidence';
 import type { ExportAnswer, ExportJob } from './job';
 import { patternSvg } from './pattern_svg';
 
@@ -17,23 +14,8 @@ async function answer(job: ExportJob): Promise<ExportAnswer> {
       return { bytes: await rhinoFileOf(job, rhinoUrl) };
     }
     case 'svg':
-      return drawn(job);
+      return { bytes: new TextEncoder().encode(patternSvg(job)) };
   }
-}
-
-function drawn(job: Extract<ExportJob, { kind: 'svg' }>): ExportAnswer {
-  const incidence = incidenceOf(job.mesh);
-  const pattern = flatten(job.mesh, incidence);
-  if ('reason' in pattern) return { fault: pattern };
-  const lines = listsOf(job.lines);
-  const isBoundary = ([a, b]: Int32Array): boolean => onBoundary(a!, b!, job.mesh, incidence);
-  const svg = patternSvg({
-    ...job,
-    pattern,
-    inner: lines.filter((line) => !isBoundary(line)),
-    boundary: lines.filter(isBoundary),
-  });
-  return { bytes: new TextEncoder().encode(svg) };
 }
 
 self.onmessage = ({ data }: MessageEvent<ExportJob>) => {

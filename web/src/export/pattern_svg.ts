@@ -1,12 +1,14 @@
 /** A flat pattern as a drawing to cut or weave by, in millimetres. */
+import type { FlatPattern, VertexLists } from '../../../wasm/chebnet';
 import type { HandleData } from '../document/document';
-import type { FlatPattern } from './flat_pattern';
+import { listsOf } from '../handles/lines';
 
 export interface Drawing {
   pattern: FlatPattern;
-  /** Net lines: vertices from end to end. */
-  inner: readonly Int32Array[];
-  boundary: readonly Int32Array[];
+  /** Net lines, those along the boundary among them. */
+  lines: VertexLists;
+  /** Of the boundary. */
+  loops: VertexLists;
   handles: readonly HandleData[];
   name: string;
   /** Length of an edge on the drawing. */
@@ -24,10 +26,13 @@ const BOLD = 0.08;
 
 /** One stroke a net line, the boundary bold; a mark with its name at each handle; below, a bar of one edge. */
 export function patternSvg(drawing: Drawing): string {
-  const { pattern, inner, boundary, handles, name, edgeMm } = drawing;
+  const { pattern, lines, loops, handles, name, edgeMm } = drawing;
+  const isBoundary = boundaryTest(listsOf(loops));
+  const boundary = listsOf(lines).filter(isBoundary);
+  const inner = listsOf(lines).filter((line) => !isBoundary(line));
   const width = (pattern.columns + 2 * MARGIN) * edgeMm;
   const height = (pattern.rows + 3 * MARGIN) * edgeMm;
-  const strokes = (lines: readonly Int32Array[]): string => lines.map((line) => stroke(line, drawing)).join('');
+  const strokes = (all: readonly Int32Array[]): string => all.map((line) => stroke(line, drawing)).join('');
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${mm(width)}mm" height="${mm(height)}mm" viewBox="0 0 ${mm(width)} ${mm(height)}">`,
     `<title>${escaped(name)}</title>`,
@@ -42,6 +47,13 @@ export function patternSvg(drawing: Drawing): string {
     '</svg>',
     '',
   ].join('\n');
+}
+
+/** Whether a net line begins, and so goes on, along the boundary. */
+function boundaryTest(loops: readonly Int32Array[]): (line: Int32Array) => boolean {
+  const sides = loops.flatMap((loop) => Array.from(loop, (vertex, i) => `${vertex} ${loop[(i + 1) % loop.length]}`));
+  const known = new Set(sides);
+  return ([a, b]) => known.has(`${a} ${b}`) || known.has(`${b} ${a}`);
 }
 
 function stroke(vertices: Int32Array, drawing: Drawing): string {

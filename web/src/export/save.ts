@@ -1,4 +1,5 @@
 /** Saves the net that is open as a file of some kind. */
+import type { FlatPattern, PatternFault } from '../../../wasm/chebnet';
 import { endsOf } from '../document/document';
 import { baseNameOf, fileNameOf } from '../document/file_name';
 import { download } from '../files/download';
@@ -7,10 +8,9 @@ import { scaleOf } from '../view/colour_map';
 import type { Theme } from '../view/theme';
 import type { Opening } from '../worker/opening';
 import type { ExportFormat } from '../worker/protocol';
-import type { PatternFault } from './flat_pattern';
 import type { ExportAnswer, ExportJob } from './job';
 import { typeOf } from './kinds';
-import type { MadeKind, SaveWish } from './kinds';
+import type { SaveWish } from './kinds';
 import { vertexColours } from './paint';
 
 /** What is saved. */
@@ -20,6 +20,7 @@ export interface Saveable {
   picture(magnification: number): Promise<Blob>;
   /** The present net as the bytes of a file. */
   exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>>;
+  flatPattern(): Promise<FlatPattern | PatternFault>;
 }
 
 export interface SaveParts {
@@ -35,35 +36,35 @@ export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
   download(fileNameOf(opening.document.net, wish.kind), content, typeOf(wish.kind));
 }
 
-function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
+async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
   switch (wish.kind) {
     case 'png':
       return app.picture(wish.magnification);
     case '3dm':
     case 'glb':
+      return made(jobOf(wish.kind, opening, theme()), spawnWorker());
     case 'svg':
-      return made(jobOf(wish.kind, wish, opening, theme()), spawnWorker());
+      return made(await drawing(app, wish, opening), spawnWorker());
     default:
       return app.exported(wish.kind);
   }
 }
 
-function jobOf(kind: MadeKind, { edgeMm }: SaveWish, { document, net, frame }: Opening, theme: Theme): ExportJob {
+async function drawing(app: Saveable, { edgeMm }: SaveWish, { document, net }: Opening): Promise<ExportJob> {
+  const pattern = await app.flatPattern();
+  if ('reason' in pattern) throw new Error(patternFaultWords(pattern));
+  const lines = { start: net.lineStart, vertices: net.lineVertices };
+  const loops = { start: net.loopStart, vertices: net.loopVertices };
+  return { kind: 'svg', pattern, lines, loops, handles: document.handles, name: baseNameOf(document.net), edgeMm };
+}
+
+function jobOf(kind: '3dm' | 'glb', { document, net, frame }: Opening, theme: Theme): ExportJob {
   const name = baseNameOf(document.net);
-  const { edges, faceStart, faceVertices, restLengths, triangles } = net;
+  const { edges, faceStart, faceVertices, triangles } = net;
   const { positions } = frame;
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   if (kind === '3dm')
     return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
-  if (kind === 'svg')
-    return {
-      kind,
-      mesh: { edges, faceStart, faceVertices, restLengths },
-      lines,
-      handles: document.handles,
-      name,
-      edgeMm,
-    };
   const { field, colourMap, upAxis: up = 'z' } = document.view;
   const colours = vertexColours(scaleOf(field, colourMap, theme, endsOf(document.view)), field, frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
@@ -81,7 +82,7 @@ function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> 
 
 function bytesOf(answer: ExportAnswer): Uint8Array<ArrayBuffer> {
   if ('bytes' in answer) return answer.bytes;
-  throw new Error('fault' in answer ? patternFaultWords(answer.fault) : words.save.failed(answer.message));
+  throw new Error(words.save.failed(answer.message));
 }
 
 function patternFaultWords(fault: PatternFault): string {

@@ -1,6 +1,6 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
  *  old one is lost. */
-import type { Ball, Handle } from '../../../wasm/chebnet';
+import type { Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
@@ -206,6 +206,10 @@ export class Client {
 
   async mobility(radius: number, origins: readonly number[]): Promise<Float32Array> {
     return (await this.#ask({ type: 'mobility', radius, origins: [...origins] }, 'mobility')).mobility;
+  }
+
+  async flatPattern(): Promise<FlatPattern | PatternFault> {
+    return (await this.#ask({ type: 'pattern' }, 'pattern')).pattern;
   }
 
   thumbnail(recipe: string): Promise<ThumbnailNet> {

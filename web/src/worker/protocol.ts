@@ -1,4 +1,14 @@
-import type { Ball, FileFormat, Handle, NetInfo, Status, TraceRow, UnreachablePair } from '../../../wasm/chebnet';
+import type {
+  Ball,
+  FileFormat,
+  FlatPattern,
+  Handle,
+  NetInfo,
+  PatternFault,
+  Status,
+  TraceRow,
+  UnreachablePair,
+} from '../../../wasm/chebnet';
 import type { Scene, SolverSettings } from '../document/document';
 import type { Tables } from '../net/tables';
 
@@ -41,6 +51,8 @@ export type Request = { id: number } & (
   | { type: 'reach'; vertices: number[] }
   /** How freely a locality would let each vertex move; see Editor.mobility(). */
   | { type: 'mobility'; radius: number; origins: number[] }
+  /** The net laid flat. */
+  | { type: 'pattern' }
   /** A small net for the gallery; does not touch the one being edited. */
   | { type: 'thumbnail'; recipe: string }
 );
@@ -115,6 +127,7 @@ export type Response = { id: number } & (
   | { type: 'measured'; measures: Measures }
   | { type: 'reach'; balls: Ball[][] }
   | { type: 'mobility'; mobility: Float32Array }
+  | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }

@@ -126,6 +126,8 @@ export class Session {
           type: 'reach',
           balls: request.vertices.map((vertex) => this.#net().reach(vertex)),
         });
+      case 'pattern':
+        return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
       case 'mobility':
         return this.#mobility(request);
       case 'thumbnail':
