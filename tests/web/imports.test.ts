@@ -16,7 +16,7 @@ const ROOMS = [
   // The controls: their contract with the page, and where they stand.
   ...['panels.ts', 'overlay', 'dialogs', 'comparison', 'sidebar'],
   // The page.
-  ...['app.ts', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
+  ...['app', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
 ];
 
 const imports = readImports();

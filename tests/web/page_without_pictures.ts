@@ -1,8 +1,8 @@
 /** The page without its pictures: the app, its client and a session over the real core, all in this process. A net is solved
  *  when a test says so. */
 import type { Editors } from '../../wasm/chebnet';
-import { App } from '../../web/src/app';
-import type { AppParts, AppServices } from '../../web/src/app';
+import { App } from '../../web/src/app/app';
+import type { AppParts, AppServices } from '../../web/src/app/app';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
 import { Session } from '../../web/src/worker/session';

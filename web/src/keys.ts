@@ -1,5 +1,5 @@
 /** The keys that work wherever the focus is, but in a field for text or a dialog. The sheet of keys is made from this table. */
-import type { App, AppServices } from './app';
+import type { App, AppServices } from './app/app';
 import { chordOf, type KeyRow } from './elements/keys';
 
 interface PageKey extends KeyRow {

@@ -1,6 +1,6 @@
 /** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
-import { App } from './app';
-import type { AppServices } from './app';
+import { App } from './app/app';
+import type { AppServices } from './app/app';
 import { copyText } from './files/clipboard';
 import { download } from './files/download';
 import { fileNameOf } from './document/file_name';

@@ -11,7 +11,7 @@
  * e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits for the page to be ready.
  */
 import type { ChebnetError, Status } from '../../wasm/chebnet';
-import type { App, AppEvent } from './app';
+import type { App, AppEvent } from './app/app';
 import { type HandleData, LONGEST_NAME, type NetSource, type Vec3 } from './document/document';
 import { linking } from './projects/linking';
 

@@ -38,6 +38,12 @@ export class UndoHistory implements HistoryView {
   #gesture: Snapshot | null = null;
   #lastKey: string | null = null;
   #revision = 0;
+  readonly #changed: () => void;
+
+  /** @param changed is called whenever another state can be gone to. */
+  constructor(changed: () => void = () => {}) {
+    this.#changed = changed;
+  }
 
   get names(): readonly string[] {
     return this.#names.map(sentenceOf);
@@ -75,7 +81,7 @@ export class UndoHistory implements HistoryView {
     this.#present = present;
     this.#gesture = null;
     this.#lastKey = null;
-    this.#revision += 1;
+    this.#revised();
   }
 
   /** All of it, with `now` as the present state. */
@@ -91,9 +97,9 @@ export class UndoHistory implements HistoryView {
     if (this.#gesture !== null) return;
     const joins = key !== null && key === this.#lastKey;
     this.#lastKey = key;
-    this.#revision += 1;
     if (joins) this.#names[this.#present] = name;
     else this.#push(before, name);
+    this.#revised();
   }
 
   /** Before the first change of a gesture. */
@@ -106,15 +112,17 @@ export class UndoHistory implements HistoryView {
     const before = this.#gesture;
     this.#gesture = null;
     this.#lastKey = null;
-    if (before === null || name === null) return;
-    this.#revision += 1;
+    if (before === null) return;
+    if (name === null) return this.#changed();
     this.#push(before, name);
+    this.#revised();
   }
 
   /** Ends the gesture without a trace and returns the state to go back to, or null if there was none. */
   cancelGesture(): Snapshot | null {
     const before = this.#gesture;
     this.#gesture = null;
+    this.#changed();
     return before;
   }
 
@@ -133,10 +141,15 @@ export class UndoHistory implements HistoryView {
     const state = this.#states[index];
     if (this.#gesture !== null || index === this.#present || !state) return null;
     this.#lastKey = null;
-    this.#revision += 1;
     this.#states[this.#present] = now;
     this.#present = index;
+    this.#revised();
     return state;
+  }
+
+  #revised(): void {
+    this.#revision += 1;
+    this.#changed();
   }
 
   #push(before: Snapshot, name: ChangeName): void {

@@ -1,5 +1,5 @@
 /** Comes when it is wanted: the editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import { hashOf } from '../projects/link';

@@ -18,16 +18,16 @@ import { type Motion, transformed } from './transform';
 import type { Choice, GizmoMode, HandleTraits, HandleWishes, LineName } from './wishes';
 
 /** What the app lends to it. */
-export interface HandleDesk {
+export interface HandleHost {
   opening(): Opening | null;
   /** The state before a change; null: no net is open, or another one is about to be. */
   snapshot(): Snapshot | null;
   change(change: Partial<ChebnetDocument>): void;
+  /** Likewise, in the middle of a drag: is shown at once. */
+  drag(handles: HandleData[]): void;
   restore(state: Snapshot): void;
-  /** Shows the document as it now is. */
-  show(): void;
-  /** Shows only what a drag changes. */
-  showDrag(): void;
+  /** What is selected changed, or how. */
+  choiceChanged(): void;
   say(message: string): void;
   /** For what the user does: a failure is shown, not thrown. */
   attempt(doing: Promise<unknown>): void;
@@ -42,7 +42,7 @@ interface LinesThrough {
 }
 
 export class HandleEditor implements HandleWishes {
-  readonly #desk: HandleDesk;
+  readonly #host: HandleHost;
   readonly #client: Client;
   readonly #history: UndoHistory;
   readonly #guide: DragGuide;
@@ -56,8 +56,8 @@ export class HandleEditor implements HandleWishes {
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
-  constructor(desk: HandleDesk, client: Client, history: UndoHistory, guide: DragGuide) {
-    this.#desk = desk;
+  constructor(host: HandleHost, client: Client, history: UndoHistory, guide: DragGuide) {
+    this.#host = host;
     this.#client = client;
     this.#history = history;
     this.#guide = guide;
@@ -80,7 +80,7 @@ export class HandleEditor implements HandleWishes {
 
   select(selection: Selection): void {
     this.#selection = selection;
-    this.#desk.show();
+    this.#host.choiceChanged();
   }
 
   selectAll(): void {
@@ -89,7 +89,7 @@ export class HandleEditor implements HandleWishes {
 
   toggleSelecting(): void {
     this.#selecting = !this.#selecting;
-    this.#desk.show();
+    this.#host.choiceChanged();
   }
 
   /** Ends selecting several; if that is not going on, nothing is selected any more. */
@@ -100,7 +100,7 @@ export class HandleEditor implements HandleWishes {
 
   setMode(mode: GizmoMode): void {
     this.#mode = mode;
-    this.#desk.show();
+    this.#host.choiceChanged();
   }
 
   /** Another net is open. */
@@ -116,29 +116,28 @@ export class HandleEditor implements HandleWishes {
   /** Replaces the handles.
    *  @param name what the history calls it. */
   async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
-    const before = this.#desk.snapshot();
-    this.#desk.change({ handles: [...handles] });
+    const before = this.#host.snapshot();
+    this.#host.change({ handles: [...handles] });
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
       // A solver that comes in the place of one that was lost has them from the document.
       if (!this.#client.returning) {
-        if (before) this.#desk.change({ handles: [...before.handles] });
+        if (before) this.#host.change({ handles: [...before.handles] });
         throw error;
       }
     }
     if (before) this.#history.record(before, name);
-    this.#desk.show();
   }
 
   add(vertex: number, also: Selection = []): void {
-    this.#desk.attempt(this.#take([vertex], [...also, vertex]));
+    this.#host.attempt(this.#take([vertex], [...also, vertex]));
   }
 
   takeLine(name: LineName): void {
     const vertex = this.#selection.at(-1);
     const line = this.line(name);
-    if (vertex !== undefined) this.#desk.attempt(this.#take(line, [...line.filter((each) => each !== vertex), vertex]));
+    if (vertex !== undefined) this.#host.attempt(this.#take(line, [...line.filter((each) => each !== vertex), vertex]));
   }
 
   /** The vertices of a line through the leading handle. */
@@ -151,10 +150,10 @@ export class HandleEditor implements HandleWishes {
     const chosen = new Set(this.#mirrored(vertices));
     const leaves = ({ vertex, anchor }: HandleData): boolean => chosen.has(vertex) && !anchor;
     const leaving = this.#handles.filter(leaves);
-    if (unlocked(vertices, this.#handles).length < vertices.length) this.#desk.say(words.handles.lockedStay);
+    if (unlocked(vertices, this.#handles).length < vertices.length) this.#host.say(words.handles.lockedStay);
     if (leaving.length === 0) return;
     const staying = this.#handles.filter((handle) => !leaves(handle));
-    this.#desk.attempt(this.set(staying, ['remove', this.#titleOf(leaving)]));
+    this.#host.attempt(this.set(staying, ['remove', this.#titleOf(leaving)]));
   }
 
   removeSelected(): void {
@@ -178,7 +177,7 @@ export class HandleEditor implements HandleWishes {
     const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? { ...handle, ...traits } : handle));
     // To the solver a lock, a name, or not to be seen are all one.
     const name = traitsChange(traits, this.#titleOf(this.#handles.filter(({ vertex }) => chosen.has(vertex))));
-    if ('weight' in traits) return this.#desk.attempt(this.set(handles, name));
+    if ('weight' in traits) return this.#host.attempt(this.set(handles, name));
     this.#changeDocument({ handles }, name);
   }
 
@@ -197,7 +196,7 @@ export class HandleEditor implements HandleWishes {
   previewLocality(locality: number | undefined): void {
     const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
     const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
-    this.#desk.attempt(this.#guide.showRegion(this.#mirrored(origins), locality ?? null));
+    this.#host.attempt(this.#guide.showRegion(this.#mirrored(origins), locality ?? null));
   }
 
   setKeepWithin(on: boolean): void {
@@ -209,21 +208,20 @@ export class HandleEditor implements HandleWishes {
   }
 
   get #locality(): number | null {
-    return this.#desk.opening()?.document.locality ?? null;
+    return this.#host.opening()?.document.locality ?? null;
   }
 
   /** Changes one after another with the same `key` are undone together. */
   #changeDocument(change: Partial<ChebnetDocument>, name: ChangeName, key: string | null = null): void {
-    const before = this.#desk.snapshot();
+    const before = this.#host.snapshot();
     if (before) this.#history.record(before, name, key);
-    this.#desk.change(change);
-    this.#desk.show();
+    this.#host.change(change);
   }
 
   // ---------------------------------------------------------------------------------------------------- where they are
 
   place(vertex: number, target: Vec3): void {
-    this.#desk.attempt(this.move([{ vertex, target }]));
+    this.#host.attempt(this.move([{ vertex, target }]));
   }
 
   /** Moves, turns or scales the selection about its centre. */
@@ -234,23 +232,22 @@ export class HandleEditor implements HandleWishes {
       motion,
     );
     if (moving.length > 0)
-      this.#desk.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
+      this.#host.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
   }
 
   /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */
   async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
-    const before = this.#desk.snapshot();
+    const before = this.#host.snapshot();
     const both = this.#onBothSides(targets);
     // Asked for at once, in this order: what a caller asks for next comes after both.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
     await Promise.all([limited, this.#client.drag(both)]);
     if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
-    this.#desk.change({ handles: this.#withTargets(both) });
-    this.#desk.show();
+    this.#host.change({ handles: this.#withTargets(both) });
   }
 
   beginDrag(): void {
-    const before = this.#desk.snapshot();
+    const before = this.#host.snapshot();
     if (before === null) return;
     this.#dragName = null;
     this.#history.beginGesture(before);
@@ -268,40 +265,38 @@ export class HandleEditor implements HandleWishes {
     const targets = this.#wish;
     if (targets === null) return;
     this.#wish = null;
-    this.#desk.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
+    this.#host.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
     this.#carry(targets);
   }
 
   #carry(targets: readonly Handle[]): void {
     const wished = this.#onBothSides(targets);
-    if (this.#dragName === null) this.#desk.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
+    if (this.#dragName === null) this.#host.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
     const both = this.#guide.within(wished);
     this.#dragName ??= ['move', this.#titleOf(targets)];
-    this.#desk.change({ handles: this.#withTargets(both) });
-    this.#desk.showDrag();
-    this.#desk.attempt(this.#client.drag(both));
+    this.#host.drag(this.#withTargets(both));
+    this.#host.attempt(this.#client.drag(both));
   }
 
   endDrag(cancelled: boolean): void {
     // What was let go while another solver was on its way, that one does not know yet.
     if (cancelled || !this.#client.returning) this.#wish = null;
     const before = cancelled ? this.#history.cancelGesture() : null;
-    if (before && this.#dragName !== null) this.#desk.restore(before);
+    if (before && this.#dragName !== null) this.#host.restore(before);
     this.#history.endGesture(this.#dragName);
     this.#guide.end();
-    this.#desk.show();
   }
 
   /** Where a vertex stands. */
   positionOf(vertex: number): Vec3 {
-    const positions = this.#desk.opening()?.frame.positions;
+    const positions = this.#host.opening()?.frame.positions;
     return [positions?.[3 * vertex] ?? 0, positions?.[3 * vertex + 1] ?? 0, positions?.[3 * vertex + 2] ?? 0];
   }
 
   // ------------------------------------------------------------------------------------------------------------ the net
 
   get #handles(): readonly HandleData[] {
-    return this.#desk.opening()?.document.handles ?? [];
+    return this.#host.opening()?.document.handles ?? [];
   }
 
   #titleOf(of: readonly { vertex: number }[]): Term {
@@ -339,7 +334,7 @@ export class HandleEditor implements HandleWishes {
 
   #linesThroughLeading(): LinesThrough | null {
     const vertex = this.#selection.at(-1);
-    const net = this.#desk.opening()?.net;
+    const net = this.#host.opening()?.net;
     if (vertex === undefined || net === undefined) return null;
     if (this.#lines?.net !== net || this.#lines.vertex !== vertex) {
       const loops = listsThrough(vertex, { start: net.loopStart, vertices: net.loopVertices });
@@ -350,7 +345,7 @@ export class HandleEditor implements HandleWishes {
   }
 
   #mirrorOf(): Mirror | null {
-    const opening = this.#desk.opening();
+    const opening = this.#host.opening();
     const symmetry = opening?.document.symmetry;
     if (!opening || !symmetry) return null;
     const { net } = opening;

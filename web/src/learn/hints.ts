@@ -1,5 +1,5 @@
 /** Three hints for newcomers, one after another, each where the action is; gone once it is done or dismissed, for good. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import { words } from '../language/language';
 import type { Opening } from '../worker/opening';
 import { make, makeButton, setText } from '../elements/dom';

@@ -1,5 +1,5 @@
 /** Lets the net that is open show what a paragraph says. A hand on the page ends a lesson and has the net as it was. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import type { HandleData, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import type { Lesson } from '../panels';

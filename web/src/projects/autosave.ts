@@ -1,5 +1,5 @@
 /** Keeps the document in the browser, soon after each change, while nothing is under way. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import type { ViewState } from '../document/document';
 import { type Project, writeProject } from '../document/project';
 import { Measure } from '../document/undo';

@@ -1,5 +1,5 @@
 /** The net as a link, and a link as a net. Comes when there is a link to make or to read. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import type { Scene } from '../document/document';
 import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';

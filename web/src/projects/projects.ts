@@ -1,5 +1,5 @@
 /** What the page opens with, and projects: kept by the browser, saved as files, opened again. */
-import type { App } from '../app';
+import type { App } from '../app/app';
 import { defaultScene } from '../document/defaults';
 import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
 import { download } from '../files/download';

@@ -1,0 +1,131 @@
+/** Opening nets and going through the history, with a solver that answers when a test says so. */
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Opener } from '../../web/src/app/opener';
+import { State } from '../../web/src/app/state';
+import { defaultScene } from '../../web/src/document/defaults';
+import type { Scene } from '../../web/src/document/document';
+import type { Client, Opened } from '../../web/src/worker/client';
+
+interface Asked {
+  recipe: string;
+  answer(handles?: number): void;
+  refuse(): void;
+}
+
+let asked: Asked[];
+let told: string[];
+let restored: number;
+let state: State;
+let opener: Opener;
+
+const sceneOf = (recipe: string): Scene => ({ ...defaultScene(), net: { recipe } });
+const recipeNow = () => (state.opening!.document.net as { recipe: string }).recipe;
+const openedWith = (handles: number) =>
+  ({
+    net: { numbering: 1 },
+    frame: {
+      positions: new Float64Array(3),
+      handles: Array.from({ length: handles }, (_, vertex) => ({ vertex, target: [0, 0, 0] })),
+    },
+  }) as unknown as Opened;
+
+/** Opens a net and waits until it is there. */
+async function open(recipe: string): Promise<void> {
+  const opening = opener.openScene(sceneOf(recipe));
+  asked.at(-1)!.answer();
+  await opening;
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  [asked, told, restored] = [[], [], 0];
+  const client: Pick<Client, 'open' | 'cancelOpening' | 'restore'> = {
+    open: ({ net }) =>
+      new Promise((resolve, reject) =>
+        asked.push({
+          recipe: (net as { recipe: string }).recipe,
+          answer: (handles = 1) => resolve(openedWith(handles)),
+          refuse: () => reject(new Error('refused')),
+        }),
+      ),
+    cancelOpening: () => asked.at(-1)!.refuse(),
+    restore: async () => void (restored += 1),
+  };
+  state = new State(() => false, { document: () => {}, presentation: () => {} });
+  opener = new Opener(client, state, {
+    leaving: () => told.push('leaving'),
+    opened: () => told.push('opened'),
+    say: () => told.push('said'),
+    notice: (isShown, canCancel) =>
+      told.push(isShown ? `notice, ${canCancel ? '' : 'not '}to be cancelled` : 'no notice'),
+  });
+});
+afterEach(() => void vi.useRealTimers());
+
+test('the first net begins the history, another is an entry to go back from', async () => {
+  await open('dome');
+  expect(state.history.canUndo).toBe(false);
+  await open('vault');
+  expect([recipeNow(), state.history.present]).toEqual(['vault', 1]);
+  const back = opener.goTo(0);
+  asked.at(-1)!.answer();
+  await back;
+  expect([recipeNow(), state.history.present]).toEqual(['dome', 0]);
+});
+
+test('a net that cannot be opened leaves the present one as it was', async () => {
+  await open('dome');
+  told.length = 0;
+  const opening = opener.openScene(sceneOf('cube'));
+  asked.at(-1)!.refuse();
+  await expect(opening).rejects.toThrow('refused');
+  expect([recipeNow(), state.history.names.length, opener.isOpening]).toEqual(['dome', 1, false]);
+  expect(told).toEqual(['no notice']);
+});
+
+test('an entry of the history that cannot be opened leads back to the present one', async () => {
+  await open('dome');
+  await open('vault');
+  const back = opener.goTo(0);
+  asked.at(-1)!.refuse();
+  await expect(back).rejects.toThrow('refused');
+  expect([recipeNow(), state.history.present]).toEqual(['vault', 1]);
+  expect(restored).toBe(1);
+});
+
+test('a net that takes long is announced, and given up only for one that is open', async () => {
+  const first = opener.openScene(sceneOf('dome'));
+  vi.advanceTimersByTime(1000);
+  expect(told).toEqual(['notice, not to be cancelled']);
+  opener.cancel();
+  asked[0]!.answer();
+  await first;
+  told.length = 0;
+  const second = opener.openScene(sceneOf('vault'));
+  vi.advanceTimersByTime(1000);
+  expect(told).toEqual(['notice, to be cancelled']);
+  opener.cancel();
+  await expect(second).rejects.toThrow('refused');
+  expect(recipeNow()).toBe('dome');
+});
+
+test('while a net is on its way the history goes nowhere', async () => {
+  await open('dome');
+  await open('vault');
+  const third = opener.openScene(sceneOf('cube'));
+  await opener.goTo(0);
+  expect(asked.map(({ recipe }) => recipe)).toEqual(['dome', 'vault', 'cube']);
+  asked.at(-1)!.answer();
+  await third;
+  expect(recipeNow()).toBe('cube');
+});
+
+test('a net opened as it comes keeps method and view, and the user hears if it has nothing to drag', async () => {
+  await open('dome');
+  state.change({ method: 'li2022', view: { ...state.opening!.document.view, field: 'angle' } });
+  const opening = opener.openNet({ recipe: 'cube' });
+  asked.at(-1)!.answer(0);
+  await opening;
+  expect(state.opening!.document).toMatchObject({ method: 'li2022', view: { field: 'angle', camera: null } });
+  expect(told.at(-1)).toBe('said');
+});

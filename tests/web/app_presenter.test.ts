@@ -1,0 +1,117 @@
+/** What view and panels are shown, and how often. */
+import { beforeEach, expect, test } from 'vitest';
+import { Presenter } from '../../web/src/app/presenter';
+import { State } from '../../web/src/app/state';
+import type { Run } from '../../web/src/compare/run';
+import { defaultScene } from '../../web/src/document/defaults';
+import type { HandleData } from '../../web/src/document/document';
+import type { PanelEvents, Panels } from '../../web/src/panels';
+import type { View, ViewEvents } from '../../web/src/view/view';
+import type { Opened } from '../../web/src/worker/client';
+import type { FrameData } from '../../web/src/worker/protocol';
+
+type Call = [method: string, ...given: unknown[]];
+
+let calls: Call[];
+let state: State;
+let presenter: Presenter;
+
+const named = (name: string) => calls.filter(([method]) => method === name);
+const names = () => calls.map(([method]) => method);
+/** When the task under way is over. */
+const afterwards = () => Promise.resolve();
+/** Has every method, and notes who calls it. */
+const recorder = (): unknown =>
+  new Proxy(
+    {},
+    {
+      get:
+        (_, method: string) =>
+        (...given: unknown[]) =>
+          void calls.push([method, ...given]),
+    },
+  );
+
+function frameAt(x: number, change: Partial<FrameData> = {}): FrameData {
+  const frame: Partial<FrameData> = {
+    positions: Float64Array.of(x, 0, 0),
+    handles: [{ vertex: 0, target: [x, 0, 0] }],
+    unreachable: [],
+    ...change,
+  };
+  return frame as FrameData;
+}
+
+const runAt = (x: number) => ({ label: 'run', frame: frameAt(x) }) as unknown as Run;
+
+beforeEach(() => {
+  calls = [];
+  state = new State(() => false, { document: () => {}, presentation: () => presenter.schedule() });
+  presenter = new Presenter(
+    {
+      createView: () => recorder() as View,
+      createBeside: () => recorder() as View,
+      createPanels: () => recorder() as Panels,
+    },
+    {} as ViewEvents,
+    {} as PanelEvents,
+    {
+      state,
+      choice: () => ({ selection: [], selecting: false, mode: 'translate', onBoundary: false, lines: 0 }),
+      solving: () => true,
+    },
+  );
+  state.open(defaultScene(), { net: { numbering: 1 }, frame: frameAt(0) } as Opened);
+  presenter.presentNet();
+});
+
+test('panels are there before the view fits a net to the room they leave', () => {
+  expect(names().indexOf('showDocument')).toBeLessThan(names().indexOf('showNet'));
+});
+
+test('what changes in one task is presented once, after it', async () => {
+  await afterwards();
+  calls = [];
+  state.history.record(state.snapshot()!, ['reset']);
+  state.change({ method: 'li2022' });
+  state.change({ locality: 3 });
+  expect(calls).toEqual([]);
+  await afterwards();
+  expect(names().sort()).toEqual(['setSymmetry', 'showDocument', 'showHandles', 'showHistory']);
+  expect(named('showDocument')[0]![1]).toMatchObject({ method: 'li2022', locality: 3 });
+});
+
+test('a drag is presented at once, and nothing else with it', async () => {
+  await afterwards();
+  calls = [];
+  state.drag([{ vertex: 0, target: [1, 2, 3], anchor: false }]);
+  presenter.presentDrag();
+  expect(names()).toEqual(['showHandles', 'showHandles']);
+  await afterwards();
+  expect(calls).toHaveLength(2);
+});
+
+test('a run has its net and handles shown until the own net moves', async () => {
+  state.change({ handles: [{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }] });
+  presenter.showRun(runAt(7));
+  await afterwards();
+  expect((named('showFrame').at(-1)![1] as FrameData).positions[0]).toBe(7);
+  const shown = named('showHandles').at(-1)![1] as HandleData[];
+  expect(shown).toEqual([{ vertex: 0, target: [7, 0, 0], anchor: true, name: 'foot' }]);
+  state.takeFrame(frameAt(1), false);
+  presenter.presentFrame(frameAt(1), false);
+  expect(named('showRuns').at(-1)![1]).toBeNull();
+  await afterwards();
+  expect(named('showHandles').at(-1)![1]).toEqual([{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }]);
+});
+
+test('handles out of reach are spoken of once, until they are within reach again', () => {
+  const far = { unreachable: [{ vertexA: 0, vertexB: 5, distance: 3, reach: 2 }] };
+  const said = () => named('say').length;
+  presenter.presentFrame(frameAt(0, far), true);
+  presenter.presentFrame(frameAt(0, far), true);
+  expect(said()).toBe(1);
+  presenter.presentFrame(frameAt(0), true);
+  presenter.presentFrame(frameAt(0, far), true);
+  expect(said()).toBe(2);
+});

@@ -1,0 +1,452 @@
+/** The controller: everything a user or a script can ask of the page is a method here. State, Opener, Presenter and
+ *  HandleEditor do it. */
+import type { FlatPattern, OptionInfo, PatternFault } from '../../../wasm/chebnet';
+import { Comparer } from '../compare/comparer';
+import type { ComparisonWish, RunPlan, RunWish } from '../compare/run';
+import { type NamedChange, settingsChange } from '../document/changes';
+import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from '../document/document';
+import type { ChangeName } from '../document/naming';
+import type { Project } from '../document/project';
+import type { HistoryView } from '../document/undo';
+import { DragGuide } from '../handles/drag_guide';
+import { HandleEditor } from '../handles/handle_editor';
+import { words } from '../language/language';
+import type { Action, PanelEvents } from '../panels';
+import type { Film, ViewEvents } from '../view/view';
+import { Client, isCancelled, SolverError } from '../worker/client';
+import type { WorkerLike } from '../worker/client';
+import type { Opening } from '../worker/opening';
+import { LEFT_OUT } from '../worker/protocol';
+import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
+import type { ThumbnailNet } from '../worker/thumbnail_net';
+import { Opener } from './opener';
+import { Presenter, type Screen } from './presenter';
+import { State } from './state';
+
+/** What an app is made from. */
+export interface AppParts extends Screen {
+  spawnWorker(): WorkerLike;
+}
+
+/** What a user asks for that is not about the net itself. */
+export type AppServices = Pick<
+  PanelEvents,
+  | 'pickFile'
+  | 'newNet'
+  | 'saveProject'
+  | 'restoreLast'
+  | 'equalize'
+  | 'share'
+  | 'save'
+  | 'record'
+  | 'chooseLanguage'
+  | 'showKeys'
+  | 'showLesson'
+>;
+
+type Listener = (error?: unknown) => void;
+/** `changed`: anything in the document; `restarted`: the worker was lost. */
+export type AppEvent = 'frame' | 'settled' | 'error' | 'changed' | 'restarted';
+
+export class App {
+  readonly handles: HandleEditor;
+  readonly #client: Client;
+  readonly #state: State;
+  readonly #opener: Opener;
+  readonly #presenter: Presenter;
+  readonly #comparer: Comparer;
+  readonly #tables: ReturnType<Client['hello']>;
+  readonly #listeners: Record<AppEvent, Set<Listener>> = {
+    frame: new Set(),
+    settled: new Set(),
+    error: new Set(),
+    changed: new Set(),
+    restarted: new Set(),
+  };
+  #optionTable: OptionInfo[] = [];
+  #methods: string[] = [];
+
+  constructor(parts: AppParts, services: AppServices) {
+    this.#client = this.#createClient(parts);
+    this.#state = new State(() => this.#client.changing, {
+      document: () => this.#emit('changed'),
+      presentation: () => this.#presenter.schedule(),
+    });
+    this.handles = this.#createHandleEditor();
+    // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
+    this.#tables = this.#client.hello();
+    this.#presenter = new Presenter(parts, this.#viewEvents(), this.#panelEvents(services), {
+      state: this.#state,
+      choice: () => this.handles.choice,
+      solving: () => this.#client.solving,
+    });
+    this.#opener = this.#createOpener();
+    this.#comparer = new Comparer(parts.spawnWorker, (comparison) => this.#presenter.panels.showComparison(comparison));
+  }
+
+  /** Waits for the solver and fills the tables of the panels. */
+  async start(): Promise<void> {
+    const tables = await this.#tables;
+    this.#optionTable = tables.options;
+    this.#methods = tables.methods.map(({ name }) => name);
+    this.#presenter.panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
+  }
+
+  // ------------------------------------------------------------------------------------------------------ how things are
+
+  /** The net that is open; null before the first. Not to be changed. */
+  get opening(): Opening | null {
+    return this.#state.opening;
+  }
+
+  get history(): HistoryView {
+    return this.#state.history;
+  }
+
+  get framesPerSecond(): number {
+    return this.#presenter.view.framesPerSecond();
+  }
+
+  screenPosition(vertex: number): { x: number; y: number } {
+    return this.#presenter.view.screenPosition(vertex);
+  }
+
+  /** Nothing is under way, neither in the solver nor in the user's hand. */
+  get isQuiet(): boolean {
+    return !this.#opener.isOpening && !this.#state.history.inGesture && !this.#client.changing;
+  }
+
+  /** Resolves when nothing is under way and the net is settled. */
+  settled(): Promise<void> {
+    return this.#client.idle();
+  }
+
+  /** Calls `listener` on every event of that kind; returns what ends this. */
+  on(event: AppEvent, listener: Listener): () => void {
+    this.#listeners[event].add(listener);
+    return () => this.#listeners[event].delete(listener);
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ messages
+
+  /** Shows a failure to the user and to listeners. */
+  report(error: unknown): void {
+    if (isCancelled(error)) return;
+    // When a worker is lost everything that waits for it fails; that is said once, by #restarted.
+    const known = error instanceof SolverError && error.code === 'worker_lost' && this.opening !== null;
+    if (!known) this.#presenter.panels.say(sentence(error), 'error');
+    this.#emit('error', error);
+  }
+
+  /** @param action what a button beside the message does. */
+  say(message: string, action?: Action): void {
+    this.#presenter.panels.say(message, 'info', action);
+  }
+
+  /** A line with a button. */
+  offer(message: string, button: string, accept: () => void): void {
+    this.#presenter.panels.offer(message, button, accept);
+  }
+
+  // ------------------------------------------------------------------------------------------------------ whole scenes
+
+  /** Opens a scene in place of the present one, to which undo returns. If it fails, the present one stays.
+   *  @param change what the history calls it. */
+  openScene(scene: Scene, change?: NamedChange): Promise<void> {
+    return this.#opener.openScene(scene, change);
+  }
+
+  /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
+  openProject(project: Project): Promise<void> {
+    return this.#opener.openProject(project);
+  }
+
+  /** Opens a net as it comes, to be solved and shown as the present one is. */
+  openNet(net: NetSource): Promise<void> {
+    return this.#opener.openNet(net);
+  }
+
+  /** Whether a net is on its way that can be given up for the one that is open. */
+  get canCancelOpening(): boolean {
+    return this.#opener.canCancel;
+  }
+
+  /** Gives up the net on its way; the one that is open stays. */
+  cancelOpening(): void {
+    this.#opener.cancel();
+  }
+
+  /** The document and its history, in the middle of a gesture as before it; null before the first net. */
+  project(): Project | null {
+    const { opening, history } = this.#state;
+    const now = history.beforeGesture ?? this.#state.snapshot();
+    if (now === null || opening === null) return null;
+    return { entries: history.entries(now), present: history.present, view: opening.document.view };
+  }
+
+  /** What a link to the present scene is made of; null before the first net. */
+  toShare(): { document: ChebnetDocument; net: OpenedNet; threshold: number } | null {
+    if (this.opening === null) return null;
+    const { document, net } = this.opening;
+    return { document: { ...document, settled: this.#state.isSettled }, net, threshold: this.#threshold(document) };
+  }
+
+  /** The present net as the bytes of a file. */
+  exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#client.exportFile(format);
+  }
+
+  /** The net laid flat, or why it cannot be. */
+  flatPattern(): Promise<FlatPattern | PatternFault> {
+    return this.#client.flatPattern();
+  }
+
+  /** What the view shows, as PNG without a background, with so many times the pixels of the screen. */
+  picture(magnification: number): Promise<Blob> {
+    return this.#presenter.view.picture(magnification);
+  }
+
+  /** What the view shows from now on. */
+  film(): Film {
+    return this.#presenter.view.film();
+  }
+
+  setView(change: Partial<ViewState>): void {
+    if (this.opening === null) return;
+    const view = { ...this.opening.document.view, ...change };
+    this.#state.change({ view });
+    if (change.camera === undefined) this.#presenter.setAppearance(view);
+  }
+
+  // ----------------------------------------------------------------------------------------------------------- solving
+
+  async setOptions(settings: SolverSettings): Promise<void> {
+    const before = this.#state.snapshot();
+    await this.#client.setOptions(settings);
+    const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
+    const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
+    const after = { ...settings, options: Object.fromEntries(unusual) };
+    const change = before && settingsChange(before, after);
+    if (change) this.#state.history.record(before, change.name, change.key);
+    this.#state.change(after);
+  }
+
+  /** One iteration, then stop. */
+  step(): Promise<void> {
+    return this.#client.step();
+  }
+
+  /** Back to rest, handles too. */
+  async reset(): Promise<void> {
+    const before = this.#state.snapshot();
+    if (before === null || this.opening === null) return;
+    const { restPositions } = this.opening.net;
+    const atRest = (handle: HandleData): HandleData => {
+      const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
+      return { ...handle, target: [x, y, z] };
+    };
+    this.#state.history.record(before, ['reset']);
+    this.#state.change({ handles: before.handles.map(atRest), positions: restPositions });
+    await this.#client.reset();
+  }
+
+  // -------------------------------------------------------------------------------------------------------------- undo
+
+  undo(): void {
+    this.goTo(this.history.present - 1);
+  }
+
+  redo(): void {
+    this.goTo(this.history.present + 1);
+  }
+
+  /** Goes to an entry of the history. */
+  goTo(index: number): void {
+    this.#attempt(this.#opener.goTo(index));
+  }
+
+  // --------------------------------------------------------------------------------------------------------- comparing
+
+  /** Runs methods on the present edit, in a worker of their own. */
+  compare({ methods, start }: ComparisonWish): void {
+    if (this.opening === null) return;
+    const { document } = this.opening;
+    const positions = start === 'rest' ? null : document.positions;
+    const planOf = (method: string): RunPlan => ({
+      label: words.core.method(method),
+      style: this.#methods.indexOf(method), // the same in every comparison
+      scene: { ...document, method, positions },
+      threshold: this.#threshold(document),
+      isOfOpenNet: true,
+    });
+    this.#run(methods.map(planOf));
+  }
+
+  /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
+  runAll(wishes: readonly RunWish[]): void {
+    if (this.opening === null) return;
+    const { document } = this.opening;
+    const planOf = ({ label, edit, ...settings }: RunWish, style: number): RunPlan => ({
+      label,
+      style,
+      scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },
+      threshold: this.#threshold(settings),
+      isOfOpenNet: edit === undefined,
+    });
+    this.#run(wishes.map(planOf));
+  }
+
+  #run(plans: readonly RunPlan[]): void {
+    this.#presenter.showOwnNet();
+    void this.#comparer.start(plans);
+  }
+
+  #threshold({ options }: Pick<SolverSettings, 'options'>): number {
+    const usual = this.#optionTable.find(({ name }) => name === 'threshold')?.value;
+    return Number(options.threshold ?? usual);
+  }
+
+  // ----------------------------------------------------------------------------------------------- what it is made from
+
+  #createClient({ spawnWorker }: AppParts): Client {
+    return new Client(spawnWorker, {
+      document: () => this.opening?.document ?? null,
+      frame: (frame, settled) => this.#takeFrame(frame, settled),
+      restarted: (why, isBack) => this.#restarted(why, isBack),
+      gaveUp: (why) => this.report(why),
+    });
+  }
+
+  #createOpener(): Opener {
+    return new Opener(this.#client, this.#state, {
+      leaving: () => {
+        this.#presenter.showOwnNet();
+        this.handles.endDrag(false);
+      },
+      opened: () => {
+        this.handles.netChanged();
+        this.#presenter.presentNet();
+      },
+      say: (message) => this.say(message),
+      notice: (isShown, canCancel) => this.#presenter.panels.showOpening(isShown, canCancel),
+    });
+  }
+
+  #createHandleEditor(): HandleEditor {
+    const guide = new DragGuide(this.#client, {
+      setRegion: (mobility) => this.#presenter.view.setRegion(mobility),
+      setReach: (balls) => this.#presenter.view.setReach(balls),
+    });
+    return new HandleEditor(
+      {
+        opening: () => this.opening,
+        // While a net is on its way, the one in hand is about to go.
+        snapshot: () => (this.#opener.isOpening ? null : this.#state.snapshot()),
+        change: (change) => this.#state.change(change),
+        drag: (handles) => {
+          this.#state.drag(handles);
+          this.#presenter.presentDrag();
+        },
+        restore: (snapshot) => this.#attempt(this.#opener.restore(snapshot)),
+        choiceChanged: () => this.#presenter.schedule(),
+        say: (message) => this.say(message),
+        attempt: (doing) => this.#attempt(doing),
+      },
+      this.#client,
+      this.#state.history,
+      guide,
+    );
+  }
+
+  #viewEvents(): Omit<ViewEvents, 'cameraMoved'> {
+    return {
+      addHandle: (vertex, also) => this.handles.add(vertex, also),
+      select: (selection) => this.handles.select(selection),
+      dragStart: () => {
+        this.#presenter.showRun(null);
+        this.handles.beginDrag();
+      },
+      dragMove: (targets) => this.handles.drag(targets),
+      dragEnd: (cancelled) => this.handles.endDrag(cancelled),
+      cameraChanged: (camera) => this.setView({ camera }),
+      failed: (error) => this.report(error),
+    };
+  }
+
+  #panelEvents(services: AppServices): PanelEvents {
+    return {
+      ...services,
+      openRecipe: (recipe) => this.#attempt(this.openNet({ recipe })),
+      cancelOpening: () => this.cancelOpening(),
+      handles: this.handles,
+      previewLine: (name) => this.#presenter.view.setPreview(name === null ? [] : this.handles.line(name)),
+      setOptions: (settings) => this.#attempt(this.setOptions(settings)),
+      setView: (change) => this.setView(change),
+      solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
+      step: () => this.#attemptNamed(['step'], () => this.step()),
+      setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),
+      cancel: () => this.#attempt(this.#client.cancel()),
+      reset: () => this.#attempt(this.reset()),
+      compare: (wish) => this.compare(wish),
+      runAll: (wishes) => this.runAll(wishes),
+      cancelComparison: () => this.#comparer.cancel(),
+      showRun: (run) => this.#presenter.showRun(run),
+      showBeside: (runs) => this.#presenter.showBeside(runs),
+      undo: () => this.undo(),
+      redo: () => this.redo(),
+      goTo: (index) => this.goTo(index),
+      frameAll: () => this.#presenter.view.frameAll(),
+    };
+  }
+
+  // ------------------------------------------------------------------------------------------------------- from the solver
+
+  #takeFrame(frame: FrameData, settled: boolean): void {
+    if (this.opening === null) return;
+    this.#state.takeFrame(frame, settled);
+    this.#presenter.presentFrame(frame, settled);
+    this.#emit('frame');
+    if (settled) this.#emit('settled');
+  }
+
+  #restarted(why: SolverError, isBack: boolean): void {
+    if (!isCancelled(why)) this.#emit('restarted');
+    if (!isBack) {
+      this.#presenter.panels.say(words.solver.stopped(sentence(why)), 'error');
+      return;
+    }
+    this.handles.resumeDrag();
+    if (!isCancelled(why)) this.#presenter.panels.say(words.solver.restarted(sentence(why)), 'error');
+  }
+
+  async #thumbnail(recipe: string): Promise<ThumbnailNet> {
+    try {
+      return await this.#client.thumbnail(recipe);
+    } catch (error) {
+      if (!(error instanceof SolverError) || error.code !== LEFT_OUT) throw error;
+      const { lateThumbnail } = await import('../worker/late_thumbnail');
+      return lateThumbnail(recipe);
+    }
+  }
+
+  #emit(event: AppEvent, error?: unknown): void {
+    for (const listener of this.#listeners[event]) listener(error);
+  }
+
+  /** For what the user does: a failure is shown, not thrown. */
+  #attempt(doing: Promise<unknown>): void {
+    doing.catch((error: unknown) => this.report(error));
+  }
+
+  /** Likewise, as an entry of the history. */
+  #attemptNamed(name: ChangeName, doing: () => Promise<unknown>): void {
+    const before = this.#state.snapshot();
+    if (before) this.#state.history.record(before, name);
+    this.#attempt(doing());
+  }
+}
+
+/** What went wrong, as a sentence. */
+function sentence(error: unknown): string {
+  return words.core.sentence(error instanceof Error ? error.message : String(error));
+}

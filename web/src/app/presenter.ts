@@ -1,0 +1,164 @@
+/** Keeps view and panels in step with what is open. However much changes in one task, it is presented once, after it. */
+import { Beside } from '../compare/beside';
+import type { Run } from '../compare/run';
+import type { HandleData, ViewState } from '../document/document';
+import type { Choice } from '../handles/wishes';
+import { words } from '../language/language';
+import type { PanelEvents, Panels } from '../panels';
+import type { View, ViewEvents } from '../view/view';
+import type { FrameData } from '../worker/protocol';
+import type { State } from './state';
+
+/** What makes the parts of the page. */
+export interface Screen {
+  createView(events: ViewEvents): View;
+  /** Another view, in the first or second place to the right of it. */
+  createBeside(events: ViewEvents, place: number): View;
+  createPanels(events: PanelEvents): Panels;
+}
+
+/** What is presented. */
+export interface Presented {
+  state: Pick<State, 'opening' | 'handles' | 'history' | 'withTraits'>;
+  choice(): Choice;
+  /** Whether the solver is at work. */
+  solving(): boolean;
+}
+
+export class Presenter {
+  readonly view: View;
+  readonly panels: Panels;
+  readonly #beside: Beside;
+  readonly #presented: Presented;
+  #isScheduled = false;
+  /** The run whose net the view shows in place of the user's. */
+  #shownRun: Run | null = null;
+  /** The runs whose nets stand beside it. */
+  #runsBeside: readonly Run[] = [];
+  #saidUnreachable = false;
+
+  constructor(
+    screen: Screen,
+    viewEvents: Omit<ViewEvents, 'cameraMoved'>,
+    panelEvents: PanelEvents,
+    presented: Presented,
+  ) {
+    this.#presented = presented;
+    this.#beside = new Beside(screen.createBeside, (camera) => {
+      this.view.setCamera(camera);
+      viewEvents.cameraChanged(camera);
+    });
+    this.view = screen.createView({ ...viewEvents, cameraMoved: (camera) => this.#beside.setCamera(camera) });
+    this.panels = screen.createPanels(panelEvents);
+  }
+
+  /** Presents document, choice and history when the task under way is over. */
+  schedule(): void {
+    if (this.#isScheduled) return;
+    this.#isScheduled = true;
+    queueMicrotask(() => {
+      this.#isScheduled = false;
+      this.#present();
+    });
+  }
+
+  #present(): void {
+    const { opening, history } = this.#presented.state;
+    if (opening === null) return;
+    const { document } = opening;
+    const choice = this.#presented.choice();
+    this.view.setSymmetry(document.symmetry);
+    this.view.showHandles(this.#shownHandles(), choice);
+    this.panels.showDocument(document, choice);
+    this.panels.showHistory(history);
+  }
+
+  /** Another net is open; before, the user's own was shown. */
+  presentNet(): void {
+    const { opening } = this.#presented.state;
+    if (opening === null) return;
+    const { document, net, frame } = opening;
+    // First, for the view leaves room for what the panels say.
+    this.panels.showDocument(document, this.#presented.choice());
+    this.view.setAppearance(document.view);
+    this.view.showNet(net, frame, document.view.camera);
+    this.panels.showNet(net);
+    this.#presentNumbers(frame);
+    this.schedule();
+  }
+
+  /** The net has moved. The user's own is shown again. */
+  presentFrame(frame: FrameData, settled: boolean): void {
+    this.showRun(null);
+    this.view.showFrame(frame);
+    this.#presentNumbers(frame);
+    if (settled) this.#sayUnreachable(frame);
+  }
+
+  /** At once, for it is under the user's hand: handles that are being dragged, and no more. */
+  presentDrag(): void {
+    const { handles } = this.#presented.state;
+    const choice = this.#presented.choice();
+    this.view.showHandles(handles, choice);
+    this.panels.showHandles(handles, choice);
+  }
+
+  setAppearance(view: ViewState): void {
+    this.view.setAppearance(view);
+    this.#beside.setAppearance(view);
+  }
+
+  // -------------------------------------------------------------------------------------------------- nets of a comparison
+
+  /** Puts the net of a run in the place of the user's, which comes back with null or whenever it moves. */
+  showRun(run: Run | null): void {
+    const { opening } = this.#presented.state;
+    if (run === this.#shownRun || opening === null) return;
+    this.#shownRun = run;
+    this.view.showFrame(run?.frame ?? opening.frame);
+    this.panels.showRuns(run, this.#runsBeside);
+    this.schedule();
+  }
+
+  /** Shows the nets of these runs beside the other, seen from the same place, and no more. */
+  showBeside(runs: readonly Run[]): void {
+    const { opening } = this.#presented.state;
+    if (opening === null || (runs.length === 0 && this.#runsBeside.length === 0)) return;
+    this.#runsBeside = runs;
+    const frames = runs.flatMap(({ frame }) => frame ?? []);
+    this.#beside.show(opening.net, frames, { ...opening.document.view, camera: this.view.camera() });
+    this.panels.showRuns(this.#shownRun, runs);
+  }
+
+  /** No nets of runs any longer. */
+  showOwnNet(): void {
+    this.showRun(null);
+    this.showBeside([]);
+  }
+
+  /** Those of the run whose net is shown stand where they stood when it began. */
+  #shownHandles(): readonly HandleData[] {
+    const { state } = this.#presented;
+    return this.#shownRun?.frame?.handles.map((handle) => state.withTraits(handle)) ?? state.handles;
+  }
+
+  // ------------------------------------------------------------------------------------------------------------- numbers
+
+  #presentNumbers(frame: FrameData): void {
+    this.panels.showFrame(frame, this.view.framesPerSecond(), this.#presented.solving());
+  }
+
+  /** Once, until all handles are within reach again. */
+  #sayUnreachable({ unreachable }: FrameData): void {
+    const [worst] = unreachable;
+    const said = this.#saidUnreachable;
+    this.#saidUnreachable = worst !== undefined;
+    if (worst === undefined || said) return;
+    const { vertexA, vertexB, distance, reach } = worst;
+    const isHandle = this.#presented.state.handles.some(({ vertex }) => vertex === vertexB);
+    const sentence = isHandle
+      ? words.handles.unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3))
+      : words.drag.tooLocal;
+    this.panels.say(sentence, 'info');
+  }
+}

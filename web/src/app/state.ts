@@ -1,0 +1,103 @@
+/** What is open: a net with its document, and the history of that. */
+import type { Handle } from '../../../wasm/chebnet';
+import type { ChebnetDocument, HandleData, Scene } from '../document/document';
+import { type Snapshot, UndoHistory } from '../document/undo';
+import type { Opened } from '../worker/client';
+import type { Opening } from '../worker/opening';
+import type { FrameData } from '../worker/protocol';
+
+/** What is to be done after a change. */
+export interface StateEvents {
+  /** Anything in the document changed. */
+  document(): void;
+  /** There is something new to be presented, beyond what a frame or a drag changes. */
+  presentation(): void;
+}
+
+export class State {
+  readonly history: UndoHistory;
+  readonly #isChanging: () => boolean;
+  readonly #events: StateEvents;
+  #opening: Opening | null = null;
+
+  /** @param isChanging whether the solver is yet to make the net what it was asked to be. */
+  constructor(isChanging: () => boolean, events: StateEvents) {
+    this.#isChanging = isChanging;
+    this.#events = events;
+    this.history = new UndoHistory(() => events.presentation());
+  }
+
+  /** Null before the first net. Never changed in place: history and links may hold parts of it. */
+  get opening(): Opening | null {
+    return this.#opening;
+  }
+
+  get handles(): readonly HandleData[] {
+    return this.#opening?.document.handles ?? [];
+  }
+
+  /** What undo may return to; null before the first net. */
+  snapshot(): Snapshot | null {
+    if (this.#opening === null) return null;
+    const { view: _, ...state } = this.#opening.document;
+    return { ...state, settled: this.isSettled };
+  }
+
+  /** While something is under way, the positions shown are not the last. */
+  get isSettled(): boolean {
+    return this.#opening?.document.settled === true && !this.#isChanging();
+  }
+
+  /** Another net. */
+  open(scene: Scene, { net, frame }: Opened): void {
+    const last = frame.handles.length - 1;
+    // Of the handles that come with a recipe the last is the one to drag.
+    const handles = frame.handles.map(({ vertex, target }, i) =>
+      scene.handles === 'suggested'
+        ? { vertex, target, anchor: i < last }
+        : { anchor: false, ...scene.handles[i], vertex, target },
+    );
+    const document = { ...scene, numbering: net.numbering, handles, positions: frame.positions };
+    this.#set({ net, frame, document });
+  }
+
+  change(change: Partial<ChebnetDocument>): void {
+    this.#change(change);
+    this.#events.presentation();
+  }
+
+  /** Handles are being dragged. */
+  drag(handles: HandleData[]): void {
+    this.#change({ handles });
+  }
+
+  /** To a state of the same net. */
+  restore(state: Snapshot): void {
+    if (this.#opening === null) return;
+    const { numbering, view } = this.#opening.document;
+    this.#set({ ...this.#opening, document: { ...state, numbering, view } });
+    this.#events.presentation();
+  }
+
+  /** The solver has come further. */
+  takeFrame(frame: FrameData, settled: boolean): void {
+    if (this.#opening === null) return;
+    const document = { ...this.#opening.document, positions: frame.positions, settled };
+    this.#set({ ...this.#opening, frame, document });
+  }
+
+  /** A handle of the solver, with what only the document knows about it. */
+  withTraits({ vertex, target }: Handle): HandleData {
+    const known = this.handles.find((handle) => handle.vertex === vertex);
+    return { anchor: false, ...known, vertex, target };
+  }
+
+  #change(change: Partial<ChebnetDocument>): void {
+    if (this.#opening) this.#set({ ...this.#opening, document: { ...this.#opening.document, ...change } });
+  }
+
+  #set(opening: Opening): void {
+    this.#opening = opening;
+    this.#events.document();
+  }
+}
