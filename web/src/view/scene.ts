@@ -1,33 +1,26 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
-import {
-  Color,
-  DirectionalLight,
-  HemisphereLight,
-  Matrix4,
-  Scene,
-  SRGBColorSpace,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import { endsOf, type HandleData, type Symmetry, type Vec3, type ViewState } from '../document/document';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
 import type { FrameData, OpenedNet } from '../worker/protocol';
+import { Annotations } from './annotations';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
+import { takeFilm, takePicture } from './capture';
 import { scaleOf } from './colour_map';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
 import { Gizmo } from './gizmo';
 import { Ground } from './ground';
+import { Hand } from './hand';
 import { HandleMarks, toScreen } from './handles';
 import { ColourTexture, NetData, netUniforms } from './net_data';
 import { NetFaces } from './net_faces';
 import { NetLines } from './net_lines';
 import { createBlankView, createNotice, probeGraphics } from './notice';
-import { Overlay, type Place, type Strain } from './overlay';
+import type { Place } from './overlay';
 import type { Projection } from './picking';
 import { ReachSurface } from './reach_surface';
 import { Space } from './space';
@@ -42,13 +35,6 @@ type Appearance = Omit<ViewState, 'camera'>;
 
 /** More pixels than these cost much and show little; without a graphics card every one is dear. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
-/** A label keeps so far from the edges of the canvas, in pixels. */
-const LABEL_ROOM = { side: 140, top: 120, bottom: 120 };
-/** Pictures a second in a film. */
-const FILM_RATE = 30;
-/** So many unreachable pairs are drawn, the worst first. */
-const SHOWN_STRAINS = 3;
-
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
   return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics);
@@ -68,8 +54,9 @@ class SceneView implements View {
   private readonly colours = new ColourTexture();
   private readonly lines = new NetLines(this.uniforms, this.colours);
   private readonly faces = new NetFaces(this.uniforms, this.colours);
-  private readonly overlay = new Overlay();
+  private readonly annotations: Annotations;
   private readonly report: DragReport;
+  private readonly hand: Hand;
   private readonly gestures: Gestures;
   private readonly notice: ReturnType<typeof createNotice>;
   private readonly resizing: ResizeObserver;
@@ -87,8 +74,6 @@ class SceneView implements View {
   private symmetry: Symmetry | undefined;
   private regionShown = false;
   private preview: readonly number[] = [];
-  /** Where the handles in hand were taken. */
-  private taken: { vertex: number; from: Vector3 }[] = [];
   private found: Found | null = null;
   private firstVisit = isFirstVisit();
   private frame = 0;
@@ -107,15 +92,22 @@ class SceneView implements View {
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', words.view.net);
-    container.append(canvas, this.overlay.element);
+    this.annotations = new Annotations({
+      size: this.size,
+      marks: this.marks,
+      vertexPoint: (vertex) => this.vertexPoint(vertex),
+      place: (point) => this.place(point),
+    });
+    container.append(canvas, this.annotations.overlay.element);
     this.notice = createNotice(container);
     this.report = new DragReport(this.noteFirstDrag(events));
+    this.hand = new Hand(this.marks, this.report, () => this.choice.selection);
     this.rig = new CameraRig(canvas, {
       moved: () => this.cameraMoved(),
       rested: () => events.cameraChanged(this.camera()),
     });
     this.gizmo = new Gizmo(this.rig.camera, canvas, {
-      start: () => this.grab(this.moving()),
+      start: () => this.hand.grab(this.hand.moving()),
       move: (motion) => this.carry(motion),
       end: () => this.report.end(false),
       changed: () => this.requestDraw(),
@@ -193,7 +185,7 @@ class SceneView implements View {
 
   setPreview(vertices: readonly number[]): void {
     this.preview = vertices;
-    this.drawOverlay();
+    this.drawAnnotations();
   }
 
   setAppearance(appearance: Appearance): void {
@@ -226,31 +218,11 @@ class SceneView implements View {
   }
 
   picture(magnification: number): Promise<Blob> {
-    const { renderer, size } = this;
-    const ratio = renderer.getPixelRatio();
-    const largest = renderer.capabilities.maxTextureSize / Math.max(size.x, size.y);
-    renderer.setPixelRatio(Math.min(magnification * ratio, largest));
-    // The canvas can be read only in the task that has drawn it; and the screen shows only what the task leaves on it.
-    this.draw();
-    const picture = new Promise<Blob>((resolve, reject) => {
-      const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error(words.view.pictureFailed)));
-      renderer.domElement.toBlob(take, 'image/png');
-    });
-    renderer.setPixelRatio(ratio);
-    this.draw();
-    return picture;
+    return takePicture(this.renderer, this.size, magnification, () => this.draw());
   }
 
   film(): Film {
-    const stream = this.renderer.domElement.captureStream(FILM_RATE);
-    this.scene.background = new Color().setRGB(...this.theme.fade, SRGBColorSpace);
-    this.requestDraw();
-    const end = (): void => {
-      for (const track of stream.getTracks()) track.stop();
-      this.scene.background = null;
-      this.requestDraw();
-    };
-    return { stream, end };
+    return takeFilm(this.renderer, this.scene, this.theme, () => this.requestDraw());
   }
 
   setCamera(camera: CameraPlace): void {
@@ -282,7 +254,7 @@ class SceneView implements View {
     for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer])
       thing.dispose();
     this.renderer.domElement.remove();
-    this.overlay.element.remove();
+    this.annotations.overlay.element.remove();
     this.notice.remove();
   }
 
@@ -298,11 +270,11 @@ class SceneView implements View {
       data: () => this.shown,
       selection: () => this.choice.selection,
       selecting: () => this.choice.selecting,
-      moving: (handle) => this.moving(handle),
+      moving: (handle) => this.hand.moving(handle),
       projection: () => this.projection(),
-      grab: (vertices) => this.grab(vertices),
+      grab: (vertices) => this.hand.grab(vertices),
       carry: (motion) => this.carry(motion),
-      outline: (corners) => this.overlay.setOutline(corners),
+      outline: (corners) => this.annotations.overlay.setOutline(corners),
       hovered: (found) => this.setFound(found),
       frameAll: () => this.frameAll(),
     });
@@ -328,38 +300,15 @@ class SceneView implements View {
     };
   }
 
-  /** Those of the selection that are not locked, the leading one first; all by itself a handle that is not selected. */
-  private moving(handle?: number): readonly number[] {
-    const { selection } = this.choice;
-    if (handle !== undefined && !selection.includes(handle)) return [handle];
-    const free = [...selection].reverse().filter((vertex) => !this.marks.isLocked(vertex));
-    return handle === undefined ? free : [handle, ...free.filter((vertex) => vertex !== handle)];
-  }
-
-  private grab(vertices: readonly number[]): void {
-    this.taken = vertices.flatMap((vertex) => {
-      const from = this.marks.point(vertex)?.clone();
-      return from ? [{ vertex, from }] : [];
-    });
-    this.report.begin(vertices);
-  }
-
-  /** The handles in hand are drawn where the hand is, ahead of document and net. */
   private carry(motion: Matrix4): void {
     if (!this.report.isUnderWay || !this.shown) return;
-    const { space } = this.shown;
-    const targets = this.taken.map(({ vertex, from }) => {
-      const point = from.clone().applyMatrix4(motion);
-      this.marks.point(vertex)?.copy(point);
-      return { vertex, target: space.toNet(point) };
-    });
-    this.report.move(targets);
+    this.hand.carry(motion, this.shown.space);
     this.requestDraw();
   }
 
   private setFound(found: Found | null): void {
     this.found = found;
-    this.drawOverlay();
+    this.drawAnnotations();
   }
 
   private removeNet(): void {
@@ -432,7 +381,7 @@ class SceneView implements View {
     if (this.netMoved) this.ground.drawShadow(this.renderer);
     this.netMoved = false;
     this.renderer.render(this.scene, this.rig.camera);
-    this.drawOverlay();
+    this.drawAnnotations();
     this.countDraw();
   }
 
@@ -446,12 +395,9 @@ class SceneView implements View {
     this.ground.object.visible = camera.position.z > this.ground.object.position.z;
   }
 
-  /** The centre of what would move; it stands in nobody's way while they are being selected. */
+  /** It stands in nobody's way while handles are being selected. */
   private gizmoPlace(): Vector3 | null {
-    if (this.choice.selecting) return null;
-    const points = this.moving().flatMap((vertex) => this.marks.point(vertex) ?? []);
-    if (points.length === 0) return null;
-    return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
+    return this.choice.selecting ? null : this.hand.centre();
   }
 
   private toStand({ position, target }: CameraPlace): Stand {
@@ -489,56 +435,15 @@ class SceneView implements View {
     return toScreen(this.projection(), point);
   }
 
-  private drawOverlay(): void {
+  private drawAnnotations(): void {
     if (!this.shown) return;
-    const radius = this.marks.screenRadius;
-    this.drawHover(radius);
-    const beckoning = this.firstVisit ? this.marks.suggested : null;
-    this.overlay.setPulse(beckoning === null ? null : this.place(this.marks.point(beckoning)!), radius + 3);
-    this.overlay.setTether(this.tether(radius));
-    this.overlay.setPreview(this.preview.map((vertex) => this.place(this.vertexPoint(vertex))));
-    this.overlay.setStrains(this.drawnStrains());
-  }
-
-  private drawHover(radius: number): void {
-    if (!this.found) {
-      this.overlay.setHover(null, 0, false);
-      return;
-    }
-    const { vertex, handle } = this.found;
-    const point = (handle && this.marks.point(vertex)) || this.vertexPoint(vertex);
-    this.overlay.setHover(this.place(point), handle ? radius + 4 : 8, !handle);
-  }
-
-  private tether(radius: number): { from: Place; to: Place } | null {
-    const [vertex] = this.report.vertices;
-    const point = vertex === undefined ? undefined : this.marks.point(vertex);
-    if (vertex === undefined || !point) return null;
-    const from = this.place(this.vertexPoint(vertex));
-    const to = this.place(point);
-    return Math.hypot(to.x - from.x, to.y - from.y) > 2 * radius ? { from, to } : null;
-  }
-
-  private drawnStrains(): Strain[] {
-    return (this.latest?.unreachable ?? [])
-      .slice(0, SHOWN_STRAINS)
-      .flatMap(({ vertexA, vertexB, distance, reach }, i) => {
-        const [a, b] = [this.marks.point(vertexA), this.marks.point(vertexB)];
-        if (!a || !b) return [];
-        const [from, to] = [this.place(a), this.place(b)];
-        const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
-        return [{ from, to, label: i === 0 ? { text, at: this.between(from, to) } : null }];
-      });
-  }
-
-  /** The middle of two places, kept on the canvas so that a label there can be read. */
-  private between(a: Place, b: Place): Place {
-    const { top, bottom } = LABEL_ROOM;
-    const clamp = (x: number, low: number, high: number) => Math.max(low, Math.min(high, x));
-    return {
-      x: clamp((a.x + b.x) / 2, LABEL_ROOM.side, this.size.x - LABEL_ROOM.side),
-      y: clamp((a.y + b.y) / 2 - 8, top, this.size.y - bottom),
-    };
+    this.annotations.draw({
+      found: this.found,
+      isFirstVisit: this.firstVisit,
+      dragged: this.report.vertices[0],
+      preview: this.preview,
+      unreachable: this.latest?.unreachable ?? [],
+    });
   }
 
   private countDraw(): void {

@@ -1,0 +1,42 @@
+/** Pictures and films of what a renderer draws. */
+import { Color, type Scene, SRGBColorSpace, type Vector2, type WebGLRenderer } from 'three';
+import { words } from '../language/language';
+import type { Theme } from './theme';
+import type { Film } from './view';
+
+/** Pictures a second in a film. */
+const FILM_RATE = 30;
+
+/** As PNG, with so many times the pixels of the screen, or as many as the graphics card can. */
+export function takePicture(
+  renderer: WebGLRenderer,
+  size: Vector2,
+  magnification: number,
+  draw: () => void,
+): Promise<Blob> {
+  const ratio = renderer.getPixelRatio();
+  const largest = renderer.capabilities.maxTextureSize / Math.max(size.x, size.y);
+  renderer.setPixelRatio(Math.min(magnification * ratio, largest));
+  // The canvas can be read only in the task that has drawn it; and the screen shows only what the task leaves on it.
+  draw();
+  const picture = new Promise<Blob>((resolve, reject) => {
+    const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error(words.view.pictureFailed)));
+    renderer.domElement.toBlob(take, 'image/png');
+  });
+  renderer.setPixelRatio(ratio);
+  draw();
+  return picture;
+}
+
+/** Before a plain background until its end. */
+export function takeFilm(renderer: WebGLRenderer, scene: Scene, theme: Theme, requestDraw: () => void): Film {
+  const stream = renderer.domElement.captureStream(FILM_RATE);
+  scene.background = new Color().setRGB(...theme.fade, SRGBColorSpace);
+  requestDraw();
+  const end = (): void => {
+    for (const track of stream.getTracks()) track.stop();
+    scene.background = null;
+    requestDraw();
+  };
+  return { stream, end };
+}
