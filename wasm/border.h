@@ -39,6 +39,20 @@ inline val bytes_out(const std::string& bytes) {
     error.throw_();
 }
 
+/// Throws the C++ exception that is being handled, as JavaScript knows it. In one place: each function that is bound
+/// would have all this code otherwise.
+[[noreturn]] inline void throw_what_was_caught() {
+    try {
+        throw;
+    } catch (const Error& error) {
+        throw_to_javascript(to_string(error.code()), error.what());
+    } catch (const std::bad_alloc&) {
+        throw_to_javascript("too_large", "there is not enough memory for this");
+    } catch (const std::exception& error) {
+        throw_to_javascript("internal", error.what());
+    }
+}
+
 /// `guarded<&f>` is f with its C++ exceptions turned into JavaScript ones.
 template <auto function>
 struct Guard;
@@ -48,12 +62,8 @@ struct Guard<function> {
     static Result call(Arguments... arguments) {
         try {
             return function(std::forward<Arguments>(arguments)...);
-        } catch (const Error& error) {
-            throw_to_javascript(to_string(error.code()), error.what());
-        } catch (const std::bad_alloc&) {
-            throw_to_javascript("too_large", "there is not enough memory for this");
-        } catch (const std::exception& error) {
-            throw_to_javascript("internal", error.what());
+        } catch (...) {
+            throw_what_was_caught();
         }
     }
 };
