@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { beforeEach, expect, test } from 'vitest';
-import type { Chebnet, ChebnetError, Mesh } from '../../wasm/chebnet';
+import type { Chebnet, ChebnetError, EditState, Mesh } from '../../wasm/chebnet';
 import type { Visitor } from './visitor';
 import { visitors } from './visitor';
 
@@ -62,20 +62,25 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     faceStart: Int32Array.of(0, 3),
     faceVertices: Int32Array.of(0, 1, 7),
   };
+  const spoilt: Partial<EditState>[] = [
+    { initialisation: 'nonsense' },
+    { options: { nonsense: 1 } },
+    { handles: [{ vertex: 999_999, target: [0, 0, 0] }] },
+    { locality: { radius: 1, origins: [999_999] } },
+    { positions: new Float64Array(3 * editor.info.vertices).fill(NaN) },
+    { method: whole ? 'nonsense' : 'li2022' },
+  ];
   let inTurn = false;
+  let turn = 0;
   const attempts: Record<string, () => unknown> = {
     openRecipe: () => core.openRecipe((inTurn = !inTurn) || whole ? 'nonsense' : 'teddy'),
     openObj: () => core.openObj('v 0 0 0\nf 1 2 3\n'),
     openMesh: () => core.openMesh(broken),
-    setMethod: () => editor.setMethod(whole ? 'nonsense' : 'li2022'),
-    setInitialisation: () => editor.setInitialisation('nonsense'),
-    setOption: () => editor.setOption('nonsense', 1),
-    setHandles: () => editor.setHandles([{ vertex: 999_999, target: [0, 0, 0] }]),
-    setLocality: () => editor.setLocality(1, [999_999]),
     reach: () => editor.reach(999_999),
     mobility: () => editor.mobility(1, [999_999]),
     moveHandle: () => editor.moveHandle(999_999, [0, 0, 0]),
-    setPositions: () => editor.setPositions(new Float64Array(3 * editor.info.vertices).fill(NaN)),
+    setState: () => editor.setState({ ...editor.state(), ...spoilt[turn++ % spoilt.length] }),
+    flatPattern: () => editor.flatPattern(),
     toObj: () => editor.toObj(),
     toFile: () => editor.toFile(whole ? ('nonsense' as 'obj') : 'obj'),
     readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
@@ -104,25 +109,21 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
 const CODES = {
   openRecipe: ['bad_option'],
   openMesh: ['index_out_of_range'],
-  setInitialisation: ['bad_option'],
-  setOption: ['bad_option'],
-  setHandles: ['index_out_of_range'],
-  setLocality: ['index_out_of_range'],
   reach: ['index_out_of_range'],
   mobility: ['index_out_of_range'],
   moveHandle: ['index_out_of_range'],
-  setPositions: ['non_finite'],
 };
 const LEFT_OUT = {
+  setState: ['bad_option', 'index_out_of_range', 'non_finite', 'left_out'],
+  flatPattern: ['left_out'],
   openRecipe: ['bad_option', 'left_out'],
   openObj: ['left_out'],
-  setMethod: ['left_out'],
   toObj: ['left_out'],
   toFile: ['left_out'],
 };
 const WHOLE = {
+  setState: ['bad_option', 'index_out_of_range', 'non_finite'],
   openObj: ['index_out_of_range'],
-  setMethod: ['bad_option'],
   toFile: ['bad_option'],
   readMesh: ['bad_syntax'],
   repairMesh: ['index_out_of_range'],
