@@ -1,9 +1,11 @@
 # The parts of the core that the module for a first net does without: left_out.cpp and number.cpp have the same functions
 # for it. A source is in one of the two modules or in the library of both, never twice.
-set(LEFT_OUT_METHODS composite_majorization dp gradient_descent lbfgs li2022 projected_newton)
+set(LEFT_OUT_METHODS composite_majorization dp equilibrium gradient_descent lbfgs li2022 projected_newton)
 list(TRANSFORM LEFT_OUT_METHODS REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/\\1.cpp")
 set(LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
 foreach(source base/number io/mesh_file io/obj io/off io/ply io/ply_header io/stl io/other_format io/indexed_rows
-               shapes/smooth_figure shapes/relaxation edit/equalize fabricate/flat_pattern)
+               shapes/smooth_figure shapes/relaxation solve/parts/corner_limit solve/parts/neighbour_system
+               solve/parts/tangent_newton solve/terms/bending_term solve/terms/load_terms solve/terms/shear_term
+               edit/equalize fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

@@ -243,6 +243,7 @@ void Cholesky<size, Scalar>::solve_together(Row* x) const {
 
 template class Cholesky<1, float>;
 template class Cholesky<3, double>;
+template class Cholesky<3, float>;
 template void Cholesky<1, float>::solve_together(dense::Four*) const;
 
 }  // namespace chebnet

@@ -21,7 +21,8 @@ public:
     /// if factorize() would need more than k_most_factor_bytes, before it asks for them.
     void analyze(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank);
 
-    /// `node_blocks`: the diagonal block of each node; `link_blocks`: the off-diagonal block of each link, symmetric.
+    /// `node_blocks`: the diagonal block of each node; `link_blocks`: the off-diagonal block of each link, its
+    /// rows those of the end eliminated later.
     /// False if the matrix is not positive definite or not finite.
     bool factorize(const std::vector<Block>& node_blocks, const std::vector<Block>& link_blocks);
 
@@ -68,5 +69,6 @@ private:
 
 extern template class Cholesky<1, float>;
 extern template class Cholesky<3, double>;
+extern template class Cholesky<3, float>;
 
 }  // namespace chebnet

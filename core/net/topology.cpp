@@ -103,6 +103,7 @@ int Topology::slot_of(int vertex, int neighbour) const {
            static_cast<int>(std::lower_bound(others.begin(), others.end(), neighbour) - others.begin());
 }
 
+/// For each slot the one straight across at the same vertex, −1 where a net line ends.
 std::vector<int> Topology::slots_across() const {
     // An edge has two faces at most, and with each a neighbour at the vertex.
     std::vector<std::array<int, 2>> beside(m_neighbours.size(), {-1, -1});

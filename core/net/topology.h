@@ -38,10 +38,6 @@ public:
     /// through a vertex of valence 3, and at all other vertices, corners and singular ones, all lines end. The same
     /// holds where faces are no quads.
     std::vector<std::vector<int>> net_lines() const;
-    /// How net lines go through vertices: one entry for each edge at each vertex, vertex by vertex in the order of
-    /// `incident_edges`. It is the place in this list of the edge straight on at the same vertex, −1 where the line
-    /// ends.
-    std::vector<int> slots_across() const;
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;
     int component_count() const { return static_cast<int>(components().size()); }
@@ -58,6 +54,7 @@ public:
 
 private:
     int slot_of(int vertex, int neighbour) const;
+    std::vector<int> slots_across() const;
     std::vector<NearestSource> nearest_by_steps(std::span<const int> sources) const;
     std::vector<NearestSource> nearest_by_length(std::span<const int> sources) const;
 

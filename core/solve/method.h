@@ -37,6 +37,11 @@ public:
 
     /// One iteration: moves free vertices only and fills `row` (all but iteration and total_ms).
     virtual Status iterate(Positions& positions, TraceRow& row) = 0;
+
+    /// E, what holds each edge at its length, where the method finds that: the energy gained for a part of the length
+    /// that the edge would give way. Positive where it pulls its ends together, negative where it pushes them apart;
+    /// over L_e it is a force. Empty if the method does not know. Valid until the next call.
+    virtual std::span<const double> edge_forces() const { return {}; }
 };
 
 using MakeMethod = std::unique_ptr<Method> (*)();

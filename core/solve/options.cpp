@@ -52,6 +52,18 @@ const Entry k_entries[] = {
      &Options::reduce_once},
     {{"direct_energy", k_flag, 0, 1, "Method li2022 minimises the p-th powers of dL themselves (eq. 2)."},
      &Options::direct_energy},
+    {{"shear_limit", k_number, 0, 60,
+      "Method equilibrium lets no corner of a quad be sharper, in degrees; 0: no limit."},
+     &Options::shear_limit},
+    {{"bending_weight", k_number, 1e-6, 1e6, "How much net lines resist bending, in method equilibrium."},
+     &Options::bending_weight},
+    {{"shear_weight", k_number, 0, 1e6, "How much quads resist shear, in method equilibrium."}, &Options::shear_weight},
+    {{"straight_rods", k_flag, 0, 1, "Net lines want to be straight, not bent as at rest, in method equilibrium."},
+     &Options::straight_rods},
+    {{"gravity", k_number, 0, 1e6, "The weight of an edge, downwards along z, in method equilibrium."},
+     &Options::gravity},
+    {{"rest_tolerance", k_number, 0, 1e6, "Method equilibrium is at rest when the gradient left is below this."},
+     &Options::rest_tolerance},
 };
 
 const Entry& find_entry(std::string_view key) {

@@ -22,6 +22,12 @@ struct Options {
     int active_rings = 2;               ///< and so many rings of neighbours around them
     bool reduce_once = false;           ///< section 3.3 to the letter: these vertices are chosen once, and stay
     bool direct_energy = false;         ///< li2022 minimises E_p (eq. 2) itself in place of energy (3)
+    double shear_limit = 30;            ///< equilibrium: no corner of a quad is sharper, in degrees; 0: no limit
+    double bending_weight = 1;          ///< equilibrium: of BendingTerm
+    double shear_weight = 0.05;         ///< equilibrium: of ShearTerm
+    bool straight_rods = false;         ///< equilibrium: net lines want to be straight rather than as at rest
+    double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
+    double rest_tolerance = 1e-3;       ///< equilibrium: at rest when the gradient that constraints leave is below
 
     bool operator==(const Options&) const = default;
 };

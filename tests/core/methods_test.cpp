@@ -109,11 +109,14 @@ TEST_CASE("Every method on every kind of net: finite, handles exact, an honest s
             CHECK(editor.positions().allFinite());
             CHECK(editor.handle_error() == 0);
             CHECK(report.max_deviation == max_deviation(editor.net(), editor.positions()));
-            CHECK((report.status == Status::converged) == (report.max_deviation < editor.options().threshold));
+            CHECK((report.status != Status::converged || report.max_deviation < editor.options().threshold));
+            // The others are done as soon as lengths are.
+            const bool rests = method.name == std::string("equilibrium");
+            CHECK((report.status == Status::converged || rests || report.max_deviation >= editor.options().threshold));
             CHECK((report.status == Status::converged || report.status == Status::stalled ||
                    report.status == Status::max_iterations));
-            CHECK((report.status == Status::max_iterations) == (report.iterations == editor.options().max_iterations &&
-                                                                report.max_deviation >= editor.options().threshold));
+            CHECK((report.status == Status::max_iterations) ==
+                  (report.iterations == editor.options().max_iterations && report.status != Status::converged));
             for (int k = 0; k < report.iterations; ++k)
                 check_row(report.trace[k], k + 1, sample.net.vertex_count() - static_cast<int>(sample.handles.size()));
         }

@@ -41,7 +41,7 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
         terms.push_back(std::make_unique<BendingTerm>(net, topology, 1.5, reference));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
-        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference));
+        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference, 0.3));
     terms.push_back(std::make_unique<PullTerm>(net, holds));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
     return terms;
@@ -58,9 +58,9 @@ Eigen::Matrix3Xd gradient(Term& term, const Positions& x) {
     return sum;
 }
 
-Eigen::Matrix3Xd curvature(const Term& term, const Eigen::Matrix3Xd& d) {
+Eigen::Matrix3Xd curvature(const Term& term, Curvature kind, const Eigen::Matrix3Xd& d) {
     Eigen::Matrix3Xd product = Eigen::Matrix3Xd::Zero(3, d.cols());
-    term.add_curvature(d, product);
+    term.add_curvature(kind, d, product);
     return product;
 }
 
@@ -76,6 +76,23 @@ public:
 
 private:
     const Eigen::Matrix3Xd& m_d;
+};
+
+/// The product of a BlockForm with some moves.
+class BlocksTimes : public BlockForm {
+public:
+    explicit BlocksTimes(const Eigen::Matrix3Xd& d) : m_d(d), product(Eigen::Matrix3Xd::Zero(3, d.cols())) {}
+    void add_vertex(int a, const Eigen::Matrix3d& B) override { product.col(a) += B * m_d.col(a); }
+    void add_pair(int a, int b, const Eigen::Matrix3d& B) override {
+        product.col(a) += B * m_d.col(b);
+        product.col(b) += B.transpose() * m_d.col(a);
+    }
+
+private:
+    const Eigen::Matrix3Xd& m_d;
+
+public:
+    Eigen::Matrix3Xd product;
 };
 
 double bound(const Term& term, const Eigen::Matrix3Xd& d) {
@@ -112,8 +129,25 @@ TEST_CASE("The gradient of each term is its energy's derivative") {
     }
 }
 
-TEST_CASE(
-    "The curvature of each term is symmetric, positive, below its bound, and the Hessian where nothing is strained") {
+TEST_CASE("The exact curvature of each term is its gradient's derivative, below the term's bound") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
+    // Turned as a whole, so that rotations matter.
+    const Positions x = samples::shaken(rigidly_moved(net.rest_positions(), random.engine), 0.1, random.engine);
+    const Eigen::Matrix3Xd d = samples::shaken(Positions::Zero(3, x.cols()), 1, random.engine);
+    for (const auto& term : terms_of(net)) {
+        CAPTURE(term->name());
+        const double h = 1e-5;
+        const Eigen::Matrix3Xd change = (gradient(*term, x + h * d) - gradient(*term, x - h * d)) / (2 * h);
+        gradient(*term, x);
+        const Eigen::Matrix3Xd product = curvature(*term, Curvature::exact, d);
+        CHECK((product - change).norm() <= 1e-4 * change.norm());
+        CHECK(dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
+    }
+}
+
+TEST_CASE("The convex curvature of each term is symmetric, positive, below its bound, and what its blocks say") {
     Random random;
     CAPTURE(random.seed);
     const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
@@ -124,24 +158,31 @@ TEST_CASE(
         gradient(*term, x);
         for (int k = 0; k < 10; ++k) {
             const Eigen::Matrix3Xd d = direction(), e = direction();
-            const double along = dot(d, curvature(*term, d));
-            CHECK(along >= -1e-12);
-            CHECK(along <= bound(*term, d) * (1 + 1e-12) + 1e-12);
-            CHECK(dot(e, curvature(*term, d)) == Approx(dot(d, curvature(*term, e))).margin(1e-10));
+            const Eigen::Matrix3Xd product = curvature(*term, Curvature::convex, d);
+            CHECK(dot(d, product) >= -1e-12);
+            CHECK(dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
+            CHECK(dot(e, product) == Approx(dot(d, curvature(*term, Curvature::convex, e))).margin(1e-10));
+            BlocksTimes blocks(d);
+            term->add_blocks(blocks);
+            CHECK((blocks.product - product).norm() <= 1e-10 * (1 + product.norm()));
         }
     }
-    // Turned as a whole, so that rotations matter.
+}
+
+TEST_CASE("Where nothing is strained both curvatures are one") {
+    Random random;
+    CAPTURE(random.seed);
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
     const Positions rest = rigidly_moved(net.rest_positions(), random.engine);
+    const Eigen::Matrix3Xd d = samples::shaken(Positions::Zero(3, rest.cols()), 1, random.engine);
     const Topology topology(net);
     BendingTerm bending(net, topology, 1.5, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest);
+    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CAPTURE(term->name());
-        const Eigen::Matrix3Xd d = direction();
-        const double h = 1e-5;
-        const Eigen::Matrix3Xd change = (gradient(*term, rest + h * d) - gradient(*term, rest - h * d)) / (2 * h);
         gradient(*term, rest);
-        CHECK((curvature(*term, d) - change).norm() < 1e-5 * change.norm());
+        const Eigen::Matrix3Xd exact = curvature(*term, Curvature::exact, d);
+        CHECK((curvature(*term, Curvature::convex, d) - exact).norm() <= 1e-8 * exact.norm());
     }
 }
 
@@ -152,7 +193,7 @@ TEST_CASE("A rigid motion costs neither bending nor shear; straight rods turn fr
     const Topology topology(net);
     const Positions moved = rigidly_moved(net.rest_positions(), random.engine);
     BendingTerm bending(net, topology, 1, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 1, ShearTerm::Reference::rest);
+    ShearTerm shear(net, 1, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CHECK(std::abs(energy(*term, moved)) < 1e-15);
         CHECK(gradient(*term, moved).norm() < 1e-7);

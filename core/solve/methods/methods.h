@@ -14,7 +14,7 @@ static consteval MakeMethod in_this_build([[maybe_unused]] MakeMethod make) {
 }
 
 /// The methods, one file each.
-extern const MethodInfo k_li2022, k_projection, k_composite_majorization, k_projected_newton, k_gauss_newton, k_dp4,
-    k_dp8, k_arap, k_local_global, k_gradient_descent, k_lbfgs;
+extern const MethodInfo k_li2022, k_projection, k_equilibrium, k_composite_majorization, k_projected_newton,
+    k_gauss_newton, k_dp4, k_dp8, k_arap, k_local_global, k_gradient_descent, k_lbfgs;
 
 }  // namespace chebnet

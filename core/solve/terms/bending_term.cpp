@@ -1,6 +1,7 @@
 #include "solve/terms/bending_term.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "solve/parts/nearest_rotation.h"
 
@@ -12,6 +13,47 @@ namespace {
 constexpr double k_cell_stiffness = 0.01;
 // Pull of a cell's last rotation against its edges, next to nothing: it decides where edges leave the rotation open.
 constexpr double k_inertia = 1e-13;
+// Below this, of the trace's cube, edges leave the rotation open.
+constexpr double k_least_determinant = 1e-9;
+
+/// For each edge at each vertex, in the order of Topology::incident_edges(), the place of the edge by which its net
+/// line goes on, −1 where it ends: the one that shares no face with it, and of several the one that has two faces.
+std::vector<int> find_partners(const Net& net, const Topology& topology, const std::vector<int>& start) {
+    const auto place_of = [&](int vertex, int neighbour) {
+        const std::span<const int> others = topology.neighbours(vertex);
+        return start[vertex] +
+               static_cast<int>(std::lower_bound(others.begin(), others.end(), neighbour) - others.begin());
+    };
+    std::vector<std::vector<int>> beside(static_cast<std::size_t>(start.back()));
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const int v = face[k];
+            const int a = place_of(v, face[(k + 1) % face.size()]),
+                      b = place_of(v, face[(k + face.size() - 1) % face.size()]);
+            beside[a].push_back(b);
+            beside[b].push_back(a);
+        }
+    }
+    const auto across = [&](int vertex, int place) {
+        int found = -1, candidates = 0, inner = 0;
+        for (int other = start[vertex]; other < start[vertex + 1]; ++other) {
+            if (other == place || std::find(beside[place].begin(), beside[place].end(), other) != beside[place].end())
+                continue;
+            ++candidates;
+            if (beside[other].size() == 2) ++inner;
+            if (candidates == 1 || beside[other].size() == 2) found = other;
+        }
+        return candidates == 1 || inner == 1 ? found : -1;
+    };
+    std::vector<int> partners(beside.size(), -1);
+    for (int v = 0; v < net.vertex_count(); ++v)
+        for (int place = start[v]; place < start[v + 1]; ++place) {
+            const int other = across(v, place);
+            if (other >= 0 && across(v, other) == place) partners[place] = other;
+        }
+    return partners;
+}
 
 }  // namespace
 
@@ -19,13 +61,13 @@ BendingTerm::BendingTerm(const Net& net, const Topology& topology, double weight
     : m_weight(weight),
       m_cell_weight(reference == Reference::rest ? k_cell_stiffness * weight : 0),
       m_turns(reference == Reference::rest) {
-    const std::vector<int> across = topology.slots_across();
     m_start.push_back(0);
+    for (int b = 0; b < net.vertex_count(); ++b) m_start.push_back(m_start.back() + topology.valence(b));
+    const std::vector<int> partners = find_partners(net, topology, m_start);
     for (int b = 0; b < net.vertex_count(); ++b) {
         const std::span<const int> neighbours = topology.neighbours(b), edges = topology.incident_edges(b);
         for (std::size_t k = 0; k < neighbours.size(); ++k)
-            m_spokes.push_back({neighbours[k], 1 / net.rest_lengths()[edges[k]], across[m_spokes.size()]});
-        m_start.push_back(static_cast<int>(m_spokes.size()));
+            m_spokes.push_back({neighbours[k], 1 / net.rest_lengths()[edges[k]], partners[m_spokes.size()]});
     }
     m_tangents.resize(3, static_cast<Eigen::Index>(m_spokes.size()));
     if (m_turns) remember_rest_shape(net);
@@ -34,6 +76,7 @@ BendingTerm::BendingTerm(const Net& net, const Topology& topology, double weight
 void BendingTerm::remember_rest_shape(const Net& net) {
     m_rest = m_rest_formed = m_levers = m_tangents;
     const auto cells = static_cast<std::size_t>(net.vertex_count());
+    m_rest_compliance.resize(cells);
     m_compliance.resize(cells);
     m_quaternions.assign(cells, Eigen::Quaterniond::Identity());
     m_rotations.assign(cells, Eigen::Matrix3d::Identity());
@@ -47,7 +90,7 @@ void BendingTerm::remember_rest_shape(const Net& net) {
             const Eigen::Matrix3d outer = m_rest_formed.col(i) * m_rest.col(i).transpose();
             inertia += outer.trace() * Eigen::Matrix3d::Identity() - (outer + outer.transpose()) / 2;
         }
-        m_compliance[b] = inertia.inverse();
+        m_rest_compliance[b] = inertia.inverse();
     }
 }
 
@@ -81,17 +124,29 @@ void BendingTerm::turn_cells() {
             m_tangents.col(i) -= m_rotations[b] * m_rest.col(i);
             m_levers.col(i) = m_rotations[b] * m_rest_formed.col(i);
         }
+    find_compliances();
 }
 
-/// The tangents move by q_i; the rotation follows by the ω that fits best, (Σ M_ij r_i r_j inertia) ω = Σ z_i × q_i
-/// with r_i = R_b t_i⁰ and z_i = Σ M_ij r_j. What is left of the moves costs energy.
-void BendingTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
+/// Turned by ω further, R_b fits by ½ ωᵀ (tr S I − S) ω less, S = Σ t_i z_iᵀ being symmetric where it fits best.
+void BendingTerm::find_compliances() {
+    for (std::size_t b = 0; b < m_compliance.size(); ++b) {
+        const Eigen::Matrix3d S = m_covariances[b] * m_rotations[b].transpose();
+        const Eigen::Matrix3d inertia = S.trace() * Eigen::Matrix3d::Identity() - (S + S.transpose()) / 2;
+        const double size = inertia.trace();
+        const bool is_definite = inertia.determinant() > k_least_determinant * size * size * size;
+        m_compliance[b] = is_definite ? Eigen::Matrix3d(inertia.inverse()) : turned_compliance(static_cast<int>(b));
+    }
+}
+
+/// The tangents move by q_i; the rotation follows by the ω that fits best, (tr S I − S) ω = Σ z_i × q_i with
+/// z_i = Σ M_ij R_b t_j⁰. What is left of the moves costs energy. The convex H takes S as it is at rest.
+void BendingTerm::add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
     const int cells = static_cast<int>(m_start.size()) - 1;
     for (int b = 0; b < cells; ++b) {
         Eigen::Vector3d turn = Eigen::Vector3d::Zero();
         if (m_turns) {
             for (int i = m_start[b]; i < m_start[b + 1]; ++i) turn += m_levers.col(i).cross(tangent(d, b, i));
-            turn = m_rotations[b] * (m_compliance[b] * (m_rotations[b].transpose() * turn));
+            turn = (curvature == Curvature::exact ? m_compliance[b] : turned_compliance(b)) * turn;
         }
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
             const Spoke& spoke = m_spokes[i];
@@ -102,6 +157,42 @@ void BendingTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& pro
             product.col(spoke.vertex) += force;
             product.col(b) -= force;
         }
+    }
+}
+
+/// In the moves q_i of the tangents: B_ij = 2 (M_ij I + [z_i] C [z_j]) with C the inverse of the inertia and [z] v = z
+/// × v.
+void BendingTerm::add_blocks(BlockForm& form) const {
+    const int cells = static_cast<int>(m_start.size()) - 1;
+    const auto cross = [&](int i) {
+        Eigen::Matrix3d matrix;
+        const auto z = m_levers.col(i);
+        matrix << 0, -z.z(), z.y(), z.z(), 0, -z.x(), -z.y(), z.x(), 0;
+        return matrix;
+    };
+    for (int b = 0; b < cells; ++b) {
+        Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero(), middle = Eigen::Matrix3d::Zero();
+        if (m_turns) compliance = turned_compliance(b);
+        for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
+            const Spoke& spoke = m_spokes[i];
+            Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+            const Eigen::Matrix3d turned = m_turns ? Eigen::Matrix3d(cross(i) * compliance) : compliance;
+            for (int j = m_start[b]; j < m_start[b + 1]; ++j) {
+                double entry = 0;  // M_ij
+                if (i == j) entry = m_cell_weight + (spoke.partner >= 0 ? m_weight : 0);
+                if (j == spoke.partner) entry = m_weight;
+                if (!m_turns && entry == 0) continue;
+                Eigen::Matrix3d B = entry * Eigen::Matrix3d::Identity();
+                if (m_turns) B += turned * cross(j);
+                B *= 2 * spoke.inverse_length * m_spokes[j].inverse_length;
+                sum += B;
+                if (i == j) form.add_vertex(spoke.vertex, B);
+                if (i < j) form.add_pair(spoke.vertex, m_spokes[j].vertex, B);
+            }
+            form.add_pair(spoke.vertex, b, -sum);
+            middle += sum;
+        }
+        form.add_vertex(b, middle);
     }
 }
 

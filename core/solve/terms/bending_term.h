@@ -20,9 +20,10 @@ namespace chebnet {
 /// or where there is no pair. R_b is the minimiser, so E is a function of positions alone, a rigid motion costs
 /// nothing, and the gradient is that for R_b held (envelope theorem).
 ///
-/// A line goes through an inner vertex of valence 4 and, along the border, through one of valence 3, as
-/// Topology::net_lines() says. Lines end at other singular vertices, at corners, and at the border when they come from
-/// inside: nothing bends there but what k holds together.
+/// A line goes on by the edge that shares no face with the one it came by: through inner vertices of valence 4, along
+/// the border through those of valence 3, and through those of valence 4 where the border turns inwards. Lines end at
+/// other singular vertices, at corners, and at the border when they come from inside: nothing bends there but what k
+/// holds together.
 class BendingTerm : public Term {
 public:
     enum class Reference {
@@ -35,8 +36,9 @@ public:
 
     const char* name() const override { return "bending"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
-    /// With R_b free to turn along, linearised as in a rest shape that has turned by R_b: positive semidefinite.
-    void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    /// With R_b free to turn along; the convex one as in a rest shape that has turned by R_b.
+    void add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:
@@ -49,6 +51,10 @@ private:
 
     void remember_rest_shape(const Net& net);
     void turn_cells();
+    void find_compliances();
+    Eigen::Matrix3d turned_compliance(int b) const {
+        return m_rotations[b] * m_rest_compliance[b] * m_rotations[b].transpose();
+    }
     /// Σ_j M_ij v_j for spoke i, M the form of E in the tangents of one vertex.
     Eigen::Vector3d formed(const Eigen::Matrix3Xd& v, int i) const {
         const Eigen::Vector3d own = v.col(i);
@@ -64,9 +70,10 @@ private:
     bool m_turns;              // whether there are rotations
     std::vector<int> m_start;  // V + 1, into the spokes
     std::vector<Spoke> m_spokes;
-    Eigen::Matrix3Xd m_rest;                    // spokes: t_i⁰
-    Eigen::Matrix3Xd m_rest_formed;             // spokes: Σ_j M_ij t_j⁰
-    std::vector<Eigen::Matrix3d> m_compliance;  // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
+    Eigen::Matrix3Xd m_rest;                         // spokes: t_i⁰
+    Eigen::Matrix3Xd m_rest_formed;                  // spokes: Σ_j M_ij t_j⁰
+    std::vector<Eigen::Matrix3d> m_rest_compliance;  // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
+    std::vector<Eigen::Matrix3d> m_compliance;       // V: the same of Σ M_ij t_i (R_b t_j⁰)
     std::vector<Eigen::Quaterniond> m_quaternions;
     std::vector<Eigen::Matrix3d> m_rotations, m_covariances;
     Eigen::Matrix3Xd m_tangents;  // of the last evaluation, then differences from R t⁰

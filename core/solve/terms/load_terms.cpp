@@ -1,5 +1,7 @@
 #include "solve/terms/load_terms.h"
 
+#include "linear/dense_kernels.h"
+
 namespace chebnet {
 
 PullTerm::PullTerm(const Net& net, std::span<const Hold> holds)
@@ -15,8 +17,13 @@ double PullTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
     return energy;
 }
 
-void PullTerm::add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
+void PullTerm::add_curvature(Curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
     for (const Hold& hold : m_holds) product.col(hold.vertex) += 2 * m_scale * hold.weight * d.col(hold.vertex);
+}
+
+void PullTerm::add_blocks(BlockForm& form) const {
+    for (const Hold& hold : m_holds)
+        form.add_vertex(hold.vertex, 2 * m_scale * hold.weight * Eigen::Matrix3d::Identity());
 }
 
 void PullTerm::add_bound(QuadraticForm& form) const {
@@ -33,7 +40,7 @@ GravityTerm::GravityTerm(const Net& net, double g, const Eigen::Vector3d& down)
 
 double GravityTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
     gradient += m_gradient;
-    return m_gradient.cwiseProduct(x).sum();
+    return dense::dot(m_gradient.data(), x.data(), static_cast<int>(x.size()));
 }
 
 }  // namespace chebnet

@@ -16,7 +16,8 @@ public:
 
     const char* name() const override { return "pull"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
-    void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_curvature(Curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:
@@ -33,7 +34,8 @@ public:
 
     const char* name() const override { return "gravity"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
-    void add_curvature(const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&) const override {}
+    void add_curvature(Curvature, const Eigen::Matrix3Xd&, Eigen::Matrix3Xd&) const override {}
+    void add_blocks(BlockForm&) const override {}
     void add_bound(QuadraticForm&) const override {}
 
 private:

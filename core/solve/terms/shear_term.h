@@ -14,13 +14,14 @@ class ShearTerm : public Term {
 public:
     enum class Reference { rest, right_angles };
 
-    /// A diagonal without length at rest has no say.
-    ShearTerm(const Net& net, double weight, Reference reference);
+    /// `opened`: radians, above 0.
+    ShearTerm(const Net& net, double weight, Reference reference, double opened);
 
     const char* name() const override { return "shear"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
-    /// Without what a diagonal shorter than d⁰ lacks across.
-    void add_curvature(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    /// The convex one is without what a diagonal shorter than d⁰ lacks across.
+    void add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
     void add_bound(QuadraticForm& form) const override;
 
 private:
@@ -32,7 +33,7 @@ private:
     double m_weight;
     std::vector<Diagonal> m_diagonals;
     Eigen::Matrix3Xd m_directions;  // of the last evaluation
-    Eigen::VectorXd m_across;       // 1 − d⁰ / d, or 0
+    Eigen::VectorXd m_across;       // 1 − d⁰ / d
 };
 
 }  // namespace chebnet

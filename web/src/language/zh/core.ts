@@ -105,6 +105,7 @@ export const METHODS: Record<string, { title: string; sentence: string }> = {
     title: '高斯–牛顿法',
     sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。',
   },
+  equilibrium: { title: '平衡', sentence: '静止的网：在精确边长与角度下限之下，弯曲与剪切最小。' },
   dp4: { title: 'D^p，p = 4', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。' },
   dp8: { title: 'D^p，p = 8', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。' },
   arap: { title: 'ARAP', sentence: '尽可能刚性：各顶点处的边从初始形状起一同转动；保持形状，不保持长度。' },
@@ -134,6 +135,12 @@ export const OPTIONS: Record<string, string> = {
   active_rings: '有偏差的边周围保持自由的邻域环数。',
   reduce_once: '像论文那样，临近结束时只选定一次要移动的顶点，而不是每次重新选定。',
   direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
+  shear_limit: '方法 equilibrium 不让四边形的任何角小于此度数；0 表示不限。',
+  bending_weight: '方法 equilibrium 中网线抵抗弯曲的程度。',
+  shear_weight: '方法 equilibrium 中四边形抵抗剪切的程度。',
+  straight_rods: '方法 equilibrium 中网线趋于伸直，而非保持初始的弯曲。',
+  gravity: '方法 equilibrium 中一条边的重量，沿 z 轴向下。',
+  rest_tolerance: '剩余梯度低于此值时，方法 equilibrium 视为静止。',
 };
 
 /** Parameters of shapes, options, defects. */
@@ -166,6 +173,12 @@ export const NAMES: Record<string, string> = {
   active_rings: '活动环数',
   reduce_once: '只选一次',
   direct_energy: '直接能量',
+  shear_limit: '剪切限制',
+  bending_weight: '弯曲权重',
+  shear_weight: '剪切权重',
+  straight_rods: '直杆',
+  gravity: '重力',
+  rest_tolerance: '静止容差',
   duplicate_vertices: '重复顶点',
   degenerate_faces: '退化面',
   duplicate_faces: '重复面',

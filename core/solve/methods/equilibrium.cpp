@@ -1,0 +1,514 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "linear/dense_kernels.h"
+#include "net/measures.h"
+#include "solve/methods/methods.h"
+#include "solve/parts/corner_limit.h"
+#include "solve/parts/length_projection.h"
+#include "solve/parts/stopping.h"
+#include "solve/parts/tangent_newton.h"
+#include "solve/terms/bending_term.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/shear_term.h"
+
+namespace chebnet {
+
+namespace {
+
+// Where handles move by more than so many edge lengths, the net follows in several steps.
+constexpr double k_longest_step = 1;
+// Tries of such a step, at once or in shorter ones.
+constexpr int k_most_trials = 8;
+// Nets are projected until no length errs by more than this part, whatever the threshold: dL < 1e-10.
+constexpr double k_exact_error = 1e-5;
+constexpr int k_most_projections = 15, k_patience = 4;  // in all, and without coming closer
+// Iterations within a Newton step: few while handles may still be moving, more as it settles.
+constexpr double k_inner_tolerance = 0.05;
+constexpr int k_least_inner_iterations = 10, k_most_inner_iterations = 60;
+// So many steps of a solve do without a factor of the Hessian: as many as a frame of a drag has time for. Later steps
+// have one, which is renewed when it has become so old that more iterations are needed than this.
+constexpr int k_cheap_steps = 2, k_old_factor_iterations = 12, k_most_iterations_with_factor = 100;
+// No vertex moves farther in one step, in edge lengths.
+constexpr double k_most_move = 1;
+constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
+constexpr int k_most_halvings = 8;
+// The limit aims a little higher than it has to be, so that it is met in spite of its tolerance.
+constexpr double k_limit_margin = 0.02;  // degrees
+// Shear is reckoned from no corner sharper than this, even without a limit.
+constexpr double k_least_open_angle = 15;  // degrees
+// How often corners may join those that are held, or leave them, in one step.
+constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 3;
+// At rest no vertex moves farther in a Newton step, in edge lengths.
+constexpr double k_still = 1e-3;
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// Of energy and limit.
+bool ask_for_the_same(const Options& a, const Options& b) {
+    return a.shear_limit == b.shear_limit && a.bending_weight == b.bending_weight && a.shear_weight == b.shear_weight &&
+           a.straight_rods == b.straight_rods && a.gravity == b.gravity;
+}
+
+class Equilibrium : public Method {
+public:
+    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    bool knows_holds() const override { return true; }
+    void set_holds(std::span<const Hold> holds) override;
+    Status start(Positions& positions, const Options& options, bool reachable) override;
+    Status iterate(Positions& positions, TraceRow& row) override;
+    std::span<const double> edge_forces() const override;
+
+private:
+    enum Stage { net = 1, follow = 2, rest = 3 };
+
+    void choose_energy();
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
+    bool prepare_energy(const Positions& positions, bool same_energy);
+    Stage first_stage(const Positions& positions);
+    bool was_left(const Positions& before, const Positions& positions) const;
+    void begin_walk(const Positions& positions);
+    Status find_net(Positions& positions, TraceRow& row);
+    Status follow_handles(Positions& positions, TraceRow& row);
+    void walk(double part, Positions& x);
+    bool move_handles(double part, Positions& x);
+    Status find_another_net(Positions& positions);
+    Status relax(Positions& positions, TraceRow& row);
+    void enter_rest(const Positions& positions);
+    void watch_corners(const Positions& positions);
+    void hold(const std::vector<double>& held);
+    bool linearise(const Positions& positions);
+    void take_step(Positions& positions, TraceRow& row);
+    double gradient_norm() const;
+    bool is_at_rest() const;
+    void renew_factor(TraceRow& row);
+    double find_move();
+    std::optional<double> step_along(Positions& positions, double slope, bool may_join);
+    double error_cost() const;
+    bool project(Positions& positions);
+    bool project_lengths(Positions& positions);
+
+    const Net* m_net = nullptr;
+    const Topology* m_topology = nullptr;
+    std::vector<int> m_handles;
+    std::vector<bool> m_is_free;
+    std::vector<Hold> m_holds;
+    bool m_holds_changed = true, m_holds_moved = true;  // in number, place or weight; in their targets
+    std::unique_ptr<FreePart> m_part;
+    std::unique_ptr<Method> m_projection;
+    std::unique_ptr<LengthProjection> m_lengths;  // for the net and the corners watched, whatever the handles
+    std::unique_ptr<TangentNewton> m_newton;
+    bool m_has_metric = false;  // of the terms as they are
+    std::vector<std::unique_ptr<Term>> m_terms;
+    CornerLimit m_limit;
+
+    Options m_options;
+    bool m_reachable = true;
+    Stage m_stage = net;
+    int m_steps = 0;                    // Newton steps of this solve
+    double m_radius = 0;                // no vertex moves farther in the next step
+    bool m_is_linearised = false;       // at m_result, as m_newton is
+    bool m_is_still = false;            // the last step was a whole one, and short
+    double m_lack = 0;                  // of the limit, at m_result
+    Positions m_result;                 // where the method last left the net; empty: nowhere
+    Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
+    double m_walked = 0, m_stride = 1;  // parts of the way: done, and of the next step
+    // At m_result, in stages 2 and 3:
+    double m_energy = 0;
+    Eigen::Matrix3Xd m_gradient;
+    double m_max_deviation = 0;
+    Eigen::Matrix3Xd m_direction, m_next_gradient;
+    Positions m_origin;
+};
+
+void Equilibrium::prepare(const Net& of, const Topology& topology, std::span<const int> handle_vertices) {
+    if (m_net != &of) {
+        m_lengths.reset();
+        m_terms.clear();
+        m_result.resize(3, 0);
+    }
+    m_net = &of;
+    m_topology = &topology;
+    m_handles.assign(handle_vertices.begin(), handle_vertices.end());
+    m_is_free = free_vertices(of.vertex_count(), handle_vertices);
+    m_part = std::make_unique<FreePart>(of, m_is_free);
+    m_projection = k_projection.make();
+    m_projection->prepare(of, topology, handle_vertices);
+    m_newton.reset();
+    m_has_metric = m_is_still = m_is_linearised = false;
+}
+
+void Equilibrium::set_holds(std::span<const Hold> holds) {
+    const auto same_pull = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
+    const auto same_target = [](const Hold& a, const Hold& b) { return a.target == b.target; };
+    m_holds_moved = !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_target);
+    m_holds_changed |= !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_pull);
+    m_holds.assign(holds.begin(), holds.end());
+    m_projection->set_holds(holds);
+}
+
+Status Equilibrium::start(Positions& positions, const Options& options, bool reachable) {
+    const bool same_energy = !m_terms.empty() && !m_holds_changed && ask_for_the_same(m_options, options);
+    m_options = options;
+    m_reachable = reachable;
+    m_max_deviation = max_deviation(*m_net, positions);
+    m_steps = 0;
+    if (reachable && same_energy && !m_holds_moved && m_result == positions && is_at_rest()) return Status::converged;
+    const bool can_rest = reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
+    m_stage = can_rest ? first_stage(positions) : net;
+    if (m_stage == net) {
+        const Status status = m_projection->start(positions, options, reachable);
+        if (status == Status::converged && can_rest) m_stage = rest;
+        if (m_stage == net) return status;
+    }
+    if (m_stage == follow) begin_walk(positions);
+    if (m_stage == rest) enter_rest(positions);
+    return Status::running;
+}
+
+/// False if the systems for it would be too large.
+bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
+    try {
+        if (!same_energy) choose_energy();
+        if (!m_holds.empty()) m_terms.back() = std::make_unique<PullTerm>(*m_net, m_holds);
+        if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part);
+        if (!m_lengths) watch_corners(positions);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        return false;
+    }
+    if (!m_has_metric) m_newton->set_metric(m_terms);
+    m_has_metric = true;
+    m_lengths->system().set_free(m_is_free);
+    return true;
+}
+
+Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
+    if (m_max_deviation < m_options.threshold) return rest;
+    if (was_left(m_result, positions)) return follow;
+    if (!was_left(m_net->rest_positions(), positions) ||
+        max_deviation(*m_net, m_net->rest_positions()) >= m_options.threshold)
+        return net;
+    m_result = m_net->rest_positions();
+    return follow;
+}
+
+/// Whether the free vertices stand where they were in a state of before.
+bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
+    if (before.cols() == 0) return false;
+    for (int v : m_part->vertices())
+        if (positions.col(v) != before.col(v)) return false;
+    return true;
+}
+
+/// From m_result to where the handles stand now.
+void Equilibrium::begin_walk(const Positions& positions) {
+    m_walk_from = m_result;
+    m_walk_to = positions;
+    const double longest = (m_walk_to - m_walk_from).colwise().norm().maxCoeff();
+    m_stride = std::min(1.0, k_longest_step * m_net->mean_length() / longest);
+    m_walked = 0;
+}
+
+void Equilibrium::choose_energy() {
+    const auto bending = m_options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
+    m_terms.clear();
+    m_terms.push_back(std::make_unique<BendingTerm>(*m_net, *m_topology, m_options.bending_weight, bending));
+    m_terms.push_back(std::make_unique<ShearTerm>(*m_net, m_options.shear_weight, ShearTerm::Reference::rest,
+                                                  radians(std::max(m_options.shear_limit, k_least_open_angle))));
+    if (m_options.gravity > 0)
+        m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
+    if (!m_holds.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_holds));
+    m_limit = m_options.shear_limit > 0 ? CornerLimit(*m_net, radians(m_options.shear_limit + k_limit_margin))
+                                        : CornerLimit();
+    m_lengths.reset();
+    m_has_metric = m_holds_changed = false;
+}
+
+double Equilibrium::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
+    gradient.setZero(3, x.cols());
+    double energy = 0;
+    for (const auto& term : m_terms) energy += term->evaluate(x, gradient);
+    return energy;
+}
+
+Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
+    Stopwatch watch;
+    const Stage stage = m_stage;
+    Status status = Status::running;
+    row.free_vertices = m_part->size();
+    if (stage == net) status = find_net(positions, row);
+    if (stage == follow) status = follow_handles(positions, row);
+    if (stage == rest) status = relax(positions, row);
+    row.stage = stage;
+    row.max_deviation = m_max_deviation;
+    if (stage != net) {
+        row.energy = m_energy;
+        row.assembly_ms = std::max(0.0, watch.milliseconds() - row.factorisation_ms - row.line_search_ms);
+    }
+    if (m_stage != follow) m_result = positions;
+    return status;
+}
+
+Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
+    const Status status = m_projection->iterate(positions, row);
+    m_max_deviation = row.max_deviation;
+    if (status != Status::converged || !m_reachable) return status;
+    if (!m_lengths || !m_newton) return Status::stalled;
+    const Positions found = positions;
+    if (!project(positions)) {
+        positions = found;
+        return Status::stalled;
+    }
+    enter_rest(positions);
+    return Status::running;
+}
+
+/// One step of the walk, and one towards rest there.
+Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
+    const double before = m_walked;
+    Positions x = m_result;
+    walk(std::min(1.0, m_walked + m_stride), x);
+    if (m_walked == before) return find_another_net(positions);
+    enter_rest(x);
+    take_step(x, row);
+    m_result = x;
+    for (int v : m_part->vertices()) positions.col(v) = x.col(v);
+    m_max_deviation = max_deviation(*m_net, positions);
+    if (m_walked < 1) {
+        m_stage = follow;
+        m_steps = 0;
+    }
+    return Status::running;
+}
+
+/// From net to net until the handles are this part of their way: at once or, where there is no net so far, in shorter
+/// steps, but not too many. Leaves in m_walked how far they have come.
+void Equilibrium::walk(double part, Positions& x) {
+    double stride = part - m_walked;
+    for (int trial = 0; trial < k_most_trials && m_walked < part; ++trial) {
+        const double next = stride < part - m_walked ? m_walked + stride : part;
+        Positions y = x;
+        if (move_handles(next, y)) {
+            x = y;
+            m_walked = next;
+        } else {
+            stride /= 2;
+        }
+    }
+}
+
+/// Takes the handles to this part of their way and makes the rest follow. False if that gives no net.
+bool Equilibrium::move_handles(double part, Positions& x) {
+    const std::vector<double> held = m_limit.held();
+    Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
+    for (int v : m_handles)
+        moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
+    m_newton->extend(moves);
+    x += moves;
+    if (part == 1)
+        for (int v : m_handles) x.col(v) = m_walk_to.col(v);
+    if (project(x)) return true;
+    hold(held);
+    return false;
+}
+
+Status Equilibrium::find_another_net(Positions& positions) {
+    m_stage = net;
+    const Status status = m_projection->start(positions, m_options, m_reachable);
+    m_max_deviation = max_deviation(*m_net, positions);
+    return status;
+}
+
+void Equilibrium::enter_rest(const Positions& positions) {
+    m_stage = rest;
+    m_energy = evaluate(positions, m_gradient);
+    m_max_deviation = max_deviation(*m_net, positions);
+    linearise(positions);
+    m_radius = k_most_move * m_net->mean_length();
+    m_is_still = false;
+}
+
+/// Per unit of length.
+double Equilibrium::gradient_norm() const { return m_newton->gradient_norm() * m_net->mean_length(); }
+
+bool Equilibrium::is_at_rest() const {
+    return m_is_still && m_max_deviation < m_options.threshold && gradient_norm() < m_options.rest_tolerance &&
+           m_lack <= 2 * CornerLimit::k_tolerance;
+}
+
+Status Equilibrium::relax(Positions& positions, TraceRow& row) {
+    if (!m_is_linearised && !linearise(positions)) return Status::stalled;
+    if (is_at_rest()) return Status::converged;
+    take_step(positions, row);
+    if (row.step == 0) return gradient_norm() < m_options.rest_tolerance ? Status::converged : Status::stalled;
+    if (!linearise(positions)) return Status::stalled;
+    row.factorisation_ms += m_newton->factorisation_ms();
+    return is_at_rest() ? Status::converged : Status::running;
+}
+
+/// One Newton step, within the trust region that the steps before have left.
+void Equilibrium::take_step(Positions& positions, TraceRow& row) {
+    ++m_steps;
+    renew_factor(row);
+    row.gradient_norm = gradient_norm();
+    Stopwatch watch;
+    m_origin = positions;
+    std::optional<double> step;
+    for (int round = 0; !step; ++round) step = step_along(positions, find_move(), round < k_most_joins);
+    row.step = *step;
+    row.line_search_ms = watch.milliseconds();
+    const double L = m_net->mean_length(), moved = row.step * m_direction.colwise().norm().maxCoeff();
+    const bool was_cut = row.step < 1 || m_newton->ended_at_radius();
+    if (row.step < 1)
+        m_radius = moved;
+    else if (was_cut)
+        m_radius = std::min(2 * m_radius, k_most_move * L);
+    m_is_still = !was_cut && moved < k_still * L;
+    m_max_deviation = max_deviation(*m_net, positions);
+}
+
+void Equilibrium::renew_factor(TraceRow& row) {
+    if (m_steps == 1 || m_newton->inner_iterations() > k_old_factor_iterations) m_newton->forget_factor();
+    if (m_steps <= k_cheap_steps || m_newton->has_factor()) return;
+    m_newton->factorize(m_terms);
+    row.factorisation_ms = m_newton->factorisation_ms();
+}
+
+/// By the exact Hessian, or if that is indefinite by a convex one. Returns the slope of m_direction.
+double Equilibrium::find_move() {
+    const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
+                                             : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
+    const double slope =
+        m_newton->find_move(m_terms, Curvature::exact, inner, k_inner_tolerance, m_radius, m_direction);
+    if (!m_newton->met_negative_curvature()) return slope;
+    return m_newton->find_move(m_terms, Curvature::convex, inner, k_inner_tolerance, m_radius, m_direction);
+}
+
+/// Armijo backtracking from m_origin along m_direction, with a projection onto the lengths after each trial. Returns
+/// the part of the direction that was accepted; 0: none, and the positions stay. None, if corners stop the whole
+/// direction that may join those that are held: then another direction is wanted.
+std::optional<double> Equilibrium::step_along(Positions& positions, double slope, bool may_join) {
+    if (!(slope < 0)) return 0;
+    double step = 1;
+    const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
+    const std::vector<double> held = m_limit.held();
+    const double before = m_energy + m_newton->error_cost();
+    for (int halving = 0; halving <= k_most_halvings; ++halving, step /= 2) {
+        if (halving > 0) hold(held);
+        positions = m_origin + step * m_direction;
+        if (!project(positions)) continue;
+        const double energy = evaluate(positions, m_next_gradient);
+        const double after = energy + error_cost();
+        if (opens || after <= before + k_sufficient_decrease * step * slope) {
+            m_energy = energy;
+            m_gradient.swap(m_next_gradient);
+            m_is_linearised = false;
+            return step;
+        }
+        if (halving == 0 && may_join && m_limit.held() != held) {
+            positions = m_origin;
+            evaluate(positions, m_gradient);
+            if (m_newton->linearise(positions, m_gradient, *m_lengths)) return std::nullopt;
+        }
+    }
+    positions = m_origin;
+    hold(held);
+    evaluate(positions, m_gradient);
+    linearise(positions);
+    return 0;
+}
+
+/// λ·c of the edges at the positions last projected, by the multipliers of before.
+double Equilibrium::error_cost() const {
+    return dense::dot(m_newton->multipliers().data(), m_lengths->system().errors().data(), m_net->edge_count());
+}
+
+/// Onto the lengths, and out of corners that are too sharp. False if the lengths are not reached.
+bool Equilibrium::project(Positions& positions) {
+    for (int round = 0; round < k_most_openings; ++round) {
+        if (!project_lengths(positions)) return false;
+        if (m_limit.needs_more_rows(positions)) watch_corners(positions);
+        if (m_limit.hold_short_ones(positions) == 0) break;
+        m_limit.apply(m_lengths->system());
+    }
+    return max_deviation(*m_net, positions) < m_options.threshold || project_lengths(positions);
+}
+
+bool Equilibrium::project_lengths(Positions& positions) {
+    double best = std::numeric_limits<double>::infinity();
+    for (int k = 0, patience = k_patience; k < k_most_projections && patience > 0; ++k, --patience) {
+        if (!m_lengths->project(positions)) return false;
+        m_lengths->system().assemble(positions);
+        const double error = m_lengths->system().errors().lpNorm<Eigen::Infinity>();
+        if (error < k_exact_error) break;
+        if (error < best / 2) patience = k_patience;
+        best = std::min(best, error);
+    }
+    return max_deviation(*m_net, positions) < m_options.threshold;
+}
+
+/// A system of lengths with rows for the corners that are sharp now.
+void Equilibrium::watch_corners(const Positions& positions) {
+    m_limit.watch(positions);
+    m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology, m_limit.watched());
+    m_lengths->system().set_free(m_is_free);
+    m_limit.apply(m_lengths->system());
+}
+
+void Equilibrium::hold(const std::vector<double>& held) {
+    m_limit.set_held(held);
+    m_limit.apply(m_lengths->system());
+}
+
+/// With the rows of corners that push.
+bool Equilibrium::linearise(const Positions& positions) {
+    m_is_linearised = true;
+    m_lack = m_limit.largest_lack(positions);
+    for (int round = 0; round < k_most_rounds; ++round) {
+        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return false;
+        if (m_limit.release(m_newton->multipliers()) == 0) return true;
+        m_limit.apply(m_lengths->system());
+    }
+    return m_newton->linearise(positions, m_gradient, *m_lengths);
+}
+
+std::span<const double> Equilibrium::edge_forces() const {
+    if (m_stage != rest || !m_is_linearised) return {};
+    const Eigen::VectorXd& multipliers = m_newton->multipliers();
+    return {multipliers.data(), static_cast<std::size_t>(m_net->edge_count())};
+}
+
+std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(); }
+
+}  // namespace
+
+/// The net at rest: the least of a stated energy among all nets with exact lengths, exact handles and no corner of a
+/// quad sharper than Options::shear_limit. Equal lengths leave the shear free (Li et al. 2022, figure 4); here bending
+/// of net lines (BendingTerm), shear (ShearTerm), soft handles (PullTerm) and weight (GravityTerm) decide it, so that
+/// an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one is kept that the
+/// present shape leads to. In stages:
+///
+///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
+///      fails;
+///   2  after handles have moved: in steps of an edge length at most, free vertices follow as smoothly as the energy's
+///      bound allows, are projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
+///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
+///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
+///
+/// From the end of stage 2 on every iteration ends in a net, and the energy falls, but while corners are being opened.
+/// `converged` says that lengths, limit and rest are reached; `stalled` that rest is not, though lengths may be. Where
+/// no net is found it ends as `projection` does.
+constinit const MethodInfo k_equilibrium = {
+    "equilibrium", "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
+    "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "
+    "Optimization. SIAM Journal on Scientific Computing 23(4), 2001",
+    in_this_build(make)};
+
+}  // namespace chebnet

@@ -1,0 +1,84 @@
+#include "solve/parts/corner_limit.h"
+
+#include <algorithm>
+
+namespace chebnet {
+
+namespace {
+
+// Diagonals that exceed their limit by less than this, in edge lengths, are watched.
+constexpr double k_watch = 0.2;
+// No diagonal is made longer by more than this at once.
+constexpr double k_opening = 0.1;
+
+}  // namespace
+
+CornerLimit::CornerLimit(const Net& net, double angle)
+    : m_limits(shear_limit(net, angle).distances()), m_is_watched(m_limits.size(), false), m_held(m_limits.size(), 0) {}
+
+double CornerLimit::lack(const Positions& positions, const Distance& limit) const {
+    return (limit.distance - (positions.col(limit.vertex_a) - positions.col(limit.vertex_b)).norm()) / limit.unit;
+}
+
+bool CornerLimit::needs_more_rows(const Positions& positions) const {
+    for (std::size_t i = 0; i < m_limits.size(); ++i)
+        if (!m_is_watched[i] && lack(positions, m_limits[i]) > k_tolerance) return true;
+    return false;
+}
+
+void CornerLimit::watch(const Positions& positions) {
+    m_watched.clear();
+    for (std::size_t i = 0; i < m_limits.size(); ++i) {
+        m_is_watched[i] = m_held[i] > 0 || lack(positions, m_limits[i]) > -k_watch;
+        if (m_is_watched[i]) m_watched.push_back(static_cast<int>(i));
+    }
+}
+
+std::vector<Distance> CornerLimit::watched() const {
+    std::vector<Distance> distances;
+    for (int i : m_watched) distances.push_back(m_limits[i]);
+    return distances;
+}
+
+void CornerLimit::apply(LengthSystem& system) const {
+    int row = system.row_count() - static_cast<int>(m_watched.size());
+    for (int i : m_watched) {
+        if (m_held[i] > 0)
+            system.switch_on(row++, m_held[i]);
+        else
+            system.switch_off(row++);
+    }
+}
+
+int CornerLimit::hold_short_ones(const Positions& positions) {
+    int changed = 0;
+    for (int i : m_watched) {
+        const double missing = lack(positions, m_limits[i]);
+        if (missing <= k_tolerance) continue;
+        const double distance = m_limits[i].distance - std::max(0.0, missing - k_opening) * m_limits[i].unit;
+        if (m_held[i] >= distance) continue;
+        m_held[i] = distance;
+        ++changed;
+    }
+    return changed;
+}
+
+int CornerLimit::release(const Eigen::VectorXd& multipliers) {
+    int released = 0;
+    Eigen::Index row = multipliers.size() - static_cast<Eigen::Index>(m_watched.size());
+    for (int i : m_watched) {
+        const double multiplier = multipliers[row++];
+        if (m_held[i] == 0 || multiplier <= 0) continue;
+        m_held[i] = 0;
+        ++released;
+    }
+    return released;
+}
+
+double CornerLimit::largest_lack(const Positions& positions) const {
+    double largest = 0;
+    for (const Distance& limit : m_limits) largest = std::max(largest, lack(positions, limit));
+    return largest;
+}
+
+}  // namespace chebnet

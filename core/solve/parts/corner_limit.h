@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "net/net.h"
+#include "solve/parts/length_system.h"
+#include "solve/terms/distance_constraint.h"
+
+namespace chebnet {
+
+/// The shear limit as an active set (Nocedal & Wright 2006, section 16.5): the diagonals that stand at their limit are
+/// rows of the system of lengths, switched on while they push and off when they would pull. The system has rows for the
+/// watched ones only, which are those not far from their limit.
+class CornerLimit {
+public:
+    /// No limit.
+    CornerLimit() = default;
+    /// `angle`: radians.
+    CornerLimit(const Net& net, double angle);
+
+    /// Whether a diagonal that is not watched has come to its limit; then a system with other rows is needed.
+    bool needs_more_rows(const Positions& positions) const;
+    /// Watches those near their limit, and those that are held.
+    void watch(const Positions& positions);
+    /// What the system is to have beside the edges.
+    std::vector<Distance> watched() const;
+    /// Switches the rows of the system on and off.
+    void apply(LengthSystem& system) const;
+
+    /// Holds the diagonals that are too short: at their limit, or if that is far, some way towards it. Returns how many
+    /// that changes.
+    int hold_short_ones(const Positions& positions);
+    /// Lets go of those whose multipliers pull. Returns how many.
+    int release(const Eigen::VectorXd& multipliers);
+    /// For each diagonal the distance at which it is held, 0 if it is not.
+    const std::vector<double>& held() const { return m_held; }
+    void set_held(const std::vector<double>& held) { m_held = held; }
+
+    /// By how much a diagonal is too short at most, in edge lengths; 0 if none is.
+    double largest_lack(const Positions& positions) const;
+
+    /// A lack up to this, in edge lengths, is none.
+    static constexpr double k_tolerance = 1e-4;
+
+private:
+    double lack(const Positions& positions, const Distance& limit) const;
+
+    std::vector<Distance> m_limits;
+    std::vector<int> m_watched;  // in the order of the rows
+    std::vector<bool> m_is_watched;
+    std::vector<double> m_held;
+};
+
+}  // namespace chebnet

@@ -1,0 +1,219 @@
+#include "solve/parts/tangent_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "linear/dense_kernels.h"
+
+namespace chebnet {
+
+namespace {
+
+// What M adds for lengths, in the unit of energies: between 0.1 and 20 the iterations differ little.
+constexpr double k_length_stiffness = 2;
+// Keeps M's factor in single precision definite where a net is large and held at few vertices.
+constexpr double k_shift = 1e-6;
+// What the factored Hessian adds for lengths, in the unit of energies, and to its diagonal. Single precision has room
+// for what is between.
+constexpr double k_penalty = 20;
+constexpr double k_block_shift = 1e-4;
+constexpr double k_multiplier_tolerance = 1e-5;
+
+/// In an order that does not depend on the compiler, as Eigen's do.
+template <typename Matrix>
+double dot(const Matrix& a, const Matrix& b) {
+    return dense::dot(a.data(), b.data(), static_cast<int>(a.size()));
+}
+
+}  // namespace
+
+TangentNewton::TangentNewton(const Net& net, const Topology& topology, const FreePart& part)
+    : m_net(net), m_part(part), m_pairs(net, topology), m_form(m_pairs, net.vertex_count()) {
+    for (int v = 0; v < net.vertex_count(); ++v)
+        if (part.node_of(v) < 0) m_fixed.push_back(v);
+    Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_pairs.size()));
+    Eigen::Index count = 0;
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const int i = part.node_of(m_pairs[k][0]), j = part.node_of(m_pairs[k][1]);
+        if (i >= 0 && j >= 0) links.col(count++) << i, j;
+    }
+    links.conservativeResize(2, count);
+    m_system = std::make_unique<LaplacianSystem>(part.size(), links);
+    m_single.setZero(4, part.size());
+}
+
+void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
+    m_form.set_zero();
+    for (const auto& term : terms) term->add_bound(m_form);
+    const double unit = m_net.mean_length();
+    for (int e = 0; e < m_net.edge_count(); ++e)
+        m_form.add_link(m_net.edges()(0, e), m_net.edges()(1, e), k_length_stiffness / (unit * unit));
+
+    m_system->set_zero();
+    int link = 0;
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const auto& [a, b] = m_pairs[k];
+        const int i = m_part.node_of(a), j = m_part.node_of(b);
+        const LaplacianSystem::Block weight(m_form.weight(k));
+        if (i >= 0 && j >= 0)
+            m_system->add_at_link(link++, weight);
+        else if (i >= 0 || j >= 0)
+            m_system->add_at_node(std::max(i, j), weight);
+    }
+    for (int i = 0; i < m_part.size(); ++i)
+        m_system->add_at_node(
+            i, LaplacianSystem::Block(m_form.vertex_weight(m_part.vertices()[i]) + k_shift / (unit * unit)));
+    for (int node : m_part.floating_nodes()) m_system->add_at_node(node, LaplacianSystem::Block(1 / (unit * unit)));
+    m_system->factorize();
+}
+
+void TangentNewton::extend(Eigen::Matrix3Xd& moves) {
+    m_single.setZero();
+    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
+        const auto& [a, b] = m_pairs[k];
+        const int i = m_part.node_of(a), j = m_part.node_of(b);
+        const auto pull = [&](int node, int fixed) {
+            m_single.col(node).head<3>() += (m_form.weight(k) * moves.col(fixed)).cast<float>();
+        };
+        if (i >= 0 && j < 0) pull(i, b);
+        if (j >= 0 && i < 0) pull(j, a);
+    }
+    m_system->solve_in_place(m_single);
+    for (int i = 0; i < m_part.size(); ++i) moves.col(m_part.vertices()[i]) = m_single.col(i).head<3>().cast<double>();
+}
+
+void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
+    for (int v : m_fixed) vectors.col(v).setZero();
+}
+
+bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths) {
+    Stopwatch watch;
+    m_lengths = &lengths;
+    LengthSystem& system = lengths.system();
+    if (m_multipliers.size() != system.row_count())
+        for (Eigen::VectorXd* vector : {&m_multipliers, &m_changes, &m_pulls}) vector->setZero(system.row_count());
+    system.assemble(x);
+    if (!system.factorize()) return false;
+    m_factorisation_ms = watch.milliseconds();
+    m_descent = -gradient;
+    mask(m_descent);
+    system.stretch(m_descent, m_changes);
+    if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers)) return false;
+    system.add_pull(-m_multipliers, m_descent);
+    m_gradient_norm = std::sqrt(dot(m_descent, m_descent));
+    m_error_cost = dot(m_multipliers, system.errors());
+    return std::isfinite(m_gradient_norm);
+}
+
+/// v −= W Jᵀ (J W Jᵀ)⁻¹ J v, as far as single precision goes.
+void TangentNewton::project(Eigen::Matrix3Xd& vectors) {
+    LengthSystem& system = m_lengths->system();
+    system.stretch(vectors, m_changes);
+    system.precondition(m_changes, m_pulls);
+    m_pulls *= -1;
+    system.add_pull(m_pulls, vectors);
+}
+
+void TangentNewton::precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to) {
+    to.setZero(3, m_net.vertex_count());
+    if (m_factor_is_used) {
+        m_blocks->solve(from, to);
+    } else {
+        for (int i = 0; i < m_part.size(); ++i)
+            m_single.col(i).head<3>() = from.col(m_part.vertices()[i]).cast<float>();
+        m_system->solve_in_place(m_single);
+        for (int i = 0; i < m_part.size(); ++i) to.col(m_part.vertices()[i]) = m_single.col(i).head<3>().cast<double>();
+    }
+    project(to);
+}
+
+/// H, without what pushing edges take off, and the stiff lengths.
+bool TangentNewton::factorize(std::span<const std::unique_ptr<Term>> terms) {
+    Stopwatch watch;
+    try {
+        if (!m_blocks) m_blocks = std::make_unique<NeighbourSystem>(m_pairs, m_part);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        return false;
+    }
+    m_blocks->set_zero();
+    for (const auto& term : terms) term->add_blocks(*m_blocks);
+    const LengthSystem& system = m_lengths->system();
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+    for (int row = 0; row < system.row_count(); ++row) {
+        const auto& [a, b, distance, unit] = system.row(row);
+        const Eigen::Vector3d gradient = system.jacobian().col(row);
+        const Eigen::Matrix3d outer = gradient * gradient.transpose();
+        const double pull = std::max(0.0, m_multipliers[row]) / distance;
+        if (system.is_on(row)) m_blocks->add_link(a, b, k_penalty * outer + pull * (identity / unit - unit * outer));
+    }
+    const double unit = m_net.mean_length();
+    for (int v : m_part.vertices()) m_blocks->add_vertex(v, k_block_shift / (unit * unit) * identity);
+    m_factor_is_used = m_blocks->factorize();
+    m_factorisation_ms += watch.milliseconds();
+    return m_factor_is_used;
+}
+
+/// Σ λ ∇²c d.
+void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
+    const LengthSystem& system = m_lengths->system();
+    for (int row = 0; row < system.row_count(); ++row) {
+        if (m_multipliers[row] == 0) continue;
+        const auto& [a, b, distance, unit] = system.row(row);
+        const Eigen::Vector3d gradient = system.jacobian().col(row), move = d.col(a) - d.col(b);
+        const Eigen::Vector3d across = move / unit - unit * gradient.dot(move) * gradient;
+        const Eigen::Vector3d force = m_multipliers[row] / distance * across;
+        product.col(a) += force;
+        product.col(b) -= force;
+    }
+}
+
+double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
+                                double tolerance, double radius, Eigen::Matrix3Xd& move) {
+    move.setZero(3, m_net.vertex_count());
+    m_ended_at_radius = m_met_negative_curvature = false;
+    m_residual = m_descent;
+    precondition(m_residual, m_preconditioned);
+    m_search = m_preconditioned;
+    double product = dot(m_residual, m_preconditioned);
+    const double enough = tolerance * tolerance * product;
+    m_inner_iterations = 0;
+    while (m_inner_iterations < most_iterations && product > enough && !m_ended_at_radius) {
+        ++m_inner_iterations;
+        m_image.setZero(3, m_net.vertex_count());
+        for (const auto& term : terms) term->add_curvature(kind, m_search, m_image);
+        add_tension(m_search, m_image);
+        mask(m_image);
+        const double curvature = dot(m_search, m_image);
+        m_met_negative_curvature = !(curvature > 0);
+        const double whole = curvature > 0 ? product / curvature : std::numeric_limits<double>::infinity();
+        const double step = part_to_radius(move, m_search, whole, radius);
+        m_ended_at_radius = step < whole;
+        move += step * m_search;
+        if (m_ended_at_radius) break;
+        m_residual -= step * m_image;
+        project(m_residual);
+        precondition(m_residual, m_preconditioned);
+        const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
+        m_search = m_preconditioned + product / previous * m_search;
+    }
+    return -dot(m_descent, move);
+}
+
+/// The largest t ≤ most for which no column of from + t · along is longer than the radius.
+double TangentNewton::part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
+                                     double radius) const {
+    double t = most;
+    for (int v : m_part.vertices()) {
+        const double a = along.col(v).squaredNorm(), b = from.col(v).dot(along.col(v));
+        const double c = radius * radius - from.col(v).squaredNorm();
+        if (a > 0) t = std::min(t, std::max(0.0, (std::sqrt(std::max(0.0, b * b + a * c)) - b) / a));
+    }
+    return t;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "linear/graph_system.h"
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/parts/free_part.h"
+#include "solve/parts/length_projection.h"
+#include "solve/parts/neighbour_form.h"
+#include "solve/parts/neighbour_pairs.h"
+#include "solve/parts/neighbour_system.h"
+#include "solve/terms/term.h"
+
+namespace chebnet {
+
+/// Newton's method for the least energy among nets whose edges have their lengths: at a net x,
+///
+///     minimise  ∇E·d + ½ d·H d   subject to  J d = 0,
+///
+/// where J is the Jacobian of the lengths and H the curvature of the energy and of the lengths, Σ λ_e ∇²c_e. Solved by
+/// projected conjugate gradients (Gould, Hribar, Nocedal 2001), cut short: what the first tens of iterations leave is
+/// the next step's to correct. The preconditioner is Π M⁻¹ Π, with M a fixed form that treats the coordinates alike,
+/// factored once for a set of handles, and Π the projection onto J d = 0 by the factor of the system of lengths. Where
+/// many iterations are left, H itself with stiff lengths, factored in single precision, takes M's place.
+class TangentNewton {
+public:
+    /// Keeps references to net and part.
+    TangentNewton(const Net& net, const Topology& topology, const FreePart& part);
+
+    /// Takes over the bounds of these terms, and factors M anew.
+    void set_metric(std::span<const std::unique_ptr<Term>> terms);
+    /// How free vertices follow if fixed ones move by the columns of `moves` (3×V): as smoothly as M allows. Fills in
+    /// their columns.
+    void extend(Eigen::Matrix3Xd& moves);
+
+    /// Takes a net and the gradient of its energy there, and finds the multipliers λ of ∇E + Jᵀλ = 0 that fit best.
+    /// False if that cannot be done.
+    /// `lengths` is kept, its system is assembled and factored for x. It may have rows beside the edges.
+    bool linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths);
+    /// λ of each row of the system: positive where it pulls.
+    const Eigen::VectorXd& multipliers() const { return m_multipliers; }
+    /// ‖∇E + Jᵀλ‖ over the free vertices.
+    double gradient_norm() const { return m_gradient_norm; }
+    /// What the errors of lengths cost at the net of the last linearise(), λ·c. E + λ·c differs from the energy of the
+    /// exact net by the square of the errors only.
+    double error_cost() const { return m_error_cost; }
+    double factorisation_ms() const { return m_factorisation_ms; }  ///< of the last linearise()
+
+    /// Factors H itself, with stiff lengths, at the net of the last linearise(): from now on it takes M's place, also
+    /// at other nets, which is worth more iterations than it costs where they are many. False if that cannot be done.
+    bool factorize(std::span<const std::unique_ptr<Term>> terms);
+    /// Back to M.
+    void forget_factor() { m_factor_is_used = false; }
+    bool has_factor() const { return m_factor_is_used; }
+
+    /// A move that lowers the energy, zero on fixed vertices, by so many iterations at most; fewer if they have brought
+    /// the residual to this part. No vertex moves farther than `radius`: where the minimum is farther, or where there
+    /// is none since the curvature along the way is negative, the move ends at that distance (Steihaug 1983). Returns
+    /// its slope ∇E·d, negative unless there is none.
+    double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature curvature, int most_iterations,
+                     double tolerance, double radius, Eigen::Matrix3Xd& move);
+    bool ended_at_radius() const { return m_ended_at_radius; }                ///< whether the last move did
+    bool met_negative_curvature() const { return m_met_negative_curvature; }  ///< likewise
+    int inner_iterations() const { return m_inner_iterations; }               ///< of the last move
+
+private:
+    double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
+                          double radius) const;
+    void mask(Eigen::Matrix3Xd& vectors) const;
+    void project(Eigen::Matrix3Xd& vectors);
+    void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
+    void add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const;
+
+    const Net& m_net;
+    const FreePart& m_part;
+    LengthProjection* m_lengths = nullptr;
+    std::vector<int> m_fixed;  // vertices
+    // M as links and weights at vertices; the system has the free vertices as nodes.
+    NeighbourPairs m_pairs;
+    NeighbourForm m_form;
+    std::unique_ptr<LaplacianSystem> m_system;
+    std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
+    bool m_factor_is_used = false;
+
+    Eigen::VectorXd m_multipliers;
+    bool m_ended_at_radius = false, m_met_negative_curvature = false;
+    int m_inner_iterations = 0;
+    double m_gradient_norm = 0, m_error_cost = 0, m_factorisation_ms = 0;
+    Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)
+    Eigen::Matrix3Xd m_residual, m_preconditioned, m_search, m_image;
+    Eigen::VectorXd m_changes, m_pulls;
+    Eigen::Matrix4Xf m_single;
+};
+
+}  // namespace chebnet

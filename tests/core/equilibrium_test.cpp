@@ -1,0 +1,330 @@
+#include <Eigen/QR>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "shapes/shapes.h"
+#include "solve/method.h"
+#include "solve/terms/bending_term.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/shear_term.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr double k_degree = EIGEN_PI / 180;
+
+/// Handles at some vertices of a net, and how far each moves.
+struct Edit {
+    std::string name;
+    Net net;
+    std::vector<int> vertices;
+    std::vector<Eigen::Vector3d> moves;
+};
+
+/// A patch held at three corners, its fourth pulled inwards and up.
+Edit corner_pull(double amount) {
+    return {"corner pull",
+            samples::patch(8, 7),
+            {0, 7, 48, 55},
+            {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+             amount * Eigen::Vector3d(-1, -1, 1)}};
+}
+
+/// A flat sheet whose four corners come in and whose middle is lifted.
+Edit lifted_sheet(int n, double lift) {
+    const int last = n - 1, middle = n / 2;
+    const double in = 0.1 * n;
+    return {"lifted sheet",
+            samples::patch(n, n, 0),
+            {0, last, n * last, n * n - 1, n * middle + middle},
+            {{in, in, 0}, {-in, in, 0}, {in, -in, 0}, {-in, -in, 0}, {0, 0, lift}}};
+}
+
+/// An arched patch held at its corners, whose crown is moved aside and down.
+Edit moved_crown() {
+    return {"moved crown",
+            samples::patch(9, 9),
+            {0, 8, 72, 80, 40},
+            {Eigen::Vector3d::Zero(),
+             Eigen::Vector3d::Zero(),
+             Eigen::Vector3d::Zero(),
+             Eigen::Vector3d::Zero(),
+             {0.8, 0.4, -0.5}}};
+}
+
+/// An arched patch held at its crown and pulled at two opposite corners, which shears it.
+Edit pulled_diagonal() {
+    return {"pulled diagonal", samples::patch(9, 9, 0.4), {0, 80, 40}, {{-0.9, -0.9, 0}, {0.9, 0.9, 0}, {0, 0, 0}}};
+}
+
+Editor at_rest(const Edit& edit) {
+    Editor editor(edit.net);
+    editor.set_method("equilibrium");
+    editor.set_handles(samples::handles_at_rest(edit.net, edit.vertices));
+    return editor;
+}
+
+/// Moves the handles in so many equal steps, each a frame of one iteration, and lets the net settle.
+SolveReport drag(Editor& editor, const Edit& edit, int frames) {
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (std::size_t i = 0; i < edit.vertices.size(); ++i)
+            editor.move_handle(edit.vertices[i],
+                               edit.net.rest_positions().col(edit.vertices[i]) + edit.moves[i] * frame / frames);
+        if (frame < frames) editor.solve({.iterations = 1});
+    }
+    return editor.solve();
+}
+
+double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
+    return std::sqrt((a - b).squaredNorm() / static_cast<double>(a.cols())) / edit.net.mean_length();
+}
+
+/// ∇E by the terms, whose derivatives are tested for themselves.
+Eigen::Matrix3Xd gradient_of(const Net& net, const Options& options, const Positions& x) {
+    const Topology topology(net);
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
+    BendingTerm(net, topology, options.bending_weight,
+                options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest)
+        .evaluate(x, gradient);
+    ShearTerm(net, options.shear_weight, ShearTerm::Reference::rest, options.shear_limit * k_degree)
+        .evaluate(x, gradient);
+    GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
+    return gradient;
+}
+
+/// Two vertices whose distance is kept, or may not become less.
+struct Pair {
+    int a, b;
+    bool is_diagonal;
+};
+
+std::vector<Pair> kept_pairs(const Net& net, const Positions& x, double limit) {
+    std::vector<Pair> pairs;
+    for (int e = 0; e < net.edge_count(); ++e) pairs.push_back({net.edges()(0, e), net.edges()(1, e), false});
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> q = net.faces()[f];
+        for (int k = 0; q.size() == 4 && k < 2; ++k)
+            if ((x.col(q[k]) - x.col(q[k + 2])).norm() < (1 + 1e-3) * 2 * net.mean_length() * std::sin(limit / 2))
+                pairs.push_back({q[k], q[k + 2], true});
+    }
+    return pairs;
+}
+
+struct FirstOrder {
+    double gradient = 0;       // ‖∇E + Jᵀλ‖ over the free vertices, by the λ that fit best
+    double smallest_push = 0;  // of diagonals at the limit: how much the least of them resists becoming shorter
+    int active = 0;            // diagonals at the limit
+};
+
+/// Karush, Kuhn and Tucker's conditions, reckoned densely.
+FirstOrder first_order(const Net& net, const std::vector<int>& handles, const Options& options, const Positions& x) {
+    const std::vector<Pair> pairs = kept_pairs(net, x, options.shear_limit * k_degree);
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pairs.size()), 3 * x.cols());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Eigen::RowVector3d u = (x.col(pairs[i].a) - x.col(pairs[i].b)).normalized().transpose();
+        J.block<1, 3>(static_cast<Eigen::Index>(i), 3 * pairs[i].a) = u;
+        J.block<1, 3>(static_cast<Eigen::Index>(i), 3 * pairs[i].b) = -u;
+    }
+    Eigen::Matrix3Xd gradient = gradient_of(net, options, x);
+    for (int v : handles) {
+        gradient.col(v).setZero();
+        J.middleCols<3>(3 * v).setZero();
+    }
+    const Eigen::VectorXd g = gradient.reshaped();
+    const Eigen::VectorXd lambda = J.transpose().completeOrthogonalDecomposition().solve(-g);
+    FirstOrder result;
+    result.gradient = (g + J.transpose() * lambda).norm() * net.mean_length();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].is_diagonal) {
+            ++result.active;
+            result.smallest_push = std::min(result.smallest_push, -lambda[static_cast<Eigen::Index>(i)]);
+        }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("Equilibrium: lengths, limit, and first-order conditions, reckoned again") {
+    for (const Edit& edit : {corner_pull(1), moved_crown(), lifted_sheet(9, 2), pulled_diagonal()}) {
+        INFO(edit.name);
+        Editor editor = at_rest(edit);
+        editor.set_option("shear_limit", "55");
+        const SolveReport report = drag(editor, edit, 1);
+        CHECK(report.status == Status::converged);
+        CHECK(report.max_deviation < 1e-9);
+        const Options& options = editor.options();
+        CHECK(corner_angle_range(edit.net, editor.positions()).smallest > (options.shear_limit - 0.01) * k_degree);
+        const FirstOrder conditions = first_order(edit.net, edit.vertices, options, editor.positions());
+        CHECK(conditions.gradient < 2 * options.rest_tolerance);
+        CHECK(conditions.smallest_push > -1e-3);
+        if (edit.name == "pulled diagonal") CHECK(conditions.active > 0);
+    }
+}
+
+TEST_CASE("Equilibrium: without limit a net is sheared farther than with it") {
+    const Edit edit = pulled_diagonal();
+    Editor free = at_rest(edit);
+    free.set_option("shear_limit", "0");
+    CHECK(drag(free, edit, 1).status == Status::converged);
+    CHECK(corner_angle_range(edit.net, free.positions()).smallest < 54 * k_degree);
+}
+
+TEST_CASE("Equilibrium: where no net keeps the limit there is still one with exact lengths") {
+    Edit edit = pulled_diagonal();
+    for (Eigen::Vector3d& move : edit.moves) move *= 1.2;
+    Editor editor = at_rest(edit);
+    editor.set_option("shear_limit", "60");
+    const SolveReport report = drag(editor, edit, 1);
+    CHECK(report.status == Status::stalled);
+    CHECK(report.max_deviation < 1e-6);
+}
+
+TEST_CASE("Equilibrium: handles that move as one rigid body take the net along") {
+    Edit edit = corner_pull(0);
+    const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, 3).normalized()));
+    const Positions moved = (turn * edit.net.rest_positions()).colwise() + Eigen::Vector3d(0.5, -1, 2);
+    for (std::size_t i = 0; i < edit.vertices.size(); ++i)
+        edit.moves[i] = moved.col(edit.vertices[i]) - edit.net.rest_positions().col(edit.vertices[i]);
+    Editor editor = at_rest(edit);
+    CHECK(drag(editor, edit, 10).status == Status::converged);
+    CHECK(rms_distance(edit, editor.positions(), moved) < 1e-3);
+}
+
+TEST_CASE("Equilibrium: a fast, a slow and a middling drag end in one net, and back again") {
+    const Edit edit = GENERATE(corner_pull(1), moved_crown(), pulled_diagonal());
+    INFO(edit.name);
+    Editor fast = at_rest(edit);
+    drag(fast, edit, 1);
+    for (const int frames : {4, 40}) {
+        CAPTURE(frames);
+        Editor slow = at_rest(edit);
+        CHECK(drag(slow, edit, frames).status == Status::converged);
+        CHECK(rms_distance(edit, slow.positions(), fast.positions()) < 1e-3);
+    }
+    Edit back = edit;
+    for (Eigen::Vector3d& move : back.moves) move.setZero();
+    drag(fast, back, 1);
+    CHECK(rms_distance(edit, fast.positions(), edit.net.rest_positions()) < 1e-3);
+}
+
+TEST_CASE("Equilibrium: frames of a drag are nets within the limit, and the energy of a net at rest falls") {
+    const Edit edit = pulled_diagonal();
+    Editor editor = at_rest(edit);
+    editor.set_option("shear_limit", "55");
+    const int frames = 20;
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (std::size_t i = 0; i < edit.vertices.size(); ++i)
+            editor.move_handle(edit.vertices[i],
+                               edit.net.rest_positions().col(edit.vertices[i]) + edit.moves[i] * frame / frames);
+        const SolveReport report = editor.solve({.iterations = 1});
+        CHECK(report.max_deviation < 1e-6);
+        CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 54.5 * k_degree);
+    }
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    for (std::size_t k = 1; k < report.trace.size(); ++k)
+        CHECK(report.trace[k].energy <= report.trace[k - 1].energy * (1 + 1e-6));
+}
+
+TEST_CASE("Equilibrium: what is at rest stays to the last bit") {
+    const Edit edit = corner_pull(1);
+    Editor editor = at_rest(edit);
+    drag(editor, edit, 1);
+    const Positions before = editor.positions();
+    editor.set_option("max_iterations", "50");
+    const SolveReport again = editor.solve();
+    CHECK(again.status == Status::converged);
+    CHECK(again.iterations == 0);
+    CHECK(editor.positions() == before);
+}
+
+TEST_CASE("Equilibrium: a symmetric edit gives a symmetric net") {
+    const int n = 9;
+    const Edit edit = lifted_sheet(n, 2);
+    Editor editor = at_rest(edit);
+    drag(editor, edit, 1);
+    const Positions& x = editor.positions();
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const Eigen::Vector3d mirrored(n - 1 - x(0, j * n + i), x(1, j * n + i), x(2, j * n + i));
+            CHECK((x.col(j * n + n - 1 - i) - mirrored).norm() < 1e-3);
+        }
+}
+
+namespace {
+
+/// A strip of quads along x: two lines of `count` edges of length `edge`, all in the plane y = 0 and y = edge.
+Net strip(int count, double edge, const std::function<Eigen::Vector2d(int)>& place) {
+    Positions x(3, 2 * (count + 1));
+    Faces faces;
+    for (int i = 0; i <= count; ++i)
+        for (int side = 0; side < 2; ++side) {
+            const Eigen::Vector2d at = place(i);
+            x.col(2 * i + side) << at.x(), side * edge, at.y();
+            if (side == 0 && i < count) faces.add({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+        }
+    return Net(x, faces);
+}
+
+/// The strip held at its four corners, `span` apart.
+Editor hung(const Net& net, double span, double edge) {
+    const int last = net.vertex_count() - 1;
+    Editor editor(net);
+    editor.set_method("equilibrium");
+    editor.set_handles({{0, {0, 0, 0}}, {1, {0, edge, 0}}, {last - 1, {span, 0, 0}}, {last, {span, edge, 0}}});
+    return editor;
+}
+
+/// t with f(t) = 0 between a and b, where f has different signs.
+double root(const std::function<double(double)>& f, double a, double b) {
+    const bool rises = f(b) > 0;
+    for (int k = 0; k < 100; ++k) ((f((a + b) / 2) > 0) == rises ? b : a) = (a + b) / 2;
+    return (a + b) / 2;
+}
+
+}  // namespace
+
+TEST_CASE("Equilibrium: a heavy strip that hardly resists bending hangs as a catenary") {
+    const int count = 40;
+    const double edge = 1.0 / count, span = 0.8;
+    const Net net = strip(count, edge, [&](int i) { return Eigen::Vector2d(i * edge, 0); });
+    Editor editor = hung(net, span, edge);
+    for (const auto& [key, value] : {std::pair{"gravity", "1"}, {"bending_weight", "1e-3"}, {"shear_weight", "0"}})
+        editor.set_option(key, value);
+    CHECK(editor.solve().status == Status::converged);
+    // z = a cosh((x − span / 2) / a) + constant, as long as 1: 2 a sinh(span / 2a) = 1.
+    const double a = root([&](double t) { return 2 * t * std::sinh(span / (2 * t)) - 1; }, 0.1, 10);
+    for (int i = 0; i <= count; ++i) {
+        const Eigen::Vector3d x = editor.positions().col(2 * i);
+        const double z = a * (std::cosh((x.x() - span / 2) / a) - std::cosh(span / (2 * a)));
+        CHECK(x.z() == Approx(z).margin(2e-3));
+    }
+}
+
+TEST_CASE("Equilibrium: straight rods between two supports that have come nearer bend into the elastica") {
+    const int count = 40;
+    const double edge = 1.0 / count;
+    const double span = 0.8;
+    // An arch of a circle, to say to which side.
+    const double turn = 1.0 / count;
+    std::vector<Eigen::Vector2d> arch{Eigen::Vector2d::Zero()};
+    for (int i = 0; i < count; ++i) {
+        const double direction = turn * (count / 2.0 - i - 0.5);
+        arch.push_back(arch.back() + edge * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+    }
+    const Net net = strip(count, edge, [&](int i) { return arch[i]; });
+    Editor editor = hung(net, span, edge);
+    editor.set_option("straight_rods", "on");
+    CHECK(editor.solve().status == Status::converged);
+    // With k = sin(θ / 2), θ the angle at the ends: span = 2 E(k) / K(k) − 1, height = k / K(k) (Love 1927, article
+    // 263).
+    const double k =
+        root([&](double t) { return 2 * std::comp_ellint_2(t) / std::comp_ellint_1(t) - 1 - span; }, 0.01, 0.9);
+    CHECK(editor.positions()(2, count) == Approx(k / std::comp_ellint_1(k)).epsilon(0.01));
+}
