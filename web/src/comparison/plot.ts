@@ -24,67 +24,68 @@ export interface CurveStyle {
 
 export class ComparisonPlot {
   readonly element = make('figure', { class: 'curves' });
-  private readonly host = make('div', { role: 'img' });
-  private library: typeof uPlot | null = null;
-  private plot: uPlot | null = null;
-  private comparison: Comparison | null = null;
+  readonly #host = make('div', { role: 'img' });
+  #library: typeof uPlot | null = null;
+  #plot: uPlot | null = null;
+  #comparison: Comparison | null = null;
+  readonly #axis: 'iterations' | 'milliseconds';
+  readonly #styleOf: (run: Run) => CurveStyle;
 
-  constructor(
-    private readonly axis: 'iterations' | 'milliseconds',
-    private readonly styleOf: (run: Run) => CurveStyle,
-  ) {
+  constructor(axis: 'iterations' | 'milliseconds', styleOf: (run: Run) => CurveStyle) {
+    this.#axis = axis;
+    this.#styleOf = styleOf;
     const caption = words.comparison.plots[axis];
-    this.host.setAttribute('aria-label', words.comparison.plotLabel(caption));
-    this.element.append(make('figcaption', {}, caption), this.host);
-    new ResizeObserver(() => this.fit()).observe(this.host);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plot?.redraw());
+    this.#host.setAttribute('aria-label', words.comparison.plotLabel(caption));
+    this.element.append(make('figcaption', {}, caption), this.#host);
+    new ResizeObserver(() => this.#fit()).observe(this.#host);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());
   }
 
   /** What has been drawn; null as long as there is nothing. */
   get canvas(): HTMLCanvasElement | null {
-    return this.plot?.ctx.canvas ?? null;
+    return this.#plot?.ctx.canvas ?? null;
   }
 
   show(comparison: Comparison): void {
-    const isOther = this.comparison?.runs !== comparison.runs;
-    this.comparison = comparison;
-    if (isOther) void this.remake();
-    else if (this.library) this.plot?.setData(this.data(this.library, comparison));
+    const isOther = this.#comparison?.runs !== comparison.runs;
+    this.#comparison = comparison;
+    if (isOther) void this.#remake();
+    else if (this.#library) this.#plot?.setData(this.#data(this.#library, comparison));
   }
 
-  private async remake(): Promise<void> {
-    this.plot?.destroy();
-    this.plot = null;
-    this.library = await loadPlots();
-    this.fit();
+  async #remake(): Promise<void> {
+    this.#plot?.destroy();
+    this.#plot = null;
+    this.#library = await loadPlots();
+    this.#fit();
   }
 
-  private fit(): void {
-    const width = this.host.clientWidth;
-    if (width === 0 || this.comparison === null || this.library === null) return;
-    if (this.plot) this.plot.setSize({ width, height: HEIGHT });
+  #fit(): void {
+    const width = this.#host.clientWidth;
+    if (width === 0 || this.#comparison === null || this.#library === null) return;
+    if (this.#plot) this.#plot.setSize({ width, height: HEIGHT });
     else
-      this.plot = new this.library(
-        this.options(this.comparison, width),
-        this.data(this.library, this.comparison),
-        this.host,
+      this.#plot = new this.#library(
+        this.#options(this.#comparison, width),
+        this.#data(this.#library, this.#comparison),
+        this.#host,
       );
   }
 
-  private data({ join }: typeof uPlot, { runs }: Comparison): uPlot.AlignedData {
-    return join(runs.map((run) => this.curve(run)));
+  #data({ join }: typeof uPlot, { runs }: Comparison): uPlot.AlignedData {
+    return join(runs.map((run) => this.#curve(run)));
   }
 
-  private curve({ startDeviation, trace }: Run): uPlot.AlignedData {
+  #curve({ startDeviation, trace }: Run): uPlot.AlignedData {
     if (startDeviation === null) return [[], []];
-    const x = trace.map(({ totalMs }, i) => (this.axis === 'iterations' ? i + 1 : totalMs));
+    const x = trace.map(({ totalMs }, i) => (this.#axis === 'iterations' ? i + 1 : totalMs));
     return [
       [0, ...x],
       [decade(startDeviation), ...trace.map(({ maxDeviation }) => decade(maxDeviation))],
     ];
   }
 
-  private options({ runs }: Comparison, width: number): uPlot.Options {
+  #options({ runs }: Comparison, width: number): uPlot.Options {
     const thresholds = [...new Set(runs.map(({ threshold }) => threshold))];
     return {
       width,
@@ -96,22 +97,22 @@ export class ComparisonPlot {
         x: { time: false, range: (_, low, high) => roomyRange(low, high) },
         y: { range: (_, low, high) => decadeRange(low, high, Math.min(...thresholds)) },
       },
-      series: [{}, ...runs.map((run) => this.series(run))],
+      series: [{}, ...runs.map((run) => this.#series(run))],
       axes: plotAxes(this.element),
       hooks: {
         drawClear: [(plot) => thresholds.forEach((each) => drawThreshold(plot, each, this.element))],
-        draw: [(plot) => runs.forEach((run) => this.drawBeginning(plot, run))],
+        draw: [(plot) => runs.forEach((run) => this.#drawBeginning(plot, run))],
       },
     };
   }
 
   /** Of the method, if something else came before it. */
-  private drawBeginning({ ctx, valToPos }: uPlot, run: Run): void {
-    const [x, y] = this.curve(run).map((values) => values[startLength(run)]);
+  #drawBeginning({ ctx, valToPos }: uPlot, run: Run): void {
+    const [x, y] = this.#curve(run).map((values) => values[startLength(run)]);
     if (startLength(run) === 0 || x == null || y == null) return;
     ctx.save();
     ctx.lineWidth = 1.5 * devicePixelRatio;
-    ctx.strokeStyle = plotColour(this.element, this.styleOf(run).colour);
+    ctx.strokeStyle = plotColour(this.element, this.#styleOf(run).colour);
     ctx.fillStyle = plotColour(this.element, '--panel');
     ctx.beginPath();
     ctx.arc(valToPos(x, 'x', true), valToPos(y, 'y', true), RADIUS * devicePixelRatio, 0, 2 * Math.PI);
@@ -120,8 +121,8 @@ export class ComparisonPlot {
     ctx.restore();
   }
 
-  private series(run: Run): uPlot.Series {
-    const { colour, line } = this.styleOf(run);
+  #series(run: Run): uPlot.Series {
+    const { colour, line } = this.#styleOf(run);
     const stroke = () => plotColour(this.element, colour);
     return { stroke, width: 1.75, points: { show: false }, dash: [...DASHES[line]] };
   }

@@ -21,26 +21,28 @@ const ABREAST = { desktop: 3, phone: 2 };
 
 export class ComparisonResults {
   readonly element: HTMLElement;
-  private readonly words = make('p', { role: 'status' });
-  private readonly stop: HTMLButtonElement;
-  private readonly plots: ComparisonPlot[];
-  private readonly table: ComparisonTable;
-  private readonly abreast = makeButton(words.comparison.abreast, () => this.toggleAbreast(), {
+  readonly #words = make('p', { role: 'status' });
+  readonly #stop: HTMLButtonElement;
+  readonly #plots: ComparisonPlot[];
+  readonly #table: ComparisonTable;
+  readonly #abreast = makeButton(words.comparison.abreast, () => this.#toggleAbreast(), {
     title: words.comparison.abreastHint,
   });
-  private comparison: Comparison | null = null;
-  private current: Run | null = null;
-  private beside: readonly Run[] = [];
-  private netIsOpen = true;
-  private timer = 0;
+  #comparison: Comparison | null = null;
+  #current: Run | null = null;
+  #beside: readonly Run[] = [];
+  #netIsOpen = true;
+  #timer = 0;
+  readonly #events: PanelEvents;
 
-  constructor(private readonly events: PanelEvents) {
-    this.plots = [new ComparisonPlot('iterations', styleOf), new ComparisonPlot('milliseconds', styleOf)];
-    this.table = new ComparisonTable(styleOf, {
-      show: (run) => events.showRun(run === this.current ? null : run),
-      showBeside: (run) => this.toggleBeside(run),
+  constructor(events: PanelEvents) {
+    this.#events = events;
+    this.#plots = [new ComparisonPlot('iterations', styleOf), new ComparisonPlot('milliseconds', styleOf)];
+    this.#table = new ComparisonTable(styleOf, {
+      show: (run) => events.showRun(run === this.#current ? null : run),
+      showBeside: (run) => this.#toggleBeside(run),
     });
-    this.stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
+    this.#stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
     this.element = make(
       'section',
       { class: 'comparison', 'aria-label': words.comparison.heading, hidden: true },
@@ -48,96 +50,97 @@ export class ComparisonResults {
         'header',
         {},
         make('h2', {}, words.comparison.heading),
-        this.words,
-        this.actions(),
-        makeButton('×', () => this.close(), { 'aria-label': words.comparison.close }),
+        this.#words,
+        this.#actions(),
+        makeButton('×', () => this.#close(), { 'aria-label': words.comparison.close }),
       ),
-      make('div', { class: 'plots' }, ...this.plots.map(({ element }) => element)),
-      this.table.element,
+      make('div', { class: 'plots' }, ...this.#plots.map(({ element }) => element)),
+      this.#table.element,
     );
   }
 
   /** May be called often. */
   show(comparison: Comparison): void {
-    if (comparison !== this.comparison) this.begin(comparison);
-    if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), comparison.running ? REFRESH_MS : 0);
+    if (comparison !== this.#comparison) this.#begin(comparison);
+    if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), comparison.running ? REFRESH_MS : 0);
   }
 
   /** The run whose net is in the view (null: the user's own is), and those beside it. */
   showCurrent(run: Run | null, beside: readonly Run[]): void {
-    [this.current, this.beside] = [run, beside];
-    this.refreshTable();
+    [this.#current, this.#beside] = [run, beside];
+    this.#refreshTable();
   }
 
   /** Another net is open: those of the comparison cannot be shown in its place. */
   netChanged(): void {
-    this.netIsOpen = false;
-    this.refreshTable();
+    this.#netIsOpen = false;
+    this.#refreshTable();
   }
 
-  private begin(comparison: Comparison): void {
-    this.comparison = comparison;
-    this.netIsOpen = true;
+  #begin(comparison: Comparison): void {
+    this.#comparison = comparison;
+    this.#netIsOpen = true;
     this.element.hidden = false;
-    this.table.showRuns(comparison.runs);
+    this.#table.showRuns(comparison.runs);
   }
 
-  private refresh(): void {
-    this.timer = 0;
-    const comparison = this.comparison!;
-    for (const plot of this.plots) plot.show(comparison);
-    this.refreshTable();
-    setText(this.words, progress(comparison));
-    this.stop.disabled = !comparison.running;
+  #refresh(): void {
+    this.#timer = 0;
+    const comparison = this.#comparison!;
+    for (const plot of this.#plots) plot.show(comparison);
+    this.#refreshTable();
+    setText(this.#words, progress(comparison));
+    this.#stop.disabled = !comparison.running;
   }
 
-  private refreshTable(): void {
-    this.table.refresh(this.current, this.beside, this.netIsOpen);
-    this.abreast.disabled = !this.netIsOpen || this.toShowAbreast().length < 2;
-    this.abreast.setAttribute('aria-pressed', String(this.current !== null && this.beside.length > 0));
+  #refreshTable(): void {
+    this.#table.refresh(this.#current, this.#beside, this.#netIsOpen);
+    this.#abreast.disabled = !this.#netIsOpen || this.#toShowAbreast().length < 2;
+    this.#abreast.setAttribute('aria-pressed', String(this.#current !== null && this.#beside.length > 0));
   }
 
   /** The first runs with a net to show. */
-  private toShowAbreast(): Run[] {
-    return this.comparison?.runs.filter(canShow).slice(0, mostAbreast()) ?? [];
+  #toShowAbreast(): Run[] {
+    return this.#comparison?.runs.filter(canShow).slice(0, mostAbreast()) ?? [];
   }
 
-  private toggleAbreast(): void {
-    const [first = null, ...others] = this.abreast.getAttribute('aria-pressed') === 'true' ? [] : this.toShowAbreast();
-    this.events.showRun(first);
-    this.events.showBeside(others);
+  #toggleAbreast(): void {
+    const [first = null, ...others] =
+      this.#abreast.getAttribute('aria-pressed') === 'true' ? [] : this.#toShowAbreast();
+    this.#events.showRun(first);
+    this.#events.showBeside(others);
   }
 
-  private toggleBeside(run: Run): void {
-    const others = this.beside.filter((each) => each !== run);
-    const isThere = others.length < this.beside.length;
-    this.events.showBeside(isThere ? others : [...others, run].slice(1 - mostAbreast()));
+  #toggleBeside(run: Run): void {
+    const others = this.#beside.filter((each) => each !== run);
+    const isThere = others.length < this.#beside.length;
+    this.#events.showBeside(isThere ? others : [...others, run].slice(1 - mostAbreast()));
   }
 
-  private actions(): HTMLElement {
+  #actions(): HTMLElement {
     const save = (name: string, csv: (comparison: Comparison) => string) => () => {
-      if (this.comparison) download(name, csv(this.comparison), 'text/csv');
+      if (this.#comparison) download(name, csv(this.#comparison), 'text/csv');
     };
     return make(
       'div',
       { class: 'actions' },
-      this.stop,
-      this.abreast,
+      this.#stop,
+      this.#abreast,
       makeButton(words.comparison.tableCsv, save('comparison.csv', tableCsv)),
       makeButton(words.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
-      makeButton(words.comparison.plotsPng, () => this.savePlots()),
+      makeButton(words.comparison.plotsPng, () => this.#savePlots()),
     );
   }
 
-  private savePlots(): void {
-    const curves = this.comparison?.runs.map((run) => ({ title: run.label, ...styleOf(run) })) ?? [];
-    void savePicture(this.element, this.plots, curves);
+  #savePlots(): void {
+    const curves = this.#comparison?.runs.map((run) => ({ title: run.label, ...styleOf(run) })) ?? [];
+    void savePicture(this.element, this.#plots, curves);
   }
 
-  private close(): void {
-    this.events.cancelComparison();
-    this.events.showRun(null);
-    this.events.showBeside([]);
+  #close(): void {
+    this.#events.cancelComparison();
+    this.#events.showRun(null);
+    this.#events.showBeside([]);
     this.element.hidden = true;
   }
 }

@@ -42,17 +42,19 @@ export class ComparisonTable {
     role: 'region',
     'aria-label': words.comparison.results,
   });
-  private rows: Row[] = [];
+  #rows: Row[] = [];
+  readonly #styleOf: (run: Run) => CurveStyle;
+  readonly #events: TableEvents;
 
-  constructor(
-    private readonly styleOf: (run: Run) => CurveStyle,
-    private readonly events: TableEvents,
-  ) {}
+  constructor(styleOf: (run: Run) => CurveStyle, events: TableEvents) {
+    this.#styleOf = styleOf;
+    this.#events = events;
+  }
 
   showRuns(runs: readonly Run[]): void {
     const heads = COLUMNS.map(({ title, hint }) => make('th', { scope: 'col', title: hint }, title));
-    this.rows = runs.map((run) => this.makeRow(run));
-    const body = make('tbody', {}, ...this.rows.map((row) => this.makeLine(row)));
+    this.#rows = runs.map((run) => this.#makeRow(run));
+    const body = make('tbody', {}, ...this.#rows.map((row) => this.#makeLine(row)));
     this.element.replaceChildren(
       make(
         'table',
@@ -65,7 +67,7 @@ export class ComparisonTable {
 
   /** @param current the run whose net is in the view. @param open whether nets of this comparison can be shown. */
   refresh(current: Run | null, beside: readonly Run[], open: boolean): void {
-    for (const row of this.rows) {
+    for (const row of this.#rows) {
       const { run, cells } = row;
       row.button.setAttribute('aria-pressed', String(run === current));
       row.beside.setAttribute('aria-pressed', String(beside.includes(run)));
@@ -74,8 +76,8 @@ export class ComparisonTable {
     }
   }
 
-  private makeRow(run: Run): Row {
-    const { colour, line } = this.styleOf(run);
+  #makeRow(run: Run): Row {
+    const { colour, line } = this.#styleOf(run);
     const swatch = make('i', { class: `swatch ${line}` });
     swatch.style.setProperty('color', `var(${colour})`);
     const button = makeButton(swatch, () => {}, {
@@ -83,7 +85,7 @@ export class ComparisonTable {
       title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet,
     });
     button.append(run.label);
-    const beside = makeButton(words.comparison.beside, () => this.events.showBeside(run), {
+    const beside = makeButton(words.comparison.beside, () => this.#events.showBeside(run), {
       class: 'plain link',
       title: words.comparison.besideHint,
       'aria-label': words.comparison.besideOther(run.label),
@@ -91,10 +93,10 @@ export class ComparisonTable {
     return { run, button, beside, cells: COLUMNS.map(() => make('td')) };
   }
 
-  private makeLine({ run, button, beside, cells }: Row): HTMLElement {
+  #makeLine({ run, button, beside, cells }: Row): HTMLElement {
     const line = make('tr', {}, make('th', { scope: 'row' }, button), ...cells, make('td', {}, beside));
     line.addEventListener('click', ({ target }) => {
-      if (!button.disabled && target !== beside) this.events.show(run);
+      if (!button.disabled && target !== beside) this.#events.show(run);
     });
     return line;
   }

@@ -28,170 +28,164 @@ export interface EqualizeDialogParts {
 
 export class EqualizeDialog implements EqualizerLike {
   readonly result: Promise<string | null>;
-  private readonly before: Shape;
-  private after: Shape | null = null;
-  private readonly dialog: HTMLDialogElement;
-  private readonly view: View;
-  private readonly form: EqualizeForm;
-  private readonly results = new EqualizeResults();
-  private readonly slider = make('input', { type: 'range', min: 0, max: 1, step: 0.01, 'aria-label': TEXT.between });
-  private readonly farEnd = make('span');
-  private readonly sliderRow = make(
-    'div',
-    { class: 'between' },
-    make('span', {}, TEXT.original),
-    this.slider,
-    this.farEnd,
-  );
-  private readonly shown = make('p', { class: 'quiet' });
-  private readonly start = makeButton(TEXT.start, () => void this.run(), { class: 'primary' });
-  private readonly stop = makeButton(TEXT.stop, () => this.giveUp());
-  private readonly take = makeButton(TEXT.take, () => this.finish(this.obj), { class: 'primary' });
-  private readonly buttons = make(
+  readonly #before: Shape;
+  #after: Shape | null = null;
+  readonly #dialog: HTMLDialogElement;
+  readonly #view: View;
+  readonly #form: EqualizeForm;
+  readonly #results = new EqualizeResults();
+  readonly #slider = make('input', { type: 'range', min: 0, max: 1, step: 0.01, 'aria-label': TEXT.between });
+  readonly #farEnd = make('span');
+  readonly #sliderRow = make('div', { class: 'between' }, make('span', {}, TEXT.original), this.#slider, this.#farEnd);
+  readonly #shown = make('p', { class: 'quiet' });
+  readonly #start = makeButton(TEXT.start, () => void this.#run(), { class: 'primary' });
+  readonly #stop = makeButton(TEXT.stop, () => this.#giveUp());
+  readonly #take = makeButton(TEXT.take, () => this.#finish(this.#obj), { class: 'primary' });
+  readonly #buttons = make(
     'div',
     { class: 'buttons' },
-    this.start,
-    this.stop,
-    this.take,
+    this.#start,
+    this.#stop,
+    this.#take,
     makeButton(TEXT.cancel, () => this.close()),
   );
-  private equalizing: Equalizing | null = null;
-  private obj: string | null = null;
-  private finish!: (obj: string | null) => void;
+  #equalizing: Equalizing | null = null;
+  #obj: string | null = null;
+  #finish!: (obj: string | null) => void;
+  readonly #subject: Subject;
+  readonly #parts: EqualizeDialogParts;
 
-  constructor(
-    root: HTMLElement,
-    private readonly subject: Subject,
-    private readonly parts: EqualizeDialogParts,
-  ) {
+  constructor(root: HTMLElement, subject: Subject, parts: EqualizeDialogParts) {
+    this.#subject = subject;
+    this.#parts = parts;
     const { net, positions, name, handles } = subject;
-    this.before = { positions, length: meanLength(positions, net) };
-    this.form = new EqualizeForm(this.before.length, handles.length, () => this.forget());
+    this.#before = { positions, length: meanLength(positions, net) };
+    this.#form = new EqualizeForm(this.#before.length, handles.length, () => this.#forget());
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
-    const figure = make('figure', {}, picture, make('figcaption', {}, this.sliderRow, this.shown));
+    const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#shown));
     const side = make(
       'div',
       { class: 'side' },
       make('p', {}, TEXT.introduction),
-      this.form.element,
-      this.results.element,
+      this.#form.element,
+      this.#results.element,
     );
-    this.dialog = make(
+    this.#dialog = make(
       'dialog',
       { class: 'file equalize', 'aria-labelledby': heading.id },
       heading,
       make('div', { class: 'body' }, figure, side),
-      this.buttons,
+      this.#buttons,
     );
-    this.slider.addEventListener('input', () => this.showBetween());
-    root.append(this.dialog);
-    this.dialog.showModal();
-    this.view = this.openView(picture);
-    this.result = this.untilFinished();
-    this.forget();
+    this.#slider.addEventListener('input', () => this.#showBetween());
+    root.append(this.#dialog);
+    this.#dialog.showModal();
+    this.#view = this.#openView(picture);
+    this.result = this.#untilFinished();
+    this.#forget();
   }
 
   close(): void {
-    this.finish(null);
+    this.#finish(null);
   }
 
-  private async untilFinished(): Promise<string | null> {
+  async #untilFinished(): Promise<string | null> {
     const obj = await new Promise<string | null>((resolve) => {
-      this.finish = resolve;
-      this.dialog.addEventListener('close', () => resolve(null));
+      this.#finish = resolve;
+      this.#dialog.addEventListener('close', () => resolve(null));
     });
-    this.equalizing?.close();
-    this.view.dispose();
-    this.dialog.close();
-    this.dialog.remove();
+    this.#equalizing?.close();
+    this.#view.dispose();
+    this.#dialog.close();
+    this.#dialog.remove();
     return obj;
   }
 
-  private openView(picture: HTMLElement): View {
-    const view = this.parts.createView(picture, LOOKING_ONLY);
-    const { upAxis } = this.parts;
+  #openView(picture: HTMLElement): View {
+    const view = this.#parts.createView(picture, LOOKING_ONLY);
+    const { upAxis } = this.#parts;
     view.setAppearance({ field: 'deviation', colourMap: 'log', showFaces: true, ...(upAxis && { upAxis }) });
-    view.showNet(this.subject.net, stillFrame(this.before, this.subject.net), null);
+    view.showNet(this.#subject.net, stillFrame(this.#before, this.#subject.net), null);
     return view;
   }
 
   // --------------------------------------------------------------------------------------------------------- equalising
 
-  private async run(): Promise<void> {
-    const options = this.form.read(this.subject.handles);
+  async #run(): Promise<void> {
+    const options = this.#form.read(this.#subject.handles);
     if (options === null) return;
-    const { faceStart, faceVertices } = this.subject.net;
-    this.equalizing = new Equalizing(() => this.parts.spawnWorker());
-    this.results.begin();
-    this.arrange('running');
-    this.stop.focus();
+    const { faceStart, faceVertices } = this.#subject.net;
+    this.#equalizing = new Equalizing(() => this.#parts.spawnWorker());
+    this.#results.begin();
+    this.#arrange('running');
+    this.#stop.focus();
     try {
-      const mesh = { positions: this.subject.positions, faceStart, faceVertices };
-      this.showEnded(await this.equalizing.run({ mesh, options }, (news) => this.showNews(news)));
+      const mesh = { positions: this.#subject.positions, faceStart, faceVertices };
+      this.#showEnded(await this.#equalizing.run({ mesh, options }, (news) => this.#showNews(news)));
     } catch (error) {
-      this.results.showFault(error instanceof Error ? error.message : String(error));
-      this.arrange('waiting');
-      this.start.focus();
+      this.#results.showFault(error instanceof Error ? error.message : String(error));
+      this.#arrange('waiting');
+      this.#start.focus();
     }
   }
 
-  private giveUp(): void {
-    this.equalizing?.close();
-    this.forget();
-    this.start.focus();
+  #giveUp(): void {
+    this.#equalizing?.close();
+    this.#forget();
+    this.#start.focus();
   }
 
   /** Back to the original, to be equalised. */
-  private forget(): void {
-    this.equalizing = null;
-    this.after = null;
-    this.obj = null;
-    this.results.clear();
-    this.slider.value = '0';
-    this.arrange('waiting');
-    this.showBetween();
+  #forget(): void {
+    this.#equalizing = null;
+    this.#after = null;
+    this.#obj = null;
+    this.#results.clear();
+    this.#slider.value = '0';
+    this.#arrange('waiting');
+    this.#showBetween();
   }
 
-  private showNews({ report, positions }: EqualizeNews): void {
-    this.results.showProgress(report);
-    this.show({ positions, length: report.length });
+  #showNews({ report, positions }: EqualizeNews): void {
+    this.#results.showProgress(report);
+    this.#show({ positions, length: report.length });
   }
 
-  private showEnded({ report, positions, obj }: Equalized): void {
-    this.after = { positions, length: report.length };
-    this.obj = obj;
-    this.results.showEnd(report, this.before.length);
-    this.form.showFittingLength(report);
-    setText(this.farEnd, obj === null ? TEXT.attempt : TEXT.equalised);
-    this.arrange('ended');
-    this.slider.value = '1';
-    this.showBetween();
-    (obj === null ? this.slider : this.take).focus();
+  #showEnded({ report, positions, obj }: Equalized): void {
+    this.#after = { positions, length: report.length };
+    this.#obj = obj;
+    this.#results.showEnd(report, this.#before.length);
+    this.#form.showFittingLength(report);
+    setText(this.#farEnd, obj === null ? TEXT.attempt : TEXT.equalised);
+    this.#arrange('ended');
+    this.#slider.value = '1';
+    this.#showBetween();
+    (obj === null ? this.#slider : this.#take).focus();
   }
 
   // ------------------------------------------------------------------------------------------------------------ showing
 
-  private arrange(state: 'waiting' | 'running' | 'ended'): void {
-    this.form.setBusy(state === 'running');
-    this.start.hidden = state !== 'waiting';
-    this.stop.hidden = state !== 'running';
-    this.take.hidden = this.obj === null;
-    this.sliderRow.hidden = state !== 'ended';
+  #arrange(state: 'waiting' | 'running' | 'ended'): void {
+    this.#form.setBusy(state === 'running');
+    this.#start.hidden = state !== 'waiting';
+    this.#stop.hidden = state !== 'running';
+    this.#take.hidden = this.#obj === null;
+    this.#sliderRow.hidden = state !== 'ended';
   }
 
-  private showBetween(): void {
-    const share = Number(this.slider.value);
-    this.slider.setAttribute(
+  #showBetween(): void {
+    const share = Number(this.#slider.value);
+    this.#slider.setAttribute(
       'aria-valuetext',
-      share === 0 ? TEXT.original : TEXT.share(Math.round(100 * share), this.farEnd.textContent ?? ''),
+      share === 0 ? TEXT.original : TEXT.share(Math.round(100 * share), this.#farEnd.textContent ?? ''),
     );
-    this.show(between(this.before, this.after ?? this.before, share));
+    this.#show(between(this.#before, this.#after ?? this.#before, share));
   }
 
-  private show(shape: Shape): void {
-    const frame = stillFrame(shape, this.subject.net);
-    this.view.showFrame(frame);
-    setText(this.shown, TEXT.shown(small(frame.maxDeviation)));
+  #show(shape: Shape): void {
+    const frame = stillFrame(shape, this.#subject.net);
+    this.#view.showFrame(frame);
+    setText(this.#shown, TEXT.shown(small(frame.maxDeviation)));
   }
 }

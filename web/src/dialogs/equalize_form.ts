@@ -9,52 +9,50 @@ type Choice = 'mean' | 'fitting' | 'given';
 
 export class EqualizeForm {
   readonly element: HTMLFieldSetElement;
-  private choice: Choice = 'mean';
-  private readonly radios: Record<Choice, HTMLInputElement>;
-  private readonly fitting = make('span', {}, TEXT.fitting);
-  private readonly number: HTMLInputElement;
-  private readonly hold = makeSwitch('', () => this.holdChanged());
+  #choice: Choice = 'mean';
+  readonly #radios: Record<Choice, HTMLInputElement>;
+  readonly #fitting = make('span', {}, TEXT.fitting);
+  readonly #number: HTMLInputElement;
+  readonly #hold = makeSwitch('', () => this.#holdChanged());
+  readonly #changed: () => void;
 
   /** @param changed is told of every change of the wish. */
-  constructor(
-    mean: number,
-    handleCount: number,
-    private readonly changed: () => void,
-  ) {
-    this.number = make('input', {
+  constructor(mean: number, handleCount: number, changed: () => void) {
+    this.#changed = changed;
+    this.#number = make('input', {
       type: 'number',
       min: 0,
       step: 'any',
       value: Number(mean.toPrecision(6)),
       'aria-label': TEXT.given,
     });
-    this.number.addEventListener('input', () => this.choose('given'));
+    this.#number.addEventListener('input', () => this.#choose('given'));
     const radio = (value: Choice): HTMLInputElement => {
-      const input = make('input', { type: 'radio', name: 'equalize-length', value, checked: value === this.choice });
-      input.addEventListener('change', () => this.choose(value));
+      const input = make('input', { type: 'radio', name: 'equalize-length', value, checked: value === this.#choice });
+      input.addEventListener('change', () => this.#choose(value));
       return input;
     };
-    this.radios = { mean: radio('mean'), fitting: radio('fitting'), given: radio('given') };
-    this.fitting.append(make('small', {}, TEXT.fittingHint));
-    setText(this.hold.row.querySelector('span')!, TEXT.hold(handleCount));
-    this.hold.row.hidden = handleCount === 0;
+    this.#radios = { mean: radio('mean'), fitting: radio('fitting'), given: radio('given') };
+    this.#fitting.append(make('small', {}, TEXT.fittingHint));
+    setText(this.#hold.row.querySelector('span')!, TEXT.hold(handleCount));
+    this.#hold.row.hidden = handleCount === 0;
     this.element = make(
       'fieldset',
       { class: 'lengths' },
       make('legend', {}, TEXT.length),
-      make('label', {}, this.radios.mean, TEXT.mean(lengthWords(mean))),
-      make('label', {}, this.radios.fitting, this.fitting),
-      make('div', { class: 'given' }, make('label', {}, this.radios.given, TEXT.given), this.number),
-      this.hold.row,
+      make('label', {}, this.#radios.mean, TEXT.mean(lengthWords(mean))),
+      make('label', {}, this.#radios.fitting, this.#fitting),
+      make('div', { class: 'given' }, make('label', {}, this.#radios.given, TEXT.given), this.#number),
+      this.#hold.row,
     );
   }
 
   /** null: the number is none; the browser says so. */
   read(handles: readonly number[]): EqualizeOptions | null {
-    const length = this.choice === 'given' ? this.number.valueAsNumber : this.choice;
-    if (length === 'mean' || length === 'fitting') return { length, handles: this.hold.box.checked ? handles : [] };
-    this.number.setCustomValidity(length > 0 ? '' : TEXT.noLength);
-    return this.number.reportValidity() ? { length, handles: this.hold.box.checked ? handles : [] } : null;
+    const length = this.#choice === 'given' ? this.#number.valueAsNumber : this.#choice;
+    if (length === 'mean' || length === 'fitting') return { length, handles: this.#hold.box.checked ? handles : [] };
+    this.#number.setCustomValidity(length > 0 ? '' : TEXT.noLength);
+    return this.#number.reportValidity() ? { length, handles: this.#hold.box.checked ? handles : [] } : null;
   }
 
   setBusy(busy: boolean): void {
@@ -62,19 +60,19 @@ export class EqualizeForm {
   }
 
   showFittingLength({ fittingLength }: EqualizeReport): void {
-    if (!this.hold.box.checked) setText(this.fitting.firstChild!, TEXT.fittingKnown(lengthWords(fittingLength)));
+    if (!this.#hold.box.checked) setText(this.#fitting.firstChild!, TEXT.fittingKnown(lengthWords(fittingLength)));
   }
 
-  private choose(choice: Choice): void {
-    this.choice = choice;
-    this.radios[choice].checked = true;
-    this.number.setCustomValidity('');
-    this.changed();
+  #choose(choice: Choice): void {
+    this.#choice = choice;
+    this.#radios[choice].checked = true;
+    this.#number.setCustomValidity('');
+    this.#changed();
   }
 
   /** Handles fix the size of the net: none is left to fit. */
-  private holdChanged(): void {
-    this.radios.fitting.disabled = this.hold.box.checked;
-    this.choose(this.hold.box.checked && this.choice === 'fitting' ? 'mean' : this.choice);
+  #holdChanged(): void {
+    this.#radios.fitting.disabled = this.#hold.box.checked;
+    this.#choose(this.#hold.box.checked && this.#choice === 'fitting' ? 'mean' : this.#choice);
   }
 }

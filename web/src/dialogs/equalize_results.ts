@@ -11,52 +11,52 @@ const EQUAL = 1e-9;
 
 export class EqualizeResults {
   readonly element = make('div', { class: 'results' });
-  private readonly progressWords = make('label', { for: 'equalize-progress' });
-  private readonly progress = make('progress', { id: 'equalize-progress', max: 1 });
-  private readonly progressRow = make('p', { class: 'progress' }, this.progressWords, this.progress);
+  readonly #progressWords = make('label', { for: 'equalize-progress' });
+  readonly #progress = make('progress', { id: 'equalize-progress', max: 1 });
+  readonly #progressRow = make('p', { class: 'progress' }, this.#progressWords, this.#progress);
   // In the page before anything is said, or screen readers miss it.
-  private readonly end = make('div', { role: 'status' });
-  private start = NaN;
+  readonly #end = make('div', { role: 'status' });
+  #start = NaN;
 
   constructor() {
-    this.element.append(this.progressRow, this.end);
+    this.element.append(this.#progressRow, this.#end);
     this.clear();
   }
 
   clear(): void {
-    this.progressRow.hidden = true;
-    this.end.replaceChildren();
+    this.#progressRow.hidden = true;
+    this.#end.replaceChildren();
   }
 
   begin(): void {
     this.clear();
-    this.start = NaN;
-    this.progress.removeAttribute('value');
-    setText(this.progressWords, TEXT.starting);
-    this.progressRow.hidden = false;
+    this.#start = NaN;
+    this.#progress.removeAttribute('value');
+    setText(this.#progressWords, TEXT.starting);
+    this.#progressRow.hidden = false;
   }
 
   /** The bar counts the decades that the largest deviation has gone down; it never goes back. */
   showProgress({ iterations, maxDeviation }: EqualizeReport): void {
-    if (Number.isNaN(this.start)) this.start = maxDeviation;
-    const done = Math.log(this.start / maxDeviation) / Math.log(this.start / EQUAL);
-    this.progress.value = Math.min(1, Math.max(this.progress.position, done, 0));
-    setText(this.progressWords, TEXT.progress(count(iterations), small(maxDeviation)));
+    if (Number.isNaN(this.#start)) this.#start = maxDeviation;
+    const done = Math.log(this.#start / maxDeviation) / Math.log(this.#start / EQUAL);
+    this.#progress.value = Math.min(1, Math.max(this.#progress.position, done, 0));
+    setText(this.#progressWords, TEXT.progress(count(iterations), small(maxDeviation)));
   }
 
   showEnd(report: EqualizeReport, meanBefore: number): void {
     this.clear();
     const equal = report.status === 'converged';
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
-    this.end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
+    this.#end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
     // A hundredth is below what the eye sees.
     if (equal && report.fittingLength > 1.01 * report.length)
-      this.end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
+      this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
   showFault(sentence: string): void {
     this.clear();
-    this.end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
+    this.#end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
   }
 }
 

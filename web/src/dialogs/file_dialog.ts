@@ -13,40 +13,40 @@ import './file_dialog.css';
 
 export class FileDialog implements FileDialogLike {
   readonly closed: Promise<null>;
-  private readonly dialog: HTMLDialogElement;
-  private readonly stage = make('label', { for: 'file-progress' });
-  private readonly progress = make('progress', { id: 'file-progress', max: STAGES.length });
-  private readonly progressRow = make('p', { class: 'progress', role: 'status' }, this.stage, this.progress);
-  private readonly cancel = makeButton(words.file.cancel, () => this.close());
-  private readonly body = make('div', { class: 'body' }, this.progressRow);
-  private readonly buttons = make('div', { class: 'buttons' }, this.cancel);
-  private lengths: LengthChoice | null = null;
+  readonly #dialog: HTMLDialogElement;
+  readonly #stage = make('label', { for: 'file-progress' });
+  readonly #progress = make('progress', { id: 'file-progress', max: STAGES.length });
+  readonly #progressRow = make('p', { class: 'progress', role: 'status' }, this.#stage, this.#progress);
+  readonly #cancel = makeButton(words.file.cancel, () => this.close());
+  readonly #body = make('div', { class: 'body' }, this.#progressRow);
+  readonly #buttons = make('div', { class: 'buttons' }, this.#cancel);
+  #lengths: LengthChoice | null = null;
 
   constructor(root: HTMLElement, name: string) {
     const heading = make('h2', { id: 'file-title' }, name);
-    this.dialog = make('dialog', { class: 'file', 'aria-labelledby': heading.id }, heading, this.body, this.buttons);
-    this.closed = new Promise((resolve) => this.dialog.addEventListener('close', () => resolve(null)));
-    this.dialog.addEventListener('close', () => this.dialog.remove());
+    this.#dialog = make('dialog', { class: 'file', 'aria-labelledby': heading.id }, heading, this.#body, this.#buttons);
+    this.closed = new Promise((resolve) => this.#dialog.addEventListener('close', () => resolve(null)));
+    this.#dialog.addEventListener('close', () => this.#dialog.remove());
     this.showStage('loading');
-    root.append(this.dialog);
-    this.dialog.showModal();
+    root.append(this.#dialog);
+    this.#dialog.showModal();
   }
 
   showStage(stage: Stage): void {
-    setText(this.stage, words.file.stages[stage]);
-    this.progress.value = STAGES.indexOf(stage);
+    setText(this.#stage, words.file.stages[stage]);
+    this.#progress.value = STAGES.indexOf(stage);
   }
 
   ask(report: FileReport): Promise<FileChoice> {
     return new Promise((choose) => {
-      if (!report.isChebyshev) this.lengths ??= new LengthChoice(report);
-      const { lengths } = this;
-      this.body.replaceChildren(makeFacts(report));
-      if (report.findings.length > 0) this.body.append(makeDefects(report));
-      if (lengths) this.body.append(lengths.element);
+      if (!report.isChebyshev) this.#lengths ??= new LengthChoice(report);
+      const lengths = this.#lengths;
+      this.#body.replaceChildren(makeFacts(report));
+      if (report.findings.length > 0) this.#body.append(makeDefects(report));
+      if (lengths) this.#body.append(lengths.element);
       const open = (repaired: boolean): void => choose({ repaired, restLengths: lengths?.chosen ?? 'automatic' });
       const [first, ...others] = openButtons(report, open);
-      this.buttons.replaceChildren(first, ...others, this.cancel);
+      this.#buttons.replaceChildren(first, ...others, this.#cancel);
       if (lengths) lengths.changed = () => setOpenWords(report, [first, ...others], lengths.chosen === 'equalized');
       lengths?.changed();
       first.focus();
@@ -54,7 +54,7 @@ export class FileDialog implements FileDialogLike {
   }
 
   close(): void {
-    this.dialog.close();
+    this.#dialog.close();
   }
 }
 

@@ -47,24 +47,27 @@ export interface OpenerParts {
 /** One file at a time: the next one takes the place of one that is still being read or asked about. */
 export class FileOpener {
   #dialog: FileDialogLike | null = null;
+  readonly #parts: OpenerParts;
 
-  constructor(private readonly parts: OpenerParts) {}
+  constructor(parts: OpenerParts) {
+    this.#parts = parts;
+  }
 
   /** Resolves when the net is open or the user has given up. Throws FileError. */
   async open(file: File): Promise<void> {
     checkSize(file);
     this.#dialog?.close();
-    const dialog = this.parts.createDialog(file.name);
+    const dialog = this.#parts.createDialog(file.name);
     this.#dialog = dialog;
     const reading = new FileReading(
-      () => this.parts.spawnWorker(),
+      () => this.#parts.spawnWorker(),
       (stage) => dialog.showStage(stage),
     );
     try {
       const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
       if (net === null) return;
       dialog.close();
-      await this.parts.open(net);
+      await this.#parts.open(net);
     } finally {
       reading.close();
       dialog.close();
@@ -83,7 +86,7 @@ export class FileOpener {
   }
 
   #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<string | null> {
-    const equalizer = this.parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
+    const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
     void dialog.closed.then(() => equalizer.close());
     return equalizer.result;
   }

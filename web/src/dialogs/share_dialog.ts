@@ -17,14 +17,14 @@ export interface ShareParts {
 }
 
 export class ShareDialog {
-  private readonly dialog: HTMLDialogElement;
-  private readonly said = make('p', { role: 'status' });
-  private readonly code = make('figure', { class: 'qr' });
+  readonly #dialog: HTMLDialogElement;
+  readonly #said = make('p', { role: 'status' });
+  readonly #code = make('figure', { class: 'qr' });
 
   constructor(root: HTMLElement, parts: ShareParts) {
     const { linkWithin, embedded, copyLink } = parts;
     const heading = make('h2', { id: 'share-title' }, words.toolbar.link.label);
-    const copy = async (): Promise<void> => setText(this.said, await copyLink());
+    const copy = async (): Promise<void> => setText(this.#said, await copyLink());
     const snippet = make(
       'textarea',
       { readonly: true, rows: 3, 'aria-label': words.share.embed, spellcheck: 'false' },
@@ -32,17 +32,17 @@ export class ShareDialog {
     );
     snippet.addEventListener('focus', () => snippet.select());
     const copySnippet = async (): Promise<void> => {
-      setText(this.said, (await copyText(snippet.value)) ? words.share.embedCopied : words.share.clipboardClosed);
+      setText(this.#said, (await copyText(snippet.value)) ? words.share.embedCopied : words.share.clipboardClosed);
     };
-    this.dialog = make(
+    this.#dialog = make(
       'dialog',
       { class: 'file share', 'aria-labelledby': heading.id },
       heading,
       make(
         'div',
         { class: 'body' },
-        this.said,
-        this.code,
+        this.#said,
+        this.#code,
         make(
           'div',
           { class: 'embed' },
@@ -55,24 +55,24 @@ export class ShareDialog {
         'div',
         { class: 'buttons' },
         makeButton(words.share.copy, copy, { class: 'primary', autofocus: true }),
-        makeButton(words.share.close, () => this.dialog.close()),
+        makeButton(words.share.close, () => this.#dialog.close()),
       ),
     );
     // Keys are for the dialog alone while it is open.
-    this.dialog.addEventListener('keydown', (event) => event.stopPropagation());
-    this.dialog.addEventListener('close', () => this.dialog.remove());
-    root.append(this.dialog);
-    this.dialog.showModal();
+    this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
+    this.#dialog.addEventListener('close', () => this.#dialog.remove());
+    root.append(this.#dialog);
+    this.#dialog.showModal();
     void copy();
-    void this.showCode(linkWithin);
+    void this.#showCode(linkWithin);
   }
 
-  private async showCode(linkWithin: ShareParts['linkWithin']): Promise<void> {
+  async #showCode(linkWithin: ShareParts['linkWithin']): Promise<void> {
     const { qrCode, QR_CAPACITY } = await import('../export/qr_code');
     const short = linkWithin(QR_CAPACITY);
-    if (short) this.code.append(drawn(qrCode(short.link)));
+    if (short) this.#code.append(drawn(qrCode(short.link)));
     if (!short?.positions)
-      this.code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
+      this.#code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
   }
 }
 

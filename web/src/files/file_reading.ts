@@ -25,11 +25,10 @@ interface Waiting {
 export class FileReading {
   readonly #worker: FileWorkerLike;
   #waiting: Waiting | null = null;
+  readonly #entered: (stage: Stage) => void;
 
-  constructor(
-    spawn: () => FileWorkerLike,
-    private readonly entered: (stage: Stage) => void,
-  ) {
+  constructor(spawn: () => FileWorkerLike, entered: (stage: Stage) => void) {
+    this.#entered = entered;
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
     this.#worker.onerror = ({ message }) => this.#fail('internal', message || words.file.notStarted);
@@ -69,7 +68,7 @@ export class FileReading {
   }
 
   #receive(response: FileResponse): void {
-    if (response.type === 'stage') this.entered(response.stage);
+    if (response.type === 'stage') this.#entered(response.stage);
     else if (response.type === 'error') this.#fail(response.code, words.core.failure(response.code, response.message));
     else this.#waiting?.resolve(response);
   }

@@ -21,12 +21,12 @@ export class Mirror {
   readonly #axis: number;
   readonly #offset: number;
   readonly #known = new Map<number, number | null>();
+  readonly #restPositions: Float64Array;
+  readonly #edgeLength: number;
 
-  constructor(
-    symmetry: Symmetry,
-    private readonly restPositions: Float64Array,
-    private readonly edgeLength: number,
-  ) {
+  constructor(symmetry: Symmetry, restPositions: Float64Array, edgeLength: number) {
+    this.#restPositions = restPositions;
+    this.#edgeLength = edgeLength;
     this.#axis = AXES.indexOf(symmetry.axis);
     this.#offset = offsetOf(symmetry, restPositions);
   }
@@ -74,9 +74,9 @@ export class Mirror {
   }
 
   #nearestTo(place: Vec3): number | null {
-    const { restPositions } = this;
+    const restPositions = this.#restPositions;
     let nearest: number | null = null;
-    let smallest = (REACH * this.edgeLength) ** 2;
+    let smallest = (REACH * this.#edgeLength) ** 2;
     for (let i = 0; i < restPositions.length; i += 3) {
       const [dx, dy, dz] = [
         restPositions[i]! - place[0],
@@ -114,7 +114,7 @@ export class Mirror {
   }
 
   #rest(vertex: number): Vec3 {
-    const [x = 0, y = 0, z = 0] = this.restPositions.subarray(3 * vertex, 3 * vertex + 3);
+    const [x = 0, y = 0, z = 0] = this.#restPositions.subarray(3 * vertex, 3 * vertex + 3);
     return [x, y, z];
   }
 }

@@ -30,37 +30,37 @@ export interface Curve {
 }
 
 export class Convergence {
-  private solves: Solve[] = [];
-  private rested = false;
+  #solves: Solve[] = [];
+  #rested = false;
 
   add(rows: readonly TraceRow[]): void {
     for (const { iteration, stage, maxDeviation, totalMs } of rows) {
       // What an initialisation does has numbers up to 0.
-      if (!(iteration > (this.solves.at(-1)?.lastIteration ?? Infinity))) this.beginSolve();
-      const solve = this.solves.at(-1)!;
+      if (!(iteration > (this.#solves.at(-1)?.lastIteration ?? Infinity))) this.#beginSolve();
+      const solve = this.#solves.at(-1)!;
       solve.lastIteration = iteration;
       solve.milliseconds.push(totalMs);
       solve.maxDeviations.push(maxDeviation);
       solve.stages.push(stage);
     }
-    while (this.solves.length > 1 && this.length > LONGEST) this.solves.shift();
+    while (this.#solves.length > 1 && this.#length > LONGEST) this.#solves.shift();
   }
 
   /** Nothing more comes for the time being. */
   rest(): void {
-    this.rested = true;
-    this.solves = this.solves.slice(-1);
+    this.#rested = true;
+    this.#solves = this.#solves.slice(-1);
   }
 
   clear(): void {
-    this.solves = [];
-    this.rested = false;
+    this.#solves = [];
+    this.#rested = false;
   }
 
   curve(byTime: boolean): Curve {
     const curve: Curve = { x: [], y: [], marks: [] };
     let start = 0;
-    for (const { milliseconds, maxDeviations, stages } of this.solves) {
+    for (const { milliseconds, maxDeviations, stages } of this.#solves) {
       if (start > 0) push(curve, start, null);
       maxDeviations.forEach((deviation, i) => {
         const x = start + (byTime ? milliseconds[i]! : i + 1);
@@ -72,13 +72,13 @@ export class Convergence {
     return curve;
   }
 
-  private get length(): number {
-    return this.solves.reduce((sum, { stages }) => sum + stages.length, 0);
+  get #length(): number {
+    return this.#solves.reduce((sum, { stages }) => sum + stages.length, 0);
   }
 
-  private beginSolve(): void {
-    if (this.rested) this.clear();
-    this.solves.push({ lastIteration: -Infinity, milliseconds: [], maxDeviations: [], stages: [] });
+  #beginSolve(): void {
+    if (this.#rested) this.clear();
+    this.#solves.push({ lastIteration: -Infinity, milliseconds: [], maxDeviations: [], stages: [] });
   }
 }
 

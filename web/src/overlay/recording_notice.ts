@@ -5,28 +5,28 @@ import { make, makeButton, setText } from '../elements/dom';
 import './recording_notice.css';
 
 export class RecordingNotice {
-  private readonly time = make('span', { class: 'time' });
-  private readonly element: HTMLElement;
+  readonly #time = make('span', { class: 'time' });
+  readonly #element: HTMLElement;
 
   constructor(root: HTMLElement, stop: () => void) {
-    this.element = make(
+    this.#element = make(
       'div',
       { class: 'recording', role: 'group', 'aria-label': words.recording.title },
       make('i', { class: 'dot' }),
-      this.time,
+      this.#time,
       makeButton(words.recording.stop, stop),
     );
     this.show(0);
-    root.append(this.element);
-    this.element.querySelector('button')!.focus();
+    root.append(this.#element);
+    this.#element.querySelector('button')!.focus();
   }
 
   show(seconds: number): void {
-    setText(this.time, `${clock(seconds)} / ${clock(LONGEST)}`);
+    setText(this.#time, `${clock(seconds)} / ${clock(LONGEST)}`);
   }
 
   remove(): void {
-    this.element.remove();
+    this.#element.remove();
   }
 }
 

@@ -19,16 +19,18 @@ export class Autosave {
   /** Of what was kept last. */
   #writing = Promise.resolve();
   #refused = false;
+  readonly #app: App;
+  readonly #failed: () => void;
+  readonly #keeps: boolean;
 
   /**
    * @param failed called when the browser refuses.
    * @param keeps false: it never keeps anything.
    */
-  constructor(
-    private readonly app: App,
-    private readonly failed: () => void,
-    private readonly keeps: boolean,
-  ) {
+  constructor(app: App, failed: () => void, keeps: boolean) {
+    this.#app = app;
+    this.#failed = failed;
+    this.#keeps = keeps;
     if (!keeps) return;
     app.on('changed', () => this.#soon());
     document.addEventListener('visibilitychange', () => void this.#keep());
@@ -47,26 +49,26 @@ export class Autosave {
   /** The present net is kept under `id` from now on; if it is not `worth` it yet, once something was done to it. */
   begin(id: string, worth: boolean): void {
     this.#id = id;
-    this.#revision = worth ? -1 : this.app.history.revision;
+    this.#revision = worth ? -1 : this.#app.history.revision;
     this.#view = null;
     this.#soon();
   }
 
   /** Keeps the present net at once, unless it is kept as it is, or something is under way: then it is kept after that. */
   async save(): Promise<void> {
-    if (!this.keeps || !this.app.isQuiet) return;
+    if (!this.#keeps || !this.#app.isQuiet) return;
     clearTimeout(this.#timer);
     await this.#keep();
   }
 
   /** Also while something is under way: the page may be about to go. */
   async #keep(): Promise<void> {
-    const { revision } = this.app.history;
-    const project = this.app.project();
+    const { revision } = this.#app.history;
+    const project = this.#app.project();
     if (project === null) return;
     const seenAnew = this.#view !== null && this.#view !== project.view;
     if (revision === this.#revision && !seenAnew) return this.#writing;
-    this.#revision = this.app.isQuiet ? revision : -1;
+    this.#revision = this.#app.isQuiet ? revision : -1;
     this.#view = project.view;
     this.#writing = this.#write(project);
     return this.#writing;
@@ -82,12 +84,12 @@ export class Autosave {
       this.#refused = true;
       // To be tried again at the next occasion.
       this.#revision = -1;
-      this.failed();
+      this.#failed();
     }
   }
 
   #soon(): void {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => (this.app.isQuiet ? void this.save() : this.#soon()), PAUSE_MS);
+    this.#timer = setTimeout(() => (this.#app.isQuiet ? void this.save() : this.#soon()), PAUSE_MS);
   }
 }

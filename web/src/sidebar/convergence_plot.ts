@@ -22,20 +22,20 @@ const REST_MS = 1000;
 
 export class ConvergencePlot {
   readonly element = make('div', { class: 'plot' });
-  private readonly record = new Convergence();
-  private readonly host = make(
+  readonly #record = new Convergence();
+  readonly #host = make(
     'div',
     { role: 'img', 'aria-label': words.plot.label },
     make('p', { class: 'unplotted' }, words.plot.empty),
   );
-  private plot: uPlot | null = null;
+  #plot: uPlot | null = null;
   /** There has been something to plot. */
-  private wanted = false;
-  private curve: Curve = { x: [], y: [], marks: [] };
-  private byTime = false;
-  private threshold = 1e-6;
-  private stale = false;
-  private resting = 0;
+  #wanted = false;
+  #curve: Curve = { x: [], y: [], marks: [] };
+  #byTime = false;
+  #threshold = 1e-6;
+  #stale = false;
+  #resting = 0;
 
   constructor() {
     const choices = [
@@ -43,67 +43,67 @@ export class ConvergencePlot {
       { value: 'milliseconds', text: words.plot.milliseconds },
     ];
     const { row } = makeSelect(words.plot.against, choices, (value) => {
-      this.byTime = value === 'milliseconds';
-      this.draw();
+      this.#byTime = value === 'milliseconds';
+      this.#draw();
     });
-    this.element.append(row, this.host);
-    new ResizeObserver(() => this.fit()).observe(this.host);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.plot?.redraw());
+    this.element.append(row, this.#host);
+    new ResizeObserver(() => this.#fit()).observe(this.#host);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());
   }
 
   add(rows: readonly TraceRow[]): void {
     if (rows.length === 0) return;
-    this.record.add(rows);
-    this.stale = true;
-    clearTimeout(this.resting);
-    this.resting = window.setTimeout(() => this.rest(), REST_MS);
+    this.#record.add(rows);
+    this.#stale = true;
+    clearTimeout(this.#resting);
+    this.#resting = window.setTimeout(() => this.#rest(), REST_MS);
   }
 
   setThreshold(threshold: number): void {
-    if (threshold === this.threshold) return;
-    this.threshold = threshold;
-    this.plot?.redraw();
+    if (threshold === this.#threshold) return;
+    this.#threshold = threshold;
+    this.#plot?.redraw();
   }
 
   clear(): void {
-    this.record.clear();
-    this.draw();
+    this.#record.clear();
+    this.#draw();
   }
 
   /** Draws what has been added since, if anyone can see it. */
   refresh(): void {
-    if (this.stale && this.host.clientWidth > 0) this.draw();
+    if (this.#stale && this.#host.clientWidth > 0) this.#draw();
   }
 
-  private rest(): void {
-    this.record.rest();
-    this.draw();
+  #rest(): void {
+    this.#record.rest();
+    this.#draw();
   }
 
-  private draw(): void {
-    this.stale = false;
-    this.curve = this.record.curve(this.byTime);
-    this.wanted ||= this.curve.x.length > 0;
-    if (this.plot) this.plot.setData([this.curve.x, this.curve.y]);
-    else this.fit();
+  #draw(): void {
+    this.#stale = false;
+    this.#curve = this.#record.curve(this.#byTime);
+    this.#wanted ||= this.#curve.x.length > 0;
+    if (this.#plot) this.#plot.setData([this.#curve.x, this.#curve.y]);
+    else this.#fit();
   }
 
-  private fit(): void {
-    const width = this.host.clientWidth;
-    if (width === 0 || !this.wanted) return;
-    if (this.plot) this.plot.setSize({ width, height: HEIGHT });
-    else void this.begin();
+  #fit(): void {
+    const width = this.#host.clientWidth;
+    if (width === 0 || !this.#wanted) return;
+    if (this.#plot) this.#plot.setSize({ width, height: HEIGHT });
+    else void this.#begin();
   }
 
-  private async begin(): Promise<void> {
+  async #begin(): Promise<void> {
     const Plot = await loadPlots();
-    const width = this.host.clientWidth;
-    if (width === 0 || this.plot) return;
-    this.host.replaceChildren();
-    this.plot = new Plot(this.options(width), [this.curve.x, this.curve.y], this.host);
+    const width = this.#host.clientWidth;
+    if (width === 0 || this.#plot) return;
+    this.#host.replaceChildren();
+    this.#plot = new Plot(this.#options(width), [this.#curve.x, this.#curve.y], this.#host);
   }
 
-  private options(width: number): uPlot.Options {
+  #options(width: number): uPlot.Options {
     const colour = () => plotColour(this.element, '--link');
     return {
       width,
@@ -113,28 +113,28 @@ export class ConvergencePlot {
       cursor: { show: false },
       scales: {
         x: { time: false, range: (_, low, high) => roomyRange(low, high) },
-        y: { range: (_, low, high) => decadeRange(low, high, this.threshold) },
+        y: { range: (_, low, high) => decadeRange(low, high, this.#threshold) },
       },
       series: [{}, { stroke: colour, width: 1.5, points: { show: true, size: 4, fill: colour } }],
       axes: plotAxes(this.element),
-      hooks: { drawClear: [(plot) => this.drawMarks(plot)] },
+      hooks: { drawClear: [(plot) => this.#drawMarks(plot)] },
     };
   }
 
-  private drawMarks(plot: uPlot): void {
+  #drawMarks(plot: uPlot): void {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio;
     ctx.save();
     ctx.lineWidth = ratio;
     ctx.font = `${11 * ratio}px ${getComputedStyle(this.element).fontFamily}`;
     ctx.textAlign = 'left';
-    drawThreshold(plot, this.threshold, this.element);
+    drawThreshold(plot, this.#threshold, this.element);
     let free = -Infinity;
-    for (const mark of this.curve.marks) {
+    for (const mark of this.#curve.marks) {
       const x = plot.valToPos(mark.x, 'x', true);
       if (x < bbox.left || x > bbox.left + bbox.width) continue;
       // Many of them, in the course of a drag, must not drown the curve.
-      ctx.strokeStyle = plotColour(this.element, this.curve.marks.length < 8 ? '--line-strong' : '--line');
+      ctx.strokeStyle = plotColour(this.element, this.#curve.marks.length < 8 ? '--line-strong' : '--line');
       ctx.setLineDash([]);
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
       if (x < free) continue;

@@ -12,9 +12,9 @@ const [LOWEST, HIGHEST] = [2, 5];
 
 export class EnergyGraph {
   readonly element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'energy', role: 'img' });
-  private readonly curve = make('path', { class: 'current' });
-  private readonly name = make('text', { class: 'name' });
-  private readonly mark = make('circle', { r: 5, class: 'worst' });
+  readonly #curve = make('path', { class: 'current' });
+  readonly #name = make('text', { class: 'name' });
+  readonly #mark = make('circle', { r: 5, class: 'worst' });
 
   constructor() {
     const axes = make('path', { d: `M${LEFT} ${TOP}V${HEIGHT - BOTTOM}H${WIDTH}`, class: 'axis' });
@@ -23,19 +23,19 @@ export class EnergyGraph {
     );
     const levels = [2, 3, 4, 5].map((e) => label(LEFT - 6, y(e) + 4, String(e), 'end'));
     const usual = USUAL.map((p) => make('path', { d: path(p), class: 'usual' }));
-    this.element.append(axes, ...ticks, ...levels, ...usual, this.curve, this.name, this.mark);
+    this.element.append(axes, ...ticks, ...levels, ...usual, this.#curve, this.#name, this.#mark);
   }
 
   show(p: number, ratio: number): void {
-    this.curve.setAttribute('d', path(p));
+    this.#curve.setAttribute('d', path(p));
     // Inside of a wide curve, beside a narrow one, near where it leaves the picture.
     const r = Math.min(1.8, Math.exp(Math.acosh(HIGHEST / 2) / p));
-    this.name.setAttribute('text-anchor', r > 1.4 ? 'end' : 'start');
-    place(this.name, x(r) + (r > 1.4 ? -8 : 8), Math.max(y(energy(r, p)), TOP + 8));
-    setText(this.name, `p = ${p}`);
+    this.#name.setAttribute('text-anchor', r > 1.4 ? 'end' : 'start');
+    place(this.#name, x(r) + (r > 1.4 ? -8 : 8), Math.max(y(energy(r, p)), TOP + 8));
+    setText(this.#name, `p = ${p}`);
     const inside = Math.min(2, Math.max(0.5, ratio));
-    this.mark.setAttribute('cx', x(inside).toFixed(1));
-    this.mark.setAttribute('cy', y(Math.min(HIGHEST, energy(inside, p))).toFixed(1));
+    this.#mark.setAttribute('cx', x(inside).toFixed(1));
+    this.#mark.setAttribute('cy', y(Math.min(HIGHEST, energy(inside, p))).toFixed(1));
     this.element.setAttribute('aria-label', words.learn.graph(p, ratio.toPrecision(4)));
   }
 }

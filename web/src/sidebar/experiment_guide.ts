@@ -34,20 +34,22 @@ interface Offer {
 export class ExperimentGuide {
   /** Of the section in the sidebar. */
   readonly content: HTMLElement[];
-  private readonly listed = FIGURES.map(offerFigure);
-  private offered: Offer[] = [];
-  private shown: Figure | undefined;
-  private document: ChebnetDocument | null = null;
+  readonly #listed = FIGURES.map(offerFigure);
+  #offered: Offer[] = [];
+  #shown: Figure | undefined;
+  #document: ChebnetDocument | null = null;
+  readonly #note: HTMLElement;
+  readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
 
   /** @param failed is told why something did not come. */
-  constructor(
-    private readonly note: HTMLElement,
-    private readonly events: PanelEvents,
-    private readonly failed: (error: unknown) => void,
-  ) {
+  constructor(note: HTMLElement, events: PanelEvents, failed: (error: unknown) => void) {
+    this.#note = note;
+    this.#events = events;
+    this.#failed = failed;
     note.setAttribute('aria-label', texts.label);
     const items = FIGURES.map(({ figure }, i) =>
-      make('li', {}, make('span', {}, texts.figure(figure)), this.listed[i]!.link),
+      make('li', {}, make('span', {}, texts.figure(figure)), this.#listed[i]!.link),
     );
     this.content = [
       make('ul', { class: 'experiments' }, ...items),
@@ -56,29 +58,29 @@ export class ExperimentGuide {
   }
 
   show(document: ChebnetDocument): void {
-    this.document = document;
+    this.#document = document;
     const figure = findFigure(document.experiment);
-    this.note.hidden = figure === undefined;
-    if (figure !== this.shown) this.describe(figure);
-    for (const { link, hash, isOpen } of [...this.listed, ...this.offered]) {
+    this.#note.hidden = figure === undefined;
+    if (figure !== this.#shown) this.#describe(figure);
+    for (const { link, hash, isOpen } of [...this.#listed, ...this.#offered]) {
       link.setAttribute('href', hash(document));
       link.setAttribute('aria-current', String(isOpen(document)));
     }
   }
 
-  private describe(figure: Figure | undefined): void {
-    this.shown = figure;
-    this.offered = [];
-    if (figure === undefined) return this.note.replaceChildren();
+  #describe(figure: Figure | undefined): void {
+    this.#shown = figure;
+    this.#offered = [];
+    if (figure === undefined) return this.#note.replaceChildren();
     const edits = figure.edits.map((edit, place) => offerEdit(figure, edit, place));
     const variants = figure.variants.map((variant, place) => offerVariant(figure, variant, place));
-    this.offered = [...edits, ...variants];
+    this.#offered = [...edits, ...variants];
     const buttons = [
-      makeButton(words.solver.solve, () => this.events.solve(), { title: words.solver.solveHint }),
-      makeButton(words.step.step, () => this.events.step(), { title: words.step.stepHint }),
-      makeButton(texts.runAll, () => this.runAll(figure), { title: texts.runAllHint, hidden: variants.length < 2 }),
+      makeButton(words.solver.solve, () => this.#events.solve(), { title: words.solver.solveHint }),
+      makeButton(words.step.step, () => this.#events.step(), { title: words.step.stepHint }),
+      makeButton(texts.runAll, () => this.#runAll(figure), { title: texts.runAllHint, hidden: variants.length < 2 }),
     ];
-    this.note.replaceChildren(
+    this.#note.replaceChildren(
       make(
         'details',
         { open: matchMedia(ROOMY).matches },
@@ -100,8 +102,8 @@ export class ExperimentGuide {
     );
   }
 
-  private runAll(figure: Figure): void {
-    variationsOf(figure, this.document!).then((wishes) => this.events.runAll(wishes), this.failed);
+  #runAll(figure: Figure): void {
+    variationsOf(figure, this.#document!).then((wishes) => this.#events.runAll(wishes), this.#failed);
   }
 }
 

@@ -21,35 +21,34 @@ export const ROW_KEYS: readonly KeyRow[] = [{ keys: ['F2'], does: 'rename' }];
 
 export class HandleRow {
   readonly element: HTMLLIElement;
-  private readonly title = make('span');
-  private readonly select: HTMLButtonElement;
-  private readonly eye: Toggle;
-  private readonly lock: Toggle;
-  private readonly name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': words.handles.name });
-  private readonly inputs: HTMLInputElement[];
-  private readonly softness: Softness;
-  private readonly fields: HTMLDivElement;
-  private handle: HandleData | null = null;
-  private shown = '';
+  readonly #title = make('span');
+  readonly #select: HTMLButtonElement;
+  readonly #eye: Toggle;
+  readonly #lock: Toggle;
+  readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': words.handles.name });
+  readonly #inputs: HTMLInputElement[];
+  readonly #softness: Softness;
+  readonly #fields: HTMLDivElement;
+  #handle: HandleData | null = null;
+  #shown = '';
+  readonly #events: RowEvents;
 
-  constructor(
-    vertex: number,
-    private readonly events: RowEvents,
-  ) {
-    this.select = makeButton(make('i', { class: 'mark' }), () => {}, {
+  constructor(vertex: number, events: RowEvents) {
+    this.#events = events;
+    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, {
       class: 'plain name',
       title: words.handles.renameHint,
     });
-    this.select.append(this.title);
-    this.select.addEventListener('click', (event) => this.clicked(event));
-    this.select.addEventListener('dblclick', () => this.rename());
-    this.select.addEventListener('keydown', (event) => {
-      if (event.key === 'F2') this.rename();
+    this.#select.append(this.#title);
+    this.#select.addEventListener('click', (event) => this.#clicked(event));
+    this.#select.addEventListener('dblclick', () => this.#rename());
+    this.#select.addEventListener('keydown', (event) => {
+      if (event.key === 'F2') this.#rename();
     });
-    this.eye = new Toggle(ICONS.eye, ICONS.eyeOff, [words.handles.hide, words.handles.show], (hidden) =>
+    this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [words.handles.hide, words.handles.show], (hidden) =>
       events.change({ hidden: hidden || undefined }),
     );
-    this.lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
+    this.#lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
       events.change({ anchor }),
     );
     const remove = makeButton(makeIcon(ICONS.cross), () => events.remove(), {
@@ -57,65 +56,65 @@ export class HandleRow {
       'aria-label': words.handles.removeAt(vertex),
       title: words.handles.remove,
     });
-    this.name.placeholder = words.handles.vertex(vertex);
-    this.name.addEventListener('change', () => events.change({ name: this.name.value.trim() || undefined }));
-    this.inputs = AXES.map((_, axis) => this.makeCoordinate(axis));
-    this.softness = new Softness(events.change);
-    const nameRow = make('label', { class: 'row' }, make('span', {}, words.handles.name), this.name);
-    this.fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.inputs), ...this.softness.rows);
-    const line = make('div', { class: 'line' }, this.select, this.eye.button, this.lock.button, remove);
-    this.element = make('li', {}, line, this.fields);
+    this.#name.placeholder = words.handles.vertex(vertex);
+    this.#name.addEventListener('change', () => events.change({ name: this.#name.value.trim() || undefined }));
+    this.#inputs = AXES.map((_, axis) => this.#makeCoordinate(axis));
+    this.#softness = new Softness(events.change);
+    const nameRow = make('label', { class: 'row' }, make('span', {}, words.handles.name), this.#name);
+    this.#fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.#inputs), ...this.#softness.rows);
+    const line = make('div', { class: 'line' }, this.#select, this.#eye.button, this.#lock.button, remove);
+    this.element = make('li', {}, line, this.#fields);
   }
 
   /** `alone`: nothing else is selected. Fields are for one handle at a time. */
   show(handle: HandleData, selected: boolean, alone: boolean, edgeLength: number): void {
     const state = `${selected} ${alone}`;
-    if (handle === this.handle && state === this.shown) return;
-    [this.handle, this.shown] = [handle, state];
+    if (handle === this.#handle && state === this.#shown) return;
+    [this.#handle, this.#shown] = [handle, state];
     const { target, anchor, hidden, weight } = handle;
-    setText(this.title, titleOf(handle));
+    setText(this.#title, titleOf(handle));
     const { classList } = this.element;
     classList.toggle('selected', selected);
     classList.toggle('locked', anchor);
     classList.toggle('soft', weight !== undefined);
     classList.toggle('unseen', hidden === true);
-    this.select.setAttribute('aria-pressed', String(selected));
-    this.select.setAttribute('aria-expanded', String(alone));
-    this.eye.show(hidden === true);
-    this.lock.show(anchor);
-    this.fields.hidden = !alone;
+    this.#select.setAttribute('aria-pressed', String(selected));
+    this.#select.setAttribute('aria-expanded', String(alone));
+    this.#eye.show(hidden === true);
+    this.#lock.show(anchor);
+    this.#fields.hidden = !alone;
     if (!alone) return;
-    setValue(this.name, handle.name ?? '');
-    this.inputs.forEach((input, axis) => {
+    setValue(this.#name, handle.name ?? '');
+    this.#inputs.forEach((input, axis) => {
       input.disabled = anchor;
       setValue(input, coordinate(target[axis]!, edgeLength));
     });
-    this.softness.show(weight);
+    this.#softness.show(weight);
   }
 
   focus(): void {
-    this.select.focus();
+    this.#select.focus();
   }
 
-  private clicked(event: MouseEvent): void {
+  #clicked(event: MouseEvent): void {
     // The second click of two belongs to renaming.
-    if (event.detail < 2) this.events.select(event.shiftKey || event.ctrlKey || event.metaKey);
+    if (event.detail < 2) this.#events.select(event.shiftKey || event.ctrlKey || event.metaKey);
   }
 
-  private rename(): void {
-    if (this.fields.hidden) this.events.select(false);
-    this.name.focus();
-    this.name.select();
+  #rename(): void {
+    if (this.#fields.hidden) this.#events.select(false);
+    this.#name.focus();
+    this.#name.select();
   }
 
-  private makeCoordinate(axis: number): HTMLInputElement {
+  #makeCoordinate(axis: number): HTMLInputElement {
     const input = make('input', { type: 'number', step: 'any', required: true });
     input.addEventListener('change', () => {
-      if (!this.handle || !input.checkValidity()) return;
+      if (!this.#handle || !input.checkValidity()) return;
       // The other two keep digits that their fields do not show.
-      const target: Vec3 = [...this.handle.target];
+      const target: Vec3 = [...this.#handle.target];
       target[axis] = input.valueAsNumber;
-      this.events.place(target);
+      this.#events.place(target);
     });
     return input;
   }
@@ -133,31 +132,28 @@ export function makeCoordinates(inputs: readonly HTMLInputElement[]): HTMLDivEle
 /** A button with two faces. */
 class Toggle {
   readonly button: HTMLButtonElement;
-  private readonly faces: [SVGSVGElement, SVGSVGElement];
-  private on = false;
+  readonly #faces: [SVGSVGElement, SVGSVGElement];
+  #on = false;
+  readonly #labels: [string, string];
 
   /** `labels`: what a press does while it is off, and while it is on. */
-  constructor(
-    off: string,
-    on: string,
-    private readonly labels: [string, string],
-    turned: (on: boolean) => void,
-  ) {
-    this.faces = [makeIcon(off), makeIcon(on)];
-    this.button = makeButton(this.faces[0], () => turned(!this.on), { class: 'plain tool' });
-    this.turn(false);
+  constructor(off: string, on: string, labels: [string, string], turned: (on: boolean) => void) {
+    this.#labels = labels;
+    this.#faces = [makeIcon(off), makeIcon(on)];
+    this.button = makeButton(this.#faces[0], () => turned(!this.#on), { class: 'plain tool' });
+    this.#turn(false);
   }
 
   show(on: boolean): void {
-    if (on === this.on) return;
-    this.turn(on);
+    if (on === this.#on) return;
+    this.#turn(on);
   }
 
-  private turn(on: boolean): void {
-    this.on = on;
-    this.button.replaceChildren(this.faces[Number(on)]!);
+  #turn(on: boolean): void {
+    this.#on = on;
+    this.button.replaceChildren(this.#faces[Number(on)]!);
     this.button.setAttribute('aria-pressed', String(on));
-    this.button.setAttribute('aria-label', this.labels[Number(on)]!);
-    this.button.title = this.labels[Number(on)]!;
+    this.button.setAttribute('aria-label', this.#labels[Number(on)]!);
+    this.button.title = this.#labels[Number(on)]!;
   }
 }

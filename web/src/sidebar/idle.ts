@@ -3,18 +3,18 @@
 const QUIET_MS = 400;
 
 export class Idle {
-  private last = 0;
+  #last = 0;
 
   /** Something is going on. */
   touch(): void {
-    this.last = performance.now();
+    this.#last = performance.now();
   }
 
   async quiet(): Promise<void> {
-    for (let left = this.left(); left > 0; left = this.left()) await new Promise((done) => setTimeout(done, left));
+    for (let left = this.#left(); left > 0; left = this.#left()) await new Promise((done) => setTimeout(done, left));
   }
 
-  private left(): number {
-    return this.last + QUIET_MS - performance.now();
+  #left(): number {
+    return this.#last + QUIET_MS - performance.now();
   }
 }

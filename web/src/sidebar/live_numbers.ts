@@ -6,9 +6,11 @@ import { count, milliseconds, NOTHING, small } from '../language/numbers';
 
 const LABELS = words.numbers;
 
+type Cells = Record<keyof typeof LABELS, HTMLElement>;
+
 export class LiveNumbers {
   readonly element = make('dl', { class: 'numbers' });
-  private readonly cells: Record<keyof typeof LABELS, HTMLElement>;
+  readonly #cells: Cells;
 
   constructor() {
     const cell = (label: string) => {
@@ -16,26 +18,24 @@ export class LiveNumbers {
       this.element.append(make('div', {}, make('dt', {}, label), value));
       return value;
     };
-    this.cells = Object.fromEntries(
-      Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
-    ) as typeof this.cells;
+    this.#cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as Cells;
   }
 
   showNet({ info }: OpenedNet): void {
-    setText(this.cells.vertices, count(info.vertices));
-    setText(this.cells.edges, count(info.edges));
+    setText(this.#cells.vertices, count(info.vertices));
+    setText(this.#cells.edges, count(info.edges));
   }
 
   showHandles(handles: number): void {
-    setText(this.cells.handles, count(handles));
+    setText(this.#cells.handles, count(handles));
   }
 
   showFrame(frame: FrameData, framesPerSecond: number): void {
-    setText(this.cells.maxDeviation, small(frame.maxDeviation));
+    setText(this.#cells.maxDeviation, small(frame.maxDeviation));
     const solved = frame.iterations > 0;
-    setText(this.cells.stage, solved ? String(frame.stage) : NOTHING);
-    setText(this.cells.iterations, solved ? count(frame.iterations) : NOTHING);
-    setText(this.cells.milliseconds, solved ? milliseconds(frame.milliseconds) : NOTHING);
-    setText(this.cells.framesPerSecond, framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
+    setText(this.#cells.stage, solved ? String(frame.stage) : NOTHING);
+    setText(this.#cells.iterations, solved ? count(frame.iterations) : NOTHING);
+    setText(this.#cells.milliseconds, solved ? milliseconds(frame.milliseconds) : NOTHING);
+    setText(this.#cells.framesPerSecond, framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
   }
 }

@@ -10,32 +10,32 @@ const USUAL_COUNT = 5;
 class Choice<Info extends { name: string; sentence: string; citation: string }> {
   readonly row: HTMLElement;
   readonly about = make('p', { class: 'quiet' });
-  private readonly select: HTMLSelectElement;
-  private table: Info[] = [];
+  readonly #select: HTMLSelectElement;
+  #table: Info[] = [];
 
   constructor(label: string, changed: () => void) {
     const { row, select } = makeSelect(label, [], changed);
-    [this.row, this.select] = [row, select];
+    [this.row, this.#select] = [row, select];
   }
 
   get chosen(): Info | undefined {
-    return this.table.find(({ name }) => name === this.select.value);
+    return this.#table.find(({ name }) => name === this.#select.value);
   }
 
   showTable(table: Info[]): void {
-    this.table = table;
-    this.select.replaceChildren(
+    this.#table = table;
+    this.#select.replaceChildren(
       ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, words.core.method(name))),
     );
   }
 
   show(name: string): void {
-    setValue(this.select, name);
-    const info = this.table.find((each) => each.name === name);
-    if (info && this.about.dataset.name !== name) this.describe(info);
+    setValue(this.#select, name);
+    const info = this.#table.find((each) => each.name === name);
+    if (info && this.about.dataset.name !== name) this.#describe(info);
   }
 
-  private describe({ name, sentence, citation }: Info): void {
+  #describe({ name, sentence, citation }: Info): void {
     this.about.dataset.name = name;
     this.about.replaceChildren(sentence, ' ', make('cite', {}, `${citation}.`));
   }
@@ -43,31 +43,31 @@ class Choice<Info extends { name: string; sentence: string; citation: string }> 
 
 export class MethodChoice {
   readonly content: HTMLElement[];
-  private readonly choice: Choice<MethodInfo>;
+  readonly #choice: Choice<MethodInfo>;
 
   constructor(changed: () => void) {
-    this.choice = new Choice(words.solver.method, changed);
-    this.content = [this.choice.row, this.choice.about];
+    this.#choice = new Choice(words.solver.method, changed);
+    this.content = [this.#choice.row, this.#choice.about];
   }
 
   get value(): string {
-    return this.choice.chosen?.name ?? '';
+    return this.#choice.chosen?.name ?? '';
   }
 
   showTable(table: MethodInfo[]): void {
-    this.choice.showTable(table);
+    this.#choice.showTable(table);
   }
 
   show(method: string): void {
-    this.choice.show(method);
+    this.#choice.show(method);
   }
 }
 
 /** Its value is text as the core reads it, e.g. `arap:5`. */
 export class InitialisationChoice {
   readonly content: HTMLElement[];
-  private readonly choice: Choice<InitialisationInfo>;
-  private readonly count = make('input', {
+  readonly #choice: Choice<InitialisationInfo>;
+  readonly #count = make('input', {
     type: 'number',
     step: 1,
     min: 1,
@@ -75,27 +75,27 @@ export class InitialisationChoice {
     value: USUAL_COUNT,
     required: true,
   });
-  private readonly countRow = make('label', { class: 'row' }, make('span', {}, words.solver.count), this.count);
+  readonly #countRow = make('label', { class: 'row' }, make('span', {}, words.solver.count), this.#count);
 
   constructor(changed: () => void) {
-    this.choice = new Choice(words.solver.initialisation, changed);
-    this.count.addEventListener('change', () => this.count.reportValidity() && changed());
-    this.content = [this.choice.row, this.countRow, this.choice.about];
+    this.#choice = new Choice(words.solver.initialisation, changed);
+    this.#count.addEventListener('change', () => this.#count.reportValidity() && changed());
+    this.content = [this.#choice.row, this.#countRow, this.#choice.about];
   }
 
   get value(): string {
-    const { name = '', counted = false } = this.choice.chosen ?? {};
-    return counted ? `${name}:${this.count.validity.valid ? this.count.value : USUAL_COUNT}` : name;
+    const { name = '', counted = false } = this.#choice.chosen ?? {};
+    return counted ? `${name}:${this.#count.validity.valid ? this.#count.value : USUAL_COUNT}` : name;
   }
 
   showTable(table: InitialisationInfo[]): void {
-    this.choice.showTable(table);
+    this.#choice.showTable(table);
   }
 
   show(initialisation: string): void {
     const [name = '', count] = initialisation.split(':');
-    this.choice.show(name);
-    this.countRow.hidden = count === undefined;
-    if (count !== undefined) setValue(this.count, count);
+    this.#choice.show(name);
+    this.#countRow.hidden = count === undefined;
+    if (count !== undefined) setValue(this.#count, count);
   }
 }

@@ -12,76 +12,78 @@ import { coordinate } from '../language/numbers';
 
 export class SelectionForm {
   readonly element: HTMLElement;
-  private readonly count = make('h3');
-  private readonly centre = AXES.map(() => numberField(''));
-  private readonly by = AXES.map(() => numberField('0'));
-  private readonly axis = make(
+  readonly #count = make('h3');
+  readonly #centre = AXES.map(() => numberField(''));
+  readonly #by = AXES.map(() => numberField('0'));
+  readonly #axis = make(
     'select',
     { 'aria-label': words.handles.axis },
     ...AXES.map((axis) => make('option', { value: axis }, axis)),
   );
-  private readonly degrees = numberField('90', words.handles.degrees);
-  private readonly factor = numberField('1.1', words.handles.factor);
-  private readonly motions: HTMLFieldSetElement;
-  private readonly softness: Softness;
-  private place: Vec3 = [0, 0, 0];
-  private selection: Selection = [];
+  readonly #degrees = numberField('90', words.handles.degrees);
+  readonly #factor = numberField('1.1', words.handles.factor);
+  readonly #motions: HTMLFieldSetElement;
+  readonly #softness: Softness;
+  #place: Vec3 = [0, 0, 0];
+  #selection: Selection = [];
+  readonly #events: PanelEvents;
 
-  constructor(private readonly events: PanelEvents) {
-    this.axis.value = 'z';
-    this.centre.forEach((input, axis) => input.addEventListener('change', () => this.moveCentre(axis)));
-    this.motions = make(
+  constructor(events: PanelEvents) {
+    this.#events = events;
+    this.#axis.value = 'z';
+    this.#centre.forEach((input, axis) => input.addEventListener('change', () => this.#moveCentre(axis)));
+    this.#motions = make(
       'fieldset',
       {},
       make(
         'div',
         { class: 'motion', role: 'group', 'aria-label': words.handles.centre },
         make('span', {}, words.handles.centre),
-        makeCoordinates(this.centre),
+        makeCoordinates(this.#centre),
       ),
-      this.motion(
+      this.#motion(
         words.handles.moveBy,
-        () => ({ kind: 'move', by: this.by.map((input) => input.valueAsNumber) as Vec3 }),
-        makeCoordinates(this.by),
+        () => ({ kind: 'move', by: this.#by.map((input) => input.valueAsNumber) as Vec3 }),
+        makeCoordinates(this.#by),
       ),
-      this.motion(
+      this.#motion(
         words.handles.rotate,
-        () => ({ kind: 'rotate', axis: this.axis.value as Axis, degrees: this.degrees.valueAsNumber }),
-        make('div', { class: 'pair' }, this.axis, this.degrees),
+        () => ({ kind: 'rotate', axis: this.#axis.value as Axis, degrees: this.#degrees.valueAsNumber }),
+        make('div', { class: 'pair' }, this.#axis, this.#degrees),
       ),
-      this.motion(words.handles.scale, () => ({ kind: 'scale', factor: this.factor.valueAsNumber }), this.factor),
+      this.#motion(words.handles.scale, () => ({ kind: 'scale', factor: this.#factor.valueAsNumber }), this.#factor),
     );
-    this.softness = new Softness((traits) => events.handles.change(this.selection, traits));
+    this.#softness = new Softness((traits) => events.handles.change(this.#selection, traits));
     this.element = make(
       'section',
       { class: 'selection', 'aria-label': words.handles.selection },
-      this.count,
-      this.motions,
-      ...this.softness.rows,
+      this.#count,
+      this.#motions,
+      ...this.#softness.rows,
     );
   }
 
   show(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
     this.element.hidden = selected.length < 2;
     if (this.element.hidden) return;
-    this.selection = selection;
-    this.softness.show(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
-    setText(this.count, words.handles.selected(selected.length));
+    this.#selection = selection;
+    this.#softness.show(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
+    setText(this.#count, words.handles.selected(selected.length));
     const moving = unlocked(selection, selected);
-    this.motions.disabled = moving.length === 0;
-    this.place = centreOf((moving.length > 0 ? moving : selected).map(({ target }) => target));
-    this.centre.forEach((input, axis) => setValue(input, coordinate(this.place[axis]!, edgeLength)));
+    this.#motions.disabled = moving.length === 0;
+    this.#place = centreOf((moving.length > 0 ? moving : selected).map(({ target }) => target));
+    this.#centre.forEach((input, axis) => setValue(input, coordinate(this.#place[axis]!, edgeLength)));
   }
 
-  private moveCentre(axis: number): void {
-    const input = this.centre[axis]!;
+  #moveCentre(axis: number): void {
+    const input = this.#centre[axis]!;
     if (!input.checkValidity()) return;
     const by: Vec3 = [0, 0, 0];
-    by[axis] = input.valueAsNumber - this.place[axis]!;
-    this.events.handles.transform({ kind: 'move', by });
+    by[axis] = input.valueAsNumber - this.#place[axis]!;
+    this.#events.handles.transform({ kind: 'move', by });
   }
 
-  private motion(label: string, read: () => Motion, fields: HTMLElement): HTMLFormElement {
+  #motion(label: string, read: () => Motion, fields: HTMLElement): HTMLFormElement {
     const form = make(
       'form',
       { class: 'motion', 'aria-label': label },
@@ -91,7 +93,7 @@ export class SelectionForm {
     );
     form.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.events.handles.transform(read());
+      this.#events.handles.transform(read());
     });
     return form;
   }

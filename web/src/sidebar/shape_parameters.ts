@@ -8,26 +8,29 @@ import './gallery.css';
 
 export class ShapeParameters {
   readonly element = make('div', { class: 'parameters' });
-  private shown = '';
+  #shown = '';
+  readonly #open: (recipe: string) => void;
 
-  constructor(private readonly open: (recipe: string) => void) {}
+  constructor(open: (recipe: string) => void) {
+    this.#open = open;
+  }
 
   /** null: the net is from a file. */
   show(text: string | null, shapes: ShapeInfo[]): void {
     const recipe = text === null ? null : parseRecipe(text);
     const shape = shapes.find(({ name }) => name === recipe?.name);
     const key = shape ? text! : '';
-    if (key === this.shown) return;
-    this.shown = key;
+    if (key === this.#shown) return;
+    this.#shown = key;
     // Whoever works a slider by keys keeps it.
     const focused = (document.activeElement as HTMLElement | null)?.dataset.parameter;
     this.element.replaceChildren(
-      ...(recipe && shape ? shape.parameters.map((parameter) => this.slider(parameter, recipe, shape)) : []),
+      ...(recipe && shape ? shape.parameters.map((parameter) => this.#slider(parameter, recipe, shape)) : []),
     );
     if (focused) this.element.querySelector<HTMLElement>(`[data-parameter="${focused}"]`)?.focus();
   }
 
-  private slider(parameter: ShapeParameter, recipe: Recipe, shape: ShapeInfo): HTMLElement {
+  #slider(parameter: ShapeParameter, recipe: Recipe, shape: ShapeInfo): HTMLElement {
     const value = recipe.values[parameter.name] ?? parameter.value;
     const input = make('input', {
       type: 'range',
@@ -46,7 +49,7 @@ export class ShapeParameters {
     });
     input.addEventListener('change', () => {
       const values = { ...recipe.values, [parameter.name]: fromSlider(parameter, input.valueAsNumber) };
-      this.open(formatRecipe({ name: recipe.name, values }, shape));
+      this.#open(formatRecipe({ name: recipe.name, values }, shape));
     });
     return make('label', { class: 'slider' }, make('span', {}, words.core.name(parameter.name)), input, output);
   }

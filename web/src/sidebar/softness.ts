@@ -9,34 +9,34 @@ const WEIGHTS = { smallest: -2, largest: 2, usual: 1 };
 
 export class Softness {
   readonly rows: HTMLElement[];
-  private readonly soft: ReturnType<typeof makeSwitch>;
-  private readonly weight = make('input', { type: 'range', min: WEIGHTS.smallest, max: WEIGHTS.largest, step: 0.1 });
-  private readonly value = make('output');
-  private readonly weightRow = make(
+  readonly #soft: ReturnType<typeof makeSwitch>;
+  readonly #weight = make('input', { type: 'range', min: WEIGHTS.smallest, max: WEIGHTS.largest, step: 0.1 });
+  readonly #value = make('output');
+  readonly #weightRow = make(
     'label',
     { class: 'slider' },
     make('span', {}, words.handles.weight),
-    this.weight,
-    this.value,
+    this.#weight,
+    this.#value,
   );
 
   constructor(change: (traits: HandleTraits) => void) {
-    this.soft = makeSwitch(words.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));
-    this.weight.addEventListener('input', () => setText(this.value, small(this.chosen())));
-    this.weight.addEventListener('change', () => change({ weight: this.chosen() }));
-    this.rows = [this.soft.row, this.weightRow];
+    this.#soft = makeSwitch(words.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));
+    this.#weight.addEventListener('input', () => setText(this.#value, small(this.#chosen())));
+    this.#weight.addEventListener('change', () => change({ weight: this.#chosen() }));
+    this.rows = [this.#soft.row, this.#weightRow];
   }
 
   /** undefined: exact. */
   show(weight: number | undefined): void {
-    this.soft.box.checked = weight !== undefined;
-    this.weightRow.hidden = weight === undefined;
+    this.#soft.box.checked = weight !== undefined;
+    this.#weightRow.hidden = weight === undefined;
     if (weight === undefined) return;
-    setValue(this.weight, String(Math.log10(weight)));
-    setText(this.value, small(weight));
+    setValue(this.#weight, String(Math.log10(weight)));
+    setText(this.#value, small(weight));
   }
 
-  private chosen(): number {
-    return Number((10 ** this.weight.valueAsNumber).toPrecision(2));
+  #chosen(): number {
+    return Number((10 ** this.#weight.valueAsNumber).toPrecision(2));
   }
 }

@@ -8,34 +8,36 @@ const OFF = 'off';
 
 export class SymmetryChoice {
   readonly rows: HTMLElement[];
-  private readonly axis: ReturnType<typeof makeSelect>;
-  private readonly through: ReturnType<typeof makeSelect>;
+  readonly #axis: ReturnType<typeof makeSelect>;
+  readonly #through: ReturnType<typeof makeSelect>;
+  readonly #chosen: (symmetry: Symmetry | undefined) => void;
 
-  constructor(private readonly chosen: (symmetry: Symmetry | undefined) => void) {
+  constructor(chosen: (symmetry: Symmetry | undefined) => void) {
+    this.#chosen = chosen;
     const axes = AXES.map((axis) => ({ value: axis, text: words.symmetry.across(axis) }));
-    this.axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () =>
-      this.choose(),
+    this.#axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () =>
+      this.#choose(),
     );
-    this.through = makeSelect(
+    this.#through = makeSelect(
       words.symmetry.through,
       [
         { value: 'centre', text: words.symmetry.centre },
         { value: 'origin', text: words.symmetry.origin },
       ],
-      () => this.choose(),
+      () => this.#choose(),
     );
-    this.rows = [this.axis.row, this.through.row];
+    this.rows = [this.#axis.row, this.#through.row];
     this.show(undefined);
   }
 
   show(symmetry: Symmetry | undefined): void {
-    setValue(this.axis.select, symmetry?.axis ?? OFF);
-    setValue(this.through.select, symmetry?.through ?? 'centre');
-    this.through.row.hidden = symmetry === undefined;
+    setValue(this.#axis.select, symmetry?.axis ?? OFF);
+    setValue(this.#through.select, symmetry?.through ?? 'centre');
+    this.#through.row.hidden = symmetry === undefined;
   }
 
-  private choose(): void {
-    const [axis, through] = [this.axis.select.value, this.through.select.value];
-    this.chosen(axis === OFF ? undefined : ({ axis, through } as Symmetry));
+  #choose(): void {
+    const [axis, through] = [this.#axis.select.value, this.#through.select.value];
+    this.#chosen(axis === OFF ? undefined : ({ axis, through } as Symmetry));
   }
 }

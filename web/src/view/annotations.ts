@@ -36,51 +36,54 @@ export interface Annotated {
 
 export class Annotations {
   readonly overlay = new Overlay();
+  readonly #picture: Picture;
 
-  constructor(private readonly picture: Picture) {}
+  constructor(picture: Picture) {
+    this.#picture = picture;
+  }
 
   draw({ found, isFirstVisit, dragged, preview, unreachable }: Annotated): void {
-    const { marks } = this.picture;
+    const { marks } = this.#picture;
     const radius = marks.screenRadius;
-    this.drawHover(found, radius);
+    this.#drawHover(found, radius);
     const suggested = isFirstVisit ? marks.suggested : null;
     const begin = suggested === null ? undefined : marks.point(suggested);
-    this.overlay.setPulse(begin ? this.picture.place(begin) : null, radius + 3);
-    this.overlay.setTether(this.tether(dragged, radius));
-    this.overlay.setPreview(preview.map((vertex) => this.vertexPlace(vertex)));
-    this.overlay.setStrains(this.strains(unreachable));
+    this.overlay.setPulse(begin ? this.#picture.place(begin) : null, radius + 3);
+    this.overlay.setTether(this.#tether(dragged, radius));
+    this.overlay.setPreview(preview.map((vertex) => this.#vertexPlace(vertex)));
+    this.overlay.setStrains(this.#strains(unreachable));
   }
 
-  private drawHover(found: Found | null, radius: number): void {
+  #drawHover(found: Found | null, radius: number): void {
     if (!found) return this.overlay.setHover(null, 0, false);
     const { vertex, handle } = found;
-    const point = (handle && this.picture.marks.point(vertex)) || this.picture.vertexPoint(vertex);
-    this.overlay.setHover(this.picture.place(point), handle ? radius + 4 : 8, !handle);
+    const point = (handle && this.#picture.marks.point(vertex)) || this.#picture.vertexPoint(vertex);
+    this.overlay.setHover(this.#picture.place(point), handle ? radius + 4 : 8, !handle);
   }
 
-  private tether(vertex: number | undefined, radius: number): { from: Place; to: Place } | null {
-    const point = vertex === undefined ? undefined : this.picture.marks.point(vertex);
+  #tether(vertex: number | undefined, radius: number): { from: Place; to: Place } | null {
+    const point = vertex === undefined ? undefined : this.#picture.marks.point(vertex);
     if (vertex === undefined || !point) return null;
-    const from = this.vertexPlace(vertex);
-    const to = this.picture.place(point);
+    const from = this.#vertexPlace(vertex);
+    const to = this.#picture.place(point);
     return Math.hypot(to.x - from.x, to.y - from.y) > 2 * radius ? { from, to } : null;
   }
 
-  private strains(unreachable: FrameData['unreachable']): Strain[] {
-    const { marks } = this.picture;
+  #strains(unreachable: FrameData['unreachable']): Strain[] {
+    const { marks } = this.#picture;
     return unreachable.slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
       const [a, b] = [marks.point(vertexA), marks.point(vertexB)];
       if (!a || !b) return [];
-      const [from, to] = [this.picture.place(a), this.picture.place(b)];
+      const [from, to] = [this.#picture.place(a), this.#picture.place(b)];
       const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
-      return [{ from, to, label: i === 0 ? { text, at: this.between(from, to) } : null }];
+      return [{ from, to, label: i === 0 ? { text, at: this.#between(from, to) } : null }];
     });
   }
 
   /** The middle of two places, kept on the canvas so that a label there can be read. */
-  private between(a: Place, b: Place): Place {
+  #between(a: Place, b: Place): Place {
     const { top, bottom, side } = LABEL_ROOM;
-    const { size } = this.picture;
+    const { size } = this.#picture;
     const clamp = (x: number, low: number, high: number) => Math.max(low, Math.min(high, x));
     return {
       x: clamp((a.x + b.x) / 2, side, size.x - side),
@@ -88,7 +91,7 @@ export class Annotations {
     };
   }
 
-  private vertexPlace(vertex: number): Place {
-    return this.picture.place(this.picture.vertexPoint(vertex));
+  #vertexPlace(vertex: number): Place {
+    return this.#picture.place(this.#picture.vertexPoint(vertex));
   }
 }

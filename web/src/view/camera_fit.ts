@@ -44,27 +44,27 @@ export function fitCamera(points: Float32Array, count: number, camera: Perspecti
 /** One direction of the picture. From a distance d before centre c, a point (x, towards) is within both sides if
  *  x − c ≤ high · (d − towards) and c − x ≤ low · (d − towards): of all points, one bounds each side. */
 class Span {
-  private readonly low: number;
-  private readonly high: number;
-  private below = -Infinity;
-  private above = -Infinity;
+  readonly #low: number;
+  readonly #high: number;
+  #below = -Infinity;
+  #above = -Infinity;
 
   constructor(slope: number, lowMargin: number, highMargin: number) {
-    this.low = slope * (1 - 2 * lowMargin);
-    this.high = slope * (1 - 2 * highMargin);
+    this.#low = slope * (1 - 2 * lowMargin);
+    this.#high = slope * (1 - 2 * highMargin);
   }
 
   include(x: number, towards: number): void {
-    this.below = Math.max(this.below, -x + this.low * towards);
-    this.above = Math.max(this.above, x + this.high * towards);
+    this.#below = Math.max(this.#below, -x + this.#low * towards);
+    this.#above = Math.max(this.#above, x + this.#high * towards);
   }
 
   get distance(): number {
-    return (this.below + this.above) / (this.low + this.high);
+    return (this.#below + this.#above) / (this.#low + this.#high);
   }
 
   /** In the middle of what is free at a greater distance. */
   centre(distance: number): number {
-    return (this.above - this.high * distance + this.low * distance - this.below) / 2;
+    return (this.#above - this.#high * distance + this.#low * distance - this.#below) / 2;
   }
 }

@@ -22,26 +22,25 @@ export class CameraRig {
   readonly orbit: OrbitControls;
   /** No hand has moved the camera since it was put to show the whole net. */
   framed = true;
-  private readonly calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  private steering = false;
-  private restless = false;
-  private glide: { from: Stand; to: Stand; start: number } | null = null;
-  private lastUpdate = 0;
+  readonly #calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  #steering = false;
+  #restless = false;
+  #glide: { from: Stand; to: Stand; start: number } | null = null;
+  #lastUpdate = 0;
+  readonly #events: RigEvents;
 
-  constructor(
-    canvas: HTMLCanvasElement,
-    private readonly events: RigEvents,
-  ) {
+  constructor(canvas: HTMLCanvasElement, events: RigEvents) {
+    this.#events = events;
     // OrbitControls reads it once, when made.
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
-    this.orbit.enableDamping = !this.calm;
+    this.orbit.enableDamping = !this.#calm;
     this.orbit.zoomSpeed = 1.2;
     this.orbit.minDistance = 0.02;
     this.orbit.maxDistance = 30;
-    this.orbit.addEventListener('start', () => this.begin());
-    this.orbit.addEventListener('end', () => this.end());
-    this.orbit.addEventListener('change', () => this.changed());
+    this.orbit.addEventListener('start', () => this.#begin());
+    this.orbit.addEventListener('end', () => this.#end());
+    this.orbit.addEventListener('change', () => this.#changed());
   }
 
   get distance(): number {
@@ -53,18 +52,18 @@ export class CameraRig {
   }
 
   standAt({ position, target }: Stand): void {
-    this.glide = null;
+    this.#glide = null;
     this.camera.position.copy(position);
     this.orbit.target.copy(target);
     this.orbit.update();
-    this.restless = false;
-    this.events.moved();
+    this.#restless = false;
+    this.#events.moved();
   }
 
   glideTo(to: Stand): void {
-    if (this.calm) this.standAt(to);
-    else this.glide = { from: this.stand, to, start: performance.now() };
-    this.changed();
+    if (this.#calm) this.standAt(to);
+    else this.#glide = { from: this.stand, to, start: performance.now() };
+    this.#changed();
   }
 
   resize(width: number, height: number): void {
@@ -76,51 +75,51 @@ export class CameraRig {
   update(): void {
     const now = performance.now();
     // By time, not by frame: on a slow machine the camera would coast for seconds.
-    const elapsed = now - this.lastUpdate;
+    const elapsed = now - this.#lastUpdate;
     this.orbit.dampingFactor = 1 - (1 - DAMPING) ** (elapsed < LONG_FRAME_MS ? 0.06 * elapsed : 1);
-    this.lastUpdate = now;
-    if (this.glide) this.glideOn(this.glide, now);
-    if (!this.orbit.update() && !this.glide && !this.steering) this.rest();
-    this.fitDepth();
+    this.#lastUpdate = now;
+    if (this.#glide) this.#glideOn(this.#glide, now);
+    if (!this.orbit.update() && !this.#glide && !this.#steering) this.#rest();
+    this.#fitDepth();
   }
 
   dispose(): void {
     this.orbit.dispose();
   }
 
-  private begin(): void {
-    this.steering = true;
+  #begin(): void {
+    this.#steering = true;
     this.framed = false;
-    this.glide = null;
+    this.#glide = null;
   }
 
-  private end(): void {
-    this.steering = false;
-    this.events.moved();
+  #end(): void {
+    this.#steering = false;
+    this.#events.moved();
   }
 
-  private changed(): void {
-    this.restless = true;
-    this.events.moved();
+  #changed(): void {
+    this.#restless = true;
+    this.#events.moved();
   }
 
-  private rest(): void {
-    if (!this.restless) return;
-    this.restless = false;
-    this.events.rested();
+  #rest(): void {
+    if (!this.#restless) return;
+    this.#restless = false;
+    this.#events.rested();
   }
 
-  private glideOn({ from, to, start }: { from: Stand; to: Stand; start: number }, now: number): void {
+  #glideOn({ from, to, start }: { from: Stand; to: Stand; start: number }, now: number): void {
     const t = Math.min(1, (now - start) / GLIDE_MS);
     const eased = 1 - (1 - t) ** 3;
     this.camera.position.lerpVectors(from.position, to.position, eased);
     this.orbit.target.lerpVectors(from.target, to.target, eased);
-    if (t === 1) this.glide = null;
-    this.changed();
+    if (t === 1) this.#glide = null;
+    this.#changed();
   }
 
   /** Near and far planes as the distance wants them: both the whole net and a single edge can be looked at. */
-  private fitDepth(): void {
+  #fitDepth(): void {
     const { camera, distance } = this;
     camera.near = Math.max(1e-3, 0.02 * distance);
     camera.far = distance + 8;

@@ -7,64 +7,67 @@ export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 
 /** Reports a drag in good order: a start, at most one move a frame, an end. */
 export class DragReport {
-  private held: readonly number[] = [];
-  private pending: Handle[] | null = null;
+  #held: readonly number[] = [];
+  #pending: Handle[] | null = null;
+  readonly #events: DragEvents;
 
-  constructor(private readonly events: DragEvents) {}
+  constructor(events: DragEvents) {
+    this.#events = events;
+  }
 
   /** The handles in hand, the one that leads first; empty: no drag is under way. */
   get vertices(): readonly number[] {
-    return this.held;
+    return this.#held;
   }
 
   get isUnderWay(): boolean {
-    return this.held.length > 0;
+    return this.#held.length > 0;
   }
 
   begin(vertices: readonly number[]): void {
-    this.held = vertices;
-    this.pending = null;
-    this.events.dragStart();
+    this.#held = vertices;
+    this.#pending = null;
+    this.#events.dragStart();
   }
 
   move(targets: Handle[]): void {
-    this.pending = targets;
+    this.#pending = targets;
   }
 
   /** Called once a frame. */
   flush(): void {
-    if (this.pending === null) return;
-    const targets = this.pending;
-    this.pending = null;
-    this.events.dragMove(targets);
+    if (this.#pending === null) return;
+    const targets = this.#pending;
+    this.#pending = null;
+    this.#events.dragMove(targets);
   }
 
   end(cancelled: boolean): void {
     if (!this.isUnderWay) return;
     if (!cancelled) this.flush();
-    this.held = [];
-    this.pending = null;
-    this.events.dragEnd(cancelled);
+    this.#held = [];
+    this.#pending = null;
+    this.#events.dragEnd(cancelled);
   }
 }
 
 /** Carries a point along under the pointer, in the plane through it that faces the camera. */
 export class ViewPlane {
-  private readonly plane = new Plane();
-  private readonly grip = new Vector3();
-  private readonly ray = new Raycaster();
+  readonly #plane = new Plane();
+  readonly #grip = new Vector3();
+  readonly #ray = new Raycaster();
 
   /** `pointer` in −1…1. The point keeps its distance from where it was gripped. */
   grab(camera: Camera, point: Vector3, pointer: Vector2): void {
-    camera.getWorldDirection(this.plane.normal);
-    this.plane.setFromNormalAndCoplanarPoint(this.plane.normal, point);
-    this.grip.set(0, 0, 0);
+    camera.getWorldDirection(this.#plane.normal);
+    this.#plane.setFromNormalAndCoplanarPoint(this.#plane.normal, point);
+    this.#grip.set(0, 0, 0);
     const hit = this.carry(camera, pointer);
-    if (hit) this.grip.copy(point).sub(hit);
+    if (hit) this.#grip.copy(point).sub(hit);
   }
 
   carry(camera: Camera, pointer: Vector2): Vector3 | null {
-    this.ray.setFromCamera(pointer, camera);
-    return this.ray.ray.intersectPlane(this.plane, new Vector3())?.add(this.grip) ?? null;
+    this.#ray.setFromCamera(pointer, camera);
+    return this.#ray.ray.intersectPlane(this.#plane, new Vector3())?.add(this.#grip) ?? null;
   }
 }

@@ -94,53 +94,55 @@ export const SELECTION_KEYS: readonly KeyRow[] = [
 ];
 
 export class Gestures {
-  private press: Press | null = null;
-  private hover: PointerEvent | null = null;
-  private hoverFrame = 0;
+  #press: Press | null = null;
+  #hover: PointerEvent | null = null;
+  #hoverFrame = 0;
   /** How far the arrow keys have moved the selection while they are held; null: they are not. */
-  private nudged: Vector3 | null = null;
-  private longTouch: ReturnType<typeof setTimeout> | undefined;
-  private readonly plane = new ViewPlane();
-  private readonly listeners = new AbortController();
+  #nudged: Vector3 | null = null;
+  #longTouch: ReturnType<typeof setTimeout> | undefined;
+  readonly #plane = new ViewPlane();
+  readonly #listeners = new AbortController();
+  readonly #stage: GestureStage;
 
-  constructor(private readonly stage: GestureStage) {
+  constructor(stage: GestureStage) {
+    this.#stage = stage;
     const { canvas } = stage;
-    const { signal } = this.listeners;
+    const { signal } = this.#listeners;
     // In the capture phase of the parent: decided before the camera's and the arrows' own listeners hear of it.
     const above = canvas.parentElement!;
-    above.addEventListener('pointerdown', (event) => this.down(event), { signal, capture: true });
-    above.addEventListener('pointermove', (event) => this.move(event), { signal, capture: true });
-    above.addEventListener('pointerup', (event) => this.up(event), { signal, capture: true });
-    above.addEventListener('pointercancel', (event) => this.lost(event), { signal, capture: true });
+    above.addEventListener('pointerdown', (event) => this.#down(event), { signal, capture: true });
+    above.addEventListener('pointermove', (event) => this.#move(event), { signal, capture: true });
+    above.addEventListener('pointerup', (event) => this.#up(event), { signal, capture: true });
+    above.addEventListener('pointercancel', (event) => this.#lost(event), { signal, capture: true });
     // With text selected all over the page, browsers would carry that text away instead of the handle.
     above.addEventListener('dragstart', (event) => event.preventDefault(), { signal });
-    canvas.addEventListener('pointerleave', () => this.leave(), { signal });
-    canvas.addEventListener('keydown', (event) => this.key(event), { signal });
-    canvas.addEventListener('keyup', (event) => this.keyUp(event), { signal });
-    canvas.addEventListener('blur', () => this.endNudge(), { signal });
-    window.addEventListener('keydown', (event) => this.escape(event), { signal, capture: true });
+    canvas.addEventListener('pointerleave', () => this.#leave(), { signal });
+    canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
+    canvas.addEventListener('keyup', (event) => this.#keyUp(event), { signal });
+    canvas.addEventListener('blur', () => this.#endNudge(), { signal });
+    window.addEventListener('keydown', (event) => this.#escape(event), { signal, capture: true });
   }
 
   dispose(): void {
-    this.listeners.abort();
-    cancelAnimationFrame(this.hoverFrame);
-    clearTimeout(this.longTouch);
+    this.#listeners.abort();
+    cancelAnimationFrame(this.#hoverFrame);
+    clearTimeout(this.#longTouch);
   }
 
-  private down(event: PointerEvent): void {
-    const { canvas, orbit, gizmo } = this.stage;
+  #down(event: PointerEvent): void {
+    const { canvas, orbit, gizmo } = this.#stage;
     if (event.target !== canvas) return;
-    this.setHover(null);
-    if (this.press) return this.downToo(event, this.press);
+    this.#setHover(null);
+    if (this.#press) return this.#downToo(event, this.#press);
     if (event.button !== 0 || !event.isPrimary) return;
     const isTouch = event.pointerType === 'touch';
-    const at = this.place(event);
-    const vertex = this.handleAt(at, event);
-    if (isTouch && vertex !== null && !this.stage.selecting()) this.awaitLongTouch(event.pointerId, vertex);
-    const handle = event.shiftKey ? null : this.grip(vertex);
-    const onGizmo = vertex === null && gizmo.takes(this.toDevice(at));
-    const outline = handle || onGizmo ? null : this.outlineFrom(at, event);
-    this.press = { pointer: event.pointerId, at, handle, outline, onGizmo, gone: 0, moved: false };
+    const at = this.#place(event);
+    const vertex = this.#handleAt(at, event);
+    if (isTouch && vertex !== null && !this.#stage.selecting()) this.#awaitLongTouch(event.pointerId, vertex);
+    const handle = event.shiftKey ? null : this.#grip(vertex);
+    const onGizmo = vertex === null && gizmo.takes(this.#toDevice(at));
+    const outline = handle || onGizmo ? null : this.#outlineFrom(at, event);
+    this.#press = { pointer: event.pointerId, at, handle, outline, onGizmo, gone: 0, moved: false };
     const isCameras = !handle && !onGizmo && !outline;
     // One finger is kept from turning the view, yet counted: with another it is a pinch.
     orbit.touches.ONE = isCameras ? TOUCH.ROTATE : null;
@@ -148,231 +150,234 @@ export class Gestures {
     if (isCameras || onGizmo) return;
     gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
-    if (handle) this.plane.grab(this.stage.camera, handle.from, this.toDevice(at));
+    if (handle) this.#plane.grab(this.#stage.camera, handle.from, this.#toDevice(at));
   }
 
   /** Another finger: the camera's business, unless something is well under way; then it goes unheard. */
-  private downToo(event: PointerEvent, press: Press): void {
+  #downToo(event: PointerEvent, press: Press): void {
     if (isUnderWay(press)) return event.stopPropagation();
-    clearTimeout(this.longTouch);
-    this.giveUp();
-    this.stage.gizmo.setEnabled(false);
+    clearTimeout(this.#longTouch);
+    this.#giveUp();
+    this.#stage.gizmo.setEnabled(false);
   }
 
-  private move(event: PointerEvent): void {
-    const { press } = this;
+  #move(event: PointerEvent): void {
+    const press = this.#press;
     if (!press) {
-      if (event.pointerType !== 'touch' && event.buttons === 0) this.lookUnder(event);
+      if (event.pointerType !== 'touch' && event.buttons === 0) this.#lookUnder(event);
       return;
     }
     if (event.pointerId !== press.pointer) {
       if (isUnderWay(press)) event.stopPropagation();
       return;
     }
-    const at = this.place(event);
+    const at = this.#place(event);
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
-    if (!press.moved && press.gone > STILL[kind(event)]) this.begin(press);
+    if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
     if (!press.moved) return;
-    if (press.outline) this.draw(press.outline, at);
-    else if (press.handle && this.stage.report.isUnderWay) this.carry(press.handle, at);
+    if (press.outline) this.#draw(press.outline, at);
+    else if (press.handle && this.#stage.report.isUnderWay) this.#carry(press.handle, at);
   }
 
-  private begin(press: Press): void {
+  #begin(press: Press): void {
     press.moved = true;
-    clearTimeout(this.longTouch);
+    clearTimeout(this.#longTouch);
     if (!press.handle) return;
-    this.stage.grab(this.stage.moving(press.handle.vertex));
-    this.stage.canvas.style.cursor = 'grabbing';
+    this.#stage.grab(this.#stage.moving(press.handle.vertex));
+    this.#stage.canvas.style.cursor = 'grabbing';
   }
 
-  private draw(outline: Outline, at: Place): void {
+  #draw(outline: Outline, at: Place): void {
     outline.extend(at);
-    this.stage.outline(outline.corners);
+    this.#stage.outline(outline.corners);
   }
 
-  private carry({ from }: NonNullable<Press['handle']>, at: Place): void {
-    const point = this.plane.carry(this.stage.camera, this.toDevice(at));
-    if (point) this.stage.carry(shift(point.sub(from)));
+  #carry({ from }: NonNullable<Press['handle']>, at: Place): void {
+    const point = this.#plane.carry(this.#stage.camera, this.#toDevice(at));
+    if (point) this.#stage.carry(shift(point.sub(from)));
   }
 
-  private up(event: PointerEvent): void {
-    const { press } = this;
+  #up(event: PointerEvent): void {
+    const press = this.#press;
     if (!press || event.pointerId !== press.pointer) return;
-    this.letGo();
-    if (press.outline && press.moved) this.chooseInside(press.outline);
-    else if (press.handle && press.moved) this.stage.report.end(false);
-    else if (!press.moved && !press.onGizmo) this.click(press.at, event);
+    this.#letGo();
+    if (press.outline && press.moved) this.#chooseInside(press.outline);
+    else if (press.handle && press.moved) this.#stage.report.end(false);
+    else if (!press.moved && !press.onGizmo) this.#click(press.at, event);
   }
 
   /** The system took the pointer away, for a gesture of its own. */
-  private lost(event: PointerEvent): void {
-    if (event.pointerId !== this.press?.pointer) return;
-    this.letGo();
-    this.stage.gizmo.release();
-    this.stage.report.end(true);
+  #lost(event: PointerEvent): void {
+    if (event.pointerId !== this.#press?.pointer) return;
+    this.#letGo();
+    this.#stage.gizmo.release();
+    this.#stage.report.end(true);
   }
 
-  private letGo(): void {
-    clearTimeout(this.longTouch);
-    this.press = null;
-    this.stage.orbit.enabled = true;
-    this.stage.gizmo.setEnabled(true);
-    this.stage.canvas.style.cursor = '';
-    this.stage.outline(null);
+  #letGo(): void {
+    clearTimeout(this.#longTouch);
+    this.#press = null;
+    this.#stage.orbit.enabled = true;
+    this.#stage.gizmo.setEnabled(true);
+    this.#stage.canvas.style.cursor = '';
+    this.#stage.outline(null);
   }
 
   /** Whatever the pointer was about to do, it does not. */
-  private giveUp(): void {
-    if (this.press) this.press = { ...this.press, moved: true, handle: null, outline: null };
-    this.stage.outline(null);
-    this.stage.gizmo.release();
-    this.stage.report.end(true);
-    this.stage.canvas.style.cursor = '';
+  #giveUp(): void {
+    if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
+    this.#stage.outline(null);
+    this.#stage.gizmo.release();
+    this.#stage.report.end(true);
+    this.#stage.canvas.style.cursor = '';
   }
 
-  private click(at: Place, event: PointerEvent): void {
-    const { events } = this.stage;
-    const selection = this.stage.selection();
-    const found = this.find(at, event);
-    const adds = event.shiftKey || this.stage.selecting();
+  #click(at: Place, event: PointerEvent): void {
+    const { events } = this.#stage;
+    const selection = this.#stage.selection();
+    const found = this.#find(at, event);
+    const adds = event.shiftKey || this.#stage.selecting();
     if (found && !found.handle) events.addHandle(found.vertex, adds ? selection : []);
     else if (found) events.select(adds ? toggled(selection, found.vertex) : [found.vertex]);
     else if (!adds) events.select([]);
   }
 
-  private outlineFrom(at: Place, { shiftKey }: PointerEvent): Outline | null {
+  #outlineFrom(at: Place, { shiftKey }: PointerEvent): Outline | null {
     if (shiftKey) return new Outline('box', at);
-    return this.stage.selecting() ? new Outline('lasso', at) : null;
+    return this.#stage.selecting() ? new Outline('lasso', at) : null;
   }
 
-  private chooseInside({ corners }: Outline): void {
-    const { marks, events } = this.stage;
-    events.select(united(this.stage.selection(), marks.inside(this.stage.projection(), corners)));
+  #chooseInside({ corners }: Outline): void {
+    const { marks, events } = this.#stage;
+    events.select(united(this.#stage.selection(), marks.inside(this.#stage.projection(), corners)));
   }
 
-  private awaitLongTouch(pointer: number, vertex: number): void {
+  #awaitLongTouch(pointer: number, vertex: number): void {
     // A frame later, for moves that a busy page has not heard of yet come before it.
-    this.longTouch = setTimeout(() => requestAnimationFrame(() => this.takeLongTouch(pointer, vertex)), LONG_TOUCH_MS);
+    this.#longTouch = setTimeout(
+      () => requestAnimationFrame(() => this.#takeLongTouch(pointer, vertex)),
+      LONG_TOUCH_MS,
+    );
   }
 
-  private takeLongTouch(pointer: number, vertex: number): void {
-    if (this.press?.pointer !== pointer || this.press.moved) return;
+  #takeLongTouch(pointer: number, vertex: number): void {
+    if (this.#press?.pointer !== pointer || this.#press.moved) return;
     // The finger has had its say: nothing follows from where it goes, or lifts.
-    this.press = { ...this.press, moved: true, handle: null };
-    this.stage.events.select(toggled(this.stage.selection(), vertex));
+    this.#press = { ...this.#press, moved: true, handle: null };
+    this.#stage.events.select(toggled(this.#stage.selection(), vertex));
   }
 
   /** A handle as a hand takes it; null: there is none, or it is locked, or still to be selected. */
-  private grip(vertex: number | null): Press['handle'] {
-    const { marks } = this.stage;
-    if (this.stage.selecting() && !this.stage.selection().includes(vertex ?? -1)) return null;
+  #grip(vertex: number | null): Press['handle'] {
+    const { marks } = this.#stage;
+    if (this.#stage.selecting() && !this.#stage.selection().includes(vertex ?? -1)) return null;
     const point = vertex === null || marks.isLocked(vertex) ? undefined : marks.point(vertex);
     return point ? { vertex: vertex!, from: point.clone() } : null;
   }
 
-  private find(at: Place, event: PointerEvent): Found | null {
-    const handle = this.handleAt(at, event);
+  #find(at: Place, event: PointerEvent): Found | null {
+    const handle = this.#handleAt(at, event);
     if (handle !== null) return { vertex: handle, handle: true };
-    const data = this.stage.data();
-    if (!data || this.stage.selecting()) return null;
+    const data = this.#stage.data();
+    if (!data || this.#stage.selecting()) return null;
     const layer = LAYER * data.edgeLength;
     const { points, vertexCount } = data;
-    const projection = this.stage.projection();
+    const projection = this.#stage.projection();
     const vertex = nearestVertex(points, vertexCount, projection, at.x, at.y, REACH[kind(event)], layer);
-    if (vertex === null || this.stage.marks.isHidden(vertex)) return null;
-    return { vertex, handle: this.stage.marks.point(vertex) !== undefined };
+    if (vertex === null || this.#stage.marks.isHidden(vertex)) return null;
+    return { vertex, handle: this.#stage.marks.point(vertex) !== undefined };
   }
 
-  private handleAt(at: Place, event: PointerEvent): number | null {
-    return this.stage.marks.at(this.stage.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
+  #handleAt(at: Place, event: PointerEvent): number | null {
+    return this.#stage.marks.at(this.#stage.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
   }
 
   /** At most once a frame, however many events the mouse sends. */
-  private lookUnder(event: PointerEvent): void {
-    const pending = this.hover !== null;
-    this.hover = event;
+  #lookUnder(event: PointerEvent): void {
+    const pending = this.#hover !== null;
+    this.#hover = event;
     if (pending) return;
-    this.hoverFrame = requestAnimationFrame(() => {
-      const last = this.hover;
-      this.hover = null;
-      if (last && !this.press)
-        this.setHover(last.target === this.stage.canvas ? this.find(this.place(last), last) : null);
+    this.#hoverFrame = requestAnimationFrame(() => {
+      const last = this.#hover;
+      this.#hover = null;
+      if (last && !this.#press)
+        this.#setHover(last.target === this.#stage.canvas ? this.#find(this.#place(last), last) : null);
     });
   }
 
-  private leave(): void {
-    if (!this.press) this.setHover(null);
+  #leave(): void {
+    if (!this.#press) this.#setHover(null);
   }
 
-  private setHover(found: Found | null): void {
-    const { canvas } = this.stage;
-    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.grip(found.vertex) ? 'grab' : 'pointer';
-    this.stage.hovered(found);
+  #setHover(found: Found | null): void {
+    const { canvas } = this.#stage;
+    canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.#grip(found.vertex) ? 'grab' : 'pointer';
+    this.#stage.hovered(found);
   }
 
   /** Takes part before anyone else hears of the key: Esc in a gesture means this gesture, nothing else. */
-  private escape(event: KeyboardEvent): void {
-    const isDrawing = this.press?.outline && this.press.moved;
-    if (event.key !== 'Escape' || (!this.stage.report.isUnderWay && !isDrawing)) return;
+  #escape(event: KeyboardEvent): void {
+    const isDrawing = this.#press?.outline && this.#press.moved;
+    if (event.key !== 'Escape' || (!this.#stage.report.isUnderWay && !isDrawing)) return;
     event.stopPropagation();
     event.preventDefault();
-    this.nudged = null;
-    this.giveUp();
+    this.#nudged = null;
+    this.#giveUp();
   }
 
-  private key(event: KeyboardEvent): void {
+  #key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const direction = ARROW_KEYS[event.key];
-    if (direction) this.arrowKey(direction, event.shiftKey);
-    else if (event.key === '+' || event.key === '=') this.stage.orbit.dollyIn(KEY.zoom);
-    else if (event.key === '-') this.stage.orbit.dollyOut(KEY.zoom);
-    else if (event.key === 'Home') this.stage.frameAll();
+    if (direction) this.#arrowKey(direction, event.shiftKey);
+    else if (event.key === '+' || event.key === '=') this.#stage.orbit.dollyIn(KEY.zoom);
+    else if (event.key === '-') this.#stage.orbit.dollyOut(KEY.zoom);
+    else if (event.key === 'Home') this.#stage.frameAll();
     else return;
     event.preventDefault();
   }
 
-  private keyUp(event: KeyboardEvent): void {
-    if (event.key in ARROW_KEYS) this.endNudge();
+  #keyUp(event: KeyboardEvent): void {
+    if (event.key in ARROW_KEYS) this.#endNudge();
   }
 
-  private endNudge(): void {
-    if (!this.nudged) return;
-    this.nudged = null;
-    this.stage.report.end(false);
+  #endNudge(): void {
+    if (!this.#nudged) return;
+    this.#nudged = null;
+    this.#stage.report.end(false);
   }
 
-  private arrowKey([dx, dy]: readonly [number, number], big: boolean): void {
-    const { orbit } = this.stage;
-    if (this.stage.selection().length > 0) this.nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
+  #arrowKey([dx, dy]: readonly [number, number], big: boolean): void {
+    const { orbit } = this.#stage;
+    if (this.#stage.selection().length > 0) this.#nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
     else if (big) orbit.pan(-dx * KEY.pan, dy * KEY.pan);
     else if (dx) orbit.rotateLeft(dx * KEY.turn);
     else orbit.rotateUp(dy * KEY.turn);
   }
 
   /** Moves the selection in the view plane; held keys and their repeats make one drag. */
-  private nudge(dx: number, dy: number, edges: number): void {
-    const { camera } = this.stage;
-    const moving = this.stage.moving();
-    const data = this.stage.data();
-    if (moving.length === 0 || !data || this.press) return;
-    if (!this.nudged) {
-      this.nudged = new Vector3();
-      this.stage.grab(moving);
+  #nudge(dx: number, dy: number, edges: number): void {
+    const { camera } = this.#stage;
+    const moving = this.#stage.moving();
+    const data = this.#stage.data();
+    if (moving.length === 0 || !data || this.#press) return;
+    if (!this.#nudged) {
+      this.#nudged = new Vector3();
+      this.#stage.grab(moving);
     }
     const step = edges * data.edgeLength;
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
-    this.nudged.addScaledVector(right, dx * step).addScaledVector(up, dy * step);
-    this.stage.carry(shift(this.nudged));
+    this.#nudged.addScaledVector(right, dx * step).addScaledVector(up, dy * step);
+    this.#stage.carry(shift(this.#nudged));
   }
 
-  private place(event: PointerEvent): Place {
-    const box = this.stage.canvas.getBoundingClientRect();
+  #place(event: PointerEvent): Place {
+    const box = this.#stage.canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
-  private toDevice({ x, y }: Place): Vector2 {
-    const { clientWidth, clientHeight } = this.stage.canvas;
+  #toDevice({ x, y }: Place): Vector2 {
+    const { clientWidth, clientHeight } = this.#stage.canvas;
     return new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight);
   }
 }

@@ -36,40 +36,42 @@ const SIZE = matchMedia('(pointer: coarse)').matches ? 1 : 0.75;
 export class Gizmo {
   /** To be put into the scene. */
   readonly object = new Group();
-  private readonly pivot = new Object3D();
-  private readonly toStart = new Matrix4();
-  private controls: TransformControls | null = null;
-  private mode: GizmoMode = 'translate';
-  private colours: Color[] = [];
-  private enabled = true;
-  private point: Vector3 | null = null;
-  private disposed = false;
+  readonly #pivot = new Object3D();
+  readonly #toStart = new Matrix4();
+  #controls: TransformControls | null = null;
+  #mode: GizmoMode = 'translate';
+  #colours: Color[] = [];
+  #enabled = true;
+  #point: Vector3 | null = null;
+  #disposed = false;
+  readonly #camera: PerspectiveCamera;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #events: GizmoEvents;
 
-  constructor(
-    private readonly camera: PerspectiveCamera,
-    private readonly canvas: HTMLCanvasElement,
-    private readonly events: GizmoEvents,
-  ) {
-    this.object.add(this.pivot);
+  constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, events: GizmoEvents) {
+    this.#camera = camera;
+    this.#canvas = canvas;
+    this.#events = events;
+    this.object.add(this.#pivot);
   }
 
   setMode(mode: GizmoMode): void {
-    this.mode = mode;
-    this.controls?.setMode(mode);
+    this.#mode = mode;
+    this.#controls?.setMode(mode);
   }
 
   /** Where it stands; null: nothing is selected that could move. */
   show(point: Vector3 | null): void {
-    const isFirst = this.point === null && point !== null;
-    this.point = point;
-    if (this.controls) this.place(this.controls);
-    else if (isFirst) this.load().catch((error: unknown) => this.events.failed(error));
+    const isFirst = this.#point === null && point !== null;
+    this.#point = point;
+    if (this.#controls) this.#place(this.#controls);
+    else if (isFirst) this.#load().catch((error: unknown) => this.#events.failed(error));
   }
 
-  private async load(): Promise<void> {
+  async #load(): Promise<void> {
     const { TransformControls, TransformControlsGizmo } = await loadControls();
-    if (this.controls || this.disposed) return;
-    const controls = new TransformControls(this.camera, this.canvas);
+    if (this.#controls || this.#disposed) return;
+    const controls = new TransformControls(this.#camera, this.#canvas);
     // A handle itself drags in the view plane; squares for two axes at a time would only cover the net.
     controls.showXY = controls.showYZ = controls.showXZ = false;
     // Free turning follows no axis and ends nowhere in particular.
@@ -79,86 +81,86 @@ export class Gizmo {
       if (!(child instanceof TransformControlsGizmo)) continue;
       for (const { translate, scale } of [child.gizmo, child.picker]) [translate, scale].forEach(dropBackwardArrows);
     }
-    this.listen(controls);
+    this.#listen(controls);
     this.object.add(controls.getHelper());
-    this.controls = controls;
-    this.setMode(this.mode);
-    this.setEnabled(this.enabled);
-    this.showColours();
-    this.place(controls);
-    this.events.changed();
+    this.#controls = controls;
+    this.setMode(this.#mode);
+    this.setEnabled(this.#enabled);
+    this.#showColours();
+    this.#place(controls);
+    this.#events.changed();
   }
 
-  private listen(controls: TransformControls): void {
-    controls.addEventListener('change', () => this.events.changed());
+  #listen(controls: TransformControls): void {
+    controls.addEventListener('change', () => this.#events.changed());
     controls.addEventListener('mouseDown', () => {
-      this.toStart.copy(this.pivotMatrix()).invert();
-      this.events.start();
+      this.#toStart.copy(this.#pivotMatrix()).invert();
+      this.#events.start();
     });
     controls.addEventListener('objectChange', () =>
-      this.events.move(this.pivotMatrix().clone().multiply(this.toStart)),
+      this.#events.move(this.#pivotMatrix().clone().multiply(this.#toStart)),
     );
-    controls.addEventListener('mouseUp', () => this.events.end());
+    controls.addEventListener('mouseUp', () => this.#events.end());
   }
 
-  private place(controls: TransformControls): void {
-    if (!this.point) {
+  #place(controls: TransformControls): void {
+    if (!this.#point) {
       if (controls.object) controls.detach();
       return;
     }
     if (controls.dragging) return;
-    this.pivot.position.copy(this.point);
-    this.pivot.quaternion.identity();
-    this.pivot.scale.setScalar(1);
-    if (!controls.object) controls.attach(this.pivot);
+    this.#pivot.position.copy(this.#point);
+    this.#pivot.quaternion.identity();
+    this.#pivot.scale.setScalar(1);
+    if (!controls.object) controls.attach(this.#pivot);
   }
 
   /** Whether a press at `pointer` (−1…1) takes a part of it. */
   takes(pointer: Vector2): boolean {
-    if (!this.controls) return false;
-    this.controls.getHelper().updateMatrixWorld();
+    if (!this.#controls) return false;
+    this.#controls.getHelper().updateMatrixWorld();
     // The types ask for a PointerEvent; what is read are these numbers.
-    this.controls.pointerHover({ x: pointer.x, y: pointer.y, button: 0 } as PointerEvent);
+    this.#controls.pointerHover({ x: pointer.x, y: pointer.y, button: 0 } as PointerEvent);
     // The plane in which an arrow slides turns with the arrow chosen.
-    this.controls.getHelper().updateMatrixWorld();
-    return this.controls.axis !== null;
+    this.#controls.getHelper().updateMatrixWorld();
+    return this.#controls.axis !== null;
   }
 
   /** Deaf while a handle itself is dragged. */
   setEnabled(enabled: boolean): void {
-    this.enabled = enabled;
-    if (!this.controls) return;
-    this.controls.enabled = enabled;
-    if (!enabled) this.controls.axis = null;
+    this.#enabled = enabled;
+    if (!this.#controls) return;
+    this.#controls.enabled = enabled;
+    if (!enabled) this.#controls.axis = null;
   }
 
   /** Lets go of it. */
   release(): void {
-    if (!this.controls) return;
-    this.controls.dragging = false;
-    this.controls.axis = null;
+    if (!this.#controls) return;
+    this.#controls.dragging = false;
+    this.#controls.axis = null;
   }
 
   /** It has the colours of the net's axes, whichever of them is up. */
   setTheme({ axes, accent }: Theme, up: UpAxis): void {
     const [x, y, z] = up === 'z' ? axes : [axes[0], axes[2], axes[1]];
-    this.colours = [x, y, z, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
-    this.showColours();
+    this.#colours = [x, y, z, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
+    this.#showColours();
   }
 
   dispose(): void {
-    this.disposed = true;
-    this.controls?.dispose();
+    this.#disposed = true;
+    this.#controls?.dispose();
   }
 
-  private showColours(): void {
-    const [x, y, z, active] = this.colours;
-    this.controls?.setColors(x!, y!, z!, active!);
+  #showColours(): void {
+    const [x, y, z, active] = this.#colours;
+    this.#controls?.setColors(x!, y!, z!, active!);
   }
 
-  private pivotMatrix(): Matrix4 {
-    this.pivot.updateMatrix();
-    return this.pivot.matrix;
+  #pivotMatrix(): Matrix4 {
+    this.#pivot.updateMatrix();
+    return this.#pivot.matrix;
   }
 }
 

@@ -7,45 +7,48 @@ import type { Space } from './space';
 
 export class Hand {
   /** Where those that are being carried were taken. */
-  private taken: { vertex: number; from: Vector3 }[] = [];
+  #taken: { vertex: number; from: Vector3 }[] = [];
+  readonly #marks: HandleMarks;
+  readonly #report: DragReport;
+  readonly #selection: () => Selection;
 
   /** @param selection the last one leads. */
-  constructor(
-    private readonly marks: HandleMarks,
-    private readonly report: DragReport,
-    private readonly selection: () => Selection,
-  ) {}
+  constructor(marks: HandleMarks, report: DragReport, selection: () => Selection) {
+    this.#marks = marks;
+    this.#report = report;
+    this.#selection = selection;
+  }
 
   /** Those of the selection that are not locked, the leading one first; all by itself a handle that is not selected. */
   moving(handle?: number): readonly number[] {
-    const selection = this.selection();
+    const selection = this.#selection();
     if (handle !== undefined && !selection.includes(handle)) return [handle];
-    const free = [...selection].reverse().filter((vertex) => !this.marks.isLocked(vertex));
+    const free = [...selection].reverse().filter((vertex) => !this.#marks.isLocked(vertex));
     return handle === undefined ? free : [handle, ...free.filter((vertex) => vertex !== handle)];
   }
 
   /** The centre of what would move; null: nothing would. */
   centre(): Vector3 | null {
-    const points = this.moving().flatMap((vertex) => this.marks.point(vertex) ?? []);
+    const points = this.moving().flatMap((vertex) => this.#marks.point(vertex) ?? []);
     if (points.length === 0) return null;
     return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
   }
 
   grab(vertices: readonly number[]): void {
-    this.taken = vertices.flatMap((vertex) => {
-      const from = this.marks.point(vertex)?.clone();
+    this.#taken = vertices.flatMap((vertex) => {
+      const from = this.#marks.point(vertex)?.clone();
       return from ? [{ vertex, from }] : [];
     });
-    this.report.begin(vertices);
+    this.#report.begin(vertices);
   }
 
   /** They are drawn where the hand is, ahead of document and net. */
   carry(motion: Matrix4, space: Space): void {
-    const targets = this.taken.map(({ vertex, from }) => {
+    const targets = this.#taken.map(({ vertex, from }) => {
       const point = from.clone().applyMatrix4(motion);
-      this.marks.point(vertex)?.copy(point);
+      this.#marks.point(vertex)?.copy(point);
       return { vertex, target: space.toNet(point) };
     });
-    this.report.move(targets);
+    this.#report.move(targets);
   }
 }

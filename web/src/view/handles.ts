@@ -44,17 +44,17 @@ interface Mark {
 
 export class HandleMarks {
   readonly object = new Group();
-  private marks = new Map<number, Mark>();
-  private radius = SMALLEST;
+  #marks = new Map<number, Mark>();
+  #radius = SMALLEST;
   // Round enough at their size: there may be hundreds, and not everybody has a graphics card.
-  private readonly spheres = new Shape(new SphereGeometry(1, 20, 12));
-  private readonly manySpheres = new Shape(new SphereGeometry(1, 8, 5));
-  private readonly cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
-  private readonly hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
-  private readonly rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
+  readonly #spheres = new Shape(new SphereGeometry(1, 20, 12));
+  readonly #manySpheres = new Shape(new SphereGeometry(1, 8, 5));
+  readonly #cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
+  readonly #hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
+  readonly #rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
 
   constructor() {
-    for (const { group } of this.shapes) this.object.add(group);
+    for (const { group } of this.#shapes) this.object.add(group);
   }
 
   /** `held`: the handles in a hand at the moment; they stay where the hand has them. */
@@ -73,41 +73,41 @@ export class HandleMarks {
         point,
       };
     };
-    this.marks = new Map(handles.map((handle) => [handle.vertex, mark(handle)]));
+    this.#marks = new Map(handles.map((handle) => [handle.vertex, mark(handle)]));
   }
 
   point(vertex: number): Vector3 | undefined {
-    return this.marks.get(vertex)?.point;
+    return this.#marks.get(vertex)?.point;
   }
 
   isLocked(vertex: number): boolean {
-    return this.marks.get(vertex)?.locked ?? false;
+    return this.#marks.get(vertex)?.locked ?? false;
   }
 
   isHidden(vertex: number): boolean {
-    return this.marks.get(vertex)?.hidden ?? false;
+    return this.#marks.get(vertex)?.hidden ?? false;
   }
 
   /** The one a newcomer is to drag: the last that is not locked. */
   get suggested(): number | null {
-    return this.visible.filter(({ locked }) => !locked).at(-1)?.vertex ?? null;
+    return this.#visible.filter(({ locked }) => !locked).at(-1)?.vertex ?? null;
   }
 
   get screenRadius(): number {
-    return this.radius;
+    return this.#radius;
   }
 
   /** The handle under a point of the canvas. */
   at(projection: Projection, x: number, y: number, slack: number): number | null {
-    const { visible } = this;
-    const marks = visible.map(({ point }) => ({ ...toScreen(projection, point), radius: this.radius }));
+    const visible = this.#visible;
+    const marks = visible.map(({ point }) => ({ ...toScreen(projection, point), radius: this.#radius }));
     const hit = nearestMark(marks, x, y, slack);
     return hit === null ? null : visible[hit]!.vertex;
   }
 
   /** Those in an outline on the canvas. */
   inside(projection: Projection, outline: readonly Place[]): number[] {
-    const hits = this.visible.filter(({ point }) => {
+    const hits = this.#visible.filter(({ point }) => {
       const { x, y, depth } = toScreen(projection, point);
       return depth > 0 && isInside(outline, x, y);
     });
@@ -115,33 +115,33 @@ export class HandleMarks {
   }
 
   setTheme(theme: Theme): void {
-    for (const spheres of [this.spheres, this.manySpheres])
+    for (const spheres of [this.#spheres, this.#manySpheres])
       spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
-    this.hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
-    this.cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
-    this.rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
+    this.#hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
+    this.#cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
+    this.#rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
   }
 
   beforeDraw(camera: PerspectiveCamera, canvasHeight: number, edgeLength: number, distance: number): void {
     // Scene length of a pixel, at a distance of one.
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / canvasHeight;
-    this.radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
-    const size = this.radius * pixel;
-    const points = (which: (mark: Mark) => boolean) => this.visible.filter(which).map(({ point }) => point);
+    this.#radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
+    const size = this.#radius * pixel;
+    const points = (which: (mark: Mark) => boolean) => this.#visible.filter(which).map(({ point }) => point);
     const plain = points(({ locked, soft }) => !locked && !soft);
-    this.spheres.place(plain.length > MANY ? [] : plain, camera, size);
-    this.manySpheres.place(plain.length > MANY ? plain : [], camera, size);
-    this.hollow.place(
+    this.#spheres.place(plain.length > MANY ? [] : plain, camera, size);
+    this.#manySpheres.place(plain.length > MANY ? plain : [], camera, size);
+    this.#hollow.place(
       points(({ locked, soft }) => !locked && soft),
       camera,
       size,
     );
-    this.cubes.place(
+    this.#cubes.place(
       points(({ locked }) => locked),
       camera,
       CUBE * size,
     );
-    this.rings.place(
+    this.#rings.place(
       points(({ selected }) => selected),
       camera,
       size,
@@ -149,15 +149,15 @@ export class HandleMarks {
   }
 
   dispose(): void {
-    for (const shape of this.shapes) shape.dispose();
+    for (const shape of this.#shapes) shape.dispose();
   }
 
-  private get shapes(): Shape[] {
-    return [this.spheres, this.manySpheres, this.cubes, this.hollow, this.rings];
+  get #shapes(): Shape[] {
+    return [this.#spheres, this.#manySpheres, this.#cubes, this.#hollow, this.#rings];
   }
 
-  private get visible(): Mark[] {
-    return [...this.marks.values()].filter(({ hidden }) => !hidden);
+  get #visible(): Mark[] {
+    return [...this.#marks.values()].filter(({ hidden }) => !hidden);
   }
 }
 
@@ -170,67 +170,70 @@ const UPRIGHT = new Quaternion();
 /** Many copies of one solid, each drawn twice: plainly, and as a ghost where something is in front. */
 class Shape {
   readonly group = new Group();
-  private readonly solid = new MeshLambertMaterial();
-  private readonly ghost = new MeshBasicMaterial({
+  readonly #solid = new MeshLambertMaterial();
+  readonly #ghost = new MeshBasicMaterial({
     depthFunc: GreaterDepth,
     depthWrite: false,
     transparent: true,
     opacity: 0.35,
   });
-  private meshes: InstancedMesh[] = [];
-  private capacity = 0;
-  private readonly matrix = new Matrix4();
-  private readonly scale = new Vector3();
-  private readonly centre = new Vector3();
+  #meshes: InstancedMesh[] = [];
+  #capacity = 0;
+  readonly #matrix = new Matrix4();
+  readonly #scale = new Vector3();
+  readonly #centre = new Vector3();
+  readonly #geometry: BufferGeometry;
 
   /** `facing`: flat, and turned to the camera. */
   constructor(
-    private readonly geometry: BufferGeometry,
+    geometry: BufferGeometry,
     private readonly facing = false,
-  ) {}
+  ) {
+    this.#geometry = geometry;
+  }
 
   setColour(colour: Color): void {
-    this.solid.color.copy(colour);
+    this.#solid.color.copy(colour);
     // Lit from one side only, a sphere on a dark page would look dull.
-    this.solid.emissive.copy(colour).multiplyScalar(0.25);
-    this.ghost.color.copy(colour);
+    this.#solid.emissive.copy(colour).multiplyScalar(0.25);
+    this.#ghost.color.copy(colour);
   }
 
   /** `size` on the screen, as scene length at a distance of one. Each stands in front of its point by its own radius, on the
    *  line of sight: it looks the same, but no face cuts through it. */
   place(points: Vector3[], camera: PerspectiveCamera, size: number): void {
-    if (points.length > this.capacity) this.grow(2 * points.length);
+    if (points.length > this.#capacity) this.#grow(2 * points.length);
     points.forEach((point, i) => {
       const distance = depth(camera, point);
       const nearer = 1 - 1.2 * size;
-      this.scale.setScalar(size * distance * nearer);
-      this.centre.lerpVectors(camera.position, point, nearer);
-      this.matrix.compose(this.centre, this.facing ? camera.quaternion : UPRIGHT, this.scale);
-      for (const mesh of this.meshes) mesh.setMatrixAt(i, this.matrix);
+      this.#scale.setScalar(size * distance * nearer);
+      this.#centre.lerpVectors(camera.position, point, nearer);
+      this.#matrix.compose(this.#centre, this.facing ? camera.quaternion : UPRIGHT, this.#scale);
+      for (const mesh of this.#meshes) mesh.setMatrixAt(i, this.#matrix);
     });
-    for (const mesh of this.meshes) {
+    for (const mesh of this.#meshes) {
       mesh.count = points.length;
       mesh.instanceMatrix.needsUpdate = true;
     }
   }
 
   dispose(): void {
-    this.meshes.forEach((mesh) => mesh.dispose());
-    for (const thing of [this.geometry, this.solid, this.ghost]) thing.dispose();
+    this.#meshes.forEach((mesh) => mesh.dispose());
+    for (const thing of [this.#geometry, this.#solid, this.#ghost]) thing.dispose();
   }
 
-  private grow(capacity: number): void {
-    this.meshes.forEach((mesh) => mesh.dispose());
+  #grow(capacity: number): void {
+    this.#meshes.forEach((mesh) => mesh.dispose());
     this.group.clear();
     const mesh = (material: Material, order: number) => {
-      const made = new InstancedMesh(this.geometry, material, capacity);
+      const made = new InstancedMesh(this.#geometry, material, capacity);
       made.frustumCulled = false;
       made.renderOrder = order;
       return made;
     };
-    this.meshes = [mesh(this.solid, 1), mesh(this.ghost, 3)];
-    this.group.add(...this.meshes);
-    this.capacity = capacity;
+    this.#meshes = [mesh(this.#solid, 1), mesh(this.#ghost, 3)];
+    this.group.add(...this.#meshes);
+    this.#capacity = capacity;
   }
 }
 

@@ -7,19 +7,20 @@ const FINEST = 3;
 export class Outline {
   /** The corners, to be joined in a circle. */
   corners: readonly Place[];
+  readonly #kind: 'box' | 'lasso';
+  readonly #start: Place;
 
-  constructor(
-    private readonly kind: 'box' | 'lasso',
-    private readonly start: Place,
-  ) {
+  constructor(kind: 'box' | 'lasso', start: Place) {
+    this.#kind = kind;
+    this.#start = start;
     this.corners = [start];
   }
 
   /** The pointer is there now. */
   extend(to: Place): void {
-    const { start } = this;
+    const start = this.#start;
     const last = this.corners.at(-1)!;
-    if (this.kind === 'box') this.corners = [start, { x: to.x, y: start.y }, to, { x: start.x, y: to.y }];
+    if (this.#kind === 'box') this.corners = [start, { x: to.x, y: start.y }, to, { x: start.x, y: to.y }];
     else if (Math.hypot(to.x - last.x, to.y - last.y) >= FINEST) this.corners = [...this.corners, to];
   }
 }

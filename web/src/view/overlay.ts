@@ -14,20 +14,20 @@ const SVG = 'http://www.w3.org/2000/svg';
 
 export class Overlay {
   readonly element = make('svg', 'overlay');
-  private readonly strains = make('g', 'strains');
-  private readonly tether = make('line', 'tether');
-  private readonly hover = make('g', 'hover');
-  private readonly ring = make('circle', 'ring');
-  private readonly pulse = make('circle', 'pulse');
-  private readonly outline = make('path', 'outline');
-  private readonly preview = make('path', 'preview');
+  readonly #strains = make('g', 'strains');
+  readonly #tether = make('line', 'tether');
+  readonly #hover = make('g', 'hover');
+  readonly #ring = make('circle', 'ring');
+  readonly #pulse = make('circle', 'pulse');
+  readonly #outline = make('path', 'outline');
+  readonly #preview = make('path', 'preview');
 
   constructor() {
     this.element.setAttribute('aria-hidden', 'true');
     const plus = make('path', 'plus');
     plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
-    this.hover.append(this.ring, plus);
-    this.element.append(this.strains, this.preview, this.tether, this.pulse, this.hover, this.outline);
+    this.#hover.append(this.#ring, plus);
+    this.element.append(this.#strains, this.#preview, this.#tether, this.#pulse, this.#hover, this.#outline);
     this.setHover(null, 0, false);
     this.setPulse(null, 0);
     this.setTether(null);
@@ -36,42 +36,42 @@ export class Overlay {
 
   /** What a click would take; `adds`: it would become a handle. */
   setHover(place: Place | null, radius: number, adds: boolean): void {
-    if (!show(this.hover, place)) return;
-    this.hover.classList.toggle('adds', adds);
-    this.hover.setAttribute('transform', `translate(${place!.x} ${place!.y})`);
-    this.ring.setAttribute('r', String(radius));
+    if (!show(this.#hover, place)) return;
+    this.#hover.classList.toggle('adds', adds);
+    this.#hover.setAttribute('transform', `translate(${place!.x} ${place!.y})`);
+    this.#ring.setAttribute('r', String(radius));
   }
 
   /** Beckons towards the handle to drag. */
   setPulse(place: Place | null, radius: number): void {
-    if (!show(this.pulse, place)) return;
-    put(this.pulse, { cx: place!.x, cy: place!.y, r: radius });
+    if (!show(this.#pulse, place)) return;
+    put(this.#pulse, { cx: place!.x, cy: place!.y, r: radius });
   }
 
   /** From the vertex to the hand that pulls it, while the net has not come along. */
   setTether(ends: { from: Place; to: Place } | null): void {
-    if (!show(this.tether, ends)) return;
-    putLine(this.tether, ends!);
+    if (!show(this.#tether, ends)) return;
+    putLine(this.#tether, ends!);
   }
 
   /** What a hand draws around handles. */
   setOutline(corners: readonly Place[] | null): void {
-    if (!show(this.outline, corners)) return;
+    if (!show(this.#outline, corners)) return;
     const path = corners!.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L');
-    this.outline.setAttribute('d', `M${path}Z`);
+    this.#outline.setAttribute('d', `M${path}Z`);
   }
 
   /** Dots on vertices that a button would take. */
   setPreview(places: readonly Place[]): void {
     // A line of no length has round ends, and these are all it has.
     const path = places.map(({ x, y }) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join('');
-    if (this.preview.getAttribute('d') !== path) this.preview.setAttribute('d', path);
+    if (this.#preview.getAttribute('d') !== path) this.#preview.setAttribute('d', path);
   }
 
   /** Pairs of handles that are pulled farther apart than the net is long. */
   setStrains(strains: Strain[]): void {
-    if (strains.length === 0 && !this.strains.hasChildNodes()) return;
-    this.strains.replaceChildren(
+    if (strains.length === 0 && !this.#strains.hasChildNodes()) return;
+    this.#strains.replaceChildren(
       ...strains.flatMap(({ from, to, label }) => {
         const line = make('line', 'strain');
         putLine(line, { from, to });

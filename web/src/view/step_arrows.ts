@@ -51,16 +51,16 @@ const TRIANGLES = [0, 2, 1, 1, 2, 3, 4, 6, 5];
 
 export class StepArrows {
   readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private readonly tails = makeAttribute();
-  private readonly ways = makeAttribute();
-  private readonly from = new Vector3();
-  private readonly to = new Vector3();
+  readonly #tails = makeAttribute();
+  readonly #ways = makeAttribute();
+  readonly #from = new Vector3();
+  readonly #to = new Vector3();
 
   constructor() {
     const geometry = new InstancedBufferGeometry();
     geometry.setIndex(TRIANGLES);
-    geometry.setAttribute('tail', this.tails);
-    geometry.setAttribute('way', this.ways);
+    geometry.setAttribute('tail', this.#tails);
+    geometry.setAttribute('way', this.#ways);
     geometry.instanceCount = 0;
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
@@ -84,7 +84,7 @@ export class StepArrows {
     geometry.instanceCount = 0;
     if (stepFrom === null) return;
     const longest = longestMove(stepFrom, positions) * space.scale;
-    if (longest > 0) geometry.instanceCount = this.write(stepFrom, positions, space, (LONGEST * edgeLength) / longest);
+    if (longest > 0) geometry.instanceCount = this.#write(stepFrom, positions, space, (LONGEST * edgeLength) / longest);
   }
 
   setTheme(theme: Theme): void {
@@ -102,8 +102,8 @@ export class StepArrows {
     this.object.material.dispose();
   }
 
-  private write(before: Float64Array, after: Float64Array, space: Space, scale: number): number {
-    const { tails, ways, from, to } = this;
+  #write(before: Float64Array, after: Float64Array, space: Space, scale: number): number {
+    const [tails, ways, from, to] = [this.#tails, this.#ways, this.#from, this.#to];
     const stride = Math.ceil(before.length / 3 / MOST_ARROWS);
     let count = 0;
     for (let i = 0; i < before.length; i += 3 * stride) {

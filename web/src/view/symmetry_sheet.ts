@@ -23,21 +23,21 @@ const MARGIN = 0.12;
 
 export class SymmetrySheet {
   readonly object = new Group();
-  private readonly area = new BufferGeometry();
-  private readonly outline = new BufferGeometry();
-  private readonly sheet = new MeshBasicMaterial({
+  readonly #area = new BufferGeometry();
+  readonly #outline = new BufferGeometry();
+  readonly #sheet = new MeshBasicMaterial({
     transparent: true,
     opacity: 0.1,
     side: DoubleSide,
     depthWrite: false,
   });
-  private readonly rim = new LineBasicMaterial({ transparent: true, opacity: 0.6 });
+  readonly #rim = new LineBasicMaterial({ transparent: true, opacity: 0.6 });
 
   constructor() {
-    this.area.setIndex([0, 1, 2, 0, 2, 3]);
-    const sheet = new Mesh(this.area, this.sheet);
+    this.#area.setIndex([0, 1, 2, 0, 2, 3]);
+    const sheet = new Mesh(this.#area, this.#sheet);
     sheet.renderOrder = 2;
-    this.object.add(sheet, new LineLoop(this.outline, this.rim));
+    this.object.add(sheet, new LineLoop(this.#outline, this.#rim));
     this.object.visible = false;
   }
 
@@ -49,7 +49,7 @@ export class SymmetrySheet {
       space.toScene(place, corner);
       return place.toArray();
     });
-    for (const geometry of [this.area, this.outline]) {
+    for (const geometry of [this.#area, this.#outline]) {
       geometry.setAttribute('position', new Float32BufferAttribute(corners, 3));
       geometry.computeBoundingSphere();
     }
@@ -57,12 +57,12 @@ export class SymmetrySheet {
 
   setTheme({ good }: Theme): void {
     const colour = new Color().setRGB(...good, SRGBColorSpace);
-    this.sheet.color.copy(colour);
-    this.rim.color.copy(colour);
+    this.#sheet.color.copy(colour);
+    this.#rim.color.copy(colour);
   }
 
   dispose(): void {
-    for (const thing of [this.area, this.outline, this.sheet, this.rim]) thing.dispose();
+    for (const thing of [this.#area, this.#outline, this.#sheet, this.#rim]) thing.dispose();
   }
 }
 
