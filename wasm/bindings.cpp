@@ -8,7 +8,7 @@
 
 #include "border.h"
 #include "edit/editor.h"
-#include "io/mesh_file.h"
+#include "io/format.h"
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/measures.h"
@@ -28,23 +28,25 @@ struct Session {
 
 // ------------------------------------------------------------------------------------------------------------ tables
 
+void set_text(val& row, const char* name, const char* text) { row.set(name, std::string(text)); }
+
 val shapes() {
     val table = val::array();
     for (const ShapeInfo& shape : shape_table()) {
         val parameters = val::array();
         for (const ShapeParameter& parameter : shape.parameters) {
             val row = val::object();
-            row.set("name", std::string(parameter.name));
+            set_text(row, "name", parameter.name);
             row.set("value", parameter.value);
             row.set("smallest", parameter.smallest);
             row.set("largest", parameter.largest);
-            row.set("sentence", std::string(parameter.sentence));
+            set_text(row, "sentence", parameter.sentence);
             parameters.call<void>("push", row);
         }
         val row = val::object();
-        row.set("name", std::string(shape.name));
-        row.set("title", std::string(shape.title));
-        row.set("sentence", std::string(shape.sentence));
+        set_text(row, "name", shape.name);
+        set_text(row, "title", shape.title);
+        set_text(row, "sentence", shape.sentence);
         row.set("parameters", parameters);
         table.call<void>("push", row);
     }
@@ -55,9 +57,9 @@ val methods() {
     val table = val::array();
     for (const MethodInfo& method : method_table()) {
         val row = val::object();
-        row.set("name", std::string(method.name));
-        row.set("sentence", std::string(method.sentence));
-        row.set("citation", std::string(method.citation));
+        set_text(row, "name", method.name);
+        set_text(row, "sentence", method.sentence);
+        set_text(row, "citation", method.citation);
         table.call<void>("push", row);
     }
     return table;
@@ -67,10 +69,24 @@ val initialisations() {
     val table = val::array();
     for (const InitialisationInfo& initialisation : initialisation_table()) {
         val row = val::object();
-        row.set("name", std::string(initialisation.name));
+        set_text(row, "name", initialisation.name);
         row.set("counted", initialisation.counted);
-        row.set("sentence", std::string(initialisation.sentence));
-        row.set("citation", std::string(initialisation.citation));
+        set_text(row, "sentence", initialisation.sentence);
+        set_text(row, "citation", initialisation.citation);
+        table.call<void>("push", row);
+    }
+    return table;
+}
+
+val formats() {
+    val table = val::array();
+    for (const FormatInfo& format : format_table()) {
+        val row = val::object();
+        set_text(row, "name", format.name);
+        set_text(row, "title", format.title);
+        set_text(row, "sentence", format.sentence);
+        set_text(row, "mediaType", format.media_type);
+        row.set("reads", format.unread == nullptr);
         table.call<void>("push", row);
     }
     return table;
@@ -80,12 +96,12 @@ val option_rows(const Options& values) {
     val table = val::array();
     for (const OptionInfo& option : option_table()) {
         val row = val::object();
-        row.set("name", std::string(option.name));
-        row.set("kind", std::string(option.kind));
+        set_text(row, "name", option.name);
+        set_text(row, "kind", option.kind);
         row.set("value", get_option(values, option.name));
         row.set("smallest", option.smallest);
         row.set("largest", option.largest);
-        row.set("sentence", std::string(option.sentence));
+        set_text(row, "sentence", option.sentence);
         table.call<void>("push", row);
     }
     return table;
@@ -298,15 +314,18 @@ std::string to_obj(const Session& session, int digits) {
     return write_obj(session.editor.positions(), session.editor.net().faces(), digits);
 }
 
-val to_file(const Session& session, std::string format) {
-    const Editor& editor = session.editor;
-    return bytes_out(write_mesh(editor.positions(), editor.net().faces(), file_format_named(format)));
+/// `name`: of a format; `ply_text` is the PLY that is text, another name for a way to write rather than for a format.
+val to_file(const Session& session, std::string name) {
+    WriteMesh* const write = name == "ply_text" ? find_format("ply").write_text : find_format(name).write;
+    if (write == nullptr) throw Error(ErrorCode::left_out, "files are not written by this module, but by chebnet_core");
+    return bytes_out(write(session.editor.positions(), session.editor.net().faces()));
 }
 
 EMSCRIPTEN_BINDINGS(chebnet) {
     emscripten::function("shapes", guarded<&shapes>);
     emscripten::function("methods", guarded<&methods>);
     emscripten::function("initialisations", guarded<&initialisations>);
+    emscripten::function("formats", guarded<&formats>);
     emscripten::function("defaultOptions", guarded<&default_options>);
     emscripten::function("openRecipe", guarded<&open_recipe>, emscripten::allow_raw_pointers());
     emscripten::function("openObj", guarded<&open_obj>, emscripten::allow_raw_pointers());

@@ -53,6 +53,18 @@ export interface OptionInfo {
   sentence: string;
 }
 
+/** A format of mesh files, all of which are written. Those that are read keep faces, order and every bit of a coordinate. */
+export interface FormatInfo {
+  /** Behind a dot, the extension of its files. */
+  name: string;
+  title: string;
+  /** What it is for, in a few words. */
+  sentence: string;
+  mediaType: string;
+  /** Whether `readMesh` takes it. */
+  reads: boolean;
+}
+
 export interface NetInfo {
   vertices: number;
   edges: number;
@@ -135,10 +147,6 @@ export interface SolveReport {
   iterations: number;
   trace: TraceRow[];
 }
-
-/** How a net is written; `ply` is binary, `stl` has triangles without shared vertices and floats. All others keep faces,
- *  order and every bit of a coordinate. */
-export type FileFormat = 'obj' | 'ply' | 'ply_text' | 'off' | 'stl';
 
 /** Which length each edge is to keep: its own, the mean of all, or, `automatic`, the mean if all are as good as equal. */
 export type RestLengths = 'automatic' | 'equal' | 'own';
@@ -280,8 +288,8 @@ export interface Editor {
 
   /** The present positions as OBJ text; 17 digits return every coordinate exactly. */
   toObj(digits?: number): string;
-  /** The present positions as the bytes of a file. */
-  toFile(format: FileFormat): Uint8Array<ArrayBuffer>;
+  /** The present positions as the bytes of a file. `format`: a name from `formats()`, or `ply_text`, where `ply` is binary. */
+  toFile(format: string): Uint8Array<ArrayBuffer>;
   /** Frees the memory on the other side; the editor must not be used again. */
   dispose(): void;
 }
@@ -337,6 +345,7 @@ export interface Editors {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
   initialisations(): InitialisationInfo[];
+  formats(): FormatInfo[];
   options(): OptionInfo[];
   openRecipe(recipe: string): Editor;
   /** `name` is what messages call the text; `restLengths` are `automatic` unless said otherwise. */
@@ -345,8 +354,8 @@ export interface Editors {
 }
 
 export interface Chebnet extends Editors {
-  /** Reads the bytes of an OBJ, PLY (text, or binary in either byte order) or OFF file. What they begin with decides
-   *  between these before the extension of `name` does, by which messages call the file. */
+  /** Reads the bytes of a file of a format that `reads`. What they begin with decides between these before the extension
+   *  of `name` does, by which messages call the file. */
   readMesh(bytes: Uint8Array, name: string): Mesh;
   /** Everything that `repairMesh` looks for, in this order. */
   defects(): Defect[];

@@ -3,6 +3,7 @@ import type {
   Defect,
   EqualizeReport,
   FlatPattern,
+  FormatInfo,
   InitialisationInfo,
   Mesh,
   MethodInfo,
@@ -96,6 +97,7 @@ export interface Core {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
   initialisations(): InitialisationInfo[];
+  formats(): FormatInfo[];
   defaultOptions(): OptionInfo[];
   openRecipe(recipe: string): Session;
   openObj(text: string, name: string, restLengths: string): Session;

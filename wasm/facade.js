@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, FileFormat, Handle, Locality, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
+ * @import { Ball, Budget, Chebnet, Defect, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -339,7 +339,7 @@ class WasmEditor {
     return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
   }
 
-  /** @param {FileFormat} format */
+  /** @param {string} format */
   toFile(format) {
     return this.#open.toFile(text(format, 'a format', 'bad_option'));
   }
@@ -394,6 +394,7 @@ function facade(core) {
     shapes: () => core.shapes(),
     methods: () => core.methods(),
     initialisations: () => core.initialisations(),
+    formats: () => core.formats(),
     options: () => core.defaultOptions(),
     openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
     openObj: (obj, name = 'OBJ', lengths = 'automatic') =>

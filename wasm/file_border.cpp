@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fabricate/flat_pattern.h"
+#include "io/mesh_file.h"
 #include "mesh_border.h"
 #include "net/repair.h"
 

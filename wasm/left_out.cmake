@@ -2,9 +2,11 @@
 # for it. A source is in one of the two modules or in the library of both, never twice.
 set(LEFT_OUT_METHODS composite_majorization dp equilibrium gradient_descent lbfgs li2022 projected_newton)
 list(TRANSFORM LEFT_OUT_METHODS REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/\\1.cpp")
-set(LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
-foreach(source base/number io/mesh_file io/obj io/off io/ply io/ply_header io/stl io/other_format io/indexed_rows
-               shapes/smooth_figure shapes/relaxation solve/parts/corner_limit solve/parts/neighbour_system
+# Of these it has the words, so that its tables are whole.
+set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format.cpp)
+file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp)
+list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
+foreach(source base/number shapes/smooth_figure shapes/relaxation solve/parts/corner_limit solve/parts/neighbour_system
                solve/parts/tangent_newton solve/terms/bending_term solve/terms/load_terms solve/terms/shear_term
                edit/equalize fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)

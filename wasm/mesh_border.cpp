@@ -36,15 +36,6 @@ val lists_out(const std::vector<std::vector<int>>& lists) {
     return object;
 }
 
-FileFormat file_format_named(std::string_view name) {
-    static const Names<FileFormat> names = {{"obj", FileFormat::obj},
-                                            {"ply", FileFormat::ply},
-                                            {"ply_text", FileFormat::ply_text},
-                                            {"off", FileFormat::off},
-                                            {"stl", FileFormat::stl}};
-    return named(names, name, "format");
-}
-
 RestLengths rest_lengths_named(std::string_view name) {
     static const Names<RestLengths> names = {
         {"automatic", RestLengths::automatic}, {"equal", RestLengths::equal}, {"own", RestLengths::own}};

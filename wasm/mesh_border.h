@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "border.h"
 #include "edit/editor.h"
-#include "io/mesh_file.h"
 #include "net/mesh.h"
 #include "net/topology.h"
 
@@ -40,8 +39,7 @@ T named(const Names<T>& names, std::string_view name, const char* what) {
     return found->second;
 }
 
-/// Throw Error bad_option for a name that wasm/chebnet.d.ts does not have.
-FileFormat file_format_named(std::string_view name);
+/// Throws Error bad_option for a name that wasm/chebnet.d.ts does not have.
 RestLengths rest_lengths_named(std::string_view name);
 
 }  // namespace chebnet

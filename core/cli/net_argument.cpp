@@ -60,7 +60,9 @@ Net net_of_recipe(const std::string& recipe) {
 }  // namespace
 
 void add_net_argument(CLI::App& command, NetArgument& argument) {
-    command.add_option("NET", argument.name, "File (OBJ, PLY, OFF) or recipe of the net")->required()->type_name("");
+    command.add_option("NET", argument.name, "File (" + titles_read("or") + ") or recipe of the net")
+        ->required()
+        ->type_name("");
     add_repair_argument(command, argument.repair);
 }
 

@@ -19,7 +19,7 @@ void add_net_argument(CLI::App& command, NetArgument& argument);
 /// Declares --repair: every defect that net/repair.h knows.
 void add_repair_argument(CLI::App& command, bool& repair);
 
-/// The net that NET names: a file if one of that name exists or it ends like one (.obj, .ply, .off, .stl), a recipe
+/// The net that NET names: a file if one of that name exists or it ends like one (io/format.h), a recipe
 /// otherwise. Repairs are told on standard error. Throws Error; the message begins with the name.
 Net load_net(const NetArgument& argument);
 

@@ -7,24 +7,25 @@
 namespace chebnet {
 namespace {
 
-FileFormat format_of(const NetOutput& output) {
-    const FileFormat format = format_of_name(output.path);
-    if (!output.text) return format;
-    if (format == FileFormat::stl)
-        throw Error(ErrorCode::bad_option, output.path + ": STL is written as binary only, not as --text");
-    return format == FileFormat::ply ? FileFormat::ply_text : format;
+WriteMesh* writer_of(const NetOutput& output) {
+    const FormatInfo& format = format_of_name(output.path);
+    if (!output.text) return format.write;
+    if (format.write_text == nullptr)
+        throw Error(ErrorCode::bad_option,
+                    output.path + ": " + format.title + " is written as binary only, not as --text");
+    return format.write_text;
 }
 
 }  // namespace
 
 CLI::Option* add_net_output(CLI::App& command, const std::string& name, NetOutput& output) {
-    command.add_flag("--text", output.text, "Write PLY as text rather than binary");
-    command.callback([&output] { format_of(output); });
-    return command.add_option(name, output.path, "File to write: .obj, .ply, .off or .stl");
+    command.add_flag("--text", output.text, "Write " + titles_binary_or_text("and") + " as text rather than binary");
+    command.callback([&output] { writer_of(output); });
+    return command.add_option(name, output.path, "File to write: " + extensions_written("or"));
 }
 
 void write_net(const NetOutput& output, const Positions& positions, const Faces& faces) {
-    if (!output.path.empty()) write_file(output.path, write_mesh(positions, faces, format_of(output)));
+    if (!output.path.empty()) write_file(output.path, writer_of(output)(positions, faces));
 }
 
 }  // namespace chebnet

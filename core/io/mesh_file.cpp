@@ -6,10 +6,7 @@
 #include "base/text.h"
 #include "io/file.h"
 #include "io/obj.h"
-#include "io/off.h"
 #include "io/other_format.h"
-#include "io/ply.h"
-#include "io/stl.h"
 
 namespace chebnet {
 
@@ -35,53 +32,47 @@ bool has_obj_vertex(std::string_view bytes) {
     return false;
 }
 
+/// The format of the table whose files have that extension, or null.
+const FormatInfo* format_with(std::string_view extension) {
+    for (const FormatInfo& format : format_table())
+        if (extension == format.name) return &format;
+    return nullptr;
+}
+
+/// Null if neither its bytes nor its name tell.
+const FormatInfo* format_of_file(std::string_view bytes, std::string_view name) {
+    for (const FormatInfo& format : format_table())
+        if (format.begins != nullptr && format.begins(bytes)) return &format;
+    if (const FormatInfo* format = format_with(extension_of(name))) return format;
+    return has_obj_vertex(bytes) ? &find_format(k_obj.name) : nullptr;
+}
+
 [[noreturn]] void fail(ErrorCode code, std::string_view name, const std::string& what) {
     throw Error(code, std::string(name) + ": " + what);
 }
 
 }  // namespace
 
-bool has_mesh_extension(std::string_view name) {
-    const std::string extension = extension_of(name);
-    return extension == "obj" || extension == "ply" || extension == "off" || extension == "stl";
-}
+bool has_mesh_extension(std::string_view name) { return format_with(extension_of(name)) != nullptr; }
 
-FileFormat format_of_name(std::string_view name) {
+const FormatInfo& format_of_name(std::string_view name) {
     const std::string extension = extension_of(name);
-    if (extension == "obj" || extension.empty()) return FileFormat::obj;
-    if (extension == "ply") return FileFormat::ply;
-    if (extension == "off") return FileFormat::off;
-    if (extension == "stl") return FileFormat::stl;
+    if (const FormatInfo* format = format_with(extension.empty() ? k_obj.name : extension)) return *format;
     fail(ErrorCode::bad_option, name,
-         "nets are written as .obj, .ply, .off or .stl, not as " + quoted("." + extension));
+         "nets are written as " + extensions_written("or") + ", not as " + quoted("." + extension));
 }
 
 Mesh read_mesh(std::string_view bytes, std::string_view name) {
     if (bytes.size() > k_max_file_bytes) fail(ErrorCode::too_large, name, "larger than 1 GiB");
     if (const auto other = other_format(bytes))
-        fail(ErrorCode::bad_syntax, name, "this is " + std::string(*other) + "; meshes are read from OBJ, PLY and OFF");
-    const std::string extension = extension_of(name);
-    if (is_ply(bytes) || extension == "ply") return read_ply(bytes, name);
-    if (is_off(bytes) || extension == "off") return read_off(bytes, name);
-    if (extension == "stl") fail(ErrorCode::bad_syntax, name, "STL holds loose triangles, no net; it is only written");
-    if (extension == "obj" || has_obj_vertex(bytes)) return read_obj(bytes, name);
-    fail(ErrorCode::bad_syntax, name, "not a mesh of a format that is read, which are OBJ, PLY and OFF");
-}
-
-std::string write_mesh(const Positions& positions, const Faces& faces, FileFormat format) {
-    switch (format) {
-        case FileFormat::obj:
-            break;
-        case FileFormat::ply:
-            return write_ply(positions, faces, PlyEncoding::binary);
-        case FileFormat::ply_text:
-            return write_ply(positions, faces, PlyEncoding::text);
-        case FileFormat::off:
-            return write_off(positions, faces);
-        case FileFormat::stl:
-            return write_stl(positions, faces);
-    }
-    return write_obj(positions, faces);
+        fail(ErrorCode::bad_syntax, name,
+             "this is " + std::string(*other) + "; meshes are read from " + titles_read("and"));
+    const FormatInfo* format = format_of_file(bytes, name);
+    if (format == nullptr)
+        fail(ErrorCode::bad_syntax, name, "not a mesh of a format that is read, which are " + titles_read("and"));
+    if (format->unread != nullptr)
+        fail(ErrorCode::bad_syntax, name, std::string(format->title) + " " + format->unread + "; it is only written");
+    return format->read(bytes, name);
 }
 
 }  // namespace chebnet

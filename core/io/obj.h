@@ -3,7 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/file.h"
+#include "base/in_this_build.h"
+#include "io/format.h"
 #include "net/mesh.h"
 
 namespace chebnet {
@@ -17,6 +18,18 @@ Mesh read_obj(std::string_view text, std::string_view name);
 
 /// Writes OBJ text, one `v` line a vertex and one `f` line a face, in order. `digits` significant digits, 1 … 17;
 /// 17 returns every coordinate exactly. Throws Error bad_option for another number of digits.
-std::string write_obj(const Positions& positions, const Faces& faces, int digits = 17);
+std::string write_obj(const Positions& positions, const Faces& faces, int digits);
+/// With 17 digits.
+inline std::string write_obj(const Positions& positions, const Faces& faces) { return write_obj(positions, faces, 17); }
+
+constexpr FormatInfo k_obj = {"obj",
+                              "OBJ",
+                              "for Rhino and Blender",
+                              "model/obj",
+                              nullptr,
+                              nullptr,
+                              in_this_build(read_obj),
+                              in_this_build<WriteMesh>(write_obj),
+                              in_this_build<WriteMesh>(write_obj)};
 
 }  // namespace chebnet

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/in_this_build.h"
+#include "io/format.h"
 #include "net/mesh.h"
 
 namespace chebnet {
@@ -20,5 +22,15 @@ Mesh read_off(std::string_view text, std::string_view name);
 /// Writes OFF text with 17 digits, which return every coordinate exactly. As most programs do it leaves the count of
 /// edges at 0.
 std::string write_off(const Positions& positions, const Faces& faces);
+
+constexpr FormatInfo k_off = {"off",
+                              "OFF",
+                              "plain text",
+                              "text/plain",
+                              nullptr,
+                              in_this_build(is_off),
+                              in_this_build(read_off),
+                              in_this_build(write_off),
+                              in_this_build(write_off)};
 
 }  // namespace chebnet

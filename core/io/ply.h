@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/in_this_build.h"
+#include "io/format.h"
 #include "net/mesh.h"
 
 namespace chebnet {
@@ -22,6 +24,23 @@ Mesh read_ply(std::string_view bytes, std::string_view name);
 enum class PlyEncoding { binary, text };
 
 /// Writes PLY with vertices x y z as doubles, which keep every bit, and faces vertex_indices; binary is little endian.
-std::string write_ply(const Positions& positions, const Faces& faces, PlyEncoding encoding = PlyEncoding::binary);
+std::string write_ply(const Positions& positions, const Faces& faces, PlyEncoding encoding);
+
+inline std::string write_ply_binary(const Positions& positions, const Faces& faces) {
+    return write_ply(positions, faces, PlyEncoding::binary);
+}
+inline std::string write_ply_text(const Positions& positions, const Faces& faces) {
+    return write_ply(positions, faces, PlyEncoding::text);
+}
+
+constexpr FormatInfo k_ply = {"ply",
+                              "PLY",
+                              "binary, every digit",
+                              "application/octet-stream",
+                              nullptr,
+                              in_this_build(is_ply),
+                              in_this_build(read_ply),
+                              in_this_build(write_ply_binary),
+                              in_this_build(write_ply_text)};
 
 }  // namespace chebnet

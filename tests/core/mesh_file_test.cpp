@@ -42,7 +42,7 @@ std::vector<StlTriangle> stl_of(const std::vector<Eigen::Vector3d>& corners) {
         face.push_back(static_cast<int>(face.size()));
     }
     mesh.faces.add(face);
-    return stl_triangles(write_mesh(mesh.positions, mesh.faces, FileFormat::stl));
+    return stl_triangles(find_format("stl").write(mesh.positions, mesh.faces));
 }
 
 /// True if a triangle has both points as corners.
@@ -52,20 +52,46 @@ bool joins(const StlTriangle& t, const Eigen::Vector3d& a, const Eigen::Vector3d
 
 }  // namespace
 
-TEST_CASE("Every format but STL keeps quads, order and every bit of a net") {
+TEST_CASE("Every format that is read keeps quads, order and every bit of a net") {
     const Net net = make_shape("dome:vertices=500").net;
     const Mesh mesh{net.rest_positions(), net.faces()};
-    for (const FileFormat format : {FileFormat::obj, FileFormat::ply, FileFormat::ply_text, FileFormat::off})
-        CHECK(samples::same_bits(read_mesh(write_mesh(mesh.positions, mesh.faces, format), "net"), mesh));
+    for (const FormatInfo& format : format_table()) {
+        CAPTURE(format.name);
+        if (format.unread != nullptr) continue;
+        for (WriteMesh* const write : {format.write, format.write_text})
+            if (write != nullptr) CHECK(samples::same_bits(read_mesh(write(mesh.positions, mesh.faces), "net"), mesh));
+    }
+}
+
+TEST_CASE("The table of formats names every one, with its reader and writers") {
+    std::vector<std::string> names;
+    for (const FormatInfo& format : format_table()) {
+        CAPTURE(format.name);
+        names.push_back(format.name);
+        CHECK(&find_format(format.name) == &format);
+        CHECK(&format_of_name(std::string("net.") + format.name) == &format);
+        CHECK((format.read != nullptr) == (format.unread == nullptr));
+        CHECK(format.write != nullptr);
+        CHECK(*format.title != 0);
+        CHECK(*format.sentence != 0);
+        CHECK(std::string(format.media_type).find('/') != std::string::npos);
+    }
+    CHECK(names == std::vector<std::string>{"obj", "ply", "off", "stl"});
+    CHECK(samples::refusal_of([] { find_format("dxf"); }) ==
+          "bad_option no format is called \"dxf\"; known are obj, ply, off, stl");
+    CHECK(titles_read("and") == "OBJ, PLY and OFF");
+    CHECK(titles_binary_or_text("and") == "PLY");
+    CHECK(extensions_written("or") == ".obj, .ply, .off or .stl");
 }
 
 TEST_CASE("The content of a file says its format, then its extension") {
     const Mesh mesh = read_mesh(k_obj, "net.obj");
-    const std::string ply = write_mesh(mesh.positions, mesh.faces, FileFormat::ply);
+    const std::string ply = find_format("ply").write(mesh.positions, mesh.faces);
     for (const char* name : {"net", "net.obj", "net.OBJ", "net.txt", "a.b/net"})
         for (const std::string& bytes : {k_obj, k_off, ply}) CHECK(samples::same_bits(read_mesh(bytes, name), mesh));
     CHECK(samples::same_bits(read_mesh(k_off.substr(4), "net.off"), mesh));
     CHECK(samples::same_bits(read_mesh(ply, "net.off"), mesh));
+    CHECK(samples::same_bits(read_mesh(k_off, "net.ply"), mesh));
     CHECK(read_mesh("", "net.obj").positions.cols() == 0);
 
     CHECK(refusal("x", "net.Ply") == "bad_syntax net.Ply:1: a PLY file begins with a line \"ply\"");
@@ -99,11 +125,11 @@ TEST_CASE("A file that is something else under the name of a mesh is called what
 }
 
 TEST_CASE("The name of a file says how it is written") {
-    CHECK(format_of_name("net.obj") == FileFormat::obj);
-    CHECK(format_of_name("a/net.PLY") == FileFormat::ply);
-    CHECK(format_of_name("net.v2.off") == FileFormat::off);
-    CHECK(format_of_name("net.Stl") == FileFormat::stl);
-    CHECK(format_of_name("/dev/stdout") == FileFormat::obj);
+    CHECK(&format_of_name("net.obj") == &find_format("obj"));
+    CHECK(&format_of_name("a/net.PLY") == &find_format("ply"));
+    CHECK(&format_of_name("net.v2.off") == &find_format("off"));
+    CHECK(&format_of_name("net.Stl") == &find_format("stl"));
+    CHECK(&format_of_name("/dev/stdout") == &find_format("obj"));
     CHECK(samples::refusal_of([] { format_of_name("net.3dm"); }) ==
           "bad_option net.3dm: nets are written as .obj, .ply, .off or .stl, not as \".3dm\"");
     CHECK(has_mesh_extension("no/such.OFF"));
@@ -126,7 +152,7 @@ TEST_CASE("STL holds the triangles of the faces, wound and facing as they are") 
     CHECK(stl_of({a, b, c, d, e}).size() == 3);
 
     const Net net = make_shape("dome:vertices=500").net;
-    CHECK(stl_triangles(write_mesh(net.rest_positions(), net.faces(), FileFormat::stl)).size() ==
+    CHECK(stl_triangles(find_format("stl").write(net.rest_positions(), net.faces())).size() ==
           2 * static_cast<std::size_t>(net.face_count()));
 }
 

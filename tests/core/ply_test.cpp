@@ -219,7 +219,7 @@ TEST_CASE("PLY is written as other programs expect it") {
     CHECK(write_ply(mesh.positions, mesh.faces, PlyEncoding::text) ==
           "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
           "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    CHECK(write_ply(mesh.positions, mesh.faces).find("format binary_little_endian 1.0\n") == 4);
+    CHECK(write_ply(mesh.positions, mesh.faces, PlyEncoding::binary).find("format binary_little_endian 1.0\n") == 4);
 }
 
 TEST_CASE("A face of more vertices than a byte can count survives PLY") {

@@ -18,6 +18,7 @@ test('has all tables', () => {
   expect(first.methods()).toEqual(whole.methods());
   expect(first.shapes()).toEqual(whole.shapes());
   expect(first.initialisations()).toEqual(whole.initialisations());
+  expect(first.formats()).toEqual(whole.formats());
   expect(first.options()).toEqual(whole.options());
 });
 

@@ -89,12 +89,12 @@ test('handles of the net that was open stay at their vertices', () => {
   const scene = freshScene({ recipe: 'dome:vertices=500' });
   const handles = [{ vertex: 4, target: [1, 2, 3] as [number, number, number], anchor: true }];
   const document = { ...scene, handles, positions: Float64Array.of(1, 2, 3), settled: true, options: { p: 4 } };
-  expect(subjectOfNet(document, {} as never)).toMatchObject({
+  expect(subjectOfNet(document, {} as never, [])).toMatchObject({
     name: 'dome.obj',
     positions: document.positions,
     handles: [4],
   });
-  expect(equalizedScene(document, 'v 0 0 0\n')).toMatchObject({
+  expect(equalizedScene(document, 'v 0 0 0\n', [])).toMatchObject({
     net: { obj: 'v 0 0 0\n', name: 'dome.obj' },
     handles: [{ vertex: 4, target: null, anchor: true }],
     options: { p: 4 },

@@ -5,7 +5,7 @@ import type { Subject } from '../../web/src/equalize/subject';
 import { edgesCsv } from '../../web/src/net/edges_csv';
 import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
-import { typeOf } from '../../web/src/export/kinds';
+import { kindsFor, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, Stage } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
@@ -13,6 +13,9 @@ import { FileSession } from '../../web/src/files/file_session';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
 import type { EqualizerLike, FileChoice, FileDialogLike } from '../../web/src/dialogs/file_opener';
 import { objText } from '../../web/src/files/obj_text';
+import { acceptOf } from '../../web/src/files/pick_file';
+import { en } from '../../web/src/language/en';
+import { zh } from '../../web/src/language/zh';
 import { faceWords, lengthWords, percentWords, singularWords } from '../../web/src/dialogs/file_words';
 import { load } from '../wasm/load';
 
@@ -49,10 +52,42 @@ test('the text of a mesh brings every coordinate back, in few digits', () => {
 });
 
 test('a file to be saved is named after what was opened', () => {
-  expect(fileNameOf({ recipe: 'dome:vertices=2000' }, 'ply')).toBe('dome.ply');
-  expect(fileNameOf({ obj: '', name: 'My scan.PLY' }, 'obj')).toBe('My scan.obj');
-  expect(fileNameOf({ obj: '', name: '.obj' }, 'csv')).toBe('net.csv');
-  expect(typeOf('png')).toBe('image/png');
+  const formats = core.formats();
+  expect(fileNameOf({ recipe: 'dome:vertices=2000' }, 'ply', formats)).toBe('dome.ply');
+  expect(fileNameOf({ obj: '', name: 'My scan.PLY' }, 'obj', formats)).toBe('My scan.obj');
+  expect(fileNameOf({ obj: '', name: 'Dome 2.5' }, 'obj', formats)).toBe('Dome 2.5.obj');
+  expect(fileNameOf({ obj: '', name: '.obj' }, 'csv', formats)).toBe('net.csv');
+  expect(typeOf('png', formats)).toBe('image/png');
+  expect(typeOf('stl', formats)).toBe('model/stl');
+});
+
+describe("the core's table of formats says", () => {
+  const formats = core.formats();
+  const dxf = { name: 'dxf', title: 'DXF', sentence: 'for drawings', mediaType: 'image/vnd.dxf', reads: true };
+
+  test('what a picker accepts', () => {
+    expect(acceptOf(formats)).toBe('.obj,.ply,.off,.json');
+    expect(acceptOf([...formats, dxf])).toBe('.obj,.ply,.off,.dxf,.json');
+  });
+
+  test("what can be saved, with the page's own formats among them", () => {
+    const { hints } = en.save;
+    const meshes = kindsFor('meshes', formats, hints);
+    expect(meshes.map(({ kind }) => kind)).toEqual(['obj', '3dm', 'ply', 'off', 'stl', 'glb']);
+    expect(kindsFor('meshes', [...formats, dxf], hints)).toEqual([
+      ...meshes,
+      { kind: 'dxf', title: 'DXF', hint: 'for drawings' },
+    ]);
+    const offered = (['meshes', 'making', 'pictures'] as const).flatMap((purpose) => kindsFor(purpose, formats, hints));
+    for (const name of Object.keys(hints)) expect(offered.map(({ kind }) => kind)).toContain(name);
+    for (const { kind } of offered) expect(typeOf(kind, formats)).toMatch(/^[a-z]+\/[\w.+-]+$/);
+  });
+
+  test('what the tile for opening a file names', () => {
+    const read = [...formats, dxf].filter(({ reads }) => reads).map(({ title }) => title);
+    expect(en.gallery.openFileHint(read)).toMatch(/an OBJ, PLY, OFF or DXF file/);
+    expect(zh.gallery.openFileHint(read)).toMatch(/OBJ、PLY、OFF 或 DXF/);
+  });
 });
 
 describe('words', () => {

@@ -5,7 +5,16 @@ import { en } from '../../web/src/language/en';
 import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { zh } from '../../web/src/language/zh';
-import { CORE_ERRORS, DEFECTS, INITIALISATIONS, METHODS, NAMES, OPTIONS, SHAPES } from '../../web/src/language/zh/core';
+import {
+  CORE_ERRORS,
+  DEFECTS,
+  FORMATS,
+  INITIALISATIONS,
+  METHODS,
+  NAMES,
+  OPTIONS,
+  SHAPES,
+} from '../../web/src/language/zh/core';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import { load, ROOT } from '../wasm/load';
@@ -52,16 +61,24 @@ describe('what the core says has Chinese words:', () => {
       shapes: core.shapes(),
       methods: core.methods(),
       initialisations: core.initialisations(),
+      formats: core.formats(),
       options: core.options(),
     };
-    const { shapes, methods, initialisations, options } = zh.core.tables(tables);
+    const { shapes, methods, initialisations, formats, options } = zh.core.tables(tables);
     expect(names(SHAPES)).toEqual(byName(shapes));
     for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
     expect(names(METHODS)).toEqual(byName(methods));
     expect(names(INITIALISATIONS)).toEqual(byName(initialisations));
+    expect(names(FORMATS)).toEqual(byName(formats));
     expect(names(OPTIONS)).toEqual(byName(options));
     for (const { title, sentence } of shapes) expect([title, sentence].every((text) => HAN.test(text))).toBe(true);
-    const all = [...shapes.flatMap(({ parameters }) => parameters), ...methods, ...initialisations, ...options];
+    const all = [
+      ...shapes.flatMap(({ parameters }) => parameters),
+      ...methods,
+      ...initialisations,
+      ...formats,
+      ...options,
+    ];
     for (const { sentence } of all) expect(sentence).toMatch(HAN);
   });
 

@@ -109,6 +109,7 @@ test('says hello with the tables, to a page of the same version', () => {
     {
       type: 'ready',
       shapes: core.shapes(),
+      formats: core.formats(),
       methods: core.methods(),
       initialisations: core.initialisations(),
       options: core.options(),
@@ -408,7 +409,7 @@ describe('by hand', () => {
   });
 
   test('each format is exported as the core writes it', () => {
-    for (const format of ['obj', 'ply', 'off', 'stl'] as const) {
+    for (const { name: format } of core.formats()) {
       ask({ type: 'export', format });
       expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: reference.toFile(format) });
     }

@@ -160,7 +160,7 @@ async function record(): Promise<void> {
   const recording = new Recording(app.film(), type, (seconds) => notice.show(seconds));
   const notice = new RecordingNotice(element('panels'), () => recording.stop());
   try {
-    download(fileNameOf(net, filmExtension(type)), await recording.done, type);
+    download(fileNameOf(net, filmExtension(type), app.formats), await recording.done, type);
   } finally {
     notice.remove();
   }
@@ -171,7 +171,7 @@ function saveProject(): void {
 }
 
 async function pickAndOpen(): Promise<void> {
-  await openFile(await pickFile());
+  await openFile(await pickFile(app.formats));
 }
 
 async function openFile(file: File | null): Promise<void> {

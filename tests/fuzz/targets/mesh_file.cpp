@@ -22,7 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             }
         },
         [&](const Mesh& mesh) {
-            return write_mesh(mesh.positions, mesh.faces, ending == ".ply" ? FileFormat::ply_text : FileFormat::ply);
+            const FormatInfo& ply = find_format("ply");
+            return (ending == ".ply" ? ply.write_text : ply.write)(mesh.positions, mesh.faces);
         });
     return 0;
 }

@@ -1,6 +1,6 @@
 /** The controller: everything a user or a script can ask of the page is a method here. State, Opener, Presenter and
  *  HandleEditor do it. */
-import type { FlatPattern, OptionInfo, PatternFault } from '../../../wasm/chebnet';
+import type { FlatPattern, FormatInfo, OptionInfo, PatternFault } from '../../../wasm/chebnet';
 import { Comparer } from '../compare/comparer';
 import type { ComparisonWish, RunPlan, RunWish } from '../compare/run';
 import { type NamedChange, settingsChange } from '../document/changes';
@@ -65,6 +65,7 @@ export class App {
   };
   #optionTable: OptionInfo[] = [];
   #methods: string[] = [];
+  #formats: readonly FormatInfo[] = [];
 
   constructor(parts: AppParts, services: AppServices) {
     this.#client = this.#createClient(parts);
@@ -89,6 +90,7 @@ export class App {
     const tables = await this.#tables;
     this.#optionTable = tables.options;
     this.#methods = tables.methods.map(({ name }) => name);
+    this.#formats = tables.formats;
     this.#presenter.panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 
@@ -105,6 +107,11 @@ export class App {
 
   get framesPerSecond(): number {
     return this.#presenter.view.framesPerSecond();
+  }
+
+  /** The core's; none before the solver is there. */
+  get formats(): readonly FormatInfo[] {
+    return this.#formats;
   }
 
   screenPosition(vertex: number): { x: number; y: number } {

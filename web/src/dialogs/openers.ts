@@ -1,4 +1,5 @@
 /** Dialogs that lead to another net, from a file or by equalising, put together. They come when they are first wanted. */
+import type { FormatInfo } from '../../../wasm/chebnet';
 import type { NetSource, Scene } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
@@ -11,6 +12,8 @@ import { FileOpener } from './file_opener';
 /** Where the nets go. */
 export interface OpenNet {
   readonly opening: Opening | null;
+  /** The core's. */
+  readonly formats: readonly FormatInfo[];
   openNet(net: NetSource): Promise<void>;
   openScene(scene: Scene): Promise<void>;
 }
@@ -37,9 +40,10 @@ export class Openers {
 
   async equalizeNet(): Promise<void> {
     if (this.app.opening === null) return;
+    const { formats } = this.app;
     const { document, net } = this.app.opening;
-    const obj = await this.#createEqualizer(subjectOfNet(document, net)).result;
-    if (obj !== null) await this.app.openScene(equalizedScene(document, obj));
+    const obj = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
+    if (obj !== null) await this.app.openScene(equalizedScene(document, obj, formats));
   }
 
   #createEqualizer(subject: Subject): EqualizeDialog {

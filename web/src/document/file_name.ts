@@ -1,11 +1,19 @@
 /** How the files of a net are called. */
+import type { FormatInfo } from '../../../wasm/chebnet';
 import type { NetSource } from './document';
 
 /** After the shape of a recipe or the file that was opened. */
-export function baseNameOf(net: NetSource): string {
-  return ('recipe' in net ? net.recipe.split(':')[0] : net.name.replace(/\.(obj|ply|off)$/i, '')) || 'net';
+export function baseNameOf(net: NetSource, formats: readonly FormatInfo[]): string {
+  return ('recipe' in net ? net.recipe.split(':')[0] : withoutExtension(net.name, formats)) || 'net';
 }
 
-export function fileNameOf(net: NetSource, extension: string): string {
-  return `${baseNameOf(net)}.${extension}`;
+export function fileNameOf(net: NetSource, extension: string, formats: readonly FormatInfo[]): string {
+  return `${baseNameOf(net, formats)}.${extension}`;
+}
+
+function withoutExtension(file: string, formats: readonly FormatInfo[]): string {
+  const ending = formats
+    .map(({ name, reads }) => reads && `.${name}`)
+    .find((each) => each && file.toLowerCase().endsWith(each));
+  return ending ? file.slice(0, -ending.length) : file;
 }

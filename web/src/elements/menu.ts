@@ -41,18 +41,20 @@ export class Menu {
       makeIcon(icon),
       make('span', {}, label),
     );
-    const parts = content.map((each) => ('items' in each ? this.makeGroup(each) : this.makeLine(each)));
-    this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title }, ...parts);
+    this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title });
+    this.show(content);
     // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
     // frame of another site a browser would complain.
-    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true), {
-      once: true,
-    });
+    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true));
     this.menu.addEventListener('toggle', () => this.place());
     // Escape is for the menu alone.
     this.menu.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') event.stopPropagation();
     });
+  }
+
+  protected show(content: readonly (MenuItem | MenuGroup)[]): void {
+    this.menu.replaceChildren(...content.map((each) => ('items' in each ? this.makeGroup(each) : this.makeLine(each))));
   }
 
   private makeGroup({ title, items }: MenuGroup): HTMLElement {

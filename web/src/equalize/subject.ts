@@ -1,4 +1,5 @@
 /** What is equalised, and what becomes of the net that was open. */
+import type { FormatInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
@@ -12,9 +13,9 @@ export interface Subject {
   handles: number[];
 }
 
-export function subjectOfNet(document: ChebnetDocument, net: OpenedNet): Subject {
+export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats: readonly FormatInfo[]): Subject {
   return {
-    name: fileNameOf(document.net, 'obj'),
+    name: fileNameOf(document.net, 'obj', formats),
     net,
     positions: document.positions ?? net.restPositions,
     // Soft ones hold nothing.
@@ -23,9 +24,9 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet): Subject
 }
 
 /** The scene of the net that was open, with `obj` for its net: handles stay at their vertices, where these stand now. */
-export function equalizedScene(document: ChebnetDocument, obj: string): Scene {
+export function equalizedScene(document: ChebnetDocument, obj: string, formats: readonly FormatInfo[]): Scene {
   const handles = document.handles.map((handle) => ({ ...handle, target: null }));
-  const net = { obj, name: fileNameOf(document.net, 'obj') };
+  const net = { obj, name: fileNameOf(document.net, 'obj', formats) };
   return {
     ...document,
     net,

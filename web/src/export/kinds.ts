@@ -1,9 +1,24 @@
-/** As what a net leaves the page. */
-import type { ExportFormat } from '../worker/protocol';
+/** As what a net leaves the page: in the formats of the core's table, and in some that the page makes itself. */
+import type { FormatInfo } from '../../../wasm/chebnet';
 
-/** Those that the export worker makes; the core writes the others, and the view gives `png`. */
+/** What is offered under one heading. */
+export type Purpose = 'meshes' | 'making' | 'pictures';
+
+/** The page's own, in the order in which people are shown them; those of meshes stand behind one of the core's. */
+const OWN = [
+  { name: '3dm', mediaType: 'model/vnd.3dm', purpose: 'meshes', behind: 'obj' },
+  { name: 'glb', mediaType: 'model/gltf-binary', purpose: 'meshes', behind: 'stl' },
+  { name: 'svg', mediaType: 'image/svg+xml', purpose: 'making' },
+  { name: 'csv', mediaType: 'text/csv', purpose: 'making' },
+  { name: 'png', mediaType: 'image/png', purpose: 'pictures' },
+] as const satisfies readonly { name: string; mediaType: string; purpose: Purpose; behind?: string }[];
+
+/** Each has a hint in `words.save.hints`. */
+export type OwnKind = (typeof OWN)[number]['name'];
+/** Those that the export worker makes; the view gives `png`, the solver's worker the others. */
 export type MadeKind = '3dm' | 'glb' | 'svg';
-export type FileKind = ExportFormat | MadeKind | 'png';
+/** A name of either table. */
+export type FileKind = string;
 
 /** What a user wants saved, and how. */
 export interface SaveWish {
@@ -14,18 +29,32 @@ export interface SaveWish {
   magnification: number;
 }
 
-const TYPES: Record<FileKind, string> = {
-  obj: 'model/obj',
-  '3dm': 'model/vnd.3dm',
-  ply: 'application/octet-stream',
-  off: 'text/plain',
-  stl: 'model/stl',
-  glb: 'model/gltf-binary',
-  svg: 'image/svg+xml',
-  csv: 'text/csv',
-  png: 'image/png',
-};
+/** One line of the menu. */
+export interface ExportKind {
+  kind: FileKind;
+  title: string;
+  hint: string;
+}
 
-export function typeOf(kind: FileKind): string {
-  return TYPES[kind];
+/** @param formats the core's table. @param hints of the page's own. */
+export function kindsFor(
+  purpose: Purpose,
+  formats: readonly FormatInfo[],
+  hints: Record<OwnKind, string>,
+): ExportKind[] {
+  const own = OWN.filter((each) => each.purpose === purpose);
+  const line = ({ name }: (typeof OWN)[number]): ExportKind => ({
+    kind: name,
+    title: name.toUpperCase(),
+    hint: hints[name],
+  });
+  if (purpose !== 'meshes') return own.map(line);
+  return formats.flatMap(({ name, title, sentence }) => [
+    { kind: name, title, hint: sentence },
+    ...own.filter((each) => 'behind' in each && each.behind === name).map(line),
+  ]);
+}
+
+export function typeOf(kind: FileKind, formats: readonly FormatInfo[]): string {
+  return [...formats, ...OWN].find(({ name }) => name === kind)!.mediaType;
 }

@@ -1,5 +1,5 @@
 /** Saves the net that is open as a file of some kind. */
-import type { FlatPattern, PatternFault } from '../../../wasm/chebnet';
+import type { FlatPattern, FormatInfo, PatternFault } from '../../../wasm/chebnet';
 import { endsOf } from '../document/document';
 import { baseNameOf, fileNameOf } from '../document/file_name';
 import { download } from '../files/download';
@@ -16,6 +16,8 @@ import { vertexColours } from './paint';
 /** What is saved. */
 export interface Saveable {
   readonly opening: Opening | null;
+  /** The core's. */
+  readonly formats: readonly FormatInfo[];
   /** See View.picture(). */
   picture(magnification: number): Promise<Blob>;
   /** The present net as the bytes of a file. */
@@ -33,7 +35,8 @@ export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
   const { opening } = parts.app;
   if (opening === null) return;
   const content = await contentOf(wish, opening, parts);
-  download(fileNameOf(opening.document.net, wish.kind), content, typeOf(wish.kind));
+  const { formats } = parts.app;
+  download(fileNameOf(opening.document.net, wish.kind, formats), content, typeOf(wish.kind, formats));
 }
 
 async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
@@ -42,7 +45,7 @@ async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWo
       return app.picture(wish.magnification);
     case '3dm':
     case 'glb':
-      return made(jobOf(wish.kind, opening, theme()), spawnWorker());
+      return made(jobOf(wish.kind, opening, theme(), app.formats), spawnWorker());
     case 'svg':
       return made(await drawing(app, wish, opening), spawnWorker());
     default:
@@ -55,11 +58,24 @@ async function drawing(app: Saveable, { edgeMm }: SaveWish, { document, net }: O
   if ('reason' in pattern) throw new Error(patternFaultWords(pattern));
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   const loops = { start: net.loopStart, vertices: net.loopVertices };
-  return { kind: 'svg', pattern, lines, loops, handles: document.handles, name: baseNameOf(document.net), edgeMm };
+  return {
+    kind: 'svg',
+    pattern,
+    lines,
+    loops,
+    handles: document.handles,
+    name: baseNameOf(document.net, app.formats),
+    edgeMm,
+  };
 }
 
-function jobOf(kind: '3dm' | 'glb', { document, net, frame }: Opening, theme: Theme): ExportJob {
-  const name = baseNameOf(document.net);
+function jobOf(
+  kind: '3dm' | 'glb',
+  { document, net, frame }: Opening,
+  theme: Theme,
+  formats: readonly FormatInfo[],
+): ExportJob {
+  const name = baseNameOf(document.net, formats);
   const { edges, faceStart, faceVertices, triangles } = net;
   const { positions } = frame;
   const lines = { start: net.lineStart, vertices: net.lineVertices };

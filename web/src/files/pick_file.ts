@@ -1,11 +1,20 @@
+import type { FormatInfo } from '../../../wasm/chebnet';
+
 /** Lets the user choose a file, a mesh or a project; null if they think better of it. */
-export function pickFile(): Promise<File | null> {
+export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.obj,.ply,.off,.json';
+  input.accept = acceptOf(formats);
   return new Promise((resolve) => {
     input.onchange = () => resolve(input.files?.[0] ?? null);
     input.oncancel = () => resolve(null);
     input.click();
   });
+}
+
+/** The extensions of what can be opened; anything while no format is known. */
+export function acceptOf(formats: readonly FormatInfo[]): string {
+  if (formats.length === 0) return '';
+  const meshes = formats.filter(({ reads }) => reads).map(({ name }) => name);
+  return [...meshes, 'json'].map((extension) => `.${extension}`).join();
 }

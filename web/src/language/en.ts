@@ -90,7 +90,7 @@ export const en = {
   gallery: {
     label: 'Shapes',
     openFile: 'Open file',
-    openFileHint: 'Open an OBJ, PLY or OFF file, or drop one on the page',
+    openFileHint: (formats: readonly string[]) => `Open an ${alternatives(formats)} file, or drop one on the page`,
   },
   handles: {
     title: (count: number) => `Handles (${count})`,
@@ -560,11 +560,7 @@ export const en = {
     making: 'For making',
     pictures: 'Picture',
     hints: {
-      obj: 'for Rhino and Blender',
       '3dm': 'Rhino: quads and net lines',
-      ply: 'binary, every digit',
-      off: 'plain text',
-      stl: 'triangles, for printing',
       glb: 'triangles in colour, for slides and the web',
       svg: 'flat pattern, an edge is',
       csv: 'edges and their lengths',
@@ -607,6 +603,11 @@ export const en = {
     close: 'Close',
   },
 };
+
+/** A, B or C. */
+function alternatives(items: readonly string[]): string {
+  return items.join(', ').replace(/, ([^,]*)$/, ' or $1');
+}
 
 function polygon(arity: number): string {
   return { 3: 'triangle', 4: 'quad', 5: 'pentagon', 6: 'hexagon' }[arity] ?? `${arity}-gon`;

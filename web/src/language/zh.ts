@@ -87,7 +87,8 @@ export const zh: Words = {
   gallery: {
     label: '形状',
     openFile: '打开文件',
-    openFileHint: '打开 OBJ、PLY 或 OFF 文件，也可将文件拖放到页面上',
+    openFileHint: (formats) =>
+      `打开 ${formats.join('、').replace(/、([^、]*)$/, ' 或 $1')} 文件，也可将文件拖放到页面上`,
   },
   handles: {
     title: (count) => `手柄（${count}）`,
@@ -522,11 +523,7 @@ export const zh: Words = {
     making: '用于制作',
     pictures: '图像',
     hints: {
-      obj: '用于 Rhino 和 Blender',
       '3dm': 'Rhino：四边形与网线',
-      ply: '二进制，保留全部精度',
-      off: '纯文本',
-      stl: '三角形，用于 3D 打印',
       glb: '彩色三角形，用于幻灯片和网页',
       svg: '展开图，边长',
       csv: '各边及其长度',

@@ -1,5 +1,7 @@
 /** What the net can be saved as, and how. */
-import type { FileKind, SaveWish } from '../export/kinds';
+import type { FormatInfo } from '../../../wasm/chebnet';
+import { kindsFor } from '../export/kinds';
+import type { FileKind, Purpose, SaveWish } from '../export/kinds';
 import { filmType } from '../export/recording';
 import { words } from '../language/language';
 import { make } from '../elements/dom';
@@ -13,13 +15,45 @@ const LOOK = {
   ...words.toolbar.save,
   title: words.save.as,
 };
-const MESHES: readonly FileKind[] = ['obj', '3dm', 'ply', 'off', 'stl', 'glb'];
 const MAGNIFICATIONS = [1, 2, 4];
 const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
 
-export function createExportMenu({ save, record }: PanelEvents): Menu {
+export class ExportMenu extends Menu {
+  private readonly edge = makeEdgeInput();
+  private readonly size = makeSizeSelect();
+
+  constructor(private readonly events: PanelEvents) {
+    super(LOOK, []);
+    this.showFormats([]);
+  }
+
+  /** @param formats the core's; before they are known, the page's own are there alone. */
+  showFormats(formats: readonly FormatInfo[]): void {
+    const beside: Partial<Record<FileKind, HTMLElement[]>> = {
+      svg: [this.edge, make('span', {}, 'mm')],
+      png: [this.size],
+    };
+    const items = (purpose: Purpose): MenuItem[] =>
+      kindsFor(purpose, formats, words.save.hints).map(({ kind, title, hint }) => {
+        return { title, hint, choose: () => this.events.save(this.wish(kind)), beside: beside[kind] };
+      });
+    this.show([
+      { title: words.save.meshes, items: items('meshes') },
+      { title: words.save.making, items: items('making') },
+      { title: words.save.pictures, items: [...items('pictures'), recordItem(() => this.events.record())] },
+    ]);
+  }
+
+  private wish(kind: FileKind): SaveWish {
+    const { usual, smallest, largest } = EDGE_MM;
+    this.edge.valueAsNumber = Math.min(largest, Math.max(smallest, this.edge.valueAsNumber || usual));
+    return { kind, edgeMm: this.edge.valueAsNumber, magnification: Number(this.size.value) };
+  }
+}
+
+function makeEdgeInput(): HTMLInputElement {
   const { usual, smallest, largest } = EDGE_MM;
-  const edge = make('input', {
+  return make('input', {
     type: 'number',
     value: usual,
     min: smallest,
@@ -27,21 +61,11 @@ export function createExportMenu({ save, record }: PanelEvents): Menu {
     step: 'any',
     'aria-label': words.save.edgeLength,
   });
-  const sizes = MAGNIFICATIONS.map((factor) => make('option', { value: factor }, `${factor}×`));
-  const size = make('select', { 'aria-label': words.save.magnification }, ...sizes);
+}
 
-  const wish = (kind: FileKind): SaveWish => {
-    edge.valueAsNumber = Math.min(largest, Math.max(smallest, edge.valueAsNumber || usual));
-    return { kind, edgeMm: edge.valueAsNumber, magnification: Number(size.value) };
-  };
-  const item = (kind: FileKind, ...beside: HTMLElement[]): MenuItem => {
-    return { title: kind.toUpperCase(), hint: words.save.hints[kind], choose: () => save(wish(kind)), beside };
-  };
-  return new Menu(LOOK, [
-    { title: words.save.meshes, items: MESHES.map((kind) => item(kind)) },
-    { title: words.save.making, items: [item('svg', edge, make('span', {}, 'mm')), item('csv')] },
-    { title: words.save.pictures, items: [item('png', size), recordItem(record)] },
-  ]);
+function makeSizeSelect(): HTMLSelectElement {
+  const sizes = MAGNIFICATIONS.map((factor) => make('option', { value: factor }, `${factor}×`));
+  return make('select', { 'aria-label': words.save.magnification }, ...sizes);
 }
 
 function recordItem(record: () => void): MenuItem {

@@ -1,8 +1,9 @@
 /** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
+import type { FormatInfo } from '../../../wasm/chebnet';
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
-import { createExportMenu } from './export_menu';
+import { ExportMenu } from './export_menu';
 import type { PanelEvents } from '../panels';
 import { createProjectMenu } from './project_menu';
 import './toolbar.css';
@@ -21,6 +22,7 @@ export class Toolbar {
   readonly element: HTMLElement;
   /** Belong outside the toolbar. */
   readonly menus: HTMLElement[];
+  private readonly exports: ExportMenu;
   private readonly undo: HTMLButtonElement;
   private readonly redo: HTMLButtonElement;
   private readonly select: HTMLButtonElement;
@@ -33,8 +35,8 @@ export class Toolbar {
       return button;
     };
     const projects = createProjectMenu(events);
-    const exports = createExportMenu(events);
-    this.menus = [projects.menu, exports.menu];
+    this.exports = new ExportMenu(events);
+    this.menus = [projects.menu, this.exports.menu];
     this.undo = tool('undo', () => events.undo());
     this.redo = tool('redo', () => events.redo());
     this.select = tool('select', () => events.handles.toggleSelecting());
@@ -48,8 +50,12 @@ export class Toolbar {
       this.select,
       tool('frame', () => events.frameAll()),
       tool('link', () => events.share()),
-      exports.button,
+      this.exports.button,
     );
+  }
+
+  showFormats(formats: readonly FormatInfo[]): void {
+    this.exports.showFormats(formats);
   }
 
   showSelecting(on: boolean): void {

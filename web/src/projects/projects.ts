@@ -106,7 +106,7 @@ export class Projects {
     const project = this.#app.project();
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
-    const name = baseNameOf(net) + PROJECT_ENDING;
+    const name = baseNameOf(net, this.#app.formats) + PROJECT_ENDING;
     const text = projectText(project);
     checkSize(name, text.length);
     download(name, text, 'application/json');

@@ -2,6 +2,7 @@
 import type { ShapeInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
+import type { Tables } from '../net/tables';
 import type { Idle } from './idle';
 import { drawThumbnail, type Wireframe } from './thumbnail';
 import './gallery.css';
@@ -36,7 +37,8 @@ export class Gallery {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
   }
 
-  showShapes(shapes: ShapeInfo[], thumbnail: (recipe: string) => Promise<Wireframe>): void {
+  showTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+    this.fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
     this.thumbnail = thumbnail;
     this.items = shapes.map((shape) => this.makeItem(shape));
     this.element.replaceChildren(...this.items.map(({ button }) => button), this.fileTile);
@@ -63,7 +65,7 @@ export class Gallery {
   }
 
   private makeFileTile(): HTMLButtonElement {
-    const tile = makeButton(makeIcon(FOLDER), () => this.openFile(), { title: words.gallery.openFileHint });
+    const tile = makeButton(makeIcon(FOLDER), () => this.openFile());
     tile.append(make('span', {}, words.gallery.openFile));
     return tile;
   }

@@ -163,7 +163,8 @@ class Sidebar implements Panels {
     this.shapes = shapes;
     this.usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.usualThreshold;
     this.idle.touch();
-    this.gallery.showShapes(shapes, thumbnail);
+    this.gallery.showTables(tables, thumbnail);
+    this.toolbar.showFormats(tables.formats);
     this.solver.showTables(tables);
     this.comparison.showTable(tables.methods);
   }

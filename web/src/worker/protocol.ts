@@ -1,6 +1,5 @@
 import type {
   Ball,
-  FileFormat,
   FlatPattern,
   Handle,
   NetInfo,
@@ -13,10 +12,10 @@ import type { Scene, SolverSettings } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 8;
+export const PROTOCOL_VERSION = 9;
 
-/** As what the net can be saved; `csv`: its edges with their lengths. */
-export type ExportFormat = Exclude<FileFormat, 'ply_text'> | 'csv';
+/** As what the solver's worker writes the net: a name from the core's table of formats, or `csv`, its edges with their lengths. */
+export type ExportFormat = string;
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */
 export type Request = { id: number } & (

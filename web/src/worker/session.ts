@@ -141,8 +141,14 @@ export class Session {
     if (version !== PROTOCOL_VERSION) {
       throw failure('version', 'Page and solver are of different versions; load the page again.');
     }
-    const { shapes, methods, initialisations, options } = this.#core;
-    const tables = { shapes: shapes(), methods: methods(), initialisations: initialisations(), options: options() };
+    const { shapes, methods, initialisations, formats, options } = this.#core;
+    const tables = {
+      shapes: shapes(),
+      methods: methods(),
+      initialisations: initialisations(),
+      formats: formats(),
+      options: options(),
+    };
     return { type: 'ready', version, ...tables };
   }
 

@@ -120,6 +120,13 @@ export const INITIALISATIONS: Record<string, { title: string; sentence: string }
   local_global: { title: '局部–全局法', sentence: '先作几次局部–全局迭代：将各边拉向自己的长度。' },
 };
 
+export const FORMATS: Record<string, string> = {
+  obj: '用于 Rhino 和 Blender',
+  ply: '二进制，保留全部精度',
+  off: '纯文本',
+  stl: '三角形，用于 3D 打印',
+};
+
 export const OPTIONS: Record<string, string> = {
   threshold: '最大 dL 低于此值即为收敛（ε3）。',
   energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
@@ -228,7 +235,7 @@ const WORKER_ERRORS: Record<string, string> = {
 };
 
 export const core = {
-  tables: ({ shapes, methods, initialisations, options }: Tables): Tables => ({
+  tables: ({ shapes, methods, initialisations, formats, options }: Tables): Tables => ({
     shapes: shapes.map((shape) => {
       const { title, sentence, parameters } = SHAPES[shape.name] ?? { ...shape, parameters: {} };
       const own = shape.parameters.map((each) => ({ ...each, sentence: parameters[each.name] ?? each.sentence }));
@@ -239,6 +246,7 @@ export const core = {
       ...each,
       sentence: INITIALISATIONS[each.name]?.sentence ?? each.sentence,
     })),
+    formats: formats.map((each) => ({ ...each, sentence: FORMATS[each.name] ?? each.sentence })),
     options: options.map((each) => ({ ...each, sentence: OPTIONS[each.name] ?? each.sentence })),
   }),
   name: (name: string) => NAMES[name] ?? name,

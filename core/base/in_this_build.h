@@ -1,0 +1,16 @@
+#pragma once
+
+namespace chebnet {
+
+/// `function`, for a row of a table; or null in sources compiled for the words of their rows only, which then hold none
+/// of the code (wasm/left_out.cmake).
+template <typename Function>
+static consteval Function* in_this_build([[maybe_unused]] Function* function) {
+#ifdef CHEBNET_WORDS_ONLY
+    return nullptr;
+#else
+    return function;
+#endif
+}
+
+}  // namespace chebnet

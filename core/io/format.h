@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "net/mesh.h"
+
+namespace chebnet {
+
+using WriteMesh = std::string(const Positions& positions, const Faces& faces);
+
+/// One line of the table from which readers and writers are chosen and in which whoever speaks of formats looks them
+/// up: refusals, the help of the command line, and on the page what a picker accepts and what a net can be saved as. A
+/// line stands in the header of its format, e.g. io/off.h. Every format is written; most are read.
+struct FormatInfo {
+    const char* name;        ///< by which programs ask for it; behind a dot, the extension of its files
+    const char* title;       ///< for people
+    const char* sentence;    ///< what it is for, or how it writes a net: a few words beside its title
+    const char* media_type;  ///< as browsers call it
+    const char* unread;      ///< why files of it are not read: "holds …"; null: they are
+
+    // Null in a build that has the table's words only.
+    bool (*begins)(std::string_view bytes);  ///< whether a file begins as only this format does; null: nothing marks it
+    Mesh (*read)(std::string_view bytes, std::string_view name);  ///< null: not read
+    WriteMesh* write;                                             ///< binary if it can be
+    WriteMesh* write_text;                                        ///< null: it is always binary
+};
+
+/// In the order in which people are shown them.
+std::span<const FormatInfo> format_table();
+/// Throws Error bad_option, naming the known formats.
+const FormatInfo& find_format(std::string_view name);
+
+/// For sentences, with `conjunction` before the last: the titles of those that are read, "OBJ, PLY and OFF".
+std::string titles_read(std::string_view conjunction);
+/// Likewise the titles of those that are written as binary unless text is asked for, "PLY".
+std::string titles_binary_or_text(std::string_view conjunction);
+/// Likewise the extensions of all, ".obj, .ply, .off or .stl".
+std::string extensions_written(std::string_view conjunction);
+
+}  // namespace chebnet
