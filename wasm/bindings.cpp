@@ -8,6 +8,7 @@
 
 #include "border.h"
 #include "edit/editor.h"
+#include "edit/field.h"
 #include "io/format.h"
 #include "io/obj.h"
 #include "mesh_border.h"
@@ -287,15 +288,13 @@ void reset(Session& session) { session.editor.reset(); }
 
 val positions(const Session& session) { return copy_out(session.editor.positions()); }
 
-val deviations(const Session& session) {
-    const Eigen::VectorXd ratios = edge_ratios(session.editor.net(), session.editor.positions());
-    const Eigen::VectorXf result = ratios.unaryExpr([](double ratio) { return deviation(ratio); }).cast<float>();
-    return copy_out(result);
-}
-
-val corner_angles(const Session& session) {
-    const Eigen::VectorXf result = vertex_corner_angles(session.editor.net(), session.editor.positions()).cast<float>();
-    return copy_out(result);
+val fields(const Session& session) {
+    val result = val::object();
+    for (const FieldInfo& field : field_table()) {
+        const Eigen::VectorXf numbers = field.numbers(session.editor).cast<float>();
+        result.set(field.name, copy_out(numbers));
+    }
+    return result;
 }
 
 double bend_of(const Session& session) {
@@ -355,8 +354,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("solve", guarded<&solve>)
         .function("reset", guarded<&reset>)
         .function("positions", guarded<&positions>)
-        .function("deviations", guarded<&deviations>)
-        .function("cornerAngles", guarded<&corner_angles>)
+        .function("fields", guarded<&fields>)
         .function("bend", guarded<&bend_of>)
         .function("smallestAngle", guarded<&smallest_angle>)
         .function("handleError", guarded<&handle_error>)

@@ -65,6 +65,15 @@ export interface FormatInfo {
   reads: boolean;
 }
 
+/** Numbers of the edges or vertices of a net, by the names of core/edit/field.h. */
+export interface CoreFields {
+  /** dL of every edge. */
+  deviation: Float32Array;
+  /** At each vertex the corner angle farthest from a right angle, in radians. */
+  angle: Float32Array;
+  [name: string]: Float32Array;
+}
+
 export interface NetInfo {
   vertices: number;
   edges: number;
@@ -273,10 +282,8 @@ export interface Editor {
 
   positions(): Float64Array;
   setPositions(positions: Float64Array): void;
-  /** dL of every edge. */
-  deviations(): Float32Array;
-  /** At each vertex the corner angle farthest from a right angle, in radians. */
-  cornerAngles(): Float32Array;
+  /** At the present positions. */
+  fields(): CoreFields;
   /** Root mean square change of the bend of net lines from rest (core/net/measures.h). */
   bend(): number;
   /** The smallest angle at a face corner, in radians. */

@@ -1,5 +1,6 @@
 /** What wasm/*.cpp give to JavaScript; only wasm/facade.js uses it. Copied beside the built module. */
 import type {
+  CoreFields,
   Defect,
   EqualizeReport,
   FlatPattern,
@@ -76,8 +77,7 @@ export interface Session {
   solve(iterations: number, milliseconds: number): CoreReport;
   reset(): void;
   positions(): Float64Array;
-  deviations(): Float32Array;
-  cornerAngles(): Float32Array;
+  fields(): CoreFields;
   bend(): number;
   smallestAngle(): number;
   handleError(): number;

@@ -311,12 +311,8 @@ class WasmEditor {
     this.#change({ positions, locality: null });
   }
 
-  deviations() {
-    return this.#open.deviations();
-  }
-
-  cornerAngles() {
-    return this.#open.cornerAngles();
+  fields() {
+    return this.#open.fields();
   }
 
   bend() {

@@ -23,17 +23,7 @@ const SAFE = [
     'suggestedHandles',
   ],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
-  ...[
-    'solve',
-    'reset',
-    'positions',
-    'deviations',
-    'cornerAngles',
-    'bend',
-    'smallestAngle',
-    'handleError',
-    'unreachablePairs',
-  ],
+  ...['solve', 'reset', 'positions', 'fields', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
 ];
 
 const { open } = visitors(() => ROOT);

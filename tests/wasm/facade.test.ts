@@ -68,9 +68,9 @@ describe('an editor', () => {
     expect(editor.restPositions).toBeInstanceOf(Float64Array);
     expect(editor.restPositions).toHaveLength(3 * vertices);
     expect(editor.positions()).toHaveLength(3 * vertices);
-    expect(editor.deviations()).toBeInstanceOf(Float32Array);
-    expect(editor.deviations()).toHaveLength(edges);
-    expect(editor.cornerAngles()).toHaveLength(vertices);
+    expect(editor.fields().deviation).toBeInstanceOf(Float32Array);
+    expect(editor.fields().deviation).toHaveLength(edges);
+    expect(editor.fields().angle).toHaveLength(vertices);
     expect(Math.max(...editor.edges, ...editor.faceVertices)).toBe(vertices - 1);
     expect(editor.bend()).toBe(0);
   });
@@ -135,7 +135,7 @@ describe('an editor', () => {
       expect(Object.values(row).every(Number.isFinite)).toBe(true);
     });
     expect(trace.at(-1)?.maxDeviation).toBe(maxDeviation);
-    expect(Math.max(...editor.deviations())).toBeCloseTo(maxDeviation, 12);
+    expect(Math.max(...editor.fields().deviation)).toBeCloseTo(maxDeviation, 12);
   });
 
   test('sets options by number and by flag', () => {
@@ -165,7 +165,7 @@ describe('an editor', () => {
     editor.setHandles(firstEdit(editor));
     editor.solve();
     expect(editor.handleError()).toBe(0);
-    expect(editor.smallestAngle()).toBeLessThanOrEqual(Math.min(...editor.cornerAngles()) + 1e-6);
+    expect(editor.smallestAngle()).toBeLessThanOrEqual(Math.min(...editor.fields().angle) + 1e-6);
   });
 
   test('takes positions and goes back to rest', () => {

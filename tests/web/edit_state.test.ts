@@ -122,7 +122,7 @@ test('comes back from a link, positions so exact that the net stays solved', asy
   const { positions } = editor().state();
   expect(editors).toHaveLength(2);
   expect(largestDistance(positions, state.positions)).toBeLessThan(1e-4 * fresh.info.meanLength);
-  expect(Math.max(...editor().deviations())).toBeLessThan(1e-8);
+  expect(Math.max(...editor().fields().deviation)).toBeLessThan(1e-8);
   await expectBack({ ...document, positions }, { ...state, positions });
 });
 

@@ -78,9 +78,9 @@ describe('the picture', () => {
 
   test('is coloured against the length of the moment', () => {
     expect(meanLength(first.positions, net)).toBe(2);
-    expect(stillFrame(second, net)).toMatchObject({ deviations: Float32Array.of(0, 0), maxDeviation: 0 });
+    expect(stillFrame(second, net)).toMatchObject({ fields: { deviation: Float32Array.of(0, 0) }, maxDeviation: 0 });
     expect(stillFrame({ ...first, length: 1 }, net)).toMatchObject({
-      deviationRange: [0, expect.closeTo(3 + 1 / 3 - 2, 6)],
+      maxDeviation: expect.closeTo(3 + 1 / 3 - 2, 6),
     });
   });
 });

@@ -9,9 +9,8 @@ import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { listsOf } from '../../web/src/handles/lines';
-import { scaleOf } from '../../web/src/view/colour_map';
+import { type FieldName, fieldOf, scaleOf } from '../../web/src/fields/fields';
 import { fanTriangles } from '../../web/src/worker/triangles';
-import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';
 import { glbParts } from './glb_parts';
 import { grid } from './nets';
@@ -150,18 +149,19 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
   } as const;
   const frame = {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0),
-    deviations: Float32Array.of(1e-9, 1),
-    cornerAngles: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
-  } as FrameData;
+    fields: { deviation: Float32Array.of(1e-9, 1), angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI) },
+  };
   const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1) };
-  expect([...vertexColours(scaleOf('deviation', 'paper', colours), 'deviation', frame, net)]).toEqual([
-    0, 0, 255, 255, 0, 0, 255, 0, 0,
-  ]);
-  const [, green, , ...others] = vertexColours(scaleOf('angle', 'paper', colours), 'angle', frame, net);
+  const coloursBy = (name: FieldName) => {
+    const scale = scaleOf({ field: name, colourMap: 'paper' }, colours);
+    return [...vertexColours(scale, fieldOf(name), frame, net)];
+  };
+  expect(coloursBy('deviation')).toEqual([0, 0, 255, 255, 0, 0, 255, 0, 0]);
+  const [, green, , ...others] = coloursBy('angle');
   expect(green).toBe(255);
   expect(Math.max(...others.slice(0, 3))).toBeLessThan(3);
   expect(others.slice(3)).toEqual([255, 255, 0]);
-  const longer = [...vertexColours(scaleOf('longer', 'paper', colours), 'longer', frame, net)];
+  const longer = coloursBy('longer');
   expect([longer.slice(0, 3), longer.slice(6)]).toEqual([
     [0, 0, 0],
     [255, 0, 255],

@@ -53,9 +53,9 @@ describe('a link opens', () => {
           largestDistance(Float64Array.from(opened.handles[i]!.target), Float64Array.from(target)),
         ).toBeLessThanOrEqual(ROUNDING);
     }
-    expect(frame.deviations).toHaveLength(deviations.length);
+    expect(frame.fields.deviation).toHaveLength(deviations.length);
     for (const [e, dl] of deviations.entries())
-      expect(Math.abs(frame.deviations[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
+      expect(Math.abs(frame.fields.deviation[e]! - dl)).toBeLessThanOrEqual(1e-5 * dl + ROUNDING);
   });
 });
 

@@ -55,7 +55,7 @@ async function makeLink(
     : { ...document, positions: frame.positions, settled: false };
   return {
     text: shared.hash,
-    expected: { document: expected, deviations: Array.from(frame.deviations, (x) => Number(x.toPrecision(6))) },
+    expected: { document: expected, deviations: Array.from(frame.fields.deviation, (x) => Number(x.toPrecision(6))) },
   };
 }
 

@@ -2,18 +2,9 @@
  *  have is in one of them: a new field is added here, and the golden files that are missing are made (golden.test.ts). */
 import type { Chebnet, RestLengths } from '../../wasm/chebnet';
 import { DEFAULT_VIEW, freshScene } from '../../web/src/document/defaults';
-import type {
-  ColourMap,
-  Field,
-  HandleSeed,
-  NetSource,
-  Scene,
-  Symmetry,
-  UpAxis,
-  Vec3,
-  ViewState,
-} from '../../web/src/document/document';
+import type { HandleSeed, NetSource, Scene, Symmetry, UpAxis, Vec3, ViewState } from '../../web/src/document/document';
 import type { ChangeName } from '../../web/src/document/naming';
+import type { ColourMap, FieldName } from '../../web/src/fields/fields';
 import { uneven } from './nets';
 
 /** With all its fields, those of its fields, and so on. */
@@ -91,7 +82,7 @@ function seen(change: Partial<ViewState>): GoldenLink {
 }
 
 /** One table for each type that is a choice, with a link for each of its values. */
-const FIELDS: Record<Field, GoldenLink> = {
+const FIELDS: Record<FieldName, GoldenLink> = {
   deviation: seen({ field: 'deviation' }),
   angle: seen({ field: 'angle' }),
   longer: seen({ field: 'longer' }),

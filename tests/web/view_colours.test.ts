@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import type { MapColours, Rgb } from '../../web/src/view/colour_map';
-import { cssColour, endText, lookupTable, mix, parseColour, positionOn, scaleOf } from '../../web/src/view/colour_map';
+import type { MapColours, Rgb } from '../../web/src/fields/colour_map';
+import { cssColour, endText, lookupTable, mix, parseColour, positionOn } from '../../web/src/fields/colour_map';
+import { FIELD_NAMES, fieldOf } from '../../web/src/fields/fields';
 
 const COLOURS: MapColours = {
   good: [0, 0, 1],
@@ -12,9 +13,9 @@ const COLOURS: MapColours = {
   dark: false,
 };
 
-const paper = scaleOf('deviation', 'paper', COLOURS);
-const log = scaleOf('deviation', 'log', COLOURS);
-const angle = scaleOf('angle', 'paper', COLOURS);
+const paper = fieldOf('deviation').scale(COLOURS, 'paper');
+const log = fieldOf('deviation').scale(COLOURS, 'log');
+const angle = fieldOf('angle').scale(COLOURS, 'paper');
 const colourOf = (scale: typeof paper, value: number) => scale.colour(positionOn(scale, value));
 
 describe("the paper's map", () => {
@@ -35,7 +36,7 @@ describe('the logarithmic map', () => {
   });
   test('keeps off the colours of the page, light or dark', () => {
     const lightness = (dark: boolean) => {
-      const scale = scaleOf('deviation', 'log', { ...COLOURS, dark });
+      const scale = fieldOf('deviation').scale({ ...COLOURS, dark }, 'log');
       return Array.from({ length: 50 }, (_, i) => scale.colour(i / 49)).map(
         ([r, g, b]) => 0.21 * r + 0.72 * g + 0.07 * b,
       );
@@ -52,13 +53,13 @@ test('a right angle has the middle colour, others lean to either side', () => {
 });
 
 test('an edge is longer than it is to be, or not', () => {
-  const longer = scaleOf('longer', 'paper', COLOURS, [0.2, 0.3]);
+  const longer = fieldOf('longer').scale(COLOURS, 'paper');
   expect([0, 1].map((value) => colourOf(longer, value))).toEqual([COLOURS.right, COLOURS.longer]);
 });
 
 describe('with ends set by hand', () => {
   test.each(['paper', 'log'] as const)('the %s map goes from one to the other by decades', (map) => {
-    const scale = scaleOf('deviation', map, COLOURS, [1e-8, 1e-4]);
+    const scale = fieldOf('deviation').scale(COLOURS, map, [1e-8, 1e-4]);
     expect([1e-9, 1e-8, 1e-6, 1e-4, 1].map((dL) => positionOn(scale, dL))).toEqual([0, 0, expect.closeTo(0.5), 1, 1]);
     expect(colourOf(scale, 1e-8)).toEqual((map === 'paper' ? paper : log).colour(0));
     expect(scale.ticks.map(({ label }) => label)).toEqual(['1e-8', '1e-4']);
@@ -71,7 +72,7 @@ describe('with ends set by hand', () => {
     [100, 110],
     [10, 20],
   ])('from %d to %d degrees a right angle would keep its colour', (...ends) => {
-    const scale = scaleOf('angle', 'paper', COLOURS, ends);
+    const scale = fieldOf('angle').scale(COLOURS, 'paper', ends);
     if (ends[0] <= 90 && 90 <= ends[1]) expect(colourOf(scale, 90)).toEqual(COLOURS.right);
     if (ends[0] < 90) expect(colourOf(scale, ends[0])).toEqual(COLOURS.narrow);
     if (ends[1] > 90) expect(colourOf(scale, ends[1])).toEqual(COLOURS.wide);
@@ -86,11 +87,9 @@ describe('with ends set by hand', () => {
 
 test('every tick lies on the legend', () => {
   for (const { ticks, shown } of [
-    paper,
+    ...FIELD_NAMES.map((name) => fieldOf(name).scale(COLOURS, 'paper')),
     log,
-    angle,
-    scaleOf('longer', 'paper', COLOURS),
-    scaleOf('angle', 'paper', COLOURS, [80, 85]),
+    fieldOf('angle').scale(COLOURS, 'paper', [80, 85]),
   ]) {
     for (const { value } of ticks) {
       expect(value).toBeGreaterThanOrEqual(shown[0]);

@@ -1,7 +1,7 @@
 /** Documents in every form they can have, and what happens to them on the way. */
 import fc from 'fast-check';
-import { areEnds } from '../../../web/src/document/document';
 import type { ChebnetDocument, HandleData, NetSource, Vec3, ViewState } from '../../../web/src/document/document';
+import { areEnds, FIELD_NAMES, fieldOf, type ScaledName } from '../../../web/src/fields/fields';
 import { grid } from '../../web/nets';
 
 export const net = grid(4, 3);
@@ -41,13 +41,13 @@ const camera = fc
   .filter(([x, y, z, u, v, w]) => x !== u || y !== v || z !== w)
   .map(([x = 0, y = 0, z = 0, u = 0, v = 0, w = 0]) => ({ position: [x, y, z] as Vec3, target: [u, v, w] as Vec3 }));
 
-const ends = (field: 'deviation' | 'angle') => fc.tuple(number, number).filter((pair) => areEnds(field, pair));
+const ends = (name: ScaledName) => fc.tuple(number, number).filter((pair) => areEnds(fieldOf(name), pair));
 
 export const view: fc.Arbitrary<ViewState> = fc
   .tuple(
     fc.record({
       camera: fc.option(camera),
-      field: fc.constantFrom('deviation' as const, 'angle' as const, 'longer' as const),
+      field: fc.constantFrom(...FIELD_NAMES),
       colourMap: fc.constantFrom('paper' as const, 'log' as const),
       showFaces: fc.boolean(),
     }),

@@ -3,19 +3,10 @@
  * that is new needs one line here, where it is read: writing takes whatever there is. See also versions.ts.
  */
 import type { RestLengths } from '../../../wasm/chebnet';
-import { areEnds, LONGEST_NAME } from './document';
-import type {
-  Ends,
-  HandleData,
-  HandleSeed,
-  NetSource,
-  ScaledField,
-  Scene,
-  SolverOptions,
-  Symmetry,
-  UpAxis,
-  ViewState,
-} from './document';
+import type { Ends } from '../fields/colour_map';
+import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
+import { LONGEST_NAME } from './document';
+import type { HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
 import type { Field } from './field';
 import { words } from '../language/language';
@@ -128,7 +119,7 @@ function readOptions(options: Field): SolverOptions {
 export function readView(view: Field): Scene['view'] {
   return {
     camera: view.at('camera').value === null ? null : readCamera(view.at('camera')),
-    field: view.at('field').oneOf(['deviation', 'angle', 'longer']),
+    field: view.at('field').oneOf(FIELD_NAMES),
     colourMap: view.at('colourMap').oneOf(['paper', 'log']),
     showFaces: view.at('showFaces').flag(),
     ...given({
@@ -139,12 +130,13 @@ export function readView(view: Field): Scene['view'] {
 }
 
 function readEnds(ends: Field): ViewState['ends'] {
-  const read = (name: ScaledField) =>
+  const read = (name: FieldName) =>
     ends.at(name).maybe((pair): Ends => {
       const [low = NaN, high = NaN, ...more] = pair.list().map((each) => each.number());
-      return more.length === 0 && areEnds(name, [low, high]) ? [low, high] : pair.fail(words.fields.ends);
+      return more.length === 0 && areEnds(fieldOf(name), [low, high]) ? [low, high] : pair.fail(words.fields.ends);
     });
-  return given({ deviation: read('deviation'), angle: read('angle') });
+  const names = FIELD_NAMES.filter((name) => fieldOf(name).ends);
+  return given(Object.fromEntries(names.map((name) => [name, read(name)])));
 }
 
 function readCamera(camera: Field): NonNullable<ViewState['camera']> {

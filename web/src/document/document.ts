@@ -1,5 +1,6 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
 import type { Handle, RestLengths } from '../../../wasm/chebnet';
+import type { Colouring } from '../fields/fields';
 
 export type Vec3 = [number, number, number];
 
@@ -55,35 +56,13 @@ export interface SolverSettings {
   options: SolverOptions;
 }
 
-/** `longer`: edges longer than their rest length, against all others. */
-export type Field = 'deviation' | 'angle' | 'longer';
-/** Those whose colours go from one end to another. */
-export type ScaledField = Exclude<Field, 'longer'>;
-export type ColourMap = 'paper' | 'log';
 export type UpAxis = 'y' | 'z';
 
-/** Ends of a colour map: dL, whose scale is logarithmic, or degrees. */
-export type Ends = readonly [low: number, high: number];
-
-/** Whether a map can go from one to the other. */
-export function areEnds(field: ScaledField, [low, high]: Ends): boolean {
-  return low < high && Number.isFinite(high - low) && (field === 'angle' || low > 0);
-}
-
-export interface ViewState {
+export interface ViewState extends Colouring {
   camera: { position: Vec3; target: Vec3 } | null;
-  field: Field;
-  colourMap: ColourMap;
-  /** Set by hand; a field without takes those of its map. */
-  ends?: { [Each in ScaledField]?: Ends | undefined };
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;
-}
-
-/** Those set by hand for what is shown. */
-export function endsOf({ field, ends }: Pick<ViewState, 'field' | 'ends'>): Ends | undefined {
-  return field === 'longer' ? undefined : ends?.[field];
 }
 
 /** What a document says that was opened as an experiment. */

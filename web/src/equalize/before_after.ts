@@ -26,21 +26,14 @@ export function meanLength(positions: Float64Array, { edges }: Pick<OpenedNet, '
 
 /** A frame that nobody solves. */
 export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedNet, 'edges'>): FrameData {
-  const deviations = Float32Array.from(
+  const deviation = Float32Array.from(
     edgeLengths(positions, edges),
     (each) => (each / length - 1) ** 2 / (each / length),
   );
-  const range = deviations.reduce<[number, number]>(
-    ([low, high], dL) => [Math.min(low, dL), Math.max(high, dL)],
-    [Infinity, 0],
-  );
   return {
     positions,
-    deviations,
-    deviationRange: range,
-    maxDeviation: range[1],
-    cornerAngles: new Float32Array(positions.length / 3),
-    angleRange: [0, 0],
+    fields: { deviation, angle: new Float32Array(positions.length / 3) },
+    maxDeviation: deviation.reduce((most, dL) => Math.max(most, dL), 0),
     handles: [],
     status: 'running',
     iterations: 0,

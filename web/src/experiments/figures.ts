@@ -1,5 +1,6 @@
 /** The paper, figure by figure: what figures.json says, for the page, the native program and links alike. */
-import type { Field, NetSource, SolverSettings, Vec3 } from '../document/document';
+import type { NetSource, SolverSettings, Vec3 } from '../document/document';
+import type { FieldName } from '../fields/fields';
 import type { Language } from '../language/choice';
 import { language } from '../language/language';
 import file from './figures.json';
@@ -45,7 +46,7 @@ export interface Figure {
   /** What showed this in older versions: for each of its variants the place of the one that took over. */
   was?: { [name: string]: number[] };
   /** Colours to open with. */
-  field?: Field;
+  field?: FieldName;
   /** Opens at rest, for a hand to drag. */
   rest?: true;
 }

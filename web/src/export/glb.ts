@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { UpAxis } from '../document/document';
-import type { Rgb } from '../view/colour_map';
+import type { Rgb } from '../fields/colour_map';
 
 export interface Painted {
   positions: Float64Array;

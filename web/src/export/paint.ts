@@ -1,17 +1,11 @@
 /** A colour for each vertex, as the view shows the chosen field. */
-import type { Field } from '../document/document';
-import { lookupTable, positionOn } from '../view/colour_map';
-import type { Scale } from '../view/colour_map';
-import { isLonger } from '../view/longer';
-import type { FrameData, OpenedNet } from '../worker/protocol';
-
-const DEGREES = 180 / Math.PI;
-
-type Edges = Pick<OpenedNet, 'edges' | 'restLengths'>;
+import { lookupTable, positionOn, type Scale } from '../fields/colour_map';
+import { type ColourField, numbersOf, type Placed } from '../fields/fields';
+import type { Edges } from '../net/longer';
 
 /** Red, green, blue of each vertex, 0…255. */
-export function vertexColours(scale: Scale, field: Field, frame: FrameData, net: Edges): Uint8Array {
-  const values = valuesOf(field, frame, net);
+export function vertexColours(scale: Scale, field: ColourField, placed: Placed, net: Edges): Uint8Array {
+  const values = numbersAtVertices(field, placed, net);
   const table = lookupTable(scale);
   const colours = new Uint8Array(3 * values.length);
   values.forEach((value, vertex) => {
@@ -21,26 +15,28 @@ export function vertexColours(scale: Scale, field: Field, frame: FrameData, net:
   return colours;
 }
 
-function valuesOf(field: Field, frame: FrameData, net: Edges): Float32Array {
-  if (field === 'angle') return frame.cornerAngles.map((angle) => angle * DEGREES);
-  return field === 'longer' ? longerAtVertices(frame, net) : worstAtVertices(frame, net);
+function numbersAtVertices(field: ColourField, placed: Placed, net: Edges): Float32Array {
+  const numbers = numbersOf(field, placed, net);
+  if (field.place === 'vertex') return numbers;
+  const vertices = placed.positions.length / 3;
+  return field.atVertex === 'mean'
+    ? meanAtVertices(numbers, net, vertices)
+    : farthestAtVertices(numbers, net, vertices);
 }
 
-/** The part of the edges at each vertex that is longer than it is to be. */
-function longerAtVertices({ positions }: FrameData, net: Edges): Float32Array {
-  const [longer, all] = [new Float32Array(positions.length / 3), new Float32Array(positions.length / 3)];
-  net.edges.forEach((vertex, i) => {
-    all[vertex]! += 1;
-    if (isLonger(net, positions, i >> 1)) longer[vertex]! += 1;
-  });
-  return longer.map((count, vertex) => count / Math.max(1, all[vertex]!));
-}
-
-/** The largest deviation of the edges at each vertex. */
-function worstAtVertices({ deviations, positions }: FrameData, { edges }: Edges): Float32Array {
-  const worst = new Float32Array(positions.length / 3);
+function meanAtVertices(numbers: Float32Array, { edges }: Edges, vertices: number): Float32Array {
+  const [sums, counts] = [new Float32Array(vertices), new Float32Array(vertices)];
   edges.forEach((vertex, i) => {
-    worst[vertex] = Math.max(worst[vertex]!, deviations[i >> 1]!);
+    sums[vertex]! += numbers[i >> 1]!;
+    counts[vertex]! += 1;
   });
-  return worst;
+  return sums.map((sum, vertex) => sum / Math.max(1, counts[vertex]!));
+}
+
+function farthestAtVertices(numbers: Float32Array, { edges }: Edges, vertices: number): Float32Array {
+  const farthest = new Float32Array(vertices);
+  edges.forEach((vertex, i) => {
+    if (Math.abs(numbers[i >> 1]!) > Math.abs(farthest[vertex]!)) farthest[vertex] = numbers[i >> 1]!;
+  });
+  return farthest;
 }

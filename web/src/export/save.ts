@@ -1,10 +1,9 @@
 /** Saves the net that is open as a file of some kind. */
 import type { FlatPattern, FormatInfo, PatternFault } from '../../../wasm/chebnet';
-import { endsOf } from '../document/document';
 import { baseNameOf, fileNameOf } from '../document/file_name';
+import { fieldOf, scaleOf } from '../fields/fields';
 import { download } from '../files/download';
 import { words } from '../language/language';
-import { scaleOf } from '../view/colour_map';
 import type { Theme } from '../view/theme';
 import type { Opening } from '../worker/opening';
 import type { ExportFormat } from '../worker/protocol';
@@ -81,8 +80,8 @@ function jobOf(
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   if (kind === '3dm')
     return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
-  const { field, colourMap, upAxis: up = 'z' } = document.view;
-  const colours = vertexColours(scaleOf(field, colourMap, theme, endsOf(document.view)), field, frame, net);
+  const { field, upAxis: up = 'z' } = document.view;
+  const colours = vertexColours(scaleOf(document.view, theme), fieldOf(field), frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 

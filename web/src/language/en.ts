@@ -58,11 +58,14 @@ export const en = {
   messages: { dismiss: 'Dismiss' },
   embed: { activate: 'Click to drag the net', open: 'Open in chebnet' },
   offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
+  /** What the net can be coloured by: one to be chosen, and over its legend. */
+  colourFields: {
+    deviation: { choice: 'Deviation of edges', title: 'Deviation dL of an edge' },
+    angle: { choice: 'Corner angles', title: 'Corner angle farthest from 90°' },
+    longer: { choice: 'Longer than L', title: 'Edges by their length L' },
+  },
   legend: {
     label: 'Legend',
-    deviation: 'Deviation dL of an edge',
-    angle: 'Corner angle farthest from 90°',
-    longer: 'Edges by their length L',
     notLonger: 'not longer than L',
     isLonger: 'longer',
     share: (percent: string) => `Net: ${percent} % longer than L`,
@@ -78,9 +81,6 @@ export const en = {
   },
   appearance: {
     colourBy: 'Colour by',
-    deviation: 'Deviation of edges',
-    angle: 'Corner angles',
-    longer: 'Longer than L',
     colours: 'Colours',
     paper: 'Blue and red',
     log: 'Logarithmic',

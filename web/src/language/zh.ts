@@ -55,11 +55,13 @@ export const zh: Words = {
   messages: { dismiss: '关闭' },
   embed: { activate: '点击后即可拖动网', open: '在 chebnet 中打开' },
   offline: { newVersion: '此页面有新版本。', reload: '重新加载' },
+  colourFields: {
+    deviation: { choice: '边的偏差', title: '边的偏差 dL' },
+    angle: { choice: '面的角', title: '偏离 90° 最远的角' },
+    longer: { choice: '是否长于 L', title: '边长与 L 相比' },
+  },
   legend: {
     label: '图例',
-    deviation: '边的偏差 dL',
-    angle: '偏离 90° 最远的角',
-    longer: '边长与 L 相比',
     notLonger: '不长于 L',
     isLonger: '长于 L',
     share: (percent) => `当前网：${percent}% 的边长于 L`,
@@ -75,9 +77,6 @@ export const zh: Words = {
   },
   appearance: {
     colourBy: '着色依据',
-    deviation: '边的偏差',
-    angle: '面的角',
-    longer: '是否长于 L',
     colours: '配色',
     paper: '蓝与红',
     log: '对数',

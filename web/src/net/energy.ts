@@ -10,7 +10,7 @@ interface Placed {
   /** 3 numbers a vertex. */
   positions: Float64Array;
   /** dL of each edge. */
-  deviations: Float32Array;
+  fields: { deviation: Float32Array };
 }
 
 /** r^p + r^-p, with r = length / rest length; 2 at its least. */
@@ -19,8 +19,8 @@ export function energy(r: number, p: number): number {
 }
 
 /** r of the edge with the largest deviation. */
-export function worstRatio({ edges, restLengths }: Edges, { positions, deviations }: Placed): number {
-  const worst = deviations.reduce((worst, dL, e) => (dL > deviations[worst]! ? e : worst), 0);
+export function worstRatio({ edges, restLengths }: Edges, { positions, fields: { deviation } }: Placed): number {
+  const worst = deviation.reduce((worst, dL, e) => (dL > deviation[worst]! ? e : worst), 0);
   const [a, b] = [3 * edges[2 * worst]!, 3 * edges[2 * worst + 1]!];
   const along = (axis: number): number => positions[a + axis]! - positions[b + axis]!;
   return Math.hypot(along(0), along(1), along(2)) / restLengths[worst]!;

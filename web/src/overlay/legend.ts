@@ -1,20 +1,15 @@
 /** The colour map with its ends, which can be set by hand, and below it the range of the data. */
-import { endsOf, type ViewState } from '../document/document';
+import { cssColour, positionOn, type Scale } from '../fields/colour_map';
+import { type Colouring, endsOf, fieldOf, numbersOf, rangeOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
-import { cssColour, positionOn, type Scale, scaleOf } from '../view/colour_map';
-import { shareOfLonger } from '../view/longer';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';
 import { MapEnds } from './map_ends';
 import type { PanelEvents } from '../panels';
-import { ROUNDING, small } from '../language/numbers';
 import './legend.css';
 
 const STOPS = 24;
-const DEGREES = 180 / Math.PI;
-
-type Coloured = Pick<ViewState, 'field' | 'colourMap' | 'ends'>;
 
 export class Legend {
   private readonly name = make('h2');
@@ -24,7 +19,7 @@ export class Legend {
   private readonly words = make('p', { class: 'words' });
   private readonly ends: MapEnds;
   readonly element: HTMLElement;
-  private view: Coloured = { field: 'deviation', colourMap: 'paper' };
+  private view: Colouring = { field: 'deviation', colourMap: 'paper' };
   private scale: Scale | null = null;
   private frame: FrameData | null = null;
   private net: OpenedNet | null = null;
@@ -44,7 +39,7 @@ export class Legend {
     onThemeChange(() => this.draw());
   }
 
-  show(view: Coloured): void {
+  show(view: Colouring): void {
     const { field, colourMap, ends } = this.view;
     const same = this.scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
     this.view = view;
@@ -62,30 +57,25 @@ export class Legend {
   }
 
   private drawData(): void {
-    if (!this.scale || !this.frame) return;
-    if (this.view.field === 'longer') return this.writeShare(this.frame);
-    const byAngle = this.view.field === 'angle';
-    const [low, high] = byAngle ? this.frame.angleRange : this.frame.deviationRange;
-    const [from, to] = byAngle ? [low * DEGREES, high * DEGREES] : [low, high];
+    if (!this.scale || !this.frame || !this.net) return;
+    const field = fieldOf(this.view.field);
+    const numbers = numbersOf(field, this.frame, this.net);
+    const [from, to] = rangeOf(numbers);
     const left = legendPosition(this.scale, from);
     const width = Math.max(0.02, legendPosition(this.scale, to) - left);
     this.data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
     this.data.style.width = `${(100 * width).toFixed(1)}%`;
-    setText(this.words, words.legend.net(byAngle ? angleRange(from, to) : deviationRange(from, to)));
-  }
-
-  private writeShare({ positions }: FrameData): void {
-    if (this.net) setText(this.words, words.legend.share((100 * shareOfLonger(this.net, positions)).toFixed(1)));
+    setText(this.words, field.summary(numbers));
   }
 
   private draw(): void {
-    const { field, colourMap } = this.view;
-    const ends = endsOf(this.view);
-    const scale = scaleOf(field, colourMap, readTheme(document.documentElement), ends);
+    const name = this.view.field;
+    const field = fieldOf(name);
+    const scale = scaleOf(this.view, readTheme(document.documentElement));
     this.scale = scale;
-    this.data.hidden = this.ends.element.hidden = field === 'longer';
-    if (field !== 'longer') this.ends.show(field, scale, ends !== undefined);
-    setText(this.name, scale.title);
+    this.data.hidden = this.ends.element.hidden = field.ends === undefined;
+    this.ends.show(field, scale, endsOf(this.view) !== undefined);
+    setText(this.name, words.colourFields[name].title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {
       const value = scale.logarithmic ? low * (high / low) ** (i / STOPS) : low + (high - low) * (i / STOPS);
@@ -106,13 +96,4 @@ export class Legend {
 /** Where a value stands on the legend, which may show more than the map tells apart. */
 function legendPosition(scale: Scale, value: number): number {
   return positionOn({ ...scale, low: scale.shown[0], high: scale.shown[1] }, value);
-}
-
-function deviationRange(low: number, high: number): string {
-  if (high < ROUNDING) return words.legend.exact;
-  return low < ROUNDING ? words.legend.upTo(small(high)) : words.legend.range(small(low), small(high));
-}
-
-function angleRange(low: number, high: number): string {
-  return words.legend.range(`${low.toFixed(0)}°`, `${high.toFixed(0)}°`);
 }

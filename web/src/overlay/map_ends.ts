@@ -1,8 +1,7 @@
 /** The ends of the colour map by hand; the map's own again by one click. */
-import { areEnds } from '../document/document';
-import type { Ends, ScaledField } from '../document/document';
+import { type Ends, endText, type Scale } from '../fields/colour_map';
+import { areEnds, type ColourField, FIELDS } from '../fields/fields';
 import { words } from '../language/language';
-import { endText, type Scale } from '../view/colour_map';
 import { make, makeButton, setValue } from '../elements/dom';
 
 export class MapEnds {
@@ -13,7 +12,7 @@ export class MapEnds {
     return input;
   });
   private readonly automatic: HTMLButtonElement;
-  private field: ScaledField = 'deviation';
+  private field: ColourField = FIELDS.deviation;
 
   /** @param choose what the user wants; undefined: the map's own. */
   constructor(private readonly choose: (ends: Ends | undefined) => void) {
@@ -22,7 +21,7 @@ export class MapEnds {
     this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
   }
 
-  show(field: ScaledField, { low, high }: Scale, byHand: boolean): void {
+  show(field: ColourField, { low, high }: Scale, byHand: boolean): void {
     this.field = field;
     this.automatic.setAttribute('aria-pressed', String(!byHand));
     this.inputs.forEach((input, i) => {
@@ -34,7 +33,7 @@ export class MapEnds {
   private read(changed: HTMLInputElement): void {
     const [low = NaN, high = NaN] = this.inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
     if (areEnds(this.field, [low, high])) return this.choose([low, high]);
-    changed.setCustomValidity(words.legend.badEnds(this.field === 'deviation'));
+    changed.setCustomValidity(words.legend.badEnds(this.field.ends === 'above 0'));
     changed.reportValidity();
   }
 }

@@ -1,5 +1,6 @@
 /** What the colours mean and whether faces are drawn. */
-import type { ColourMap, Field, UpAxis, ViewState } from '../document/document';
+import type { UpAxis, ViewState } from '../document/document';
+import { type ColourMap, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
 import { words } from '../language/language';
 import { makeSelect, makeSwitch, setValue } from '../elements/dom';
 import type { PanelEvents } from '../panels';
@@ -13,11 +14,7 @@ export class Appearance {
   private readonly up: HTMLSelectElement;
 
   constructor(events: PanelEvents) {
-    const fields = [
-      { value: 'deviation', text: words.appearance.deviation },
-      { value: 'angle', text: words.appearance.angle },
-      { value: 'longer', text: words.appearance.longer },
-    ];
+    const fields = FIELD_NAMES.map((name) => ({ value: name, text: words.colourFields[name].choice }));
     const maps = [
       { value: 'paper', text: words.appearance.paper },
       { value: 'log', text: words.appearance.log },
@@ -26,7 +23,9 @@ export class Appearance {
       { value: 'z', text: 'z' },
       { value: 'y', text: 'y' },
     ];
-    const field = makeSelect(words.appearance.colourBy, fields, (value) => events.setView({ field: value as Field }));
+    const field = makeSelect(words.appearance.colourBy, fields, (value) =>
+      events.setView({ field: value as FieldName }),
+    );
     const map = makeSelect(words.appearance.colours, maps, (value) =>
       events.setView({ colourMap: value as ColourMap }),
     );
@@ -40,8 +39,7 @@ export class Appearance {
   show({ field, colourMap, showFaces, upAxis }: ViewState): void {
     setValue(this.field, field);
     setValue(this.map, colourMap);
-    // The others have one map of their own.
-    this.mapRow.hidden = field !== 'deviation';
+    this.mapRow.hidden = fieldOf(field).maps === undefined;
     this.faces.checked = showFaces;
     setValue(this.up, upAxis ?? 'z');
   }

@@ -32,7 +32,7 @@ uniform float reach, floorHeight;
 out float height;
 ${READ_NET}
 void main() {
-  vec3 p = readVertex(gl_VertexID).xyz;
+  vec3 p = readVertex(gl_VertexID);
   height = p.z - floorHeight;
   gl_Position = vec4(p.xy / reach, 0.0, 1.0);
 }`;

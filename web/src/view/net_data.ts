@@ -13,56 +13,54 @@ import {
   type Texture,
   type TextureDataType,
 } from 'three';
-import type { Field } from '../document/document';
-import type { FrameData, OpenedNet } from '../worker/protocol';
-import { lookupTable, type Scale } from './colour_map';
-import { isLonger } from './longer';
+import { lookupTable, type Scale } from '../fields/colour_map';
+import type { ColourField, Placed } from '../fields/fields';
+import type { OpenedNet } from '../worker/protocol';
 import type { Space } from './space';
-
-const DEGREES = 180 / Math.PI;
 
 /** Shaders that include this read vertex `i` and edge `e` of the net. */
 export const READ_NET = /* glsl */ `
 uniform highp sampler2D vertices;
-uniform highp sampler2D edgeValues;
+uniform highp sampler2D numbers;
 uniform highp sampler2D mobilities;
 uniform highp isampler2D ends;
 ivec2 place(int i, int width) { return ivec2(i % width, i / width); }
-/** Scene position, and the corner angle in degrees. */
-vec4 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0); }
+/** Scene position. */
+vec3 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0).xyz; }
 /** Both vertices of an edge. */
 ivec2 readEnds(int e) { return texelFetch(ends, place(e, textureSize(ends, 0).x), 0).rg; }
 /** How freely a vertex moves with a drag: 1, or less where a region is shown. */
 float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(mobilities, 0).x), 0).r; }
-/** Its deviation, or whether it is longer than it is to be. */
-float readEdge(int e) { return texelFetch(edgeValues, place(e, textureSize(edgeValues, 0).x), 0).r; }
+/** Of the field that is shown, at a vertex or an edge. */
+float readNumber(int i) { return texelFetch(numbers, place(i, textureSize(numbers, 0).x), 0).r; }
 `;
 
 /** Where shaders find the net of the moment. All materials of a view share it and outlive the net: to compile them anew for
  *  each net would hold the page up. */
 export interface NetUniforms {
   vertices: { value: Texture | null };
-  edgeValues: { value: Texture | null };
+  numbers: { value: Texture | null };
   mobilities: { value: Texture | null };
   ends: { value: Texture | null };
 }
 
 export function netUniforms(): NetUniforms {
-  return { vertices: { value: null }, edgeValues: { value: null }, mobilities: { value: null }, ends: { value: null } };
+  return { vertices: { value: null }, numbers: { value: null }, mobilities: { value: null }, ends: { value: null } };
 }
 
 export class NetData {
-  /** Scene position and corner angle: 4 numbers a vertex. Picking reads them too. */
+  /** Scene position, 4 numbers a vertex, since cards have no texels of three; the fourth is unused. Picking reads them too. */
   readonly points: Float32Array<ArrayBuffer>;
   readonly vertexCount: number;
   /** Mean length of an edge, in the scene. */
   readonly edgeLength: number;
   private readonly vertices: DataTexture;
-  private readonly edgeTexture: DataTexture;
+  private readonly numberTexture: DataTexture;
   private readonly mobilities: DataTexture;
   private readonly mobilityValues: Float32Array<ArrayBuffer>;
   private readonly ends: DataTexture;
-  private readonly edgeValues: Float32Array<ArrayBuffer>;
+  /** Of the field that is shown, one for each vertex or each edge. */
+  private readonly numbers: Float32Array<ArrayBuffer>;
 
   constructor(
     private readonly net: OpenedNet,
@@ -72,11 +70,12 @@ export class NetData {
     this.edgeLength = net.info.meanLength * space.scale;
     const edges = net.edges.length / 2;
     this.points = new Float32Array(4 * texels(this.vertexCount));
-    this.edgeValues = new Float32Array(texels(edges));
+    const most = Math.max(this.vertexCount, edges);
+    this.numbers = new Float32Array(texels(most));
     const ends = new Int32Array(2 * texels(edges));
     ends.set(net.edges);
     this.vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
-    this.edgeTexture = table(this.edgeValues, edges, RedFormat, FloatType);
+    this.numberTexture = table(this.numbers, most, RedFormat, FloatType);
     this.mobilityValues = new Float32Array(texels(this.vertexCount)).fill(1);
     this.mobilities = table(this.mobilityValues, this.vertexCount, RedFormat, FloatType);
     this.mobilities.needsUpdate = true;
@@ -84,9 +83,9 @@ export class NetData {
     this.ends.needsUpdate = true;
   }
 
-  /** @param field what of the edges is wanted. */
-  show({ positions, cornerAngles, deviations }: FrameData, field: Field): void {
+  show(placed: Placed, field: ColourField): void {
     const { points, vertexCount } = this;
+    const { positions } = placed;
     const { scale, centre, axisY, axisZ, signY } = this.space;
     const [cx, cy, cz] = [centre[0], centre[axisY], centre[axisZ]];
     const scaleY = scale * signY;
@@ -94,14 +93,10 @@ export class NetData {
       points[to] = (positions[from]! - cx) * scale;
       points[to + 1] = (positions[from + axisY]! - cy) * scaleY;
       points[to + 2] = (positions[from + axisZ]! - cz) * scale;
-      points[to + 3] = cornerAngles[i]! * DEGREES;
     }
-    if (field === 'longer')
-      for (let edge = 0; edge < deviations.length; edge++)
-        this.edgeValues[edge] = Number(isLonger(this.net, positions, edge));
-    else this.edgeValues.set(deviations);
+    field.write(this.numbers, placed, this.net);
     this.vertices.needsUpdate = true;
-    this.edgeTexture.needsUpdate = true;
+    this.numberTexture.needsUpdate = true;
   }
 
   /** null: all vertices move freely. */
@@ -114,14 +109,20 @@ export class NetData {
   putInto(uniforms: NetUniforms): void {
     uniforms.mobilities.value = this.mobilities;
     uniforms.vertices.value = this.vertices;
-    uniforms.edgeValues.value = this.edgeTexture;
+    uniforms.numbers.value = this.numberTexture;
     uniforms.ends.value = this.ends;
   }
 
   dispose(): void {
-    for (const texture of [this.vertices, this.edgeTexture, this.mobilities, this.ends]) texture.dispose();
+    for (const texture of [this.vertices, this.numberTexture, this.mobilities, this.ends]) texture.dispose();
   }
 }
+
+/** Shaders that include this find the place of a number on the map, and its colour from that. */
+export const PLACE_ON_MAP = /* glsl */ `
+uniform bool atVertices, byDecade;
+float placeOnMap(float number) { return byDecade ? log(max(number, 1e-30)) / log(10.0) : number; }
+`;
 
 /** The colour map on the graphics card; lines and faces share it. */
 export class ColourTexture {
@@ -130,7 +131,7 @@ export class ColourTexture {
     /** Ends of the map, in decades if logarithmic. */
     low: { value: 0 },
     high: { value: 1 },
-    byAngle: { value: false },
+    atVertices: { value: false },
     byDecade: { value: true },
   };
 
@@ -139,13 +140,14 @@ export class ColourTexture {
     texture.minFilter = texture.magFilter = LinearFilter;
   }
 
-  show(scale: Scale, byAngle: boolean): void {
+  /** @param place where the numbers stand. */
+  show(scale: Scale, place: ColourField['place']): void {
     const { colours, low, high } = this.uniforms;
     (colours.value.image.data as Uint8Array).set(lookupTable(scale));
     colours.value.needsUpdate = true;
     low.value = scale.logarithmic ? Math.log10(scale.low) : scale.low;
     high.value = scale.logarithmic ? Math.log10(scale.high) : scale.high;
-    this.uniforms.byAngle.value = byAngle;
+    this.uniforms.atVertices.value = place === 'vertex';
     this.uniforms.byDecade.value = scale.logarithmic;
   }
 

@@ -1,18 +1,18 @@
 /** The faces as fans of triangles in a quiet material, pushed back a little so that the lines lie on them. */
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial } from 'three';
-import { type ColourTexture, type NetUniforms, READ_NET } from './net_data';
+import { type ColourTexture, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
 out vec3 seen;
-out float angle;
+out float onMap;
 out float mobility;
 ${READ_NET}
+${PLACE_ON_MAP}
 void main() {
-  vec4 p = readVertex(gl_VertexID);
-  vec4 inView = modelViewMatrix * vec4(p.xyz, 1.0);
+  vec4 inView = modelViewMatrix * vec4(readVertex(gl_VertexID), 1.0);
   seen = inView.xyz;
-  angle = p.w;
+  onMap = atVertices ? placeOnMap(readNumber(gl_VertexID)) : 0.0;
   mobility = readMobility(gl_VertexID);
   gl_Position = projectionMatrix * inView;
 }`;
@@ -20,10 +20,10 @@ void main() {
 const FRAGMENT = /* glsl */ `
 uniform sampler2D colours;
 uniform float low, high;
-uniform bool byAngle;
+uniform bool atVertices;
 uniform vec3 front, back, still;
 in vec3 seen;
-in float angle;
+in float onMap;
 in float mobility;
 out vec4 colour;
 void main() {
@@ -31,7 +31,7 @@ void main() {
   // A light over the viewer's left shoulder, soft enough that no fold turns black.
   float light = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)));
   vec3 base = mix(back, front, light);
-  if (byAngle) base = texture(colours, vec2((angle - low) / (high - low), 0.5)).rgb * (0.82 + 0.18 * light);
+  if (atVertices) base = texture(colours, vec2((onMap - low) / (high - low), 0.5)).rgb * (0.82 + 0.18 * light);
   colour = vec4(mix(still, base, 0.15 + 0.85 * mobility), 1.0);
 }`;
 

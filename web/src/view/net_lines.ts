@@ -12,7 +12,7 @@ import {
   ShaderMaterial,
   Vector2,
 } from 'three';
-import { type ColourTexture, type NetData, type NetUniforms, READ_NET } from './net_data';
+import { type ColourTexture, type NetData, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
@@ -21,12 +21,12 @@ uniform float width;        // device pixels
 uniform float near;
 uniform float lift;
 uniform vec2 fadeRange;     // distances from the camera
-uniform bool byAngle, byDecade;
 out float value;
 out float across;
 out float away;
 out float mobility;
 ${READ_NET}
+${PLACE_ON_MAP}
 
 /** A line that leaves through the camera is cut at the near plane. */
 vec3 cut(vec3 p, vec3 q) { return p.z > -near ? mix(p, q, (p.z + near) / (p.z - q.z)) : p; }
@@ -41,8 +41,8 @@ void main() {
   float side = corner < 2 ? -1.0 : 1.0;
   int edge = gl_VertexID >> 2;
   ivec2 vertex = readEnds(edge);
-  vec4 a = readVertex(vertex.x), b = readVertex(vertex.y);
-  vec3 p = (modelViewMatrix * vec4(a.xyz, 1.0)).xyz, q = (modelViewMatrix * vec4(b.xyz, 1.0)).xyz;
+  vec3 a = readVertex(vertex.x), b = readVertex(vertex.y);
+  vec3 p = (modelViewMatrix * vec4(a, 1.0)).xyz, q = (modelViewMatrix * vec4(b, 1.0)).xyz;
   vec4 c = projectionMatrix * vec4(lifted(cut(p, q)), 1.0), d = projectionMatrix * vec4(lifted(cut(q, p)), 1.0);
   vec2 along = (d.xy / d.w - c.xy / c.w) * viewport;
   along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
@@ -51,8 +51,7 @@ void main() {
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
   across = side * reach;
-  float number = readEdge(edge);
-  value = byAngle ? (second ? b.w : a.w) : byDecade ? log(max(number, 1e-30)) / log(10.0) : number;
+  value = placeOnMap(readNumber(atVertices ? (second ? vertex.y : vertex.x) : edge));
   mobility = readMobility(second ? vertex.y : vertex.x);
   away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
 }`;

@@ -1,6 +1,7 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
 import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import { endsOf, type HandleData, type Symmetry, type Vec3, type ViewState } from '../document/document';
+import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -8,7 +9,6 @@ import { Annotations } from './annotations';
 import { fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { takeFilm, takePicture } from './capture';
-import { scaleOf } from './colour_map';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
@@ -145,7 +145,7 @@ class SceneView implements View {
   showFrame(frame: FrameData): void {
     if (!this.shown) return;
     this.latest = frame;
-    this.shown.show(frame, this.appearance.field);
+    this.shown.show(frame, fieldOf(this.appearance.field));
     this.stepArrows.show(frame, this.shown.space, this.shown.edgeLength);
     this.netMoved = true;
     this.requestDraw();
@@ -191,12 +191,13 @@ class SceneView implements View {
   setAppearance(appearance: Appearance): void {
     const before = this.appearance;
     this.appearance = appearance;
-    const { field, colourMap, showFaces } = appearance;
+    const { field, showFaces } = appearance;
+    const { place } = fieldOf(field);
     if (appearance.upAxis !== before.upAxis) this.turn();
-    else if (field !== before.field && this.latest) this.shown?.show(this.latest, field);
-    this.colours.show(scaleOf(field, colourMap, this.theme, endsOf(appearance)), field === 'angle');
+    else if (field !== before.field && this.latest) this.shown?.show(this.latest, fieldOf(field));
+    this.colours.show(scaleOf(appearance, this.theme), place);
     this.faces.object.visible = showFaces;
-    this.lines.setOverColours(showFaces && field === 'angle');
+    this.lines.setOverColours(showFaces && place === 'vertex');
     this.requestDraw();
   }
 

@@ -1,5 +1,5 @@
 /** The view's colours, read from the page's style sheet so that there is one place to change them. */
-import { type MapColours, parseColour, type Rgb } from './colour_map';
+import { type MapColours, parseColour, type Rgb } from '../fields/colour_map';
 
 export interface Theme extends MapColours {
   accent: Rgb;

@@ -1,5 +1,6 @@
 import type {
   Ball,
+  CoreFields,
   FlatPattern,
   Handle,
   NetInfo,
@@ -12,7 +13,7 @@ import type { Scene, SolverSettings } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 9;
+export const PROTOCOL_VERSION = 10;
 
 /** As what the solver's worker writes the net: a name from the core's table of formats, or `csv`, its edges with their lengths. */
 export type ExportFormat = string;
@@ -89,13 +90,7 @@ export interface OpenedNet {
 
 export interface FrameData {
   positions: Float64Array;
-  /** Per edge. */
-  deviations: Float32Array;
-  /** Per vertex, radians. */
-  cornerAngles: Float32Array;
-  /** Smallest and largest of them. */
-  deviationRange: [number, number];
-  angleRange: [number, number];
+  fields: CoreFields;
   handles: Handle[];
   status: Status;
   maxDeviation: number;

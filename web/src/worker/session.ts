@@ -326,7 +326,7 @@ export class Session {
   /** How the net stands when it was put there rather than solved. */
   #judge(): void {
     const editor = this.#net();
-    const converged = rangeOf(editor.deviations())[1] < Number(editor.options().threshold);
+    const converged = largest(editor.fields().deviation) < Number(editor.options().threshold);
     this.#status = converged ? 'converged' : editor.unreachablePairs().length > 0 ? 'unreachable' : 'running';
   }
 
@@ -341,21 +341,16 @@ export class Session {
 
   #frame(): FrameData {
     const editor = this.#net();
-    const deviations = editor.deviations();
-    const cornerAngles = editor.cornerAngles();
-    const deviationRange = rangeOf(deviations);
+    const fields = editor.fields();
     const [trace, stepFrom] = [this.#unsentRows, this.#stepFrom];
     this.#unsentRows = [];
     this.#stepFrom = null;
     return {
       positions: editor.positions(),
-      deviations,
-      cornerAngles,
-      deviationRange,
-      angleRange: rangeOf(cornerAngles),
+      fields,
       handles: editor.handles(),
       status: this.#status,
-      maxDeviation: deviationRange[1],
+      maxDeviation: largest(fields.deviation),
       iterations: this.#row?.iteration ?? 0,
       milliseconds: this.#row?.totalMs ?? 0,
       stage: this.#row?.stage ?? 0,
@@ -438,18 +433,13 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
 
 /** What of a message is moved to the page rather than copied. */
 function buffersOf(message: OpenedNet | FrameData): Transferable[] {
-  return Object.values(message).flatMap((value: unknown) =>
-    ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : [],
-  );
+  const values: unknown[] = [...Object.values(message), ...('fields' in message ? Object.values(message.fields) : [])];
+  return values.flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }
 
-function rangeOf(values: Float32Array): [number, number] {
-  let low = Infinity;
-  let high = 0;
-  for (let i = 0; i < values.length; i++) {
-    // Both pass on what is not a number.
-    low = Math.min(low, values[i]!);
-    high = Math.max(high, values[i]!);
-  }
-  return [low, high];
+/** Of numbers that are not below 0; what is not a number shows. */
+function largest(numbers: Float32Array): number {
+  let largest = 0;
+  for (let i = 0; i < numbers.length; i++) largest = Math.max(largest, numbers[i]!);
+  return largest;
 }

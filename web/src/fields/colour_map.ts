@@ -1,7 +1,8 @@
-/** Colours of edges and vertices: what number gets what colour, for the view and for the legend alike. */
+/** Colour maps: what number gets what colour, for the view and for the legend alike. */
 import { PLASMA } from 'virtual:plasma';
-import type { ColourMap, Ends, Field } from '../document/document';
-import { words } from '../language/language';
+
+/** Ends of a map, in the unit of its numbers. */
+export type Ends = readonly [low: number, high: number];
 
 /** Red, green, blue in 0…1, as the screen takes them (sRGB). */
 export type Rgb = readonly [number, number, number];
@@ -21,8 +22,7 @@ export interface MapColours {
 }
 
 export interface Scale {
-  title: string;
-  /** Ends of the map: dL, an angle in degrees, or 0 and 1 for no and yes. Values beyond take the colour of the end. */
+  /** Ends of the map. Values beyond take the colour of the end. */
   low: number;
   high: number;
   logarithmic: boolean;
@@ -33,29 +33,15 @@ export interface Scale {
   colour(t: number): Rgb;
 }
 
-/** Li et al. 2022 draw an edge blue below the threshold ε₃ = 1e-6 and red above twice that. */
-const PAPER_BLUE = 1e-6;
-const PAPER_RED = 2e-6;
-
-/** Ends of the plasma map fade into a light or a dark page: cut them off. */
-const PLASMA_LIGHT = [0, 0.78] as const;
-const PLASMA_DARK = [0.36, 1] as const;
-
-/** @param ends in place of the map's own. */
-export function scaleOf(field: Field, map: ColourMap, colours: MapColours, ends?: Ends): Scale {
-  if (field === 'longer') return longerScale(colours);
-  if (field === 'angle') return angleScale(colours, ends);
-  const scale = map === 'paper' ? paperScale(colours) : logScale(colours);
-  if (ends === undefined) return scale;
-  const ticks = ends.map((value) => ({ value, label: endText(value) }));
-  return { ...scale, low: ends[0], high: ends[1], shown: ends, ticks };
-}
-
 /** As short as it can be read again. */
 export function endText(value: number): string {
   const [plain, power] = [String(value), value.toExponential()];
   return power.length < plain.length ? power : plain;
 }
+
+/** Ends of the plasma map fade into a light or a dark page: cut them off. */
+const PLASMA_LIGHT = [0, 0.78] as const;
+const PLASMA_DARK = [0.36, 1] as const;
 
 /** Where a value stands between the ends of the map, 0…1. */
 export function positionOn(scale: Scale, value: number): number {
@@ -95,71 +81,54 @@ export function mix(a: Rgb, b: Rgb, t: number): Rgb {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 }
 
-function paperScale({ good, bad }: MapColours): Scale {
-  return {
-    title: words.legend.deviation,
-    low: PAPER_BLUE,
-    high: PAPER_RED,
-    logarithmic: true,
-    shown: [1e-9, 1e-3],
-    ticks: [
-      { value: 1e-9, label: '1e-9' },
-      { value: PAPER_BLUE, label: '1e-6' },
-      { value: 1e-3, label: '1e-3' },
-    ],
-    colour: (t) => mix(good, bad, t),
-  };
+/** From one colour to another, by decades. */
+export function blend(from: Rgb, to: Rgb, [low, high]: Ends): Scale {
+  return { ...between([low, high]), logarithmic: true, colour: (t) => mix(from, to, t) };
 }
 
-function logScale({ dark }: MapColours): Scale {
+/** Plasma, by decades. */
+export function plasma({ dark }: MapColours, ends: Ends): Scale {
   const [from, to] = dark ? PLASMA_DARK : PLASMA_LIGHT;
-  return {
-    title: words.legend.deviation,
-    low: 1e-12,
-    high: 1e-1,
-    logarithmic: true,
-    shown: [1e-12, 1e-1],
-    ticks: [
-      { value: 1e-12, label: '1e-12' },
-      { value: 1e-6, label: '1e-6' },
-      { value: 1e-1, label: '0.1' },
-    ],
-    colour: (t) => parseColour(PLASMA[Math.round((from + (to - from) * t) * (PLASMA.length - 1))]!),
-  };
+  const colour = (t: number) => parseColour(PLASMA[Math.round((from + (to - from) * t) * (PLASMA.length - 1))]!);
+  return { ...between(ends), logarithmic: true, colour };
 }
 
-/** Wherever the ends are, a right angle keeps its colour. */
-function angleScale({ narrow, right, wide }: MapColours, ends: Ends = [45, 135]): Scale {
+/** Leans to either side of a middle, which keeps its colour wherever the ends are. */
+export function diverging(
+  [below, at, above]: readonly [Rgb, Rgb, Rgb],
+  middle: number,
+  ends: Ends,
+  unit: string,
+): Scale {
   const [low, high] = ends;
-  const marked = [low, 90, high].filter((value) => low <= value && value <= high);
+  const marked = [low, middle, high].filter((value) => low <= value && value <= high);
   return {
-    title: words.legend.angle,
     low,
     high,
     logarithmic: false,
     shown: ends,
-    ticks: [...new Set(marked)].map((value) => ({ value, label: `${endText(value)}°` })),
+    ticks: [...new Set(marked)].map((value) => ({ value, label: endText(value) + unit })),
     colour: (t) => {
       const value = low + (high - low) * t;
-      return low < 90 && value <= 90
-        ? mix(narrow, right, (value - low) / (90 - low))
-        : mix(right, wide, (value - 90) / (high - 90));
+      return low < middle && value <= middle
+        ? mix(below, at, (value - low) / (middle - low))
+        : mix(at, above, (value - middle) / (high - middle));
     },
   };
 }
 
-/** Two colours and nothing between them. */
-function longerScale({ right, longer }: MapColours): Scale {
+/** No and yes, which are 0 and 1: two colours and nothing between them. */
+export function noOrYes([no, yes]: readonly [Rgb, Rgb], labels: readonly [string, string]): Scale {
   return {
-    title: words.legend.longer,
     low: 0,
     high: 1,
     logarithmic: false,
     shown: [0, 1],
-    ticks: [
-      { value: 0, label: words.legend.notLonger },
-      { value: 1, label: words.legend.isLonger },
-    ],
-    colour: (t) => (t > 0.5 ? longer : right),
+    ticks: labels.map((label, value) => ({ value, label })),
+    colour: (t) => (t > 0.5 ? yes : no),
   };
+}
+
+function between(ends: Ends): Pick<Scale, 'low' | 'high' | 'shown' | 'ticks'> {
+  return { low: ends[0], high: ends[1], shown: ends, ticks: ends.map((value) => ({ value, label: endText(value) })) };
 }

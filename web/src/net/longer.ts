@@ -1,7 +1,10 @@
 /** Edges that are longer than they are to be: those that Li et al. 2022 draw pink and count as ρ (figure 8). */
-import type { OpenedNet } from '../worker/protocol';
 
-type Edges = Pick<OpenedNet, 'edges' | 'restLengths'>;
+export interface Edges {
+  /** 2 vertices an edge. */
+  edges: Int32Array;
+  restLengths: Float64Array;
+}
 
 /** What is longer by less, as a part of the length, is so by rounding: dL would be 1e-16. */
 const ROUNDING = 1e-8;
@@ -16,11 +19,4 @@ export function isLonger({ edges, restLengths }: Edges, positions: Float64Array,
   ];
   const bound = restLengths[edge]! * (1 + ROUNDING);
   return x * x + y * y + z * z > bound * bound;
-}
-
-/** The part of all edges that is longer, 0…1. */
-export function shareOfLonger(net: Edges, positions: Float64Array): number {
-  let longer = 0;
-  for (let edge = 0; edge < net.restLengths.length; edge++) if (isLonger(net, positions, edge)) longer++;
-  return longer / net.restLengths.length;
 }

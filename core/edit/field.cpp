@@ -1,0 +1,23 @@
+#include "edit/field.h"
+
+#include "net/measures.h"
+
+namespace chebnet {
+
+namespace {
+
+/// E, dL (see deviation()).
+Eigen::VectorXd deviations(const Editor& editor) {
+    return edge_ratios(editor.net(), editor.positions()).unaryExpr([](double ratio) { return deviation(ratio); });
+}
+
+/// V (see vertex_corner_angles()).
+Eigen::VectorXd corner_angles(const Editor& editor) { return vertex_corner_angles(editor.net(), editor.positions()); }
+
+constexpr FieldInfo k_fields[] = {{"deviation", deviations}, {"angle", corner_angles}};
+
+}  // namespace
+
+std::span<const FieldInfo> field_table() { return k_fields; }
+
+}  // namespace chebnet

@@ -1,0 +1,155 @@
+/** What the net can be coloured by: a table with a row for each field, whose words are `colourFields` in `language`. */
+import type { CoreFields } from '../../../wasm/chebnet';
+import { ROUNDING, small } from '../language/numbers';
+import { words } from '../language/language';
+import { type Edges, isLonger } from '../net/longer';
+import { blend, diverging, type Ends, type MapColours, noOrYes, plasma, type Scale } from './colour_map';
+
+/** A choice between the maps of a field that has several. */
+export type ColourMap = 'paper' | 'log';
+
+/** The net at one moment, as the solver sends it. */
+export interface Placed {
+  /** 3 numbers a vertex. */
+  positions: Float64Array;
+  fields: CoreFields;
+}
+
+/** A number for each vertex or each edge, and the colours it is shown in. */
+export interface ColourField {
+  /** Faces have colours from numbers at vertices only. */
+  place: 'vertex' | 'edge';
+  /** What stands for all edges that meet at a vertex: the number farthest from 0, or the mean. */
+  atVertex?: 'farthest' | 'mean';
+  /** The maps to choose from, if there are several. */
+  maps?: readonly ColourMap[];
+  /** Whether ends of the map can be set by hand; above 0 only, if it goes by decades. */
+  ends?: 'any' | 'above 0';
+  /** Its numbers in the unit that is shown, written in place: this is done for each frame. */
+  write(numbers: Float32Array, placed: Placed, net: Edges): void;
+  /** @param ends in place of the map's own. */
+  scale(colours: MapColours, map: ColourMap, ends?: Ends): Scale;
+  /** What the legend says of all its numbers. */
+  summary(numbers: Float32Array): string;
+}
+
+const DEGREES = 180 / Math.PI;
+
+/** Li et al. 2022 draw an edge blue below the threshold ε₃ = 1e-6 and red above twice that. */
+const PAPER_ENDS: Ends = [1e-6, 2e-6];
+
+/** In the order in which they are offered. */
+export const FIELDS = {
+  /** dL of each edge. */
+  deviation: {
+    place: 'edge',
+    atVertex: 'farthest',
+    maps: ['paper', 'log'],
+    ends: 'above 0',
+    write: (numbers, { fields }) => numbers.set(fields.deviation),
+    scale: (colours, map, ends) => (map === 'paper' ? paperScale(colours, ends) : plasmaScale(colours, ends)),
+    summary: (numbers) => {
+      const [low, high] = rangeOf(numbers);
+      if (high < ROUNDING) return words.legend.net(words.legend.exact);
+      const range = low < ROUNDING ? words.legend.upTo(small(high)) : words.legend.range(small(low), small(high));
+      return words.legend.net(range);
+    },
+  },
+  /** At each vertex the corner angle farthest from a right one. */
+  angle: {
+    place: 'vertex',
+    ends: 'any',
+    write: (numbers, { fields: { angle } }) => {
+      for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = angle[vertex]! * DEGREES;
+    },
+    scale: ({ narrow, right, wide }, _, ends = [45, 135]) => diverging([narrow, right, wide], 90, ends, '°'),
+    summary: (numbers) => {
+      const [low, high] = rangeOf(numbers).map((angle) => `${angle.toFixed(0)}°`);
+      return words.legend.net(words.legend.range(low!, high!));
+    },
+  },
+  /** Edges that are longer than they are to be, 1, against all others, 0. */
+  longer: {
+    place: 'edge',
+    atVertex: 'mean',
+    write: (numbers, { positions }, net) => {
+      for (let edge = 0; edge < net.restLengths.length; edge++) numbers[edge] = Number(isLonger(net, positions, edge));
+    },
+    scale: ({ right, longer }) => noOrYes([right, longer], [words.legend.notLonger, words.legend.isLonger]),
+    summary: (numbers) => words.legend.share((100 * meanOf(numbers)).toFixed(1)),
+  },
+} satisfies Record<string, ColourField>;
+
+export type FieldName = keyof typeof FIELDS;
+
+/** Those whose colours have ends. */
+export type ScaledName = {
+  [Name in FieldName]: (typeof FIELDS)[Name] extends { ends: string } ? Name : never;
+}[FieldName];
+
+export const FIELD_NAMES = Object.keys(FIELDS) as FieldName[];
+
+export function fieldOf(name: FieldName): ColourField {
+  return FIELDS[name];
+}
+
+/** What is shown, and in which colours. */
+export interface Colouring {
+  field: FieldName;
+  colourMap: ColourMap;
+  /** Set by hand; a field without takes those of its map. */
+  ends?: { [Each in ScaledName]?: Ends | undefined };
+}
+
+/** The ends set by hand for the field that is shown. */
+export function endsOf({ field, ends = {} }: Colouring): Ends | undefined {
+  const all: { [Each in FieldName]?: Ends | undefined } = ends;
+  return all[field];
+}
+
+export function scaleOf(colouring: Colouring, colours: MapColours): Scale {
+  return fieldOf(colouring.field).scale(colours, colouring.colourMap, endsOf(colouring));
+}
+
+/** Whether a map of the field can go from one to the other. */
+export function areEnds({ ends }: ColourField, [low, high]: Ends): boolean {
+  return low < high && Number.isFinite(high - low) && (ends === 'any' || (ends === 'above 0' && low > 0));
+}
+
+/** One for each vertex or edge. */
+export function numbersOf({ place, write }: ColourField, placed: Placed, net: Edges): Float32Array {
+  const numbers = new Float32Array(place === 'edge' ? net.restLengths.length : placed.positions.length / 3);
+  write(numbers, placed, net);
+  return numbers;
+}
+
+/** Smallest and largest. What is not a number shows in both. */
+export function rangeOf(numbers: Float32Array): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const each of numbers) {
+    low = Math.min(low, each);
+    high = Math.max(high, each);
+  }
+  return [low, high];
+}
+
+function meanOf(numbers: Float32Array): number {
+  return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
+}
+
+/** The legend shows more than the narrow band between its ends. */
+function paperScale({ good, bad }: MapColours, ends?: Ends): Scale {
+  if (ends) return blend(good, bad, ends);
+  const ticks = [
+    { value: 1e-9, label: '1e-9' },
+    { value: PAPER_ENDS[0], label: '1e-6' },
+    { value: 1e-3, label: '1e-3' },
+  ];
+  return { ...blend(good, bad, PAPER_ENDS), shown: [1e-9, 1e-3], ticks };
+}
+
+function plasmaScale(colours: MapColours, ends?: Ends): Scale {
+  if (ends) return plasma(colours, ends);
+  const scale = plasma(colours, [1e-12, 1e-1]);
+  return { ...scale, ticks: [scale.ticks[0]!, { value: 1e-6, label: '1e-6' }, scale.ticks[1]!] };
+}
