@@ -68,6 +68,13 @@ export interface Action {
   run(): void;
 }
 
+/** One of the controls: its element, and of all that the page shows what it wants to be shown. */
+export interface Panel extends Partial<Omit<Panels, 'say' | 'offer'>> {
+  readonly element: HTMLElement;
+  /** Is told each frame; to be shown one comes no more often than its numbers can be read. */
+  takeFrame?(frame: FrameData): void;
+}
+
 export interface Panels {
   /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
   showTables(

@@ -1,8 +1,11 @@
 /** Chooses what to compare and sets it going. */
 import type { MethodInfo } from '../../../wasm/chebnet';
 import type { ComparisonWish, StartingPoint } from '../compare/run';
+import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
-import { make, makeButton, makeSelect } from '../elements/dom';
+import type { Tables } from '../net/tables';
+import { make, makeButton, makeSection, makeSelect } from '../elements/dom';
+import type { Panel } from '../panels';
 import './form.css';
 
 /** Ticked at first: the paper's method, our own, and one of each other kind. */
@@ -13,8 +16,8 @@ const STARTS: { value: StartingPoint; text: string }[] = [
   { value: 'present', text: words.comparison.present },
 ];
 
-export class ComparisonForm {
-  readonly content: HTMLElement[];
+export class ComparisonForm implements Panel {
+  readonly element: HTMLElement;
   private readonly methods = make('fieldset', { class: 'methods' });
   private readonly start: HTMLSelectElement;
   private readonly run: HTMLButtonElement;
@@ -25,15 +28,17 @@ export class ComparisonForm {
     const start = makeSelect(words.comparison.startFrom, STARTS, () => {});
     this.start = start.select;
     this.methods.addEventListener('change', () => this.showReady());
-    this.content = [
+    this.element = makeSection(
+      words.sections.compare,
+      false,
       make('p', { class: 'quiet' }, words.comparison.about),
       this.methods,
       start.row,
       make('div', { class: 'buttons' }, this.run),
-    ];
+    );
   }
 
-  showTable(table: MethodInfo[]): void {
+  showTables({ methods }: Tables): void {
     const choice = ({ name, sentence }: MethodInfo) =>
       make(
         'label',
@@ -41,12 +46,12 @@ export class ComparisonForm {
         make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
         words.core.method(name),
       );
-    this.methods.replaceChildren(make('legend', {}, words.comparison.methods), ...table.map(choice));
+    this.methods.replaceChildren(make('legend', {}, words.comparison.methods), ...methods.map(choice));
     this.showReady();
   }
 
   /** Ticks the methods that a document proposes, once: what the user ticks after that stays. */
-  propose(methods: readonly string[] | undefined): void {
+  showDocument({ compare: methods }: ChebnetDocument): void {
     if (methods === this.proposed) return;
     this.proposed = methods;
     if (methods === undefined || methods.length === 0) return;

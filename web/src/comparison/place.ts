@@ -3,11 +3,11 @@ import type { Comparison, Run } from '../compare/run';
 import { part } from '../part';
 import type { ComparisonResults } from './results';
 import { make } from '../elements/dom';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 
 const loadResults = part(() => import('./results'));
 
-export class ComparisonPlace {
+export class ComparisonPlace implements Panel {
   /** Until then. */
   readonly element = make('section', { hidden: true });
   private results: ComparisonResults | null = null;
@@ -20,18 +20,18 @@ export class ComparisonPlace {
   ) {}
 
   /** May be called often. */
-  show(comparison: Comparison): void {
+  showComparison(comparison: Comparison): void {
     const isNew = comparison !== this.comparison;
     this.comparison = comparison;
     if (this.results) this.results.show(comparison);
     else if (isNew) this.load().catch(this.failed);
   }
 
-  showCurrent(run: Run | null, beside: readonly Run[]): void {
+  showRuns(run: Run | null, beside: readonly Run[]): void {
     this.results?.showCurrent(run, beside);
   }
 
-  netChanged(): void {
+  showNet(): void {
     this.results?.netChanged();
   }
 

@@ -1,4 +1,6 @@
 /** The colour map with its ends, which can be set by hand, and below it the range of the data. */
+import type { Run } from '../compare/run';
+import type { ChebnetDocument } from '../document/document';
 import { cssColour, positionOn, type Scale } from '../fields/colour_map';
 import { type Colouring, endsOf, fieldOf, numbersOf, rangeOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
@@ -6,12 +8,12 @@ import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';
 import { MapEnds } from './map_ends';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 import './legend.css';
 
 const STOPS = 24;
 
-export class Legend {
+export class Legend implements Panel {
   private readonly name = make('h2');
   private readonly bar = make('div', { class: 'bar' });
   private readonly data = make('div', { class: 'data' });
@@ -21,6 +23,8 @@ export class Legend {
   readonly element: HTMLElement;
   private view: Colouring = { field: 'deviation', colourMap: 'paper' };
   private scale: Scale | null = null;
+  /** Of the net that is open, and the one in the picture, which may be that of a run. */
+  private own: FrameData | null = null;
   private frame: FrameData | null = null;
   private net: OpenedNet | null = null;
 
@@ -39,7 +43,7 @@ export class Legend {
     onThemeChange(() => this.draw());
   }
 
-  show(view: Colouring): void {
+  showDocument({ view }: ChebnetDocument): void {
     const { field, colourMap, ends } = this.view;
     const same = this.scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
     this.view = view;
@@ -48,11 +52,16 @@ export class Legend {
 
   showNet(net: OpenedNet): void {
     this.net = net;
-    this.frame = null;
+    this.own = this.frame = null;
   }
 
   showFrame(frame: FrameData): void {
-    this.frame = frame;
+    this.own = this.frame = frame;
+    this.drawData();
+  }
+
+  showRuns(run: Run | null): void {
+    this.frame = run?.frame ?? this.own;
     this.drawData();
   }
 

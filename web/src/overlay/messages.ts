@@ -1,14 +1,14 @@
 /** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
-import type { Action } from '../panels';
+import type { Action, Panel } from '../panels';
 import './messages.css';
 
 const INFO_MS = 6000;
 /** Whoever is offered something has to decide. */
 const OFFER_MS = 20_000;
 
-export class Messages {
+export class Messages implements Panel {
   // Both must be in the page before anything is said, or screen readers miss the first line.
   private readonly infos = make('div', { role: 'status' });
   private readonly errors = make('div', { role: 'alert' });

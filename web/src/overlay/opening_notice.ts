@@ -1,9 +1,10 @@
 /** Says over the picture that another net is on its way, and gives it up. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
+import type { Panel } from '../panels';
 import './messages.css';
 
-export class OpeningNotice {
+export class OpeningNotice implements Panel {
   // In the page before anything is said, or screen readers miss it.
   readonly element = make('div', { class: 'opening-notice', role: 'status' });
   private readonly cancel: HTMLButtonElement;
@@ -14,7 +15,7 @@ export class OpeningNotice {
     this.line = make('p', { class: 'message' }, make('span', {}, words.opening.underWay), this.cancel);
   }
 
-  show(isUnderWay: boolean, canCancel: boolean): void {
+  showOpening(isUnderWay: boolean, canCancel: boolean): void {
     this.cancel.hidden = !canCancel;
     this.element.replaceChildren(...(isUnderWay ? [this.line] : []));
   }

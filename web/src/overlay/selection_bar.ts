@@ -5,13 +5,13 @@ import { unlocked } from '../handles/selection';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 import './toolbar.css';
 
 /** At singular vertices more lines than this begin; so many are offered. */
 const MOST_LINES = 6;
 
-export class SelectionBar {
+export class SelectionBar implements Panel {
   readonly element: HTMLElement;
   private readonly count = make('span', { class: 'count' });
   private readonly modes: Map<GizmoMode, HTMLButtonElement>;
@@ -57,7 +57,7 @@ export class SelectionBar {
     );
   }
 
-  show(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
+  showHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
     const chosen = new Set(selection);
     this.selected = handles.filter(({ vertex }) => chosen.has(vertex));
     this.element.hidden = this.selected.length === 0;

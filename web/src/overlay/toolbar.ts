@@ -1,10 +1,12 @@
 /** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
-import type { FormatInfo } from '../../../wasm/chebnet';
+import type { HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
+import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
+import type { Tables } from '../net/tables';
 import { make, makeButton, makeIcon } from '../elements/dom';
 import { ExportMenu } from './export_menu';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 import { createProjectMenu } from './project_menu';
 import './toolbar.css';
 
@@ -18,7 +20,7 @@ const ICONS = {
   link: 'M6.5 9.5l3-3M7.5 5l1.7-1.7a2.5 2.5 0 0 1 3.5 3.5L11 8.5M8.5 11l-1.7 1.7a2.5 2.5 0 0 1-3.5-3.5L5 7.5',
 };
 
-export class Toolbar {
+export class Toolbar implements Panel {
   readonly element: HTMLElement;
   /** Belong outside the toolbar. */
   readonly menus: HTMLElement[];
@@ -54,12 +56,12 @@ export class Toolbar {
     );
   }
 
-  showFormats(formats: readonly FormatInfo[]): void {
+  showTables({ formats }: Tables): void {
     this.exports.showFormats(formats);
   }
 
-  showSelecting(on: boolean): void {
-    this.select.setAttribute('aria-pressed', String(on));
+  showHandles(_handles: readonly HandleData[], { selecting }: Choice): void {
+    this.select.setAttribute('aria-pressed', String(selecting));
   }
 
   showHistory({ canUndo, canRedo }: HistoryView): void {

@@ -1,12 +1,12 @@
 /** What the colours mean and whether faces are drawn. */
-import type { UpAxis, ViewState } from '../document/document';
+import type { ChebnetDocument, UpAxis } from '../document/document';
 import { type ColourMap, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
 import { words } from '../language/language';
-import { makeSelect, makeSwitch, setValue } from '../elements/dom';
-import type { PanelEvents } from '../panels';
+import { makeSection, makeSelect, makeSwitch, setValue } from '../elements/dom';
+import type { Panel, PanelEvents } from '../panels';
 
-export class Appearance {
-  readonly content: HTMLElement[];
+export class Appearance implements Panel {
+  readonly element: HTMLElement;
   private readonly field: HTMLSelectElement;
   private readonly map: HTMLSelectElement;
   private readonly mapRow: HTMLElement;
@@ -33,10 +33,11 @@ export class Appearance {
     const up = makeSelect(words.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
     [this.field, this.map, this.mapRow] = [field.select, map.select, map.row];
     [this.faces, this.up] = [faces.box, up.select];
-    this.content = [field.row, map.row, faces.row, up.row];
+    this.element = makeSection(words.sections.appearance, false, field.row, map.row, faces.row, up.row);
   }
 
-  show({ field, colourMap, showFaces, upAxis }: ViewState): void {
+  showDocument({ view }: ChebnetDocument): void {
+    const { field, colourMap, showFaces, upAxis } = view;
     setValue(this.field, field);
     setValue(this.map, colourMap);
     this.mapRow.hidden = fieldOf(field).maps === undefined;

@@ -1,15 +1,18 @@
 /** How a drag shapes the net: how far from the hand it moves, and whether the hand is held to where the net can follow. */
+import type { ChebnetDocument } from '../document/document';
 import type { HandleWishes } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeSwitch } from '../elements/dom';
+import { make, makeSection, makeSwitch } from '../elements/dom';
+import type { Panel } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
 
 /** Steps of the slider: at the first everything moves. */
 const STEPS = 40;
 /** In edge lengths. */
 const NEAREST = 2;
 
-export class DragPanel {
-  readonly content: HTMLElement[];
+export class DragPanel implements Panel {
+  readonly element: HTMLElement;
   private readonly slider = make('input', {
     type: 'range',
     min: 0,
@@ -38,17 +41,21 @@ export class DragPanel {
     within.box.checked = true;
     const reach = makeSwitch(words.drag.showReach, (on) => wishes.setShowReach(on));
     reach.row.title = words.drag.showReachHint;
-    this.content = [row, within.row, reach.row];
+    this.element = makeSection(words.sections.drag, false, row, within.row, reach.row);
     this.write(undefined);
   }
 
   /** The far end of the slider is about half as far as such a net is wide. */
-  showNet(vertices: number): void {
-    this.farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(vertices)));
+  showNet({ info }: OpenedNet): void {
+    this.farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
     this.show(this.shown);
   }
 
-  show(locality: number | undefined): void {
+  showDocument({ locality }: ChebnetDocument): void {
+    this.show(locality);
+  }
+
+  private show(locality: number | undefined): void {
     this.shown = locality;
     if (document.activeElement !== this.slider || this.radius() !== locality)
       this.slider.valueAsNumber = this.stepOf(locality);

@@ -5,14 +5,14 @@ import { words } from '../language/language';
 import { part } from '../part';
 import { make, makeSection } from '../elements/dom';
 import type { ExperimentGuide } from './experiment_guide';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 import './experiments_place.css';
 
 const loadGuide = part(() => import('./experiment_guide'));
 
-export class ExperimentsPlace {
+export class ExperimentsPlace implements Panel {
   readonly note = make('section', { class: 'experiment', hidden: true });
-  readonly section = makeSection(words.sections.experiments, false);
+  readonly element = makeSection(words.sections.experiments, false);
   private guide: ExperimentGuide | null = null;
   private document: ChebnetDocument | null = null;
 
@@ -21,10 +21,10 @@ export class ExperimentsPlace {
     private readonly events: PanelEvents,
     private readonly failed: (error: unknown) => void,
   ) {
-    this.section.addEventListener('toggle', () => this.section.open && this.load());
+    this.element.addEventListener('toggle', () => this.element.open && this.load());
   }
 
-  show(document: ChebnetDocument): void {
+  showDocument(document: ChebnetDocument): void {
     this.document = document;
     if (this.guide) return this.guide.show(document);
     if (document.experiment === undefined) return;
@@ -41,7 +41,7 @@ export class ExperimentsPlace {
     const { ExperimentGuide } = await loadGuide();
     if (this.guide) return;
     this.guide = new ExperimentGuide(this.note, this.events, this.failed);
-    this.section.append(...this.guide.content);
+    this.element.append(...this.guide.content);
     if (this.document) this.guide.show(this.document);
   }
 }

@@ -1,11 +1,12 @@
 /** The handles as a list, what can be done with several of them, and one more by its vertex number. */
-import type { HandleData, Symmetry } from '../document/document';
+import type { ChebnetDocument, HandleData } from '../document/document';
 import { toggled } from '../handles/selection';
 import type { Choice } from '../handles/wishes';
 import { words } from '../language/language';
-import { make, makeButton, setText } from '../elements/dom';
+import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
+import type { OpenedNet } from '../worker/protocol';
 import { HandleRow } from './handle_row';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 import { SelectionForm } from './selection_form';
 import { SymmetryChoice } from './symmetry_choice';
 import './handle_list.css';
@@ -14,7 +15,7 @@ import './handle_list.css';
  *  reads the list, must not hold the page up. */
 const ROWS_AT_A_TIME = 100;
 
-export class HandleList {
+export class HandleList implements Panel {
   private readonly list = make('ul', { class: 'handles' });
   private readonly more = makeButton('', () => this.showMore(), { class: 'plain', hidden: true });
   private readonly empty = make('p', { class: 'quiet' }, words.handles.none);
@@ -29,7 +30,7 @@ export class HandleList {
   });
   private readonly form: SelectionForm;
   private readonly symmetry: SymmetryChoice;
-  readonly content: HTMLElement[];
+  readonly element: HTMLDetailsElement;
   private rows = new Map<number, HandleRow>();
   private handles: readonly HandleData[] = [];
   private mostRows = ROWS_AT_A_TIME;
@@ -46,20 +47,31 @@ export class HandleList {
     });
     this.form = new SelectionForm(events);
     this.symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
-    this.content = [this.form.element, this.list, this.more, this.empty, this.several, add, ...this.symmetry.rows];
+    this.element = makeSection(
+      words.handles.title(0),
+      false,
+      this.form.element,
+      this.list,
+      this.more,
+      this.empty,
+      this.several,
+      add,
+      ...this.symmetry.rows,
+    );
   }
 
-  showNet(vertices: number, edgeLength: number): void {
-    this.number.max = String(vertices - 1);
-    this.edgeLength = edgeLength;
+  showNet({ info }: OpenedNet): void {
+    this.number.max = String(info.vertices - 1);
+    this.edgeLength = info.meanLength;
     this.mostRows = ROWS_AT_A_TIME;
   }
 
-  showSymmetry(symmetry: Symmetry | undefined): void {
+  showDocument({ symmetry }: ChebnetDocument): void {
     this.symmetry.show(symmetry);
   }
 
-  show(handles: readonly HandleData[], choice: Choice): void {
+  showHandles(handles: readonly HandleData[], choice: Choice): void {
+    setSummary(this.element, words.handles.title(handles.length));
     this.handles = handles;
     this.choice = choice;
     this.empty.hidden = handles.length > 0;
@@ -96,7 +108,7 @@ export class HandleList {
   private showMore(): void {
     const next = this.handles[this.mostRows];
     this.mostRows += ROWS_AT_A_TIME;
-    this.show(this.handles, this.choice);
+    this.showHandles(this.handles, this.choice);
     if (next) this.rows.get(next.vertex)?.focus();
   }
 

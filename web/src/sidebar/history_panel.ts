@@ -2,33 +2,34 @@
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
+import type { Panel } from '../panels';
 import './history_panel.css';
 
-export class HistoryPanel {
-  readonly section: HTMLDetailsElement;
+export class HistoryPanel implements Panel {
+  readonly element: HTMLDetailsElement;
   private readonly list = make('ol', { class: 'history' });
   private buttons: HTMLButtonElement[] = [];
   private history: HistoryView | null = null;
 
   constructor(private readonly goTo: (index: number) => void) {
-    this.section = makeSection(
+    this.element = makeSection(
       words.history.title,
       false,
       this.list,
       make('p', { class: 'quiet' }, words.history.hint),
     );
-    this.section.addEventListener('toggle', () => this.refresh());
+    this.element.addEventListener('toggle', () => this.refresh());
     this.list.addEventListener('keydown', (event) => this.pressKey(event));
   }
 
-  show(history: HistoryView): void {
+  showHistory(history: HistoryView): void {
     this.history = history;
     this.refresh();
   }
 
   /** Only what is seen is kept up to date, and only what is new is made. */
   private refresh(): void {
-    if (!this.section.open || this.history === null) return;
+    if (!this.element.open || this.history === null) return;
     const { names, present } = this.history;
     for (const button of this.buttons.splice(names.length)) button.parentElement?.remove();
     while (this.buttons.length < names.length) this.append();

@@ -1,16 +1,15 @@
 /** What a Chebyshev net is and how it is solved, with the net in the picture for a figure. */
 import { worstRatio } from '../net/energy';
-import type { Lesson } from '../panels';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
 import { EnergyGraph } from './energy_graph';
-import type { PanelEvents } from '../panels';
+import type { Lesson, Panel, PanelEvents } from '../panels';
 import './learn_panel.css';
 
 const TEXT = words.learn;
 
-export class LearnPanel {
+export class LearnPanel implements Panel {
   readonly element: HTMLDetailsElement;
   private readonly graph = new EnergyGraph();
   private readonly now = make('p', { class: 'quiet' });
@@ -44,7 +43,7 @@ export class LearnPanel {
     );
     this.element.addEventListener('toggle', () => {
       if (this.element.open) this.element.scrollIntoView({ block: 'start' });
-      this.refresh();
+      this.showFrame();
     });
   }
 
@@ -52,13 +51,12 @@ export class LearnPanel {
     this.net = net;
   }
 
-  /** Takes what a frame tells. */
-  take(frame: FrameData): void {
+  takeFrame(frame: FrameData): void {
     this.frame = frame;
     this.p = frame.trace.filter(({ p }) => p > 0).at(-1)?.p ?? this.p;
   }
 
-  refresh(): void {
+  showFrame(): void {
     const { net, frame, p } = this;
     if (!this.element.open || net === null || frame === null) return;
     const ratio = worstRatio(net, frame);

@@ -1,11 +1,13 @@
 /** The method and its settings, and the buttons that set it going. */
 import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
+import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import type { Tables } from '../net/tables';
-import { make, makeButton, makeSwitch, setValue } from '../elements/dom';
+import { make, makeButton, makeSection, makeSwitch, setValue } from '../elements/dom';
+import type { FrameData } from '../worker/protocol';
 import { InitialisationChoice, MethodChoice } from './method_choice';
-import type { PanelEvents } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 
 /** Shown at once; the rest of the table is a click away. */
 const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 'adaptive_reduction'];
@@ -16,8 +18,8 @@ interface Setting {
   row: HTMLElement;
 }
 
-export class SolverPanel {
-  readonly content: HTMLElement[];
+export class SolverPanel implements Panel {
+  readonly element: HTMLElement;
   private readonly method = new MethodChoice(() => this.set(this.options));
   private readonly initialisation = new InitialisationChoice(() => this.set(this.options));
   private readonly usual = make('div');
@@ -33,7 +35,9 @@ export class SolverPanel {
       undo: makeButton(words.solver.undo, () => events.undo(), { disabled: true }),
     };
     this.defaults = makeButton(words.solver.defaults, () => this.set({}), { class: 'plain link' });
-    this.content = [
+    this.element = makeSection(
+      words.sections.solver,
+      false,
       make(
         'div',
         { class: 'buttons' },
@@ -47,7 +51,7 @@ export class SolverPanel {
       this.usual,
       make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.seldom),
       this.defaults,
-    ];
+    );
   }
 
   showTables({ methods, initialisations, options }: Tables): void {
@@ -68,11 +72,11 @@ export class SolverPanel {
     this.defaults.hidden = Object.keys(options).length === 0;
   }
 
-  showUndo(canUndo: boolean): void {
+  showHistory({ canUndo }: HistoryView): void {
     this.buttons.undo.disabled = !canUndo;
   }
 
-  showSolving(solving: boolean): void {
+  showFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
     if (this.buttons.cancel.disabled === solving) this.buttons.cancel.disabled = !solving;
   }
 

@@ -3,15 +3,15 @@ import type { TraceRow } from '../../../wasm/chebnet';
 import { longestMove } from '../document/longest_move';
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { make, makeButton, makeSwitch, setText } from '../elements/dom';
-import type { PanelEvents } from '../panels';
+import { make, makeButton, makeSection, makeSwitch, setText } from '../elements/dom';
+import type { Panel, PanelEvents } from '../panels';
 import { count, NOTHING, small } from '../language/numbers';
 import { stageWords } from './status';
 
 const LABELS = words.step.numbers;
 
-export class StepPanel {
-  readonly content: HTMLElement[];
+export class StepPanel implements Panel {
+  readonly element: HTMLElement;
   private readonly stage = make('p', { class: 'quiet' });
   private readonly cells: Record<keyof typeof LABELS, HTMLElement>;
   private row: TraceRow | null = null;
@@ -19,7 +19,11 @@ export class StepPanel {
   private move: number | null = null;
   private edgeLength = 1;
 
-  constructor(events: PanelEvents) {
+  /** @param say tells a visitor who steps that another stage began. */
+  constructor(
+    events: PanelEvents,
+    private readonly say: (stage: string) => void,
+  ) {
     const { row } = makeSwitch(words.step.arrows, (on) => events.setStepArrows(on));
     row.title = words.step.arrowsHint;
     const numbers = make('dl', { class: 'numbers' });
@@ -32,27 +36,27 @@ export class StepPanel {
       Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
     ) as typeof this.cells;
     const step = makeButton(words.step.step, () => events.step(), { title: words.step.stepHint });
-    this.content = [make('div', { class: 'buttons' }, step), row, this.stage, numbers];
+    const buttons = make('div', { class: 'buttons' }, step);
+    this.element = makeSection(words.sections.step, false, buttons, row, this.stage, numbers);
   }
 
   showNet({ info }: OpenedNet): void {
     this.edgeLength = info.meanLength;
     this.row = null;
     this.move = null;
-    this.refresh();
+    this.showFrame();
   }
 
-  /** Takes what a frame tells; what a visitor who steps should be told of a new stage, if one began. */
-  take({ trace, stepFrom, positions }: FrameData): string | null {
+  takeFrame({ trace, stepFrom, positions }: FrameData): void {
     const row = trace.at(-1);
-    if (row === undefined) return null;
+    if (row === undefined) return;
     const isNew = row.iteration === 1 || row.stage !== this.row?.stage;
     this.row = row;
     this.move = stepFrom && longestMove(stepFrom, positions) / this.edgeLength;
-    return stepFrom && isNew ? stageWords(row) : null;
+    if (stepFrom && isNew) this.say(stageWords(row));
   }
 
-  refresh(): void {
+  showFrame(): void {
     const { row, move, cells } = this;
     setText(this.stage, row ? stageWords(row) : words.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);

@@ -1,0 +1,53 @@
+/** Which net is open: a shape of the gallery with its parameters, or a file. */
+import type { ShapeInfo } from '../../../wasm/chebnet';
+import type { ChebnetDocument } from '../document/document';
+import { make, makeButton, makeSection, setText } from '../elements/dom';
+import { words } from '../language/language';
+import type { Tables } from '../net/tables';
+import type { Panel, PanelEvents } from '../panels';
+import { Gallery } from './gallery';
+import { Idle } from './idle';
+import { ShapeParameters } from './shape_parameters';
+import type { Wireframe } from './thumbnail';
+
+export class ShapePanel implements Panel {
+  readonly element: HTMLElement;
+  private readonly idle = new Idle();
+  private readonly gallery: Gallery;
+  private readonly parameters: ShapeParameters;
+  private readonly fileName = make('p', { class: 'quiet', hidden: true });
+  private shapes: ShapeInfo[] = [];
+
+  constructor(events: PanelEvents) {
+    const open = (recipe: string): void => events.openRecipe(recipe);
+    this.gallery = new Gallery(this.idle, open, () => events.pickFile());
+    this.parameters = new ShapeParameters(open);
+    const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });
+    this.element = makeSection(
+      words.sections.shape,
+      true,
+      this.gallery.element,
+      this.fileName,
+      this.parameters.element,
+      make('div', { class: 'buttons' }, equalize),
+    );
+  }
+
+  showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+    this.shapes = tables.shapes;
+    this.idle.touch();
+    this.gallery.showTables(tables, thumbnail);
+  }
+
+  showDocument({ net }: ChebnetDocument): void {
+    const recipe = 'recipe' in net ? net.recipe : null;
+    this.gallery.showCurrent(recipe?.split(':')[0] ?? null);
+    this.parameters.show(recipe, this.shapes);
+    this.fileName.hidden = recipe !== null;
+    setText(this.fileName, 'name' in net ? net.name : '');
+  }
+
+  takeFrame(): void {
+    this.idle.touch();
+  }
+}

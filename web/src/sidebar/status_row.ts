@@ -1,0 +1,27 @@
+/** Over the sections: how the solver stands, and two buttons. */
+import { make, makeButton, setText } from '../elements/dom';
+import { words } from '../language/language';
+import type { Panel, PanelEvents } from '../panels';
+import type { FrameData } from '../worker/protocol';
+import { statusWords } from './status';
+
+export class StatusRow implements Panel {
+  readonly element: HTMLElement;
+  private readonly light = make('i', { class: 'light', 'data-status': 'running' });
+  private readonly status = make('span', { class: 'status-words' }, words.status.loading);
+
+  /** @param fold unfolds the sections on a phone, where this row is all that is seen of them at first. */
+  constructor(events: PanelEvents, fold: HTMLElement) {
+    const keys = makeButton('?', () => events.showKeys(), {
+      class: 'keys-button',
+      'aria-label': words.keys.title,
+      title: words.keys.hint,
+    });
+    this.element = make('div', { class: 'status' }, this.light, this.status, keys, fold);
+  }
+
+  showFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
+    this.light.dataset.status = status === 'running' && !solving ? 'stalled' : status;
+    setText(this.status, statusWords(status, solving, iterations));
+  }
+}
