@@ -1,7 +1,9 @@
 # The parts of the core that the module for a first net does without: left_out.cpp and number.cpp have the same functions
 # for it. A source is in one of the two modules or in the library of both, never twice.
-set(LEFT_OUT_METHODS composite_majorization dp equilibrium gradient_descent lbfgs li2022 projected_newton)
-list(TRANSFORM LEFT_OUT_METHODS REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/\\1.cpp")
+file(GLOB LEFT_OUT_METHODS CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/*.cpp)
+foreach(method projection arap local_global gauss_newton)
+    list(REMOVE_ITEM LEFT_OUT_METHODS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/${method}.cpp)
+endforeach()
 # Of these it has the words, so that its tables are whole.
 set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format.cpp)
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp)

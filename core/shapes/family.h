@@ -33,6 +33,10 @@ struct Family {
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
     k_shirt, k_sheet;
 
+/// In the order in which people are shown them.
+inline constexpr const Family* k_families[] = {&k_vault,    &k_sheet, &k_dome,   &k_tube,  &k_torus, &k_jack, &k_steps,
+                                               &k_elephant, &k_teddy, &k_rabbit, &k_horse, &k_jug,   &k_shirt};
+
 /// The parameter that every family has.
 constexpr ShapeParameter vertices_parameter(double value) {
     return {"vertices", value, 100, 100000, "About how many vertices the net has."};

@@ -17,9 +17,6 @@ namespace {
 constexpr std::size_t k_longest_recipe = 1000;  // characters
 constexpr double k_shape_size = 10;
 
-const std::array k_families = {&k_vault,    &k_sheet, &k_dome,   &k_tube,  &k_torus, &k_jack, &k_steps,
-                               &k_elephant, &k_teddy, &k_rabbit, &k_horse, &k_jug,   &k_shirt};
-
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
     return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
@@ -107,8 +104,9 @@ Net place_net(Surface surface) {
 
 std::span<const ShapeInfo> shape_table() {
     static const auto table = [] {
-        std::array<ShapeInfo, k_families.size()> infos;
-        std::transform(k_families.begin(), k_families.end(), infos.begin(), [](auto family) { return family->info; });
+        std::array<ShapeInfo, std::size(k_families)> infos;
+        std::transform(std::begin(k_families), std::end(k_families), infos.begin(),
+                       [](auto family) { return family->info; });
         return infos;
     }();
     return table;

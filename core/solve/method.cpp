@@ -9,15 +9,6 @@
 
 namespace chebnet {
 
-namespace {
-
-// In the order in which people are shown them.
-const MethodInfo* const k_methods[] = {
-    &k_li2022, &k_projection, &k_equilibrium, &k_composite_majorization, &k_projected_newton, &k_gauss_newton,
-    &k_dp4,    &k_dp8,        &k_arap,        &k_local_global,           &k_gradient_descent, &k_lbfgs};
-
-}  // namespace
-
 std::span<const MethodInfo> method_table() {
     static const auto table = [] {
         std::vector<MethodInfo> infos;
