@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace chebnet {
+
+/// A tree of boxes around the triangles of a surface, in flat arrays: what is nearest to a point, what a ray meets.
+/// Keeps a reference to the surface, which must outlive it. Building takes O(F log F) operations, a query about
+/// O(log F); both compute with nothing but what IEEE 754 rounds exactly, so that they give the same bits natively and
+/// in WebAssembly.
+class SurfaceTree {
+public:
+    explicit SurfaceTree(const Surface& surface);
+
+    struct Nearest {
+        SurfacePoint at;
+        Eigen::Vector3d position;
+        double distance;
+    };
+    /// The point of the surface nearest to `point` (finite). Of several equally near ones any, but always the same.
+    Nearest nearest(const Eigen::Vector3d& point) const;
+    /// The same point, found faster where it is close to the triangle `guess`.
+    Nearest nearest(const Eigen::Vector3d& point, int guess) const;
+
+    struct Hit {
+        SurfacePoint at;
+        Eigen::Vector3d position;
+        double way;  ///< ≥ 0, in lengths of the direction
+    };
+    /// Where the ray from `origin` along `direction` (finite, not 0) first meets the surface, from either side.
+    std::optional<Hit> hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+
+private:
+    struct Node {
+        Eigen::Vector3d low, high;  // of the box
+        int first;                  // of a leaf: its first place in m_faces; of another: its second child
+        int count;                  // of a leaf: its triangles; of another 0, and its first child follows it
+    };
+    struct Ray;
+
+    int build(int first, int last, const Positions& centres);
+    int split(int first, int last, const Positions& centres);
+    void visit_nearest(int node, const Eigen::Vector3d& point, double& least, Nearest& best) const;
+    void visit_ray(int node, const Ray& ray, std::optional<Hit>& best) const;
+    void consider(int face, const Eigen::Vector3d& point, double& least, Nearest& best) const;
+    void consider(int face, const Ray& ray, std::optional<Hit>& best) const;
+
+    const Surface& m_surface;
+    std::vector<Node> m_nodes;
+    std::vector<int> m_faces;  // by leaves
+};
+
+}  // namespace chebnet

@@ -1,0 +1,112 @@
+#include "surface/curvature.h"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+
+#include "sample_nets.h"
+#include "sample_surfaces.h"
+
+using namespace chebnet;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+double saddle(double x, double y) { return x * y; }
+
+/// Without its tip.
+Mesh cone(double slope) {
+    return samples::quads(40, 10, true, false, [&](int i, int j) {
+        const double u = 2 * k_pi * i / 40, r = 0.2 + 0.1 * j;
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), -slope * r);
+    });
+}
+
+Mesh noisy(Mesh mesh, double amount) {
+    std::mt19937 random(5);
+    mesh.positions = samples::shaken(mesh.positions, amount, random);
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("All angle defects together are 2 pi times the Euler characteristic") {
+    struct Case {
+        Mesh mesh;
+        int characteristic, genus, loops;
+    };
+    const Case cases[] = {{samples::sphere(7), 2, 0, 0},
+                          {samples::sphere(7, true), 1, 0, 1},
+                          {samples::torus(20, 11, 3, 1), 0, 1, 0},
+                          {samples::cylinder(12, 5, 1), 0, 0, 2},
+                          {cone(1), 0, 0, 2},
+                          {samples::graph(8, 1, saddle), 1, 0, 1}};
+    for (const auto& [mesh, characteristic, genus, loops] : cases) {
+        const Surface surface(noisy(mesh, 0.01));
+        CHECK(angle_defects(surface).sum() == Approx(2 * k_pi * characteristic).margin(1e-9));
+        const SurfaceReport report = describe(surface);
+        CHECK(report.genus == genus);
+        CHECK(report.boundary_loops == loops);
+        CHECK(report.components == 1);
+    }
+}
+
+TEST_CASE("Total curvature by sign is that of the smooth surface") {
+    const TotalCurvature sphere = total_curvature(inner_defects(Surface(samples::sphere(12))));
+    CHECK(sphere.positive == Approx(4 * k_pi));
+    CHECK(sphere.negative == 0);
+
+    const TotalCurvature torus = total_curvature(inner_defects(Surface(samples::torus(90, 60, 3, 1))));
+    CHECK(torus.positive == Approx(4 * k_pi).epsilon(2e-3));
+    CHECK(torus.negative == Approx(-4 * k_pi).epsilon(2e-3));
+
+    for (const Mesh& mesh : {samples::cylinder(24, 9, 1), cone(1.5), samples::plane(9, 1)}) {
+        const TotalCurvature flat = total_curvature(inner_defects(Surface(mesh)));
+        CHECK(flat.positive < 1e-9);
+        CHECK(flat.negative > -1e-9);
+    }
+    // Of z = x y over [−1, 1]²: −∫∫ (1 + x² + y²)^−3/2 = −4 atan(1 / √3) = −2π / 3.
+    const TotalCurvature hypar = total_curvature(inner_defects(Surface(samples::graph(101, 1, saddle))));
+    CHECK(hypar.positive < 1e-6);
+    CHECK(hypar.negative == Approx(-2 * k_pi / 3).epsilon(0.03));  // vertices of the boundary do not count
+}
+
+TEST_CASE("Smoothing keeps the sum and takes the noise away") {
+    const Mesh mesh = samples::sphere(40);
+    const Surface surface(noisy(mesh, 0.002));
+    const TotalCurvature raw = total_curvature(inner_defects(surface));
+    const TotalCurvature smooth = total_curvature(smoothed_angle_defects(surface, 0.2));
+    CHECK(raw.positive > 6 * k_pi);
+    CHECK(smooth.positive + smooth.negative == Approx(4 * k_pi).epsilon(1e-4));
+    CHECK(smooth.positive == Approx(4 * k_pi).epsilon(0.02));
+}
+
+TEST_CASE("A sentence says what one net can do") {
+    const auto sentence = [](const Mesh& mesh) { return describe(Surface(mesh)).sentence; };
+    CHECK(sentence(samples::graph(30, 1, saddle)) == "One uncut piece will cover it.");
+    CHECK(sentence(samples::plane(5, 1)) == "One uncut piece will cover it.");
+    CHECK_THAT(sentence(samples::sphere(12, true)), Contains("may cover it") && Contains("30"));
+    CHECK_THAT(sentence(samples::cylinder(24, 9, 1)), Contains("seam"));
+    CHECK_THAT(sentence(samples::sphere(12)), Contains("More curvature than one net can take (4 "));
+    CHECK(describe(Surface(samples::sphere(12, true))).prospect == Prospect::tight);
+    CHECK(describe(Surface(samples::torus(40, 30, 3, 1))).prospect == Prospect::too_curved);
+    CHECK(describe(Surface(noisy(samples::plane(40, 1), 0.002))).prospect == Prospect::one_piece);
+}
+
+TEST_CASE("Each of several pieces is judged by itself") {
+    Mesh two = samples::graph(20, 1, [](double x, double y) { return 1 - x * x - y * y; });
+    const int count = static_cast<int>(two.positions.cols());
+    const int faces = two.faces.size();
+    two.positions.conservativeResize(3, 2 * count);
+    two.positions.rightCols(count) = two.positions.leftCols(count).colwise() + Eigen::Vector3d(5, 0, 0);
+    for (int f = 0; f < faces; ++f) {
+        std::vector<int> face(two.faces[f].begin(), two.faces[f].end());
+        for (int& v : face) v += count;
+        two.faces.add(face);
+    }
+    const SurfaceReport report = describe(Surface(two));
+    CHECK(report.components == 2);
+    CHECK(report.prospect == Prospect::one_piece);
+    CHECK_THAT(report.sentence, Contains("2 pieces"));
+}
