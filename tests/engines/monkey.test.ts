@@ -18,8 +18,9 @@ const ACTS = 60;
 const SEED = MINUTES === undefined ? 1 : undefined;
 /** Between two looks at how the page is: acts, or s. */
 const ROUND = MINUTES === undefined ? ACTS / 3 : Math.min(30, MINUTES * 20);
-/** What the browser as a whole may take more at the end than after the first round: heaps, WebAssembly and pictures. */
-const LARGEST_GROWTH = 400e6;
+/** What may be taken more at the end than after the first round: by pages, for scripts and WebAssembly; and by the browser as
+ *  a whole, with pictures. Firefox keeps more of each visit than others: 270 to 660 MB in ten minutes, outside of pages. */
+const LARGEST_GROWTH = { pages: 250e6, all: 1000e6 };
 const SMALL = 'vault:vertices=600';
 
 const { arrive } = visitors();
@@ -55,7 +56,7 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
 }, async () => {
   const visitor = await arrive();
   const monkey = new Monkey(visitor, printedSeed(`Monkey in ${ENGINE}`, SEED));
-  const memory: number[] = [];
+  const memory: ReturnType<typeof browserMemory>[] = [];
   const begin = Date.now();
   const passed = () => (MINUTES === undefined ? monkey.count : (Date.now() - begin) / 1000);
   const enough = MINUTES === undefined ? ACTS : 60 * MINUTES;
@@ -72,8 +73,10 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
     await visitor.picture('monkey');
     throw error;
   }
-  console.log(
-    `Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB ${memory.map((bytes) => Math.round(bytes / 1e6)).join(' ')}`,
-  );
-  expect(memory.at(-1)! - memory[0]!).toBeLessThan(LARGEST_GROWTH);
+  for (const part of ['pages', 'all'] as const) {
+    const bytes = memory.map((each) => each[part]);
+    const list = bytes.map((each) => Math.round(each / 1e6)).join(' ');
+    console.log(`Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB, ${part}: ${list}`);
+    expect(bytes.at(-1)! - bytes[0]!).toBeLessThan(LARGEST_GROWTH[part]);
+  }
 });

@@ -261,6 +261,7 @@ function clamp(x: number, end: number): number {
 
 /** Runs in the page. No driver can answer the window in which a file is chosen, and none follows to another tab. */
 function cage(): void {
+  if (window.chebnet === undefined) throw new Error('the page is not there yet');
   const first = window.caged === undefined;
   window.caged = true;
   if (!first) return;

@@ -3,16 +3,28 @@ import { readdirSync, readFileSync } from 'node:fs';
 
 const PAGE = 4096;
 
-/** Bytes in memory that this process's descendants, the browser, share with nobody: heaps of scripts, WebAssembly,
- *  textures and whatever else. The only count that there is in every engine. */
-export function browserMemory(): number {
+/** Command lines of processes that run pages: heaps of scripts and WebAssembly are theirs. */
+const RUNS_PAGES = /--type=renderer|-contentproc.*\0tab\0?$|WebKitWebProcess/;
+
+/** Bytes in memory that this process's descendants, the browser, share with nobody. The only count that there is in every
+ *  engine. `pages`: of those that run pages; `all`: with what draws them, and what the browser keeps for itself. */
+export function browserMemory(): { pages: number; all: number } {
+  const ours = descendants().map((id) => ({
+    bytes: privateMemory(id),
+    runsPages: RUNS_PAGES.test(read(`/proc/${id}/cmdline`)),
+  }));
+  const sum = (list: typeof ours) => list.reduce((bytes, each) => bytes + each.bytes, 0);
+  return { pages: sum(ours.filter(({ runsPages }) => runsPages)), all: sum(ours) };
+}
+
+function descendants(): string[] {
   const all = readdirSync('/proc').filter((name) => /^\d+$/.test(name));
   const parents = new Map(all.flatMap((id) => parentOf(id) ?? []));
   const isOurs = (id: string): boolean => {
     const parent = parents.get(id);
     return parent !== undefined && (parent === String(process.pid) || isOurs(parent));
   };
-  return all.filter(isOurs).reduce((sum, id) => sum + privateMemory(id), 0);
+  return all.filter(isOurs);
 }
 
 function parentOf(id: string): [[string, string]] | null {

@@ -34,6 +34,8 @@ export interface PanelEvents {
   /** Show what a button would take; null: no longer. */
   previewLine(name: LineName | null): void;
   setOptions(settings: SolverSettings): void;
+  /** As setOptions, and the net comes to rest by them at once. */
+  setBehaviour(settings: SolverSettings): void;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
   solve(): void;
   step(): void;

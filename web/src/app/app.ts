@@ -388,6 +388,7 @@ export class App {
       handles: this.handles,
       previewLine: (name) => this.#presenter.view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
+      setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
       setView: (change) => this.setView(change),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),

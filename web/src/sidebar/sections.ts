@@ -2,6 +2,7 @@
 import { ComparisonForm } from '../comparison/form';
 import type { Panel, PanelEvents } from '../panels';
 import { Appearance } from './appearance';
+import { BehaviourPanel } from './behaviour_panel';
 import { ConvergencePanel } from './convergence_panel';
 import { DragPanel } from './drag_panel';
 import { HandleList } from './handle_list';
@@ -27,6 +28,7 @@ export function createSections({ events, say, fold }: SidebarServices, experimen
     new LearnPanel(events),
     new StepPanel(events, say),
     new HandleList(events),
+    new BehaviourPanel(events),
     new DragPanel(events.handles),
     new Appearance(events),
     new SolverPanel(events),

@@ -1,0 +1,107 @@
+/** A net as material: whatever hands do to it in the first minute, somebody could weave it. */
+import { join } from 'node:path';
+import { beforeAll, beforeEach, expect, test } from 'vitest';
+import type { Chebnet } from '../../wasm/chebnet';
+import { load } from '../wasm/load';
+import { largestDeviation } from './geometry';
+import { OUTPUT, type Script, type Visit, visits } from './page';
+
+const DOME = 'dome:vertices=2000,reach=55';
+
+const site = visits();
+let chebnet: Chebnet;
+let visit: Visit;
+let script: Script;
+beforeAll(async () => {
+  chebnet = await load();
+});
+beforeEach(async () => {
+  visit = await site.arrive();
+  ({ script } = visit);
+});
+
+/** Chooses from a list of the panel. */
+async function choose(behaviour: RegExp): Promise<void> {
+  const list = visit.page.locator('label', { hasText: 'The net' }).getByRole('combobox');
+  const texts = await list.locator('option').allTextContents();
+  await list.selectOption({ label: texts.find((text) => behaviour.test(text))! });
+  await script.settled();
+}
+
+/** Takes the last handle and moves it by so many pixels. */
+async function drag(by: [number, number]): Promise<void> {
+  const { mouse } = visit.page;
+  const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+  const { x, y } = await script.screenPosition(vertex);
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + by[0], y + by[1], { steps: 12 });
+  await mouse.up();
+  await script.settled();
+}
+
+/** Of all corners of the quads, in degrees. */
+function smallestAngle(quads: readonly (readonly number[])[], positions: Float64Array): number {
+  const side = (from: number, to: number) => [0, 1, 2].map((i) => positions[3 * to + i]! - positions[3 * from + i]!);
+  const dot = (a: readonly number[], b: readonly number[]) => a.reduce((sum, value, i) => sum + value * b[i]!, 0);
+  const angles = quads.flatMap((quad) =>
+    quad.map((corner, i) => {
+      const [a, b] = [side(corner, quad[(i + 1) % 4]!), side(corner, quad[(i + 3) % 4]!)];
+      return (Math.acos(dot(a, b) / Math.sqrt(dot(a, a) * dot(b, b))) * 180) / Math.PI;
+    }),
+  );
+  return Math.min(...angles);
+}
+
+/** RMS of how far vertices are apart. */
+function apart(a: Float64Array, b: Float64Array): number {
+  return Math.sqrt(a.reduce((sum, value, i) => sum + (value - b[i]!) ** 2, 0) / (a.length / 3));
+}
+
+test('the first net stays one that could be woven: pushed down, aside and far, and back to where it was', async () => {
+  const editor = chebnet.openRecipe(DOME);
+  const quads = [...editor.toObj().matchAll(/^f (\d+) (\d+) (\d+) (\d+)$/gm)].map((face) =>
+    face.slice(1).map((index) => Number(index) - 1),
+  );
+  const length = editor.info.meanLength;
+  editor.dispose();
+
+  await choose(/keeps its shape/);
+  const edges = await visit.page.evaluate(() => window.chebnet.edges());
+  const rest = await script.positions();
+  const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+  const home = await script.position(vertex);
+  const ways: [string, [number, number]][] = [
+    ['down', [0, 120]],
+    ['aside', [180, -60]],
+    ['far', [-500, 150]],
+  ];
+  for (const [way, by] of ways) {
+    await drag(by);
+    await visit.page.screenshot({ path: join(OUTPUT, `behaviour-${way}.png`) });
+    const positions = await script.positions();
+    expect(smallestAngle(quads, positions), way).toBeGreaterThan(29.99);
+    expect(largestDeviation(positions, edges, length), way).toBeLessThan(1e-9);
+  }
+  await script.move(vertex, home);
+  await script.settled();
+  expect(apart(await script.positions(), rest)).toBeLessThan(0.02 * length);
+});
+
+test('cloth with gravity hangs between its handles; undo takes both choices back', async () => {
+  await script.open({ recipe: 'sheet:vertices=400' });
+  await script.settled();
+  await choose(/soft cloth/);
+  const weight = visit.page.getByRole('slider', { name: 'Gravity' });
+  await weight.focus();
+  for (let i = 0; i < 3; ++i) await weight.press('ArrowRight');
+  await weight.blur();
+  await script.settled();
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-cloth.png') });
+  const heights = (await script.positions()).filter((_, i) => i % 3 === 2);
+  expect(Math.min(...heights)).toBeLessThan(-0.1);
+
+  for (let i = 0; i < 4; ++i) await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect((await script.stats()).method).not.toBe('equilibrium');
+});

@@ -1,0 +1,148 @@
+/** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, and how narrow its corners may get. In
+ *  words of designers; the numbers behind them are options of the method `equilibrium`. */
+import type { ChebnetDocument, SolverOptions } from '../document/document';
+import { make, makeSection, makeSelect, setValue } from '../elements/dom';
+import { words } from '../language/language';
+import type { Tables } from '../net/tables';
+import type { Panel, PanelEvents } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
+
+const METHOD = 'equilibrium';
+const WITHOUT_MATERIAL = 'projection';
+
+/** Bending and shear count only against each other, and against weight. */
+const MATERIALS = {
+  shape: { straight_rods: false, bending_weight: 1, shear_weight: 0.05 },
+  rods: { straight_rods: true, bending_weight: 1, shear_weight: 0.05 },
+  cloth: { straight_rods: true, bending_weight: 0.01, shear_weight: 0.01 },
+} as const;
+type Material = keyof typeof MATERIALS;
+const isMaterial = (name: string): name is Material => name in MATERIALS;
+
+/** Degrees between two places of the slider. */
+const DEGREES = 5;
+/** Steps in which weight grows tenfold, and all of them. */
+const TENFOLD = 3;
+const HEAVIEST = 9;
+
+/** The weight of an edge that bends a square net of these many vertices, held at its border, by a few hundredths of its
+ *  width: a beam of n edges sinks by about g n⁴ / 50 edge lengths. */
+function lightest(vertices: number): number {
+  return 1.5 * Math.max(vertices, 4) ** -1.5;
+}
+
+export class BehaviourPanel implements Panel {
+  readonly element: HTMLElement;
+  readonly #choice: ReturnType<typeof makeSelect>;
+  readonly #about = make('p', { class: 'quiet' });
+  readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, () => this.#chooseLimit());
+  readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, () => this.#chooseWeight());
+  readonly #events: PanelEvents;
+  #usual: SolverOptions = {};
+  #document: ChebnetDocument | null = null;
+  #lightest = lightest(2000);
+
+  constructor(events: PanelEvents) {
+    this.#events = events;
+    const texts = words.behaviour.choices;
+    const choices = (['lengths', 'shape', 'rods', 'cloth', 'own'] as const).map((value) => ({
+      value,
+      text: texts[value],
+    }));
+    this.#choice = makeSelect(words.behaviour.choice, choices, (name) => this.#choose(name));
+    this.#limit.row.title = words.behaviour.limitHint;
+    this.#weight.row.title = words.behaviour.weightHint;
+    this.element = makeSection(
+      words.sections.behaviour,
+      true,
+      this.#choice.row,
+      this.#about,
+      this.#limit.row,
+      this.#weight.row,
+    );
+  }
+
+  showTables({ options }: Tables): void {
+    this.#usual = Object.fromEntries(
+      options.map(({ name, kind, value }) => [name, kind === 'flag' ? value !== 0 : value]),
+    );
+  }
+
+  showNet({ info }: OpenedNet): void {
+    this.#lightest = lightest(info.vertices);
+    if (this.#document !== null) this.showDocument(this.#document);
+  }
+
+  showDocument(document: ChebnetDocument): void {
+    this.#document = document;
+    const behaviour = this.#behaviour();
+    setValue(this.#choice.select, behaviour);
+    this.#choice.select.querySelector<HTMLOptionElement>('[value=own]')!.hidden = behaviour !== 'own';
+    this.#about.textContent = words.behaviour.about[behaviour];
+    const isMaterial = document.method === METHOD;
+    for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
+    this.#showLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
+    this.#showWeight(this.#weightStep());
+  }
+
+  #option(name: string): number | boolean | undefined {
+    return this.#document?.options[name] ?? this.#usual[name];
+  }
+
+  #behaviour(): Material | 'lengths' | 'own' {
+    if (this.#document?.method !== METHOD) return this.#document?.method === WITHOUT_MATERIAL ? 'lengths' : 'own';
+    const fits = (material: Material) =>
+      Object.entries(MATERIALS[material]).every(([name, value]) => this.#option(name) === value);
+    return (['shape', 'rods', 'cloth'] as const).find(fits) ?? 'own';
+  }
+
+  #choose(name: string): void {
+    if (name === 'lengths') this.#set(WITHOUT_MATERIAL, {});
+    else if (isMaterial(name)) this.#set(METHOD, MATERIALS[name]);
+  }
+
+  #chooseLimit(): void {
+    this.#showLimit(this.#limit.input.valueAsNumber);
+    this.#set(METHOD, { shear_limit: DEGREES * this.#limit.input.valueAsNumber });
+  }
+
+  #chooseWeight(): void {
+    const step = this.#weight.input.valueAsNumber;
+    this.#showWeight(step);
+    const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
+    this.#set(METHOD, { gravity });
+  }
+
+  #showLimit(step: number): void {
+    this.#limit.show(step, step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step));
+  }
+
+  #showWeight(step: number): void {
+    this.#weight.show(step, step === 0 ? words.behaviour.off : words.behaviour.times(step));
+  }
+
+  #weightStep(): number {
+    const gravity = Number(this.#option('gravity') ?? 0);
+    if (gravity <= 0) return 0;
+    return Math.min(Math.max(Math.round(1 + TENFOLD * Math.log10(gravity / this.#lightest)), 1), HEAVIEST);
+  }
+
+  #set(method: string, change: SolverOptions): void {
+    if (this.#document === null) return;
+    const { initialisation, options } = this.#document;
+    this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } });
+  }
+}
+
+/** A slider of whole steps with its value in words; `chosen` when it is let go. */
+function makeSlider(label: string, steps: number, chosen: () => void) {
+  const input = make('input', { type: 'range', min: 0, max: steps, step: 1, value: 0 });
+  const output = make('output');
+  input.addEventListener('change', chosen);
+  const show = (step: number, text: string): void => {
+    if (input.valueAsNumber !== step) input.valueAsNumber = step;
+    output.value = text;
+    input.setAttribute('aria-valuetext', text);
+  };
+  return { row: make('label', { class: 'slider' }, make('span', {}, label), input, output), input, show };
+}
