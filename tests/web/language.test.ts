@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
+import { dialogs as dialogsInEnglish } from '../../web/src/language/en/dialogs';
 import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { zh } from '../../web/src/language/zh';
@@ -15,6 +16,7 @@ import {
   OPTIONS,
   SHAPES,
 } from '../../web/src/language/zh/core';
+import { dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import { load, ROOT } from '../wasm/load';
@@ -29,8 +31,18 @@ function leaves(words: object, path = ''): Map<string, unknown> {
   return found;
 }
 
-const english = leaves({ ...en, lesson: lessonInEnglish, experiments: experimentsInEnglish });
-const chinese = leaves({ ...zh, lesson: lessonInChinese, experiments: experimentsInChinese });
+const english = leaves({
+  ...en,
+  dialogs: dialogsInEnglish,
+  lesson: lessonInEnglish,
+  experiments: experimentsInEnglish,
+});
+const chinese = leaves({
+  ...zh,
+  dialogs: dialogsInChinese,
+  lesson: lessonInChinese,
+  experiments: experimentsInChinese,
+});
 
 /** What stays as it is in Chinese. */
 const SAME: string[] = [];

@@ -8,7 +8,7 @@ import type { EqualizeWorkerLike } from '../equalize/equalizing';
 import type { Subject } from '../equalize/subject';
 import type { ViewState } from '../document/document';
 import type { EqualizerLike } from './file_opener';
-import { words } from '../language/language';
+import { dialogWords } from '../language/dialogs';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
 import { make, makeButton, setText } from '../elements/dom';
@@ -18,7 +18,7 @@ import { small } from '../language/numbers';
 import './dialog.css';
 import './equalize_dialog.css';
 
-const TEXT = words.equalize;
+const TEXT = dialogWords.equalize;
 
 export interface EqualizeDialogParts {
   spawnWorker(): EqualizeWorkerLike;

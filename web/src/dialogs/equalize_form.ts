@@ -1,10 +1,10 @@
 /** Which length all edges are to have, and whether handles hold. */
 import type { EqualizeOptions, EqualizeReport } from '../../../wasm/chebnet';
-import { words } from '../language/language';
+import { dialogWords } from '../language/dialogs';
 import { make, makeSwitch, setText } from '../elements/dom';
 import { lengthWords } from './file_words';
 
-const TEXT = words.equalize;
+const TEXT = dialogWords.equalize;
 type Choice = 'mean' | 'fitting' | 'given';
 
 export class EqualizeForm {

@@ -1,11 +1,12 @@
 /** How equalising goes on, and what came of it. */
 import type { EqualizeReport } from '../../../wasm/chebnet';
+import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import { make, setText } from '../elements/dom';
 import { lengthWords, percentWords } from './file_words';
 import { count, milliseconds, small } from '../language/numbers';
 
-const TEXT = words.equalize;
+const TEXT = dialogWords.equalize;
 /** Below it all edges count as equal; k_equal_deviation of core/edit/equalize.h. */
 const EQUAL = 1e-9;
 

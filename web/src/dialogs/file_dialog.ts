@@ -4,6 +4,7 @@ import { STAGES } from '../files/file_protocol';
 import type { Stage } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
 import type { FileChoice, FileDialogLike } from './file_opener';
+import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
 import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
@@ -17,7 +18,7 @@ export class FileDialog implements FileDialogLike {
   readonly #stage = make('label', { for: 'file-progress' });
   readonly #progress = make('progress', { id: 'file-progress', max: STAGES.length });
   readonly #progressRow = make('p', { class: 'progress', role: 'status' }, this.#stage, this.#progress);
-  readonly #cancel = makeButton(words.file.cancel, () => this.close());
+  readonly #cancel = makeButton(dialogWords.file.cancel, () => this.close());
   readonly #body = make('div', { class: 'body' }, this.#progressRow);
   readonly #buttons = make('div', { class: 'buttons' }, this.#cancel);
   #lengths: LengthChoice | null = null;
@@ -33,7 +34,7 @@ export class FileDialog implements FileDialogLike {
   }
 
   showStage(stage: Stage): void {
-    setText(this.#stage, words.file.stages[stage]);
+    setText(this.#stage, dialogWords.file.stages[stage]);
     this.#progress.value = STAGES.indexOf(stage);
   }
 
@@ -60,7 +61,7 @@ export class FileDialog implements FileDialogLike {
 
 function makeFacts(report: FileReport): HTMLElement {
   const { vertices, edges, boundaryLoops, components, singularVertices, lengths } = report;
-  const terms = words.file.facts;
+  const terms = dialogWords.file.facts;
   const facts: [string, string][] = [
     [terms.vertices, count(vertices)],
     [terms.edges, count(edges)],
@@ -82,16 +83,18 @@ function makeFacts(report: FileReport): HTMLElement {
 
 function makeDefects({ findings, refusal }: FileReport): HTMLElement {
   const rows = findings.map((finding) => {
-    const name = words.file.defect(words.core.name(finding.defect), count(finding.count));
+    const name = dialogWords.file.defect(words.core.name(finding.defect), count(finding.count));
     return make('li', {}, make('strong', {}, name), make('span', {}, words.core.finding(finding)));
   });
   return make(
     'section',
     { class: 'defects', 'aria-labelledby': 'file-defects' },
-    make('h3', { id: 'file-defects' }, words.file.defects),
-    make('p', {}, words.file.defectsHint),
+    make('h3', { id: 'file-defects' }, dialogWords.file.defects),
+    make('p', {}, dialogWords.file.defectsHint),
     make('ul', {}, ...rows),
-    ...(refusal === null ? [] : [make('p', {}, words.file.refused(words.core.failure(refusal.code, refusal.message)))]),
+    ...(refusal === null
+      ? []
+      : [make('p', {}, dialogWords.file.refused(words.core.failure(refusal.code, refusal.message)))]),
   );
 }
 
@@ -101,15 +104,15 @@ function openButtons(
   open: (repaired: boolean) => void,
 ): [HTMLElement, ...HTMLElement[]] {
   const primary = { class: 'primary' };
-  if (findings.length === 0) return [makeButton(words.file.open, () => open(false), primary)];
-  const repair = makeButton(words.file.repair, () => open(true), primary);
-  return refusal === null ? [repair, makeButton(words.file.asItIs, () => open(false))] : [repair];
+  if (findings.length === 0) return [makeButton(dialogWords.file.open, () => open(false), primary)];
+  const repair = makeButton(dialogWords.file.repair, () => open(true), primary);
+  return refusal === null ? [repair, makeButton(dialogWords.file.asItIs, () => open(false))] : [repair];
 }
 
 function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], equalize: boolean): void {
-  const { open, repairAndOpen, openAsItIs } = words.equalize;
-  const sound = [equalize ? open : words.file.open];
-  const broken = equalize ? [repairAndOpen, openAsItIs] : [words.file.repair, words.file.asItIs];
+  const { open, repairAndOpen, openAsItIs } = dialogWords.equalize;
+  const sound = [equalize ? open : dialogWords.file.open];
+  const broken = equalize ? [repairAndOpen, openAsItIs] : [dialogWords.file.repair, dialogWords.file.asItIs];
   buttons.forEach((button, i) => setText(button, (findings.length === 0 ? sound : broken)[i] ?? ''));
 }
 
@@ -118,13 +121,13 @@ const LENGTH_CHOICES: readonly {
   text: (report: FileReport) => string;
   hint: string;
 }[] = [
-  { value: 'own', text: () => words.file.own.text, hint: words.file.own.hint },
+  { value: 'own', text: () => dialogWords.file.own.text, hint: dialogWords.file.own.hint },
   {
     value: 'equal',
-    text: ({ lengths }) => words.file.equal.text(lengthWords(lengths.mean)),
-    hint: words.file.equal.hint,
+    text: ({ lengths }) => dialogWords.file.equal.text(lengthWords(lengths.mean)),
+    hint: dialogWords.file.equal.hint,
   },
-  { value: 'equalized', text: () => words.equalize.choice, hint: words.equalize.choiceHint },
+  { value: 'equalized', text: () => dialogWords.equalize.choice, hint: dialogWords.equalize.choiceHint },
 ];
 
 /** Which length edges are to keep that differ in length. */
@@ -134,7 +137,7 @@ class LengthChoice {
   changed: () => void = () => {};
 
   constructor(report: FileReport) {
-    const legend = words.file.lengths(percentWords(report.lengths.largestDeviation));
+    const legend = dialogWords.file.lengths(percentWords(report.lengths.largestDeviation));
     const rows = LENGTH_CHOICES.map(({ value, text, hint }) => {
       const radio = make('input', { type: 'radio', name: 'file-lengths', value, checked: value === this.chosen });
       radio.addEventListener('change', () => {

@@ -1,7 +1,7 @@
 /** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
 import type { RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
-import { words } from '../language/language';
+import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
 import { FileError } from '../files/file_error';
@@ -95,5 +95,5 @@ export class FileOpener {
 function checkSize({ name, size }: File): void {
   if (size <= LARGEST_FILE) return;
   const [megabytes = 0, largest = 0] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
-  throw new FileError('too_large', words.file.tooLarge(name, megabytes, largest));
+  throw new FileError('too_large', dialogWords.file.tooLarge(name, megabytes, largest));
 }

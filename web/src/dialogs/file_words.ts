@@ -1,22 +1,22 @@
 /** What a file holds, in words. */
 import type { FileReport } from '../files/file_report';
-import { words } from '../language/language';
+import { dialogWords } from '../language/dialogs';
 import { count } from '../language/numbers';
 
 /** E.g. "961: 900 quads, 61 triangles", the most frequent first. */
 export function faceWords({ faces, facesByArity }: Pick<FileReport, 'faces' | 'facesByArity'>): string {
   const kinds = Object.entries(facesByArity)
     .sort(([, a], [, b]) => b - a)
-    .map(([arity, number]) => words.file.polygons(Number(arity), number, count(number)));
-  return kinds.length === 1 ? (kinds[0] ?? '') : words.file.faces(count(faces), kinds);
+    .map(([arity, number]) => dialogWords.file.polygons(Number(arity), number, count(number)));
+  return kinds.length === 1 ? (kinds[0] ?? '') : dialogWords.file.faces(count(faces), kinds);
 }
 
 /** E.g. "4 of valence 3, 1 of valence 5". */
 export function singularWords(singularVertices: Record<string, number>): string {
   const kinds = Object.entries(singularVertices).map(([valence, number]) =>
-    words.file.singular(valence, count(number)),
+    dialogWords.file.singular(valence, count(number)),
   );
-  return kinds.length > 0 ? words.file.list(kinds) : words.file.none;
+  return kinds.length > 0 ? dialogWords.file.list(kinds) : dialogWords.file.none;
 }
 
 /** Five digits: an edge of a finished net is off its length by a thousandth at most. */
@@ -28,5 +28,7 @@ export function lengthWords(length: number): string {
 export function percentWords(fraction: number): string {
   const percent = 100 * fraction;
   if (percent === 0) return '0 %';
-  return percent < 0.001 ? words.file.below('0.001 %') : `${Number(percent.toPrecision(percent < 100 ? 2 : 3))} %`;
+  return percent < 0.001
+    ? dialogWords.file.below('0.001 %')
+    : `${Number(percent.toPrecision(percent < 100 ? 2 : 3))} %`;
 }

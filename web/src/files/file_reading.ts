@@ -1,4 +1,5 @@
 /** The page's side of the file worker. */
+import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { OpenedNet } from '../worker/protocol';
 import { FileError } from './file_error';
@@ -31,7 +32,7 @@ export class FileReading {
     this.#entered = entered;
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = ({ message }) => this.#fail('internal', message || words.file.notStarted);
+    this.#worker.onerror = ({ message }) => this.#fail('internal', message || dialogWords.file.notStarted);
   }
 
   /** Throws FileError with what the core says. */
