@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 #include "base/error.h"
@@ -44,7 +43,7 @@ constexpr double k_limit_margin = 0.02;  // degrees
 // Shear is reckoned from no corner sharper than this, even without a limit.
 constexpr double k_least_open_angle = 15;  // degrees
 // How often corners may join those that are held, or leave them, in one step.
-constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 3;
+constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
 // At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
 
@@ -89,7 +88,8 @@ private:
     bool is_at_rest() const;
     void renew_factor(TraceRow& row);
     double find_move();
-    std::optional<double> step_along(Positions& positions, double slope, bool may_join);
+    double find_move_beside_corners(const Positions& positions);
+    double step_along(Positions& positions, double slope, double whole);
     double error_cost() const;
     bool project(Positions& positions);
     bool project_lengths(Positions& positions);
@@ -360,13 +360,13 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     row.gradient_norm = gradient_norm();
     Stopwatch watch;
     m_origin = positions;
-    std::optional<double> step;
-    for (int round = 0; !step; ++round) step = step_along(positions, find_move(), round < k_most_joins);
-    row.step = *step;
+    const double slope = find_move_beside_corners(positions);
+    const double whole = m_limit.part_until_short(positions, m_direction);
+    row.step = step_along(positions, slope, whole);
     row.line_search_ms = watch.milliseconds();
     const double L = m_net->mean_length(), moved = row.step * m_direction.colwise().norm().maxCoeff();
     const bool was_cut = row.step < 1 || m_newton->ended_at_radius();
-    if (row.step < 1)
+    if (row.step < whole)
         m_radius = moved;
     else if (was_cut)
         m_radius = std::min(2 * m_radius, k_most_move * L);
@@ -381,6 +381,18 @@ void Equilibrium::renew_factor(TraceRow& row) {
     row.factorisation_ms = m_newton->factorisation_ms();
 }
 
+/// A move that corners at their limit do not stop early: those that would are held. Returns its slope.
+double Equilibrium::find_move_beside_corners(const Positions& positions) {
+    for (int round = 0;; ++round) {
+        const Eigen::VectorXd excess = m_limit.excess(m_lengths->system());
+        if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) return 0;
+        const double slope = find_move();
+        if (round == k_most_joins || m_limit.hold_blocking_ones(positions, m_direction) == 0) return slope;
+        m_limit.apply(m_lengths->system());
+        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return 0;
+    }
+}
+
 /// By the exact Hessian, or if that is indefinite by a convex one. Returns the slope of m_direction.
 double Equilibrium::find_move() {
     const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
@@ -391,32 +403,25 @@ double Equilibrium::find_move() {
     return m_newton->find_move(m_terms, Curvature::convex, inner, k_inner_tolerance, m_radius, m_direction);
 }
 
-/// Armijo backtracking from m_origin along m_direction, with a projection onto the lengths after each trial. Returns
-/// the part of the direction that was accepted; 0: none, and the positions stay. None, if corners stop the whole
-/// direction that may join those that are held: then another direction is wanted.
-std::optional<double> Equilibrium::step_along(Positions& positions, double slope, bool may_join) {
-    if (!(slope < 0)) return 0;
-    double step = 1;
+/// Armijo backtracking from m_origin along this part of m_direction, with a projection onto the lengths after each
+/// trial. Returns the part of the direction that was accepted; 0: none, and the positions stay.
+double Equilibrium::step_along(Positions& positions, double slope, double whole) {
     const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
     const std::vector<double> held = m_limit.held();
     const double before = m_energy + m_newton->error_cost();
-    for (int halving = 0; halving <= k_most_halvings; ++halving, step /= 2) {
-        if (halving > 0) hold(held);
+    double step = whole;
+    for (int trial = 0; slope < 0 && trial <= k_most_halvings; ++trial, step /= 2) {
+        m_limit.set_held(held);
+        m_limit.approach(held, step);
+        m_limit.apply(m_lengths->system());
         positions = m_origin + step * m_direction;
         if (!project(positions)) continue;
         const double energy = evaluate(positions, m_next_gradient);
-        const double after = energy + error_cost();
-        if (opens || after <= before + k_sufficient_decrease * step * slope) {
-            m_energy = energy;
-            m_gradient.swap(m_next_gradient);
-            m_is_linearised = false;
-            return step;
-        }
-        if (halving == 0 && may_join && m_limit.held() != held) {
-            positions = m_origin;
-            evaluate(positions, m_gradient);
-            if (m_newton->linearise(positions, m_gradient, *m_lengths)) return std::nullopt;
-        }
+        if (!opens && !(energy + error_cost() <= before + k_sufficient_decrease * step * slope)) continue;
+        m_energy = energy;
+        m_gradient.swap(m_next_gradient);
+        m_is_linearised = false;
+        return step;
     }
     positions = m_origin;
     hold(held);

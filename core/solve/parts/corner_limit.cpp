@@ -10,6 +10,8 @@ namespace {
 constexpr double k_watch = 0.2;
 // No diagonal is made longer by more than this at once.
 constexpr double k_opening = 0.1;
+// Those that exceed their limit by less than this, and by less than this part of what a move takes off, are in its way.
+constexpr double k_near = 0.1, k_early_part = 0.25;
 
 }  // namespace
 
@@ -61,6 +63,49 @@ int CornerLimit::hold_short_ones(const Positions& positions) {
         ++changed;
     }
     return changed;
+}
+
+/// In edge lengths.
+double CornerLimit::shortening(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const {
+    const Eigen::Vector3d d = positions.col(limit.vertex_a) - positions.col(limit.vertex_b);
+    const double length = d.norm();
+    return length > 0 ? d.dot(moves.col(limit.vertex_b) - moves.col(limit.vertex_a)) / (length * limit.unit) : 0;
+}
+
+int CornerLimit::hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves) {
+    int changed = 0;
+    for (int i : m_watched) {
+        if (m_held[i] > 0) continue;
+        const double room = -lack(positions, m_limits[i]);
+        if (room > k_near || room > k_early_part * shortening(positions, moves, m_limits[i]) - k_tolerance) continue;
+        m_held[i] = m_limits[i].distance + std::max(0.0, room) * m_limits[i].unit;
+        ++changed;
+    }
+    return changed;
+}
+
+Eigen::VectorXd CornerLimit::excess(const LengthSystem& system) const {
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(system.row_count());
+    Eigen::Index row = rows.size() - static_cast<Eigen::Index>(m_watched.size());
+    for (int i : m_watched) rows[row++] = std::max(0.0, (m_held[i] - m_limits[i].distance) / m_limits[i].unit);
+    return rows;
+}
+
+void CornerLimit::approach(const std::vector<double>& from, double part) {
+    for (int i : m_watched)
+        if (from[i] > m_limits[i].distance) m_held[i] = from[i] + part * (m_limits[i].distance - from[i]);
+}
+
+double CornerLimit::part_until_short(const Positions& positions, const Eigen::Matrix3Xd& moves) const {
+    double part = 1;
+    for (std::size_t i = 0; i < m_limits.size(); ++i) {
+        const double room = -lack(positions, m_limits[i]);
+        if (m_held[i] == 0 && room > 0) {
+            const double closing = shortening(positions, moves, m_limits[i]);
+            if (room < part * closing) part = room / closing;
+        }
+    }
+    return part;
 }
 
 int CornerLimit::release(const Eigen::VectorXd& multipliers) {

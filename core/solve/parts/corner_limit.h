@@ -32,6 +32,15 @@ public:
     /// Holds the diagonals that are too short: at their limit, or if that is far, some way towards it. Returns how many
     /// that changes.
     int hold_short_ones(const Positions& positions);
+    /// Holds the diagonals that would be short early on such a move, and are nearly so, as long as they are. Returns
+    /// how many that changes.
+    int hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves);
+    /// The part of a move, 1 at most, by which none that is not held becomes short, to first order.
+    double part_until_short(const Positions& positions, const Eigen::Matrix3Xd& moves) const;
+    /// For each row of the system by how much what is held exceeds its limit, in edge lengths; 0 for the others.
+    Eigen::VectorXd excess(const LengthSystem& system) const;
+    /// What held() was `from` is held closer to its limit by this part.
+    void approach(const std::vector<double>& from, double part);
     /// Lets go of those whose multipliers pull. Returns how many.
     int release(const Eigen::VectorXd& multipliers);
     /// For each diagonal the distance at which it is held, 0 if it is not.
@@ -46,6 +55,7 @@ public:
 
 private:
     double lack(const Positions& positions, const Distance& limit) const;
+    double shortening(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const;
 
     std::vector<Distance> m_limits;
     std::vector<int> m_watched;  // in the order of the rows

@@ -104,9 +104,20 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
     system.stretch(m_descent, m_changes);
     if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers)) return false;
     system.add_pull(-m_multipliers, m_descent);
+    m_normal.setZero(3, m_net.vertex_count());
+    m_normal_slope = 0;
     m_gradient_norm = std::sqrt(dot(m_descent, m_descent));
     m_error_cost = dot(m_multipliers, system.errors());
     return std::isfinite(m_gradient_norm);
+}
+
+bool TangentNewton::shorten(const Eigen::VectorXd& rows) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(rows.size());
+    if (!m_lengths->solve(rows, k_multiplier_tolerance, y)) return false;
+    m_normal.setZero();
+    m_lengths->system().add_pull(-y, m_normal);
+    m_normal_slope = dot(m_multipliers, rows);
+    return true;
 }
 
 /// v −= W Jᵀ (J W Jᵀ)⁻¹ J v, as far as single precision goes.
@@ -174,9 +185,14 @@ void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& pro
 
 double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
                                 double tolerance, double radius, Eigen::Matrix3Xd& move) {
-    move.setZero(3, m_net.vertex_count());
+    move = m_normal;
     m_ended_at_radius = m_met_negative_curvature = false;
     m_residual = m_descent;
+    if (m_normal_slope != 0) {
+        apply_hessian(terms, kind, m_normal);
+        m_residual -= m_image;
+        project(m_residual);
+    }
     precondition(m_residual, m_preconditioned);
     m_search = m_preconditioned;
     double product = dot(m_residual, m_preconditioned);
@@ -184,10 +200,7 @@ double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Cu
     m_inner_iterations = 0;
     while (m_inner_iterations < most_iterations && product > enough && !m_ended_at_radius) {
         ++m_inner_iterations;
-        m_image.setZero(3, m_net.vertex_count());
-        for (const auto& term : terms) term->add_curvature(kind, m_search, m_image);
-        add_tension(m_search, m_image);
-        mask(m_image);
+        apply_hessian(terms, kind, m_search);
         const double curvature = dot(m_search, m_image);
         m_met_negative_curvature = !(curvature > 0);
         const double whole = curvature > 0 ? product / curvature : std::numeric_limits<double>::infinity();
@@ -201,7 +214,16 @@ double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Cu
         const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
         m_search = m_preconditioned + product / previous * m_search;
     }
-    return -dot(m_descent, move);
+    return m_normal_slope - dot(m_descent, move);
+}
+
+/// To m_image.
+void TangentNewton::apply_hessian(std::span<const std::unique_ptr<Term>> terms, Curvature kind,
+                                  const Eigen::Matrix3Xd& d) {
+    m_image.setZero(3, m_net.vertex_count());
+    for (const auto& term : terms) term->add_curvature(kind, d, m_image);
+    add_tension(d, m_image);
+    mask(m_image);
 }
 
 /// The largest t ≤ most for which no column of from + t · along is longer than the radius.

@@ -41,6 +41,9 @@ public:
     /// False if that cannot be done.
     /// `lengths` is kept, its system is assembled and factored for x. It may have rows beside the edges.
     bool linearise(const Positions& x, const Eigen::Matrix3Xd& gradient, LengthProjection& lengths);
+    /// Moves from now on make the rows of the system shorter by these, in edge lengths, until the next linearise().
+    /// False if that cannot be done.
+    bool shorten(const Eigen::VectorXd& rows);
     /// λ of each row of the system: positive where it pulls.
     const Eigen::VectorXd& multipliers() const { return m_multipliers; }
     /// ‖∇E + Jᵀλ‖ over the free vertices.
@@ -73,6 +76,7 @@ private:
     void mask(Eigen::Matrix3Xd& vectors) const;
     void project(Eigen::Matrix3Xd& vectors);
     void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
+    void apply_hessian(std::span<const std::unique_ptr<Term>> terms, Curvature kind, const Eigen::Matrix3Xd& d);
     void add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const;
 
     const Net& m_net;
@@ -91,6 +95,8 @@ private:
     int m_inner_iterations = 0;
     double m_gradient_norm = 0, m_error_cost = 0, m_factorisation_ms = 0;
     Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)
+    Eigen::Matrix3Xd m_normal;   // the shortest move that shortens rows as wished
+    double m_normal_slope = 0;   // −λ·J m_normal
     Eigen::Matrix3Xd m_residual, m_preconditioned, m_search, m_image;
     Eigen::VectorXd m_changes, m_pulls;
     Eigen::Matrix4Xf m_single;
