@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "edit_file.h"
+#include "io/file.h"
 #include "io/obj.h"
 #include "shapes/shapes.h"
 

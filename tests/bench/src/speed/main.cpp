@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "compare.h"
+#include "io/file.h"
 #include "io/obj.h"
 #include "measure.h"
 #include "page.h"

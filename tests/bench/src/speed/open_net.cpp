@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "io/file.h"
 #include "io/obj.h"
 #include "shapes/shapes.h"
 
