@@ -1,4 +1,5 @@
 import { words } from './language/language';
+import { Failure } from './failure';
 
 /** A part of the page that comes when it is first wanted. Fails with a sentence for the user; the next try may have better
  *  luck. */
@@ -7,6 +8,6 @@ export function part<T>(load: () => Promise<T>): () => Promise<T> {
   return () =>
     (loading ??= load().catch((cause: unknown) => {
       loading = null;
-      throw new Error(words.page.partMissing, { cause });
+      throw new Failure('not_loaded', words.page.partMissing, { cause });
     }));
 }

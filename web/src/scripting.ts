@@ -14,6 +14,7 @@ import type { ChebnetError, Status } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
 import { type HandleData, LONGEST_NAME, type NetSource, type Vec3 } from './document/document';
 import { linking } from './projects/linking';
+import { Failure } from './failure';
 
 export interface ScriptHandle {
   vertex: number;
@@ -91,7 +92,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     },
     setHandles: async (handles) => {
       await ready;
-      if (!Array.isArray(handles)) throw failure('bad_syntax', 'handles must be given as a list');
+      if (!Array.isArray(handles)) throw new Failure('bad_syntax', 'handles must be given as a list');
       await app.handles.set(handles.map((handle: ScriptHandle) => readHandle(app, handle)));
     },
     move: async (vertex, target) => {
@@ -101,7 +102,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     setLocality: async (radius) => {
       await ready;
       if (radius !== null && !(radius > 0 && radius < Infinity))
-        throw failure('bad_option', 'a locality must be a number above 0, or null');
+        throw new Failure('bad_option', 'a locality must be a number above 0, or null');
       app.handles.setLocality(radius ?? undefined);
     },
     settled: async () => {
@@ -123,14 +124,10 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
       await ready;
       const { hashOf } = await linking();
       const { hash } = hashOf(app);
-      if (hash === null) throw failure('too_large', 'This net is too large for a link.');
+      if (hash === null) throw new Failure('too_large', 'This net is too large for a link.');
       return new URL(hash, location.href).href;
     },
   };
-}
-
-function failure(code: string, message: string): Error {
-  return Object.assign(new Error(message), { code });
 }
 
 function readNet(net: Parameters<Scripting['open']>[0]): NetSource {
@@ -151,16 +148,16 @@ function readHandle(app: App, { vertex, target, anchor, name, hidden, weight }: 
 
 function readWeight(weight: unknown, vertex: number): number {
   if (typeof weight === 'number' && Number.isFinite(weight) && weight > 0) return weight;
-  throw failure('bad_option', `the weight of the handle at vertex ${vertex} must be a number above 0`);
+  throw new Failure('bad_option', `the weight of the handle at vertex ${vertex} must be a number above 0`);
 }
 
 async function setOptions(app: App, wished: Parameters<Scripting['setOptions']>[0]): Promise<void> {
   const present = app.opening?.document;
-  if (present === undefined) throw failure('no_net', 'No net is open.');
+  if (present === undefined) throw new Failure('no_net', 'No net is open.');
   const { method = present.method, initialisation = present.initialisation, ...options } = wished;
   const given = Object.entries(options).map(([name, value]): [string, number | boolean] => {
     if (typeof value === 'number' || typeof value === 'boolean') return [name, value];
-    throw failure('bad_option', `option ${name} must be a number or true or false`);
+    throw new Failure('bad_option', `option ${name} must be a number or true or false`);
   });
   await app.setOptions({ method, initialisation, options: { ...present.options, ...Object.fromEntries(given) } });
 }

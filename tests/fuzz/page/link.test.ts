@@ -1,10 +1,10 @@
-/** Links: what is written comes back; anything else is a scene or a LinkError. */
+/** Links: what is written comes back; anything else is a scene or a Failure. */
 import fc from 'fast-check';
 import { deflateSync, strToU8 } from 'fflate';
 import { expect } from 'vitest';
 import { writeState, writeView } from '../../../web/src/document/codec';
 import type { ChebnetDocument } from '../../../web/src/document/document';
-import { LinkError } from '../../../web/src/document/link_error';
+import { Failure } from '../../../web/src/failure';
 import { decodeScene, encodeScene } from '../../../web/src/document/share';
 import { VERSION } from '../../../web/src/document/versions';
 import { attack, attacks } from './attack';
@@ -33,7 +33,7 @@ function checkDecoded(hash: string): void {
   try {
     checkFinite({ ...decodeScene(hash), positions: null });
   } catch (error) {
-    if (!(error instanceof LinkError)) throw error;
+    if (!(error instanceof Failure)) throw error;
     expect(error.message).not.toBe('');
   }
 }

@@ -1,7 +1,8 @@
-/** Packed positions: what is packed comes back nearly; anything else is positions that are numbers, or a PackingError. */
+/** Packed positions: what is packed comes back nearly; anything else is positions that are numbers, or a Failure. */
 import fc from 'fast-check';
 import { expect } from 'vitest';
-import { packPositions, PackingError, unpackPositions } from '../../../web/src/document/packing';
+import { packPositions, unpackPositions } from '../../../web/src/document/packing';
+import { Failure } from '../../../web/src/failure';
 import type { PackingNet } from '../../../web/src/document/packing';
 import { grid } from '../../web/nets';
 import { attack, attacks } from './attack';
@@ -14,7 +15,7 @@ function unpacked(packed: Uint8Array, net: PackingNet): Float64Array | null {
   try {
     return unpackPositions(packed, net);
   } catch (error) {
-    if (!(error instanceof PackingError)) throw error;
+    if (!(error instanceof Failure)) throw error;
     return null;
   }
 }

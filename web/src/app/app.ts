@@ -13,7 +13,7 @@ import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import type { Action, PanelEvents } from '../panels';
 import type { Film, ViewEvents } from '../view/view';
-import { Client, isCancelled, SolverError } from '../worker/client';
+import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import { LEFT_OUT } from '../worker/protocol';
@@ -22,6 +22,7 @@ import type { ThumbnailNet } from '../worker/thumbnail_net';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
 import { State } from './state';
+import { codeOf, type Failure, messageOf } from '../failure';
 
 /** What an app is made from. */
 export interface AppParts extends Screen {
@@ -140,7 +141,7 @@ export class App {
   report(error: unknown): void {
     if (isCancelled(error)) return;
     // When a worker is lost everything that waits for it fails; that is said once, by #restarted.
-    const known = error instanceof SolverError && error.code === 'worker_lost' && this.opening !== null;
+    const known = codeOf(error) === 'worker_lost' && this.opening !== null;
     if (!known) this.#presenter.panels.say(sentence(error), 'error');
     this.#emit('error', error);
   }
@@ -417,7 +418,7 @@ export class App {
     if (settled) this.#emit('settled');
   }
 
-  #restarted(why: SolverError, isBack: boolean): void {
+  #restarted(why: Failure, isBack: boolean): void {
     if (!isCancelled(why)) this.#emit('restarted');
     if (!isBack) {
       this.#presenter.panels.say(words.solver.stopped(sentence(why)), 'error');
@@ -431,7 +432,7 @@ export class App {
     try {
       return await this.#client.thumbnail(recipe);
     } catch (error) {
-      if (!(error instanceof SolverError) || error.code !== LEFT_OUT) throw error;
+      if (codeOf(error) !== LEFT_OUT) throw error;
       const { lateThumbnail } = await import('../worker/late_thumbnail');
       return lateThumbnail(recipe);
     }
@@ -456,5 +457,5 @@ export class App {
 
 /** What went wrong, as a sentence. */
 function sentence(error: unknown): string {
-  return words.core.sentence(error instanceof Error ? error.message : String(error));
+  return words.core.sentence(messageOf(error));
 }

@@ -1,9 +1,9 @@
 /** A worker of its own for comparing: it solves one scene after another while the user's worker is free for their hands. */
 import type { Scene } from '../document/document';
 import { words } from '../language/language';
-import { SolverError } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { FrameData, Measures, OpenedNet, Request, Response } from '../worker/protocol';
+import { Failure } from '../failure';
 
 export type BenchScene = Omit<Scene, 'view'>;
 
@@ -13,14 +13,14 @@ export class Bench {
   readonly #worker: WorkerLike;
   #lastId = 0;
   #take: (response: Response) => void = () => {};
-  #reject: (error: SolverError) => void = () => {};
+  #reject: (error: Failure) => void = () => {};
 
   constructor(spawn: () => WorkerLike) {
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
     this.#worker.onerror = ({ message }) =>
-      this.#reject(new SolverError('worker_lost', message || words.solver.notStarted));
-    this.#worker.onmessageerror = () => this.#reject(new SolverError('worker_lost', words.solver.garbled));
+      this.#reject(new Failure('worker_lost', message || words.solver.notStarted));
+    this.#worker.onmessageerror = () => this.#reject(new Failure('worker_lost', words.solver.garbled));
   }
 
   /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. Returns the
@@ -56,12 +56,12 @@ export class Bench {
   /** At once, in the middle of whatever it does; what is waited for fails. Of no use afterwards. */
   dispose(): void {
     this.#worker.terminate();
-    this.#reject(new SolverError('cancelled', words.comparison.wasCancelled));
+    this.#reject(new Failure('cancelled', words.comparison.wasCancelled));
   }
 
   #receive(response: Response): void {
     if (response.type === 'error')
-      return this.#reject(new SolverError(response.code, words.core.failure(response.code, response.message)));
+      return this.#reject(new Failure(response.code, words.core.failure(response.code, response.message)));
     if (response.type === 'frame' || response.type === 'settled') this.#post({ type: 'seen' });
     this.#take(response);
   }

@@ -4,6 +4,7 @@ import type { FrameData } from '../worker/protocol';
 import { Bench } from './bench';
 import { newRun } from './run';
 import type { Comparison, Run, RunPlan } from './run';
+import { messageOf } from '../failure';
 
 /** Each scene is first run for so long, again and again if it is fast, and that is thrown away: engines compile what they
  *  run, and the first one would pay for all. */
@@ -51,7 +52,7 @@ export class Comparer {
     } catch (error) {
       if (!comparison.running) return;
       run.state = 'failed';
-      run.fault = error instanceof Error ? error.message : String(error);
+      run.fault = messageOf(error);
       this.#disposeBench();
     }
     this.#changed(comparison);

@@ -15,6 +15,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { EqualizeForm } from './equalize_form';
 import { EqualizeResults } from './equalize_results';
 import { small } from '../language/numbers';
+import { messageOf } from '../failure';
 import './dialog.css';
 import './equalize_dialog.css';
 
@@ -124,7 +125,7 @@ export class EqualizeDialog implements EqualizerLike {
       const mesh = { positions: this.#subject.positions, faceStart, faceVertices };
       this.#showEnded(await this.#equalizing.run({ mesh, options }, (news) => this.#showNews(news)));
     } catch (error) {
-      this.#results.showFault(error instanceof Error ? error.message : String(error));
+      this.#results.showFault(messageOf(error));
       this.#arrange('waiting');
       this.#start.focus();
     }

@@ -4,11 +4,11 @@ import type { NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
-import { FileError } from '../files/file_error';
 import type { Stage } from '../files/file_protocol';
 import { FileReading } from '../files/file_reading';
 import type { FileWorkerLike } from '../files/file_reading';
 import type { FileReport } from '../files/file_report';
+import { Failure } from '../failure';
 
 /** Larger files are not nets one could edit: a net of 100,000 vertices has 10 MB. */
 export const LARGEST_FILE = 100e6;
@@ -53,7 +53,7 @@ export class FileOpener {
     this.#parts = parts;
   }
 
-  /** Resolves when the net is open or the user has given up. Throws FileError. */
+  /** Resolves when the net is open or the user has given up. Fails with what is wrong with the file. */
   async open(file: File): Promise<void> {
     checkSize(file);
     this.#dialog?.close();
@@ -95,5 +95,5 @@ export class FileOpener {
 function checkSize({ name, size }: File): void {
   if (size <= LARGEST_FILE) return;
   const [megabytes = 0, largest = 0] = [size, LARGEST_FILE].map((bytes) => Math.round(bytes / 1e6));
-  throw new FileError('too_large', dialogWords.file.tooLarge(name, megabytes, largest));
+  throw new Failure('too_large', dialogWords.file.tooLarge(name, megabytes, largest));
 }

@@ -8,7 +8,7 @@ import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields'
 import { LONGEST_NAME } from './document';
 import type { HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
-import type { Field } from './field';
+import type { Untrusted } from './untrusted';
 import { words } from '../language/language';
 import type { Snapshot } from './undo';
 
@@ -41,8 +41,8 @@ export function writeView(view: ViewState): object {
 
 // ------------------------------------------------------------------------------------------------------------- reading
 
-/** All these throw FieldError. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
-export function readState(state: Field): State<HandleSeed> {
+/** All these throw a Failure if it is no such thing. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
+export function readState(state: Untrusted): State<HandleSeed> {
   return {
     handles: state.at('handles').list().map(readHandle),
     method: state.at('method').text(),
@@ -60,12 +60,12 @@ export function readState(state: Field): State<HandleSeed> {
 }
 
 /** null: the state is of a version that did not say, and was not looked at since. */
-export function readNumbering(state: Field): { numbering?: number } {
+export function readNumbering(state: Untrusted): { numbering?: number } {
   const numbering = state.at('numbering');
   return numbering.value === null ? {} : { numbering: numbering.index(2 ** 32) };
 }
 
-export function readNet(net: Field): NetSource {
+export function readNet(net: Untrusted): NetSource {
   const recipe = net.at('recipe').maybe((each) => each.text());
   if (recipe !== undefined) return { recipe };
   return {
@@ -78,7 +78,7 @@ export function readNet(net: Field): NetSource {
   };
 }
 
-function readHandle(row: Field): HandleSeed {
+function readHandle(row: Untrusted): HandleSeed {
   const [vertex, anchor, ...others] = row.list();
   if (vertex === undefined || anchor === undefined) row.fail(words.fields.handle);
   const more = others.at(-1)?.isRecord ? others.pop() : undefined;
@@ -92,7 +92,7 @@ function readHandle(row: Field): HandleSeed {
   };
 }
 
-function readMore(more: Field): Partial<HandleSeed> {
+function readMore(more: Untrusted): Partial<HandleSeed> {
   return given({
     name: more.at('name').maybe((each) => each.text(LONGEST_NAME)),
     hidden: more.at('hidden').maybe((each) => each.flag()),
@@ -100,23 +100,23 @@ function readMore(more: Field): Partial<HandleSeed> {
   });
 }
 
-function readPositive(size: Field): number {
+function readPositive(size: Untrusted): number {
   return size.number() > 0 ? size.number() : size.fail(words.fields.positive);
 }
 
-function readSymmetry(symmetry: Field): Symmetry {
+function readSymmetry(symmetry: Untrusted): Symmetry {
   return {
     axis: symmetry.at('axis').oneOf<Symmetry['axis']>(['x', 'y', 'z']),
     through: symmetry.at('through').oneOf<Symmetry['through']>(['centre', 'origin']),
   };
 }
 
-function readOptions(options: Field): SolverOptions {
-  const read = (each: Field): number | boolean => (typeof each.value === 'boolean' ? each.value : each.number());
+function readOptions(options: Untrusted): SolverOptions {
+  const read = (each: Untrusted): number | boolean => (typeof each.value === 'boolean' ? each.value : each.number());
   return Object.fromEntries(options.fields().map(([name, each]) => [name, read(each)]));
 }
 
-export function readView(view: Field): Scene['view'] {
+export function readView(view: Untrusted): Scene['view'] {
   return {
     camera: view.at('camera').value === null ? null : readCamera(view.at('camera')),
     field: view.at('field').oneOf(FIELD_NAMES),
@@ -129,7 +129,7 @@ export function readView(view: Field): Scene['view'] {
   };
 }
 
-function readEnds(ends: Field): ViewState['ends'] {
+function readEnds(ends: Untrusted): ViewState['ends'] {
   const read = (name: FieldName) =>
     ends.at(name).maybe((pair): Ends => {
       const [low = NaN, high = NaN, ...more] = pair.list().map((each) => each.number());
@@ -139,7 +139,7 @@ function readEnds(ends: Field): ViewState['ends'] {
   return given(Object.fromEntries(names.map((name) => [name, read(name)])));
 }
 
-function readCamera(camera: Field): NonNullable<ViewState['camera']> {
+function readCamera(camera: Untrusted): NonNullable<ViewState['camera']> {
   const [x, y, z, u, v, w, ...more] = camera.list().map((each) => each.number());
   const complete =
     x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;

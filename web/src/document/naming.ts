@@ -1,7 +1,7 @@
 /** What the history calls a change, so that it can be said in any language: a sentence of `words.history`, and what it speaks
  *  of. In projects of older versions it is the words themselves. */
 import { type Words, words } from '../language/language';
-import type { Field } from './field';
+import type { Untrusted } from './untrusted';
 
 export type ChangeName = string | readonly [Sentence, ...Term[]];
 type Sentence = Exclude<keyof Words['history'], 'title' | 'hint' | 'one' | 'several'>;
@@ -39,8 +39,8 @@ export function writeName(name: ChangeName): object {
   return typeof name === 'string' ? { name } : { name: sentenceOf(name), change: name };
 }
 
-/** The words, if there is no more or if it comes from a newer version. Throws FieldError. */
-export function readName(entry: Field): ChangeName {
+/** The words, if there is no more or if it comes from a newer version. Throws a Failure that says what is wrong, and where. */
+export function readName(entry: Untrusted): ChangeName {
   const name = entry.at('name').text(LONGEST);
   const { value } = entry.at('change');
   return isKnown(value) ? value : name;

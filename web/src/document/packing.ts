@@ -7,6 +7,7 @@
  */
 
 import { deviation, edgeLengths } from '../net/edge_lengths';
+import { Failure } from '../failure';
 
 /** The part of an opened net that packing looks at; both sides must have the same, numbered alike (numbering.ts). */
 export interface PackingNet {
@@ -24,11 +25,6 @@ const STEP = 1e-4;
 const HALVINGS = 5;
 /** No displacement of a net is so many steps long; more is damage. */
 const LARGEST = 2 ** 48;
-
-/** Packed positions that do not belong to the net, or are damaged. */
-export class PackingError extends Error {
-  readonly code = 'bad_link';
-}
 
 /**
  * Packs `positions` so that every vertex comes back within 1e-4 of the shortest rest edge. If all edges have dL below
@@ -48,7 +44,8 @@ export function packPositions(positions: Float64Array, net: PackingNet, threshol
   return Uint8Array.from(bytes);
 }
 
-/** The positions that `packPositions` packed for this net. Throws PackingError. */
+/** The positions that `packPositions` packed for this net. Throws a Failure, "bad_link", if they are damaged
+ *  or belong to another net. */
 export function unpackPositions(packed: Uint8Array, net: PackingNet): Float64Array {
   if (packed.length < 8) throw damaged();
   const step = new DataView(packed.buffer, packed.byteOffset).getFloat64(0, true);
@@ -67,8 +64,8 @@ export function unpackPositions(packed: Uint8Array, net: PackingNet): Float64Arr
   return positions;
 }
 
-function damaged(): PackingError {
-  return new PackingError('The positions in this link are damaged or belong to another net.');
+function damaged(): Failure {
+  return new Failure('bad_link', 'The positions in this link are damaged or belong to another net.');
 }
 
 // ------------------------------------------------------------------------------------------------------------ the step

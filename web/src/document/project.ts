@@ -3,11 +3,12 @@
  * one JSON file, where positions are the base64 of their 64-bit floats. Nets and positions that states share are
  * written once.
  */
+import { Failure } from '../failure';
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
 import { writeState, writeView } from './codec';
 import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
-import { Field } from './field';
+import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
 import type { Entry, Snapshot } from './undo';
@@ -97,20 +98,20 @@ function bytesOf({ buffer, byteOffset, byteLength }: Float64Array): Uint8Array {
 
 // ------------------------------------------------------------------------------------------------------------- reading
 
-/** The project of a file. Throws an Error that says what is wrong with it, and where. */
+/** The project of a file. Throws a Failure that says what is wrong with it, and where. */
 export function parseProject(text: string): Project {
   let value: unknown;
   try {
     value = JSON.parse(text);
   } catch {
-    throw new Error(words.projects.noJson);
+    throw new Failure('bad_project', words.projects.noJson);
   }
   return readProject(value);
 }
 
-/** The project of a record. Throws FieldError. */
+/** The project of a record. Throws a Failure that says what is wrong, and where. */
 export function readProject(value: unknown): Project {
-  const project = new Field(value);
+  const project = new Untrusted(value);
   const reader = readerOfProject(project);
   const nets = project
     .at('nets')
@@ -123,17 +124,17 @@ export function readProject(value: unknown): Project {
   return { entries, present: project.at('present').index(entries.length), view: reader.view(project.at('view')) };
 }
 
-function readerOfProject(project: Field): Reader {
+function readerOfProject(project: Untrusted): Reader {
   const version = project.isRecord ? project.at('chebnet').value : undefined;
-  if (version === undefined) throw new Error(words.projects.foreign);
+  if (version === undefined) throw new Failure('bad_project', words.projects.foreign);
   const reader = readerOf(version);
-  if (reader === undefined) throw new Error(words.projects.otherVersion);
+  if (reader === undefined) throw new Failure('bad_project', words.projects.otherVersion);
   return reader;
 }
 
 function readEntry(
   reader: Reader,
-  field: Field,
+  field: Untrusted,
   nets: readonly NetSource[],
   positions: readonly Float64Array[],
 ): Entry {
@@ -149,17 +150,17 @@ function readEntry(
   return { name: readName(field), state };
 }
 
-function withTarget({ target, ...handle }: HandleSeed, handles: Field): HandleData {
+function withTarget({ target, ...handle }: HandleSeed, handles: Untrusted): HandleData {
   return { ...handle, target: target ?? handles.fail(words.fields.targets) };
 }
 
-function readPositions(field: Field): Float64Array {
+function readPositions(field: Untrusted): Float64Array {
   const positions = field.value instanceof Float64Array ? field.value : decode(field);
   if (positions.length % 3 !== 0 || !positions.every(Number.isFinite)) field.fail(words.fields.positions);
   return positions;
 }
 
-function decode(field: Field): Float64Array {
+function decode(field: Untrusted): Float64Array {
   const text = field.text();
   try {
     return new Float64Array(fromBase64(text).buffer);

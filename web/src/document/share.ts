@@ -8,12 +8,12 @@ import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
 import { writeState, writeView } from './codec';
 import type { ChebnetDocument, Scene } from './document';
-import { Field } from './field';
-import { LinkError } from './link_error';
+import { Untrusted } from './untrusted';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
 import { readerOf, VERSION } from './versions';
 import type { Reader } from './versions';
+import { Failure } from '../failure';
 
 /** Chat programs cut longer links. */
 export const LONG_LINK = 2_000;
@@ -46,12 +46,12 @@ export function encodeScene(
   return small.length <= largest ? { hash: small, positions: false } : { hash: null };
 }
 
-/** The scene of a hash (with or without its `#`). Throws LinkError. */
+/** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */
 export function decodeScene(hash: string): Scene {
   const tag = /^#?v([1-9]\d*)=/.exec(hash);
-  if (tag === null) throw new LinkError('foreign_link', words.link.foreign);
+  if (tag === null) throw new Failure('foreign_link', words.link.foreign);
   const reader = readerOf(Number(tag[1]));
-  if (reader === undefined) throw new LinkError('foreign_link', words.link.otherVersion);
+  if (reader === undefined) throw new Failure('foreign_link', words.link.otherVersion);
   const content = inflate(fromUrl(hash.slice(tag[0].length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
   if (!(headerEnd <= content.length)) throw damaged();
@@ -90,8 +90,8 @@ function toUrl(base64: string): string {
 
 // ------------------------------------------------------------------------------------------------------------- reading
 
-function damaged(): LinkError {
-  return new LinkError('bad_link', words.link.damaged);
+function damaged(): Failure {
+  return new Failure('bad_link', words.link.damaged);
 }
 
 function fromUrl(text: string): Uint8Array {
@@ -130,7 +130,7 @@ function inflate(deflated: Uint8Array): Uint8Array {
 
 function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array | null): Scene {
   try {
-    const head = new Field(JSON.parse(strFromU8(json)));
+    const head = new Untrusted(JSON.parse(strFromU8(json)));
     return {
       ...reader.state(head),
       net: reader.net(head.at('net')),

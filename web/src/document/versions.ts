@@ -9,13 +9,13 @@
 import { readNet, readNumbering, readState, readView } from './codec';
 import type { State } from './codec';
 import type { HandleSeed, NetSource, ViewState } from './document';
-import type { Field } from './field';
+import type { Untrusted } from './untrusted';
 
-/** Reads the parts of a scene or project. All throw FieldError. */
+/** Reads the parts of a scene or project. All throw a Failure if it is none. */
 export interface Reader {
-  net(net: Field): NetSource;
-  state(state: Field): State<HandleSeed>;
-  view(view: Field): ViewState;
+  net(net: Untrusted): NetSource;
+  state(state: Untrusted): State<HandleSeed>;
+  view(view: Untrusted): ViewState;
 }
 
 const first: Reader = { net: readNet, state: readState, view: readView };

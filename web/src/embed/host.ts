@@ -1,16 +1,19 @@
 /** Answers the page that embeds this one; see protocol.ts. */
+import { Untrusted } from '../document/untrusted';
+import { codeOf, Failure, messageOf } from '../failure';
 import type { Scripting } from '../scripting';
-import { readEvent, readHandles, readLocality, readNet, readOptions, readPoint, readVertex } from './arguments';
-import type { Answer, CallName, EmbedEvent, Failure, HostCall, News } from './protocol';
+import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from './arguments';
+import type { Answer, CallName, EmbedEvent, HostCall, HostFailure, News } from './protocol';
 
 /** Calls of a host that have no answer yet. */
 const MOST_UNANSWERED = 100;
 const LONGEST_ID = 64;
+const BAD_ARGUMENTS = 'bad_arguments';
 
 type Post = (message: Answer | News) => void;
 
 export class Host {
-  readonly #calls: Record<CallName, (args: readonly unknown[]) => unknown>;
+  readonly #calls: Record<CallName, (first: Untrusted, second: Untrusted) => unknown>;
   readonly #post: Post;
   readonly #subscriptions = new Map<EmbedEvent, () => void>();
   #unanswered = 0;
@@ -18,20 +21,20 @@ export class Host {
   constructor(script: Scripting, post: Post) {
     this.#post = post;
     this.#calls = {
-      open: ([net]) => script.open(readNet(net)),
-      setHandles: ([handles]) => script.setHandles(readHandles(handles)),
-      move: ([vertex, target]) => script.move(readVertex(vertex), readPoint(target)),
-      setLocality: ([radius]) => script.setLocality(readLocality(radius)),
+      open: (net) => script.open(readNet(net)),
+      setHandles: (handles) => script.setHandles(readHandles(handles)),
+      move: (vertex, target) => script.move(readVertex(vertex), target.point()),
+      setLocality: (radius) => script.setLocality(readLocality(radius)),
       settled: () => script.settled(),
       positions: () => script.positions(),
       edges: () => script.edges(),
       handles: () => script.handles(),
       stats: () => script.stats(),
-      setOptions: ([options]) => script.setOptions(readOptions(options)),
-      screenPosition: ([vertex]) => script.screenPosition(readVertex(vertex)),
+      setOptions: (options) => script.setOptions(readOptions(options)),
+      screenPosition: (vertex) => script.screenPosition(readVertex(vertex)),
       link: () => script.link(),
-      on: ([event]) => this.#subscribe(script, readEvent(event)),
-      off: ([event]) => this.#unsubscribe(readEvent(event)),
+      on: (event) => this.#subscribe(script, readEvent(event)),
+      off: (event) => this.#unsubscribe(readEvent(event)),
     };
   }
 
@@ -48,12 +51,14 @@ export class Host {
   }
 
   async #run({ call, args = [] }: HostCall): Promise<unknown> {
-    if (!Object.hasOwn(this.#calls, call)) throw failure('unknown_call', 'there is no such call');
-    if (!Array.isArray(args)) throw failure('bad_arguments', 'args must be a list');
-    if (this.#unanswered >= MOST_UNANSWERED) throw failure('busy', `${MOST_UNANSWERED} calls wait for their answers`);
+    if (!Object.hasOwn(this.#calls, call)) throw new Failure('unknown_call', 'there is no such call');
+    const given = new Untrusted(args, 'args', BAD_ARGUMENTS).list();
+    const argument = (i: number) => given[i] ?? new Untrusted(undefined, `args[${i}]`, BAD_ARGUMENTS);
+    if (this.#unanswered >= MOST_UNANSWERED)
+      throw new Failure('busy', `${MOST_UNANSWERED} calls wait for their answers`);
     this.#unanswered += 1;
     try {
-      return await this.#calls[call](args);
+      return await this.#calls[call](argument(0), argument(1));
     } finally {
       this.#unanswered -= 1;
     }
@@ -81,11 +86,6 @@ function readCall(data: unknown): HostCall | null {
   return chebnet === 1 && named && typeof call === 'string' ? (data as HostCall) : null;
 }
 
-function failure(code: string, message: string): Error {
-  return Object.assign(new Error(message), { code });
-}
-
-function failureOf(error: unknown): Failure {
-  const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
-  return { code, message: error instanceof Error ? error.message : String(error) };
+function failureOf(error: unknown): HostFailure {
+  return { code: codeOf(error), message: messageOf(error) };
 }

@@ -44,10 +44,10 @@ export interface HostCall {
 
 export type Answer =
   | { chebnet: 1; id: number | string; result: unknown }
-  | { chebnet: 1; id: number | string; error: Failure };
+  | { chebnet: 1; id: number | string; error: HostFailure };
 
 /** `code` as in core/base/error.h; besides, `unknown_call`, `bad_arguments`, `busy` and `no_origin`. */
-export interface Failure {
+export interface HostFailure {
   code: string;
   message: string;
 }
@@ -56,4 +56,4 @@ export interface Failure {
 export type News =
   | { chebnet: 1; event: 'ready' }
   | { chebnet: 1; event: 'frame' | 'settled'; stats: Stats }
-  | { chebnet: 1; event: 'error'; error: Failure };
+  | { chebnet: 1; event: 'error'; error: HostFailure };

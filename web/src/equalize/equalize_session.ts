@@ -2,6 +2,7 @@
 import type { Chebnet, Equalizer, Mesh } from '../../../wasm/chebnet';
 import { objText } from '../files/obj_text';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
+import { codeOf, messageOf } from '../failure';
 
 /** Milliseconds between two pieces of news; one iteration is the least. */
 const SLICE = 80;
@@ -16,8 +17,8 @@ export function equalize(
     post(solveToTheEnd(equalizer, mesh, post));
     equalizer.dispose();
   } catch (error) {
-    const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
-    post({ type: 'error', code, message: error instanceof Error ? error.message : String(error) });
+    const code = codeOf(error);
+    post({ type: 'error', code, message: messageOf(error) });
   }
 }
 

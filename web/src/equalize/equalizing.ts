@@ -1,6 +1,7 @@
 /** The page's side of the equalizing worker. */
 import { words } from '../language/language';
 import type { Equalized, EqualizeNews, EqualizeRequest, EqualizeResponse } from './equalize_protocol';
+import { Failure } from '../failure';
 
 /** The part of a `Worker` that is used. */
 export interface EqualizeWorkerLike {
@@ -24,9 +25,9 @@ export class Equalizing {
       this.#worker.onmessage = ({ data }) => {
         if (data.type === 'news') news(data);
         else if (data.type === 'ended') resolve(data);
-        else reject(new Error(words.core.failure(data.code, data.message)));
+        else reject(new Failure(data.code, words.core.failure(data.code, data.message)));
       };
-      this.#worker.onerror = ({ message }) => reject(new Error(message));
+      this.#worker.onerror = ({ message }) => reject(new Failure('worker_lost', message));
     });
     this.#worker.postMessage(request);
     return ended.finally(() => this.close());

@@ -2,10 +2,10 @@
  *  open unsolved, so that whoever looks can watch the solve. */
 import { DEFAULT_VIEW } from '../document/defaults';
 import type { Scene } from '../document/document';
-import { LinkError } from '../document/link_error';
 import { editScene } from './edits';
 import { type Figure, findFigure, settingsOf, textOf } from './figures';
 import { texts } from './texts';
+import { Failure } from '../failure';
 
 const LINK = '#experiment=';
 
@@ -17,7 +17,7 @@ export function experimentLink(name: string, edit = 0, variant = 0): string {
   return LINK + name + (edit > 0 ? `&edit=${edit}` : '') + (variant > 0 ? `&variant=${variant}` : '');
 }
 
-/** The scene of a link. Throws LinkError. */
+/** The scene of a link. Throws a Failure. */
 export async function experimentScene(hash: string): Promise<Scene> {
   const query = new URLSearchParams(hash.slice(1));
   const name = query.get('experiment');
@@ -48,6 +48,6 @@ function placeOf(figure: Figure, name: string, variant: number): number {
   return name === figure.name ? variant : (figure.was?.[name]?.[variant] ?? NaN);
 }
 
-function refusal(sentence: string): LinkError {
-  return new LinkError('foreign_link', sentence);
+function refusal(sentence: string): Failure {
+  return new Failure('foreign_link', sentence);
 }

@@ -2,6 +2,7 @@
 import rhinoUrl from 'rhino3dm/rhino3dm.wasm?url';
 import type { ExportAnswer, ExportJob } from './job';
 import { patternSvg } from './pattern_svg';
+import { messageOf } from '../failure';
 
 async function answer(job: ExportJob): Promise<ExportAnswer> {
   switch (job.kind) {
@@ -20,7 +21,7 @@ async function answer(job: ExportJob): Promise<ExportAnswer> {
 
 self.onmessage = ({ data }: MessageEvent<ExportJob>) => {
   const failed = (error: unknown): ExportAnswer => ({
-    message: error instanceof Error ? error.message : String(error),
+    message: messageOf(error),
   });
   answer(data)
     .catch(failed)

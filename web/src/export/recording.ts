@@ -1,6 +1,7 @@
 /** A film of the view, as the browser can make one. */
 import { words } from '../language/language';
 import type { Film } from '../view/view';
+import { Failure } from '../failure';
 
 /** A film runs no longer, in seconds. */
 export const LONGEST = 60;
@@ -48,7 +49,7 @@ export class Recording {
     return new Promise((resolve, reject) => {
       this.#recorder.ondataavailable = ({ data }) => pieces.push(data);
       this.#recorder.onstop = () => resolve(new Blob(pieces, { type }));
-      this.#recorder.onerror = () => reject(new Error(words.recording.broken));
+      this.#recorder.onerror = () => reject(new Failure('no_film', words.recording.broken));
       this.#recorder.start();
     });
   }

@@ -11,6 +11,7 @@ import type { ExportAnswer, ExportJob } from './job';
 import { typeOf } from './kinds';
 import type { SaveWish } from './kinds';
 import { vertexColours } from './paint';
+import { Failure } from '../failure';
 
 /** What is saved. */
 export interface Saveable {
@@ -54,7 +55,7 @@ async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWo
 
 async function drawing(app: Saveable, { edgeMm }: SaveWish, { document, net }: Opening): Promise<ExportJob> {
   const pattern = await app.flatPattern();
-  if ('reason' in pattern) throw new Error(patternFaultWords(pattern));
+  if ('reason' in pattern) throw new Failure('no_pattern', patternFaultWords(pattern));
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   const loops = { start: net.loopStart, vertices: net.loopVertices };
   return {
@@ -97,7 +98,7 @@ function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> 
 
 function bytesOf(answer: ExportAnswer): Uint8Array<ArrayBuffer> {
   if ('bytes' in answer) return answer.bytes;
-  throw new Error(words.save.failed(answer.message));
+  throw new Failure('not_saved', words.save.failed(answer.message));
 }
 
 function patternFaultWords(fault: PatternFault): string {

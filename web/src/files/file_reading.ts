@@ -2,9 +2,9 @@
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { OpenedNet } from '../worker/protocol';
-import { FileError } from './file_error';
 import type { FileRequest, FileResponse, Stage } from './file_protocol';
 import type { FileReport } from './file_report';
+import { Failure } from '../failure';
 
 /** The part of a `Worker` that is used. */
 export interface FileWorkerLike {
@@ -16,7 +16,7 @@ export interface FileWorkerLike {
 
 interface Waiting {
   resolve(response: FileResponse): void;
-  reject(error: FileError): void;
+  reject(error: Failure): void;
 }
 
 /**
@@ -35,7 +35,7 @@ export class FileReading {
     this.#worker.onerror = ({ message }) => this.#fail('internal', message || dialogWords.file.notStarted);
   }
 
-  /** Throws FileError with what the core says. */
+  /** Throws Failure with what the core says. */
   async report(file: Blob, name: string): Promise<FileReport> {
     const response = await this.#ask({ type: 'read', file, name });
     if (response.type !== 'report') throw unexpected(response);
@@ -75,10 +75,10 @@ export class FileReading {
   }
 
   #fail(code: string, message: string): void {
-    this.#waiting?.reject(new FileError(code, message));
+    this.#waiting?.reject(new Failure(code, message));
   }
 }
 
-function unexpected({ type }: FileResponse): FileError {
-  return new FileError('internal', `The file reader answered with "${type}".`);
+function unexpected({ type }: FileResponse): Failure {
+  return new Failure('internal', `The file reader answered with "${type}".`);
 }

@@ -5,6 +5,7 @@ import type { FileRequest, FileResponse, Stage } from './file_protocol';
 import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
 import { objText } from './obj_text';
+import { Failure, codeOf, messageOf } from '../failure';
 
 export class FileSession {
   readonly #core: Chebnet;
@@ -22,8 +23,8 @@ export class FileSession {
       else if (request.type === 'take') this.#post({ type: 'text', obj: objText(this.#take(request.repaired)) });
       else this.#post({ type: 'net', net: withEditor(this.#core, this.#take(request.repaired), describe) });
     } catch (error) {
-      const code = error instanceof Error && 'code' in error ? String(error.code) : 'internal';
-      this.#post({ type: 'error', code, message: error instanceof Error ? error.message : String(error) });
+      const code = codeOf(error);
+      this.#post({ type: 'error', code, message: messageOf(error) });
     }
   }
 
@@ -41,7 +42,7 @@ export class FileSession {
   }
 
   #take(repaired: boolean): Mesh {
-    if (this.#mesh === null) throw failure('no_net', 'No file was read.');
+    if (this.#mesh === null) throw new Failure('no_net', 'No file was read.');
     return repaired ? this.#mesh.repaired : this.#mesh.given;
   }
 
@@ -54,7 +55,7 @@ async function bytesOf(file: Blob, name: string): Promise<Uint8Array> {
   try {
     return new Uint8Array(await file.arrayBuffer());
   } catch {
-    throw failure('file_access', `${name} could not be read; perhaps it is a folder.`);
+    throw new Failure('file_access', `${name} could not be read; perhaps it is a folder.`);
   }
 }
 
@@ -63,11 +64,7 @@ function inFile<T>(name: string, doing: () => T): T {
   try {
     return doing();
   } catch (error) {
-    if (error instanceof Error && 'code' in error) throw failure(String(error.code), `${name}: ${error.message}`);
+    if (error instanceof Error && 'code' in error) throw new Failure(String(error.code), `${name}: ${error.message}`);
     throw error;
   }
-}
-
-function failure(code: string, message: string): Error {
-  return Object.assign(new Error(message), { code });
 }

@@ -13,7 +13,7 @@ export function hashOf(app: App, largest?: number): Shared {
   return present === null ? { hash: null } : encodeScene(present.document, present.net, present.threshold, largest);
 }
 
-/** The scene of a hash. Throws LinkError. */
+/** The scene of a hash. Throws a Failure. */
 export async function sceneOf(hash: string): Promise<Scene> {
   return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
 }

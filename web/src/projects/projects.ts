@@ -4,7 +4,6 @@ import { defaultScene } from '../document/defaults';
 import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
 import { download } from '../files/download';
 import { baseNameOf } from '../document/file_name';
-import { FileError } from '../files/file_error';
 import { words } from '../language/language';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
@@ -12,6 +11,7 @@ import { claim, findLast, findNewest, isOwn, newId } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
 import { clearMark, isMarked, setMark } from './mark';
+import { Failure, messageOf } from '../failure';
 
 export class Projects {
   readonly #app: App;
@@ -101,7 +101,7 @@ export class Projects {
     location.reload();
   }
 
-  /** Throws FileError if it is too large. */
+  /** Throws a Failure if it is too large. */
   save(): void {
     const project = this.#app.project();
     if (project === null) return;
@@ -124,10 +124,7 @@ export class Projects {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
       if (isCancelled(error)) throw error;
-      throw new FileError(
-        'bad_project',
-        words.projects.fault(file.name, error instanceof Error ? error.message : String(error)),
-      );
+      throw new Failure('bad_project', words.projects.fault(file.name, messageOf(error)));
     }
     this.#autosave.begin(newId(), true);
     this.#app.say(words.projects.opened);
@@ -187,5 +184,5 @@ export class Projects {
 
 function checkSize(name: string, bytes: number): void {
   if (bytes <= LARGEST_PROJECT) return;
-  throw new FileError('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), LARGEST_PROJECT / 1e6));
+  throw new Failure('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), LARGEST_PROJECT / 1e6));
 }

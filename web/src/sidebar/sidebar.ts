@@ -22,6 +22,7 @@ import { makeLanguageChoice } from './language_choice';
 import { createSections } from './sections';
 import { StatusRow } from './status_row';
 import type { Wireframe } from './thumbnail';
+import { messageOf } from '../failure';
 import '../overlay/overlay.css';
 import './sidebar.css';
 
@@ -42,7 +43,7 @@ class Sidebar implements Panels {
   private timer = 0;
 
   constructor(root: HTMLElement, events: PanelEvents) {
-    const failed = (error: unknown): void => this.say(error instanceof Error ? error.message : String(error), 'error');
+    const failed = (error: unknown): void => this.say(messageOf(error), 'error');
     const experiments = new ExperimentsPlace(events, failed);
     const toolbar = new Toolbar(events);
     const over: Panel[] = [

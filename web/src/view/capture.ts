@@ -3,6 +3,7 @@ import { Color, type Scene, SRGBColorSpace, type Vector2, type WebGLRenderer } f
 import { words } from '../language/language';
 import type { Theme } from './theme';
 import type { Film } from './view';
+import { Failure } from '../failure';
 
 /** Pictures a second in a film. */
 const FILM_RATE = 30;
@@ -20,7 +21,8 @@ export function takePicture(
   // The canvas can be read only in the task that has drawn it; and the screen shows only what the task leaves on it.
   draw();
   const picture = new Promise<Blob>((resolve, reject) => {
-    const take = (blob: Blob | null): void => (blob ? resolve(blob) : reject(new Error(words.view.pictureFailed)));
+    const take = (blob: Blob | null): void =>
+      blob ? resolve(blob) : reject(new Failure('no_picture', words.view.pictureFailed));
     renderer.domElement.toBlob(take, 'image/png');
   });
   renderer.setPixelRatio(ratio);

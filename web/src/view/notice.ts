@@ -2,6 +2,7 @@
 import { words } from '../language/language';
 import { makeButton } from '../elements/dom';
 import type { View } from './view';
+import { Failure } from '../failure';
 
 /** @param wayOut what may help, under its name. */
 export function createNotice(container: HTMLElement): {
@@ -53,9 +54,9 @@ export function createBlankView(container: HTMLElement): View {
     frameAll() {},
     camera: () => nowhere,
     setCamera() {},
-    picture: () => Promise.reject(new Error(words.view.noPicture)),
+    picture: () => Promise.reject(new Failure('no_picture', words.view.noPicture)),
     film: () => {
-      throw new Error(words.view.noPicture);
+      throw new Failure('no_picture', words.view.noPicture);
     },
     framesPerSecond: () => 0,
     screenPosition: () => ({ x: 0, y: 0 }),

@@ -1,11 +1,12 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
- *  old one is lost. */
+ *  old one is lost. Failures have the core's code and message, or "worker_lost", or "cancelled", by `cancelOpening`. */
 import type { Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import type { ThumbnailNet } from './thumbnail_net';
+import { Failure, codeOf } from '../failure';
 
 /** The part of a `Worker` that the client uses. */
 export interface WorkerLike {
@@ -24,24 +25,14 @@ export interface ClientHost {
   frame(frame: FrameData, settled: boolean): void;
   /** A worker was lost, or ended by `cancelOpening`. Another has opened the document; unless `isBack`, it could not, and no
    *  net is open. */
-  restarted(why: SolverError, isBack: boolean): void;
+  restarted(why: Failure, isBack: boolean): void;
   /** A solve was given up; the net stays as the last frame has it. */
-  gaveUp(why: SolverError): void;
-}
-
-/** A failure on the other side, with the core's code and message; or "worker_lost"; or "cancelled", by `cancelOpening`. */
-export class SolverError extends Error {
-  constructor(
-    readonly code: string,
-    message: string,
-  ) {
-    super(message);
-  }
+  gaveUp(why: Failure): void;
 }
 
 /** Whether somebody wanted it to fail. */
 export function isCancelled(error: unknown): boolean {
-  return error instanceof SolverError && error.code === 'cancelled';
+  return codeOf(error) === 'cancelled';
 }
 
 export interface Opened {
@@ -57,7 +48,7 @@ type Body = WithoutId<Request>;
 interface Waiting {
   type: Request['type'];
   resolve(response: Response): void;
-  reject(error: SolverError): void;
+  reject(error: Failure): void;
 }
 
 interface PendingDrag {
@@ -142,7 +133,7 @@ export class Client {
    *  listen: it is ended, and another takes its place. */
   cancelOpening(): void {
     if (![...this.#waiting.values()].some(({ type }) => type === 'open')) return;
-    const why = new SolverError('cancelled', words.solver.openingCancelled);
+    const why = new Failure('cancelled', words.solver.openingCancelled);
     const back = this.#hasNet ? { settled: !this.solving } : this.#returning;
     this.#endWorker(why);
     if (back !== null) this.#bringBack(back, why);
@@ -230,7 +221,7 @@ export class Client {
     return new Promise((resolve, reject) => {
       const take = (response: Response): void => {
         if (response.type === answer) resolve(response as Answered<T>);
-        else reject(new SolverError('internal', `The solver answered "${body.type}" with "${response.type}".`));
+        else reject(new Failure('internal', `The solver answered "${body.type}" with "${response.type}".`));
       };
       this.#waiting.set(id, { type: body.type, resolve: take, reject });
       this.#post({ id, ...body } as Request);
@@ -273,7 +264,7 @@ export class Client {
     const waiting = this.#waiting.get(response.id);
     this.#waiting.delete(response.id);
     if (response.type === 'error') {
-      const why = new SolverError(response.code, words.core.failure(response.code, response.message));
+      const why = new Failure(response.code, words.core.failure(response.code, response.message));
       if (waiting === undefined) return this.#host.gaveUp(why);
       // What failed changed nothing, so the news of what went on before still counts.
       if (this.#barrier === response.id) this.#barrier = 0;
@@ -313,7 +304,7 @@ export class Client {
 
   /** The net is not solved on: that may be what broke the worker. */
   #lose(reason: string): void {
-    const why = new SolverError('worker_lost', reason);
+    const why = new Failure('worker_lost', reason);
     const [hadNet, hopeful] = [this.#hasNet, this.#proven];
     this.#endWorker(why);
     if (hadNet && hopeful) this.#bringBack({ settled: true }, why);
@@ -321,7 +312,7 @@ export class Client {
     this.#rest();
   }
 
-  #endWorker(why: SolverError): void {
+  #endWorker(why: Failure): void {
     this.#worker?.terminate();
     this.#worker = null;
     this.#hasNet = false;
@@ -332,7 +323,7 @@ export class Client {
   }
 
   /** Opens the document in a new worker. */
-  #bringBack(back: Pick<OpenScene, 'settled'>, why: SolverError): void {
+  #bringBack(back: Pick<OpenScene, 'settled'>, why: Failure): void {
     const document = this.#host.document();
     if (document === null) return;
     this.#returning = back;

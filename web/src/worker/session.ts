@@ -9,6 +9,7 @@ import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import { Failure, codeOf, messageOf } from '../failure';
 
 /** Milliseconds of solving between two looks at the messages; one iteration is the least. */
 const SLICE = 12;
@@ -139,7 +140,7 @@ export class Session {
 
   #hello(version: number): Answer {
     if (version !== PROTOCOL_VERSION) {
-      throw failure('version', 'Page and solver are of different versions; load the page again.');
+      throw new Failure('version', 'Page and solver are of different versions; load the page again.');
     }
     const { shapes, methods, initialisations, formats, options } = this.#core;
     const tables = {
@@ -231,7 +232,7 @@ export class Session {
       late.shift();
       this.#refuse(
         request.id,
-        failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`),
+        new Failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`),
       );
     }
     this.#late = null;
@@ -284,7 +285,7 @@ export class Session {
   }
 
   #solveFailed(error: unknown): void {
-    const code = codeOf(error);
+    const code = codeOf(error, CRASHED);
     // Hard problems end with a status; what else throws is broken.
     if (code !== TOO_LARGE)
       return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
@@ -362,7 +363,7 @@ export class Session {
   }
 
   #net(): Editor {
-    if (this.#editor === null) throw failure('no_net', 'No net is open.');
+    if (this.#editor === null) throw new Failure('no_net', 'No net is open.');
     return this.#editor;
   }
 
@@ -375,30 +376,18 @@ export class Session {
   }
 
   #refuse(id: number, error: unknown): void {
-    this.#post({ id, type: 'error', code: codeOf(error), message: messageOf(error) });
+    this.#post({ id, type: 'error', code: codeOf(error, CRASHED), message: messageOf(error) });
   }
 }
 
 /** Only a trap of the module comes without a code; see wasm/chebnet.d.ts. */
-function codeOf(error: unknown): string {
-  return error instanceof Error && 'code' in error ? String(error.code) : CRASHED;
-}
-
-function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
-
-function failure(code: string, message: string): Error {
-  return Object.assign(new Error(message), { code });
-}
-
 function openNet(core: Editors, net: OpenScene['net']): Editor {
   return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
 }
 
 function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
   if (numbering === undefined || numbering === numberingOf(editor)) return;
-  throw failure(
+  throw new Failure(
     'other_numbering',
     'This net is numbered otherwise than when it was saved: its shape and handles would belong to other vertices.',
   );

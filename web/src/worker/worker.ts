@@ -7,6 +7,7 @@ import { CRASHED } from './protocol';
 import type { Request, Response } from './protocol';
 import { Session } from './session';
 import { warmUp } from './warm_up';
+import { messageOf } from '../failure';
 
 const WARM_UP_DELAY = 100;
 
@@ -53,6 +54,6 @@ async function wholeCore(): Promise<Editors> {
 Promise.all([loadEditors({ wasmUrl }), holdOwnLock()])
   .then(([core]) => start(core))
   .catch((error: unknown) => {
-    const message = `The solver could not be loaded: ${error instanceof Error ? error.message : String(error)}`;
+    const message = `The solver could not be loaded: ${messageOf(error)}`;
     post({ id: 0, type: 'error', code: CRASHED, message }, []);
   });

@@ -1,33 +1,28 @@
-/** Reading foreign data field by field: what is not as it must be is an error that says what and where. */
+/** Reads data from outside (links, projects, messages of other pages) field by field: what is not as it must be is a failure
+ *  that says what and where. */
+import { Failure } from '../failure';
 import { words } from '../language/language';
 import type { Vec3 } from './document';
 
-/** `path`: where, e.g. `states[3].handles[0]`. */
-export class FieldError extends Error {
-  constructor(
-    readonly path: string,
-    expected: string,
-  ) {
-    super(words.fields.must(path, expected));
-  }
-}
-
-/** A value from outside and where it was found. Every method but `at` and `maybe` throws FieldError if it is no such thing. */
-export class Field {
+/** A value from outside, and where it was found, e.g. `states[3].handles[0]`. Every method but `at` and `maybe` throws a
+ *  Failure if it is no such thing. */
+export class Untrusted {
+  /** @param code of that failure. */
   constructor(
     readonly value: unknown,
     readonly path = '',
+    readonly code = 'bad_data',
   ) {}
 
   /** A field of a record; if it is missing, its value is undefined. */
-  at(name: string): Field {
+  at(name: string): Untrusted {
     const path = this.path === '' ? name : `${this.path}.${name}`;
     const fields = this.record();
-    return new Field(Object.hasOwn(fields, name) ? fields[name] : undefined, path);
+    return this.#part(Object.hasOwn(fields, name) ? fields[name] : undefined, path);
   }
 
   /** What `read` makes of it, or undefined if it is missing. */
-  maybe<T>(read: (field: Field) => T): T | undefined {
+  maybe<T>(read: (value: Untrusted) => T): T | undefined {
     return this.value === undefined ? undefined : read(this);
   }
 
@@ -40,13 +35,13 @@ export class Field {
     return this.value as Record<string, unknown>;
   }
 
-  fields(): [name: string, field: Field][] {
+  fields(): [name: string, value: Untrusted][] {
     return Object.keys(this.record()).map((name) => [name, this.at(name)]);
   }
 
-  list(): Field[] {
-    if (!Array.isArray(this.value)) this.fail(words.fields.list);
-    return this.value.map((each: unknown, i) => new Field(each, `${this.path}[${i}]`));
+  list(longest = Infinity): Untrusted[] {
+    if (!Array.isArray(this.value) || this.value.length > longest) this.fail(words.fields.list);
+    return this.value.map((each: unknown, i) => this.#part(each, `${this.path}[${i}]`));
   }
 
   text(longest = Infinity): string {
@@ -82,6 +77,10 @@ export class Field {
   }
 
   fail(expected: string): never {
-    throw new FieldError(this.path, expected);
+    throw new Failure(this.code, words.fields.must(this.path, expected));
+  }
+
+  #part(value: unknown, path: string): Untrusted {
+    return new Untrusted(value, path, this.code);
   }
 }
