@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 const PAGE = 4096;
 
 /** Command lines of processes that run pages: heaps of scripts and WebAssembly are theirs. */
-const RUNS_PAGES = /--type=renderer|-contentproc.*\0tab\0?$|WebKitWebProcess/;
+const RUNS_PAGES = /--type=renderer|-contentproc.*\btab\b|WebKitWebProcess/;
 
 /** Bytes in memory that this process's descendants, the browser, share with nobody. The only count that there is in every
  *  engine. `pages`: of those that run pages; `all`: with what draws them, and what the browser keeps for itself. */
