@@ -4,6 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { dialogs as dialogsInEnglish } from '../../web/src/language/en/dialogs';
 import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
+import { learn as learnInEnglish } from '../../web/src/language/en/learn';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { zh } from '../../web/src/language/zh';
 import {
@@ -18,6 +19,7 @@ import {
 } from '../../web/src/language/zh/core';
 import { dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
+import { learn as learnInChinese } from '../../web/src/language/zh/learn';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import { load, ROOT } from '../wasm/load';
 
@@ -34,12 +36,14 @@ function leaves(words: object, path = ''): Map<string, unknown> {
 const english = leaves({
   ...en,
   dialogs: dialogsInEnglish,
+  learn: learnInEnglish,
   lesson: lessonInEnglish,
   experiments: experimentsInEnglish,
 });
 const chinese = leaves({
   ...zh,
   dialogs: dialogsInChinese,
+  learn: learnInChinese,
   lesson: lessonInChinese,
   experiments: experimentsInChinese,
 });

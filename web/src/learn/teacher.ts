@@ -1,7 +1,7 @@
 /** Lets the net that is open show what a paragraph says. A hand on the page ends a lesson and has the net as it was. */
 import type { App } from '../app/app';
 import type { HandleData, Vec3 } from '../document/document';
-import { words } from '../language/language';
+import { learnWords } from '../language/learn';
 import type { Lesson } from '../panels';
 
 /** How far a handle is pulled, in edge lengths: a little to be seen, more to give the solver something to do. */
@@ -36,7 +36,7 @@ export class Teacher {
     const { signal } = this.#lesson;
     if (lesson === 'deviation') return this.#app.setView({ field: 'deviation', colourMap: 'log' });
     const handle = this.#app.opening?.document.handles.filter(({ anchor, hidden }) => !anchor && !hidden).at(-1);
-    if (handle === undefined) return this.#app.say(words.learn.noHandle);
+    if (handle === undefined) return this.#app.say(learnWords.noHandle);
     if (lesson === 'net') return this.#pull(handle, signal);
     this.#stepping = true;
     if (lesson === 'energy') await this.#stepAhead(handle);
@@ -99,7 +99,7 @@ export class Teacher {
     if (this.#stepping || this.#usualMethod === null || this.#frame()?.status === 'running') return;
     void this.#setMethod(this.#usualMethod).catch((error: unknown) => this.#app.report(error));
     this.#usualMethod = null;
-    this.#app.say(words.learn.stagesDone);
+    this.#app.say(learnWords.stagesDone);
   }
 
   #setMethod(method: string): Promise<void> {

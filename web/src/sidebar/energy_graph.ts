@@ -1,6 +1,6 @@
 /** The energy of an edge against its length, for some exponents, and where the worst edge of the net stands. */
 import { energy } from '../net/energy';
-import { words } from '../language/language';
+import { learnWords } from '../language/learn';
 import { setText } from '../elements/dom';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -36,7 +36,7 @@ export class EnergyGraph {
     const inside = Math.min(2, Math.max(0.5, ratio));
     this.#mark.setAttribute('cx', x(inside).toFixed(1));
     this.#mark.setAttribute('cy', y(Math.min(HIGHEST, energy(inside, p))).toFixed(1));
-    this.element.setAttribute('aria-label', words.learn.graph(p, ratio.toPrecision(4)));
+    this.element.setAttribute('aria-label', learnWords.graph(p, ratio.toPrecision(4)));
   }
 }
 

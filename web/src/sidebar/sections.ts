@@ -16,16 +16,18 @@ import { StepPanel } from './step_panel';
 export interface SidebarServices {
   events: PanelEvents;
   say(message: string): void;
+  /** A part of a panel did not come. */
+  failed(error: unknown): void;
   /** Makes room on a phone for what is behind the sidebar. */
   fold(): void;
 }
 
 /** From top to bottom. @param experiments made already, for a part of it stands elsewhere. */
-export function createSections({ events, say, fold }: SidebarServices, experiments: Panel): Panel[] {
+export function createSections({ events, say, failed, fold }: SidebarServices, experiments: Panel): Panel[] {
   return [
     new ShapePanel(events),
     new ConvergencePanel(),
-    new LearnPanel(events),
+    new LearnPanel(events, failed),
     new StepPanel(events, say),
     new HandleList(events),
     new BehaviourPanel(events),

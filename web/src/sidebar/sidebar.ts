@@ -57,7 +57,12 @@ class Sidebar implements Panels {
     ];
     const results = new ComparisonPlace(events, failed);
     const status = new StatusRow(events, this.fold);
-    const services = { events, say: (message: string) => this.say(message, 'info'), fold: () => this.unfold(false) };
+    const services = {
+      events,
+      failed,
+      say: (message: string) => this.say(message, 'info'),
+      fold: () => this.unfold(false),
+    };
     const sections = createSections(services, experiments);
     this.panels = [...over, results, status, ...sections];
 

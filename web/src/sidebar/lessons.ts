@@ -1,0 +1,45 @@
+/** What a Chebyshev net is and how it is solved, with the net in the picture for a figure. */
+import { make, makeButton, setText } from '../elements/dom';
+import { learnWords as TEXT } from '../language/learn';
+import { worstRatio } from '../net/energy';
+import type { Lesson, PanelEvents } from '../panels';
+import type { FrameData, OpenedNet } from '../worker/protocol';
+import { EnergyGraph } from './energy_graph';
+import './lessons.css';
+
+export class Lessons {
+  readonly content: HTMLElement[];
+  readonly #graph = new EnergyGraph();
+  readonly #now = make('p', { class: 'quiet' });
+  readonly #stages = TEXT.stageTexts.map((text) => make('li', {}, text));
+
+  constructor(events: PanelEvents) {
+    const lesson = (name: Lesson, ...more: Node[]): HTMLElement => {
+      const { title, text, show } = TEXT.lessons[name];
+      const button = makeButton(TEXT.showMe, () => events.showLesson(name), {
+        title: show,
+        'aria-label': `${TEXT.showMe} ${show}`,
+      });
+      return make('section', { class: 'lesson' }, make('h3', {}, title), make('p', {}, text), ...more, button);
+    };
+    const licences = make('a', { href: './licences.txt', target: '_blank', rel: 'noopener' }, TEXT.licences);
+    this.content = [
+      lesson('net'),
+      lesson('deviation'),
+      lesson('energy', this.#graph.element, this.#now),
+      lesson('stages', make('ol', {}, ...this.#stages)),
+      make('p', { class: 'quiet' }, licences),
+    ];
+  }
+
+  /** @param p the exponent of the moment. */
+  show(net: OpenedNet, frame: FrameData, p: number): void {
+    const ratio = worstRatio(net, frame);
+    this.#graph.show(p, ratio);
+    setText(this.#now, TEXT.now(p, ratio.toPrecision(5)));
+    this.#stages.forEach((each, i) => {
+      if (frame.status === 'running' && frame.stage === i + 1) each.setAttribute('aria-current', 'step');
+      else each.removeAttribute('aria-current');
+    });
+  }
+}
