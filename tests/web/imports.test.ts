@@ -10,7 +10,7 @@ const SOURCES = fileURLToPath(new URL('web/src', ROOT));
 /** From the ground up. A file beside the rooms is a room of its own. */
 const ROOMS = [
   // What any of them may lean on.
-  ...['failure.ts', 'net', 'language', 'fields', 'part.ts', 'elements', 'document'],
+  ...['failure.ts', 'net', 'language', 'fields', 'lazy.ts', 'elements', 'document'],
   // What is done with a net.
   ...['worker', 'files', 'equalize', 'handles', 'offline', 'view', 'export', 'compare', 'experiments'],
   // The controls: their contract with the page, and where they stand.

@@ -4,7 +4,7 @@ import type { AppServices } from './app/app';
 import { copyText } from './files/clipboard';
 import { download } from './files/download';
 import { fileNameOf } from './document/file_name';
-import type { SaveWish } from './export/kinds';
+import type { SaveRequest } from './export/kinds';
 import { filmExtension, filmType, Recording } from './export/recording';
 import { pickFile } from './files/pick_file';
 import { commandOf, PAGE_KEYS } from './keys';
@@ -15,7 +15,7 @@ import { keepOffline } from './offline/offline';
 import { ROW_KEYS } from './sidebar/handle_row';
 import { RecordingNotice } from './overlay/recording_notice';
 import { createPanels } from './sidebar/sidebar';
-import { part } from './part';
+import { lazy } from './lazy';
 import { linking } from './projects/linking';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
@@ -58,12 +58,12 @@ const app = new App(
 );
 // What is done inside of another page is no work of the visitor's own.
 const projects = new Projects(app, !embedded);
-const openers = part(async () => new (await import('./dialogs/openers')).Openers(app, element('panels')));
-const teacher = part(async () => new (await import('./learn/teacher')).Teacher(app));
-const saving = part(() => import('./export/save'));
-const shareDialog = part(() => import('./dialogs/share_dialog'));
-const keySheet = part(() => import('./dialogs/key_sheet'));
-const embedding = part(() => import('./embed/embed'));
+const openers = lazy(async () => new (await import('./dialogs/openers')).Openers(app, element('panels')));
+const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(app));
+const saving = lazy(() => import('./export/save'));
+const shareDialog = lazy(() => import('./dialogs/share_dialog'));
+const keySheet = lazy(() => import('./dialogs/key_sheet'));
+const embedding = lazy(() => import('./embed/embed'));
 const hints = embedded ? null : new Hints(app, element('panels'));
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
@@ -142,7 +142,7 @@ async function copyLink(link: string, advice: string): Promise<string> {
   return words.link.inAddressBar(advice);
 }
 
-async function saveAs(wish: SaveWish): Promise<void> {
+async function saveAs(wish: SaveRequest): Promise<void> {
   hints?.done('share');
   const { save } = await saving();
   await save(wish, {

@@ -1,11 +1,11 @@
 /** The contract between the page and its controls; built from native HTML elements. Panels show state and report
  *  intentions; they never change the document themselves. */
-import type { Comparison, ComparisonWish, Run, RunWish } from './compare/run';
+import type { Comparison, ComparisonRequest, Run, RunRequest } from './compare/run';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './document/document';
 import type { HistoryView } from './document/undo';
-import type { SaveWish } from './export/kinds';
+import type { SaveRequest } from './export/kinds';
 import type { Language } from './language/choice';
-import type { Choice, HandleWishes, LineName } from './handles/wishes';
+import type { Choice, HandleCommands, LineName } from './handles/commands';
 import type { Tables } from './net/tables';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
@@ -30,7 +30,7 @@ export interface PanelEvents {
   /** What was kept before the present net. */
   restoreLast(): void;
   chooseLanguage(language: Language): void;
-  handles: HandleWishes;
+  handles: HandleCommands;
   /** Show what a button would take; null: no longer. */
   previewLine(name: LineName | null): void;
   setOptions(settings: SolverSettings): void;
@@ -47,9 +47,9 @@ export interface PanelEvents {
   /** Goes to an entry of the history. */
   goTo(index: number): void;
   /** Run these methods one after another on the present edit. */
-  compare(wish: ComparisonWish): void;
+  compare(wish: ComparisonRequest): void;
   /** Run these from rest, those without an edit of their own on the present one. */
-  runAll(wishes: readonly RunWish[]): void;
+  runAll(wishes: readonly RunRequest[]): void;
   cancelComparison(): void;
   /** Show the net of a run in place of one's own; null: one's own again. */
   showRun(run: Run | null): void;
@@ -58,7 +58,7 @@ export interface PanelEvents {
   /** Pass on a link to what is seen. */
   share(): void;
   /** Save the net as a file. */
-  save(wish: SaveWish): void;
+  save(wish: SaveRequest): void;
   /** Record what is seen. */
   record(): void;
   frameAll(): void;

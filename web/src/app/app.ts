@@ -2,7 +2,7 @@
  *  HandleEditor do it. */
 import type { FlatPattern, FormatInfo, OptionInfo, PatternFault } from '../../../wasm/chebnet';
 import { Comparer } from '../compare/comparer';
-import type { ComparisonWish, RunPlan, RunWish } from '../compare/run';
+import type { ComparisonRequest, RunPlan, RunRequest } from '../compare/run';
 import { type NamedChange, settingsChange } from '../document/changes';
 import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from '../document/document';
 import type { ChangeName } from '../document/naming';
@@ -276,7 +276,7 @@ export class App {
   // --------------------------------------------------------------------------------------------------------- comparing
 
   /** Runs methods on the present edit, in a worker of their own. */
-  compare({ methods, start }: ComparisonWish): void {
+  compare({ methods, start }: ComparisonRequest): void {
     if (this.opening === null) return;
     const { document } = this.opening;
     const positions = start === 'rest' ? null : document.positions;
@@ -291,10 +291,10 @@ export class App {
   }
 
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
-  runAll(wishes: readonly RunWish[]): void {
+  runAll(wishes: readonly RunRequest[]): void {
     if (this.opening === null) return;
     const { document } = this.opening;
-    const planOf = ({ label, edit, ...settings }: RunWish, style: number): RunPlan => ({
+    const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
       label,
       style,
       scene: { ...document, ...settings, ...(edit ? { ...edit, numbering: undefined } : {}), positions: null },

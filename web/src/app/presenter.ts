@@ -2,7 +2,7 @@
 import { Beside } from '../compare/beside';
 import type { Run } from '../compare/run';
 import type { HandleData, ViewState } from '../document/document';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import type { PanelEvents, Panels } from '../panels';
 import type { View, ViewEvents } from '../view/view';

@@ -1,7 +1,7 @@
 /** Runs one scene after another, and tells how far they are. */
 import type { WorkerLike } from '../worker/client';
 import type { FrameData } from '../worker/protocol';
-import { Bench } from './bench';
+import { RunSolver } from './run_solver';
 import { newRun } from './run';
 import type { Comparison, Run, RunPlan } from './run';
 import { messageOf } from '../failure';
@@ -13,7 +13,7 @@ const WARM_UP_MS = 400;
 export class Comparer {
   readonly #spawn: () => WorkerLike;
   readonly #changed: (comparison: Comparison) => void;
-  #bench: Bench | null = null;
+  #solver: RunSolver | null = null;
   #comparison: Comparison | null = null;
 
   /** `changed` is called often; what it is given goes on changing. */
@@ -53,34 +53,34 @@ export class Comparer {
       if (!comparison.running) return;
       run.state = 'failed';
       run.fault = messageOf(error);
-      this.#disposeBench();
+      this.#disposeSolver();
     }
     this.#changed(comparison);
   }
 
   async #solve(comparison: Comparison, run: Run): Promise<void> {
     const scene = { ...run.scene, settled: false };
-    const bench = (this.#bench ??= new Bench(this.#spawn));
-    await bench.solve(scene, () => {}, 0); // what the method is still to load is not counted as warming up
+    const solver = (this.#solver ??= new RunSolver(this.#spawn));
+    await solver.solve(scene, () => {}, 0); // what the method is still to load is not counted as warming up
     const end = performance.now() + WARM_UP_MS;
-    while (performance.now() < end) await bench.solve(scene, () => {}, end - performance.now());
-    const { info } = await bench.solve(scene, (frame) => {
+    while (performance.now() < end) await solver.solve(scene, () => {}, end - performance.now());
+    const { info } = await solver.solve(scene, (frame) => {
       note(run, frame);
       this.#changed(comparison);
     });
-    run.measures = await bench.measure();
+    run.measures = await solver.measure();
     run.distance = distanceBetween(run, comparison.runs[0]!, info.meanLength);
   }
 
   #end(comparison: Comparison): void {
     comparison.running = false;
-    this.#disposeBench();
+    this.#disposeSolver();
     this.#changed(comparison);
   }
 
-  #disposeBench(): void {
-    this.#bench?.dispose();
-    this.#bench = null;
+  #disposeSolver(): void {
+    this.#solver?.dispose();
+    this.#solver = null;
   }
 }
 

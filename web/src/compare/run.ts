@@ -2,10 +2,10 @@
 import type { TraceRow } from '../../../wasm/chebnet';
 import type { HandleSeed, NetSource, SolverSettings } from '../document/document';
 import type { FrameData, Measures } from '../worker/protocol';
-import type { BenchScene } from './bench';
+import type { RunScene } from './run_solver';
 
 /** Settings to run the edit with that is open. */
-export interface RunWish extends SolverSettings {
+export interface RunRequest extends SolverSettings {
   label: string;
   /** Another edit in its place, from rest. */
   edit?: { net: NetSource; handles: HandleSeed[] };
@@ -17,7 +17,7 @@ export interface RunPlan {
   readonly label: string;
   /** Which of the styles of curves it takes. */
   readonly style: number;
-  readonly scene: BenchScene;
+  readonly scene: RunScene;
   /** dL below which it has converged. */
   readonly threshold: number;
   /** Its net is the one that is open, which it can stand in for. */
@@ -51,7 +51,7 @@ export interface Comparison {
 /** Where every method starts: at rest with the handles at their targets, or where the net stands. */
 export type StartingPoint = 'rest' | 'present';
 
-export interface ComparisonWish {
+export interface ComparisonRequest {
   methods: string[];
   start: StartingPoint;
 }

@@ -1,6 +1,6 @@
 /** Chooses what to compare and sets it going. */
 import type { MethodInfo } from '../../../wasm/chebnet';
-import type { ComparisonWish, StartingPoint } from '../compare/run';
+import type { ComparisonRequest, StartingPoint } from '../compare/run';
 import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
 import type { Tables } from '../net/tables';
@@ -18,23 +18,25 @@ const STARTS: { value: StartingPoint; text: string }[] = [
 
 export class ComparisonForm implements Panel {
   readonly element: HTMLElement;
-  private readonly methods = make('fieldset', { class: 'methods' });
-  private readonly start: HTMLSelectElement;
-  private readonly run: HTMLButtonElement;
-  private proposed: readonly string[] | undefined;
+  readonly #methods = make('fieldset', { class: 'methods' });
+  readonly #start: HTMLSelectElement;
+  readonly #run: HTMLButtonElement;
+  #proposed: readonly string[] | undefined;
+  readonly #compare: (wish: ComparisonRequest) => void;
 
-  constructor(private readonly compare: (wish: ComparisonWish) => void) {
-    this.run = makeButton(words.comparison.compare, () => this.submit());
+  constructor(compare: (wish: ComparisonRequest) => void) {
+    this.#compare = compare;
+    this.#run = makeButton(words.comparison.compare, () => this.#submit());
     const start = makeSelect(words.comparison.startFrom, STARTS, () => {});
-    this.start = start.select;
-    this.methods.addEventListener('change', () => this.showReady());
+    this.#start = start.select;
+    this.#methods.addEventListener('change', () => this.#showReady());
     this.element = makeSection(
       words.sections.compare,
       false,
       make('p', { class: 'quiet' }, words.comparison.about),
-      this.methods,
+      this.#methods,
       start.row,
-      make('div', { class: 'buttons' }, this.run),
+      make('div', { class: 'buttons' }, this.#run),
     );
   }
 
@@ -46,28 +48,28 @@ export class ComparisonForm implements Panel {
         make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
         words.core.method(name),
       );
-    this.methods.replaceChildren(make('legend', {}, words.comparison.methods), ...methods.map(choice));
-    this.showReady();
+    this.#methods.replaceChildren(make('legend', {}, words.comparison.methods), ...methods.map(choice));
+    this.#showReady();
   }
 
   /** Ticks the methods that a document proposes, once: what the user ticks after that stays. */
   showDocument({ compare: methods }: ChebnetDocument): void {
-    if (methods === this.proposed) return;
-    this.proposed = methods;
+    if (methods === this.#proposed) return;
+    this.#proposed = methods;
     if (methods === undefined || methods.length === 0) return;
-    for (const box of this.methods.querySelectorAll('input')) box.checked = methods.includes(box.value);
-    this.showReady();
+    for (const box of this.#methods.querySelectorAll('input')) box.checked = methods.includes(box.value);
+    this.#showReady();
   }
 
-  private submit(): void {
-    this.compare({ methods: this.chosen(), start: this.start.value as StartingPoint });
+  #submit(): void {
+    this.#compare({ methods: this.#chosen(), start: this.#start.value as StartingPoint });
   }
 
-  private chosen(): string[] {
-    return [...this.methods.querySelectorAll('input')].filter(({ checked }) => checked).map(({ value }) => value);
+  #chosen(): string[] {
+    return [...this.#methods.querySelectorAll('input')].filter(({ checked }) => checked).map(({ value }) => value);
   }
 
-  private showReady(): void {
-    this.run.disabled = this.chosen().length === 0;
+  #showReady(): void {
+    this.#run.disabled = this.#chosen().length === 0;
   }
 }

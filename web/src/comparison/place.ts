@@ -1,45 +1,47 @@
 /** The place of a comparison's results, which come when they are first wanted. */
 import type { Comparison, Run } from '../compare/run';
-import { part } from '../part';
+import { lazy } from '../lazy';
 import type { ComparisonResults } from './results';
 import { make } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
 
-const loadResults = part(() => import('./results'));
+const loadResults = lazy(() => import('./results'));
 
 export class ComparisonPlace implements Panel {
   /** Until then. */
   readonly element = make('section', { hidden: true });
-  private results: ComparisonResults | null = null;
-  private comparison: Comparison | null = null;
+  #results: ComparisonResults | null = null;
+  #comparison: Comparison | null = null;
+  readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
 
   /** @param failed is told why they did not come. */
-  constructor(
-    private readonly events: PanelEvents,
-    private readonly failed: (error: unknown) => void,
-  ) {}
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
+    this.#events = events;
+    this.#failed = failed;
+  }
 
   /** May be called often. */
   showComparison(comparison: Comparison): void {
-    const isNew = comparison !== this.comparison;
-    this.comparison = comparison;
-    if (this.results) this.results.show(comparison);
-    else if (isNew) this.load().catch(this.failed);
+    const isNew = comparison !== this.#comparison;
+    this.#comparison = comparison;
+    if (this.#results) this.#results.show(comparison);
+    else if (isNew) this.#load().catch(this.#failed);
   }
 
   showRuns(run: Run | null, beside: readonly Run[]): void {
-    this.results?.showCurrent(run, beside);
+    this.#results?.showCurrent(run, beside);
   }
 
   showNet(): void {
-    this.results?.netChanged();
+    this.#results?.netChanged();
   }
 
-  private async load(): Promise<void> {
+  async #load(): Promise<void> {
     const { ComparisonResults } = await loadResults();
-    if (this.results || !this.comparison) return;
-    this.results = new ComparisonResults(this.events);
-    this.element.replaceWith(this.results.element);
-    this.results.show(this.comparison);
+    if (this.#results || !this.#comparison) return;
+    this.#results = new ComparisonResults(this.#events);
+    this.element.replaceWith(this.#results.element);
+    this.#results.show(this.#comparison);
   }
 }

@@ -20,12 +20,13 @@ export interface OpenNet {
 
 export class Openers {
   readonly #files: FileOpener;
+  readonly #app: OpenNet;
+  readonly #root: HTMLElement;
 
   /** @param root where the dialogs stand. */
-  constructor(
-    private readonly app: OpenNet,
-    private readonly root: HTMLElement,
-  ) {
+  constructor(app: OpenNet, root: HTMLElement) {
+    this.#app = app;
+    this.#root = root;
     this.#files = new FileOpener({
       spawnWorker: () => new Worker(new URL('../files/file_worker.ts', import.meta.url), { type: 'module' }),
       createDialog: (name) => new FileDialog(root, name),
@@ -39,18 +40,18 @@ export class Openers {
   }
 
   async equalizeNet(): Promise<void> {
-    if (this.app.opening === null) return;
-    const { formats } = this.app;
-    const { document, net } = this.app.opening;
+    if (this.#app.opening === null) return;
+    const { formats } = this.#app;
+    const { document, net } = this.#app.opening;
     const obj = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
-    if (obj !== null) await this.app.openScene(equalizedScene(document, obj, formats));
+    if (obj !== null) await this.#app.openScene(equalizedScene(document, obj, formats));
   }
 
   #createEqualizer(subject: Subject): EqualizeDialog {
-    return new EqualizeDialog(this.root, subject, {
+    return new EqualizeDialog(this.#root, subject, {
       spawnWorker: () => new Worker(new URL('../equalize/equalize_worker.ts', import.meta.url), { type: 'module' }),
       createView,
-      upAxis: this.app.opening?.document.view.upAxis,
+      upAxis: this.#app.opening?.document.view.upAxis,
     });
   }
 }

@@ -46,7 +46,7 @@ export class Menu {
     // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
     // frame of another site a browser would complain.
     this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true));
-    this.menu.addEventListener('toggle', () => this.place());
+    this.menu.addEventListener('toggle', () => this.#place());
     // Escape is for the menu alone.
     this.menu.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') event.stopPropagation();
@@ -54,14 +54,16 @@ export class Menu {
   }
 
   protected show(content: readonly (MenuItem | MenuGroup)[]): void {
-    this.menu.replaceChildren(...content.map((each) => ('items' in each ? this.makeGroup(each) : this.makeLine(each))));
+    this.menu.replaceChildren(
+      ...content.map((each) => ('items' in each ? this.#makeGroup(each) : this.#makeLine(each))),
+    );
   }
 
-  private makeGroup({ title, items }: MenuGroup): HTMLElement {
-    return make('section', {}, make('h3', {}, title), ...items.map((each) => this.makeLine(each)));
+  #makeGroup({ title, items }: MenuGroup): HTMLElement {
+    return make('section', {}, make('h3', {}, title), ...items.map((each) => this.#makeLine(each)));
   }
 
-  private makeLine({ title, hint, choose, disabled = false, beside = [] }: MenuItem): HTMLElement {
+  #makeLine({ title, hint, choose, disabled = false, beside = [] }: MenuItem): HTMLElement {
     const chosen = (): void => {
       this.menu.hidePopover();
       choose();
@@ -72,7 +74,7 @@ export class Menu {
   }
 
   /** Below the button, or above it where there is more room; in sight in any case. */
-  private place(): void {
+  #place(): void {
     const { left, top, bottom } = this.button.getBoundingClientRect();
     const { offsetWidth, offsetHeight } = this.menu;
     const below = bottom + GAP + offsetHeight < innerHeight;

@@ -21,7 +21,7 @@ export type MadeKind = '3dm' | 'glb' | 'svg';
 export type FileKind = string;
 
 /** What a user wants saved, and how. */
-export interface SaveWish {
+export interface SaveRequest {
   kind: FileKind;
   /** Of the pattern: how long an edge is drawn. */
   edgeMm: number;

@@ -9,7 +9,7 @@ import type { Opening } from '../worker/opening';
 import type { ExportFormat } from '../worker/protocol';
 import type { ExportAnswer, ExportJob } from './job';
 import { typeOf } from './kinds';
-import type { SaveWish } from './kinds';
+import type { SaveRequest } from './kinds';
 import { vertexColours } from './paint';
 import { Failure } from '../failure';
 
@@ -31,7 +31,7 @@ export interface SaveParts {
   spawnWorker(): Worker;
 }
 
-export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
+export async function save(wish: SaveRequest, parts: SaveParts): Promise<void> {
   const { opening } = parts.app;
   if (opening === null) return;
   const content = await contentOf(wish, opening, parts);
@@ -39,7 +39,11 @@ export async function save(wish: SaveWish, parts: SaveParts): Promise<void> {
   download(fileNameOf(opening.document.net, wish.kind, formats), content, typeOf(wish.kind, formats));
 }
 
-async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWorker }: SaveParts): Promise<BlobPart> {
+async function contentOf(
+  wish: SaveRequest,
+  opening: Opening,
+  { app, theme, spawnWorker }: SaveParts,
+): Promise<BlobPart> {
   switch (wish.kind) {
     case 'png':
       return app.picture(wish.magnification);
@@ -53,7 +57,7 @@ async function contentOf(wish: SaveWish, opening: Opening, { app, theme, spawnWo
   }
 }
 
-async function drawing(app: Saveable, { edgeMm }: SaveWish, { document, net }: Opening): Promise<ExportJob> {
+async function drawing(app: Saveable, { edgeMm }: SaveRequest, { document, net }: Opening): Promise<ExportJob> {
   const pattern = await app.flatPattern();
   if ('reason' in pattern) throw new Failure('no_pattern', patternFaultWords(pattern));
   const lines = { start: net.lineStart, vertices: net.lineVertices };

@@ -15,7 +15,7 @@ import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
 import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
-import type { Choice, GizmoMode, HandleTraits, HandleWishes, LineName } from './wishes';
+import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from './commands';
 
 /** What the app lends to it. */
 export interface HandleHost {
@@ -41,7 +41,7 @@ interface LinesThrough {
   netLines: number[][];
 }
 
-export class HandleEditor implements HandleWishes {
+export class HandleEditor implements HandleCommands {
   readonly #host: HandleHost;
   readonly #client: Client;
   readonly #history: UndoHistory;

@@ -1,7 +1,7 @@
 /** What the net can be saved as, and how. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { kindsFor } from '../export/kinds';
-import type { FileKind, Purpose, SaveWish } from '../export/kinds';
+import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
 import { filmType } from '../export/recording';
 import { words } from '../language/language';
 import { make } from '../elements/dom';
@@ -19,35 +19,37 @@ const MAGNIFICATIONS = [1, 2, 4];
 const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
 
 export class ExportMenu extends Menu {
-  private readonly edge = makeEdgeInput();
-  private readonly size = makeSizeSelect();
+  readonly #edge = makeEdgeInput();
+  readonly #size = makeSizeSelect();
+  readonly #events: PanelEvents;
 
-  constructor(private readonly events: PanelEvents) {
+  constructor(events: PanelEvents) {
     super(LOOK, []);
+    this.#events = events;
     this.showFormats([]);
   }
 
   /** @param formats the core's; before they are known, the page's own are there alone. */
   showFormats(formats: readonly FormatInfo[]): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
-      svg: [this.edge, make('span', {}, 'mm')],
-      png: [this.size],
+      svg: [this.#edge, make('span', {}, 'mm')],
+      png: [this.#size],
     };
     const items = (purpose: Purpose): MenuItem[] =>
       kindsFor(purpose, formats, words.save.hints).map(({ kind, title, hint }) => {
-        return { title, hint, choose: () => this.events.save(this.wish(kind)), beside: beside[kind] };
+        return { title, hint, choose: () => this.#events.save(this.#wish(kind)), beside: beside[kind] };
       });
     this.show([
       { title: words.save.meshes, items: items('meshes') },
       { title: words.save.making, items: items('making') },
-      { title: words.save.pictures, items: [...items('pictures'), recordItem(() => this.events.record())] },
+      { title: words.save.pictures, items: [...items('pictures'), recordItem(() => this.#events.record())] },
     ]);
   }
 
-  private wish(kind: FileKind): SaveWish {
+  #wish(kind: FileKind): SaveRequest {
     const { usual, smallest, largest } = EDGE_MM;
-    this.edge.valueAsNumber = Math.min(largest, Math.max(smallest, this.edge.valueAsNumber || usual));
-    return { kind, edgeMm: this.edge.valueAsNumber, magnification: Number(this.size.value) };
+    this.#edge.valueAsNumber = Math.min(largest, Math.max(smallest, this.#edge.valueAsNumber || usual));
+    return { kind, edgeMm: this.#edge.valueAsNumber, magnification: Number(this.#size.value) };
   }
 }
 

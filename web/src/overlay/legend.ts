@@ -14,91 +14,91 @@ import './legend.css';
 const STOPS = 24;
 
 export class Legend implements Panel {
-  private readonly name = make('h2');
-  private readonly bar = make('div', { class: 'bar' });
-  private readonly data = make('div', { class: 'data' });
-  private readonly ticks = make('div', { class: 'ticks' });
-  private readonly words = make('p', { class: 'words' });
-  private readonly ends: MapEnds;
+  readonly #name = make('h2');
+  readonly #bar = make('div', { class: 'bar' });
+  readonly #data = make('div', { class: 'data' });
+  readonly #ticks = make('div', { class: 'ticks' });
+  readonly #words = make('p', { class: 'words' });
+  readonly #ends: MapEnds;
   readonly element: HTMLElement;
-  private view: Colouring = { field: 'deviation', colourMap: 'paper' };
-  private scale: Scale | null = null;
+  #view: Colouring = { field: 'deviation', colourMap: 'paper' };
+  #scale: Scale | null = null;
   /** Of the net that is open, and the one in the picture, which may be that of a run. */
-  private own: FrameData | null = null;
-  private frame: FrameData | null = null;
-  private net: OpenedNet | null = null;
+  #own: FrameData | null = null;
+  #frame: FrameData | null = null;
+  #net: OpenedNet | null = null;
 
   constructor({ setView }: Pick<PanelEvents, 'setView'>) {
-    this.ends = new MapEnds((ends) => setView({ ends: { ...this.view.ends, [this.view.field]: ends } }));
+    this.#ends = new MapEnds((ends) => setView({ ends: { ...this.#view.ends, [this.#view.field]: ends } }));
     this.element = make(
       'section',
       { class: 'legend', 'aria-label': words.legend.label },
-      this.name,
-      this.bar,
-      make('div', { class: 'track' }, this.data),
-      this.ticks,
-      this.words,
-      this.ends.element,
+      this.#name,
+      this.#bar,
+      make('div', { class: 'track' }, this.#data),
+      this.#ticks,
+      this.#words,
+      this.#ends.element,
     );
-    onThemeChange(() => this.draw());
+    onThemeChange(() => this.#draw());
   }
 
   showDocument({ view }: ChebnetDocument): void {
-    const { field, colourMap, ends } = this.view;
-    const same = this.scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
-    this.view = view;
-    if (!same) this.draw();
+    const { field, colourMap, ends } = this.#view;
+    const same = this.#scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
+    this.#view = view;
+    if (!same) this.#draw();
   }
 
   showNet(net: OpenedNet): void {
-    this.net = net;
-    this.own = this.frame = null;
+    this.#net = net;
+    this.#own = this.#frame = null;
   }
 
   showFrame(frame: FrameData): void {
-    this.own = this.frame = frame;
-    this.drawData();
+    this.#own = this.#frame = frame;
+    this.#drawData();
   }
 
   showRuns(run: Run | null): void {
-    this.frame = run?.frame ?? this.own;
-    this.drawData();
+    this.#frame = run?.frame ?? this.#own;
+    this.#drawData();
   }
 
-  private drawData(): void {
-    if (!this.scale || !this.frame || !this.net) return;
-    const field = fieldOf(this.view.field);
-    const numbers = numbersOf(field, this.frame, this.net);
+  #drawData(): void {
+    if (!this.#scale || !this.#frame || !this.#net) return;
+    const field = fieldOf(this.#view.field);
+    const numbers = numbersOf(field, this.#frame, this.#net);
     const [from, to] = rangeOf(numbers);
-    const left = legendPosition(this.scale, from);
-    const width = Math.max(0.02, legendPosition(this.scale, to) - left);
-    this.data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
-    this.data.style.width = `${(100 * width).toFixed(1)}%`;
-    setText(this.words, field.summary(numbers));
+    const left = legendPosition(this.#scale, from);
+    const width = Math.max(0.02, legendPosition(this.#scale, to) - left);
+    this.#data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
+    this.#data.style.width = `${(100 * width).toFixed(1)}%`;
+    setText(this.#words, field.summary(numbers));
   }
 
-  private draw(): void {
-    const name = this.view.field;
+  #draw(): void {
+    const name = this.#view.field;
     const field = fieldOf(name);
-    const scale = scaleOf(this.view, readTheme(document.documentElement));
-    this.scale = scale;
-    this.data.hidden = this.ends.element.hidden = field.ends === undefined;
-    this.ends.show(field, scale, endsOf(this.view) !== undefined);
-    setText(this.name, words.colourFields[name].title);
+    const scale = scaleOf(this.#view, readTheme(document.documentElement));
+    this.#scale = scale;
+    this.#data.hidden = this.#ends.element.hidden = field.ends === undefined;
+    this.#ends.show(field, scale, endsOf(this.#view) !== undefined);
+    setText(this.#name, words.colourFields[name].title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {
       const value = scale.logarithmic ? low * (high / low) ** (i / STOPS) : low + (high - low) * (i / STOPS);
       return cssColour(scale.colour(positionOn(scale, value)));
     });
-    this.bar.style.background = `linear-gradient(to right, ${stops.join(',')})`;
-    this.ticks.replaceChildren(
+    this.#bar.style.background = `linear-gradient(to right, ${stops.join(',')})`;
+    this.#ticks.replaceChildren(
       ...scale.ticks.map(({ value, label }) => {
         const tick = make('span', {}, label);
         tick.style.left = `${100 * legendPosition(scale, value)}%`;
         return tick;
       }),
     );
-    this.drawData();
+    this.#drawData();
   }
 }
 

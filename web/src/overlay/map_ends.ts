@@ -6,34 +6,36 @@ import { make, makeButton, setValue } from '../elements/dom';
 
 export class MapEnds {
   readonly element: HTMLElement;
-  private readonly inputs = [words.legend.low, words.legend.high].map((label) => {
+  readonly #inputs = [words.legend.low, words.legend.high].map((label) => {
     const input = make('input', { type: 'text', 'aria-label': label, title: label, autocomplete: 'off' });
-    input.addEventListener('change', () => this.read(input));
+    input.addEventListener('change', () => this.#read(input));
     return input;
   });
-  private readonly automatic: HTMLButtonElement;
-  private field: ColourField = FIELDS.deviation;
+  readonly #automatic: HTMLButtonElement;
+  #field: ColourField = FIELDS.deviation;
+  readonly #choose: (ends: Ends | undefined) => void;
 
   /** @param choose what the user wants; undefined: the map's own. */
-  constructor(private readonly choose: (ends: Ends | undefined) => void) {
-    this.automatic = makeButton(words.legend.automatic, () => choose(undefined));
-    const row = make('div', { class: 'ends' }, ...this.inputs, this.automatic);
+  constructor(choose: (ends: Ends | undefined) => void) {
+    this.#choose = choose;
+    this.#automatic = makeButton(words.legend.automatic, () => choose(undefined));
+    const row = make('div', { class: 'ends' }, ...this.#inputs, this.#automatic);
     this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
   }
 
   show(field: ColourField, { low, high }: Scale, byHand: boolean): void {
-    this.field = field;
-    this.automatic.setAttribute('aria-pressed', String(!byHand));
-    this.inputs.forEach((input, i) => {
+    this.#field = field;
+    this.#automatic.setAttribute('aria-pressed', String(!byHand));
+    this.#inputs.forEach((input, i) => {
       setValue(input, endText([low, high][i]!));
       input.setCustomValidity('');
     });
   }
 
-  private read(changed: HTMLInputElement): void {
-    const [low = NaN, high = NaN] = this.inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
-    if (areEnds(this.field, [low, high])) return this.choose([low, high]);
-    changed.setCustomValidity(words.legend.badEnds(this.field.ends === 'above 0'));
+  #read(changed: HTMLInputElement): void {
+    const [low = NaN, high = NaN] = this.#inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    if (areEnds(this.#field, [low, high])) return this.#choose([low, high]);
+    changed.setCustomValidity(words.legend.badEnds(this.#field.ends === 'above 0'));
     changed.reportValidity();
   }
 }

@@ -10,14 +10,14 @@ const OFFER_MS = 20_000;
 
 export class Messages implements Panel {
   // Both must be in the page before anything is said, or screen readers miss the first line.
-  private readonly infos = make('div', { role: 'status' });
-  private readonly errors = make('div', { role: 'alert' });
-  readonly element = make('div', { class: 'messages' }, this.infos, this.errors);
-  private timer = 0;
+  readonly #infos = make('div', { role: 'status' });
+  readonly #errors = make('div', { role: 'alert' });
+  readonly element = make('div', { class: 'messages' }, this.#infos, this.#errors);
+  #timer = 0;
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
-    if (kind === 'error') this.sayError(message);
-    else this.sayInfo(message, action);
+    if (kind === 'error') this.#sayError(message);
+    else this.#sayInfo(message, action);
   }
 
   /** A line that stays until the user accepts or dismisses it. */
@@ -28,11 +28,11 @@ export class Messages implements Panel {
       make('span', {}, message),
       makeButton(button, accept, { class: 'plain link' }),
     );
-    line.append(this.makeDismiss(line));
-    this.errors.before(make('div', { role: 'status' }, line));
+    line.append(this.#makeDismiss(line));
+    this.#errors.before(make('div', { role: 'status' }, line));
   }
 
-  private sayInfo(message: string, action?: Action): void {
+  #sayInfo(message: string, action?: Action): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
     const end = (): void => line.remove();
     if (action) {
@@ -42,18 +42,18 @@ export class Messages implements Panel {
       };
       line.append(makeButton(action.label, act, { class: 'plain link' }));
     }
-    this.infos.replaceChildren(line);
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(end, action ? OFFER_MS : INFO_MS);
+    this.#infos.replaceChildren(line);
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(end, action ? OFFER_MS : INFO_MS);
   }
 
-  private sayError(message: string): void {
+  #sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(this.makeDismiss(line));
-    this.errors.replaceChildren(line);
+    line.append(this.#makeDismiss(line));
+    this.#errors.replaceChildren(line);
   }
 
-  private makeDismiss(line: HTMLElement): HTMLButtonElement {
+  #makeDismiss(line: HTMLElement): HTMLButtonElement {
     return makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss });
   }
 }

@@ -7,16 +7,16 @@ import './messages.css';
 export class OpeningNotice implements Panel {
   // In the page before anything is said, or screen readers miss it.
   readonly element = make('div', { class: 'opening-notice', role: 'status' });
-  private readonly cancel: HTMLButtonElement;
-  private readonly line: HTMLElement;
+  readonly #cancel: HTMLButtonElement;
+  readonly #line: HTMLElement;
 
   constructor(cancel: () => void) {
-    this.cancel = makeButton(words.opening.cancel, cancel);
-    this.line = make('p', { class: 'message' }, make('span', {}, words.opening.underWay), this.cancel);
+    this.#cancel = makeButton(words.opening.cancel, cancel);
+    this.#line = make('p', { class: 'message' }, make('span', {}, words.opening.underWay), this.#cancel);
   }
 
   showOpening(isUnderWay: boolean, canCancel: boolean): void {
-    this.cancel.hidden = !canCancel;
-    this.element.replaceChildren(...(isUnderWay ? [this.line] : []));
+    this.#cancel.hidden = !canCancel;
+    this.element.replaceChildren(...(isUnderWay ? [this.#line] : []));
   }
 }

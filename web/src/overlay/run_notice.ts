@@ -8,21 +8,24 @@ import './messages.css';
 export class RunNotice implements Panel {
   // In the page before anything is said, or screen readers miss it.
   readonly element = make('div', { class: 'run-notice', role: 'status' });
-  private readonly words = make('span');
-  private readonly line: HTMLElement;
+  readonly #words = make('span');
+  readonly #line: HTMLElement;
 
   constructor(events: PanelEvents) {
     const back = (): void => {
       events.showRun(null);
       events.showBeside([]);
     };
-    this.line = make('p', { class: 'message' }, this.words, makeButton(words.comparison.back, back));
+    this.#line = make('p', { class: 'message' }, this.#words, makeButton(words.comparison.back, back));
   }
 
   showRuns(run: Run | null, beside: readonly Run[]): void {
     if (run === null && beside.length === 0) return this.element.replaceChildren();
     const names = [run?.label ?? words.comparison.yourNet, ...beside.map(({ label }) => label)];
-    setText(this.words, beside.length === 0 ? words.comparison.showing(names[0]!) : words.comparison.showingAll(names));
-    this.element.replaceChildren(this.line);
+    setText(
+      this.#words,
+      beside.length === 0 ? words.comparison.showing(names[0]!) : words.comparison.showingAll(names),
+    );
+    this.element.replaceChildren(this.#line);
   }
 }

@@ -1,27 +1,27 @@
 /** The name of the page, and below it what a hand can do with the net of the moment. */
 import type { HandleData } from '../document/document';
 import { make, setText } from '../elements/dom';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import type { Panel } from '../panels';
 
 export class Title implements Panel {
   readonly element: HTMLElement;
-  private readonly toDrag = makeDragLine();
-  private readonly toClick = make('p', { hidden: true }, words.intro.click);
-  private readonly toSelect = make('p', { class: 'to-select', role: 'status' });
+  readonly #toDrag = makeDragLine();
+  readonly #toClick = make('p', { hidden: true }, words.intro.click);
+  readonly #toSelect = make('p', { class: 'to-select', role: 'status' });
 
   /** @param note stands below. */
   constructor(note: HTMLElement) {
     const name = make('h1', {}, 'chebnet');
-    this.element = make('header', { class: 'title' }, name, this.toDrag, this.toClick, this.toSelect, note);
+    this.element = make('header', { class: 'title' }, name, this.#toDrag, this.#toClick, this.#toSelect, note);
   }
 
   showHandles(handles: readonly HandleData[], { selecting, selection }: Choice): void {
     const draggable = handles.some(({ anchor }) => !anchor);
-    this.toDrag.hidden = selecting || !draggable;
-    this.toClick.hidden = selecting || draggable;
-    setText(this.toSelect, selecting ? words.intro.select(selection.length) : '');
+    this.#toDrag.hidden = selecting || !draggable;
+    this.#toClick.hidden = selecting || draggable;
+    setText(this.#toSelect, selecting ? words.intro.select(selection.length) : '');
   }
 }
 

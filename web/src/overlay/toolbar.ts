@@ -1,7 +1,7 @@
 /** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
 import type { HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeIcon } from '../elements/dom';
@@ -24,10 +24,10 @@ export class Toolbar implements Panel {
   readonly element: HTMLElement;
   /** Belong outside the toolbar. */
   readonly menus: HTMLElement[];
-  private readonly exports: ExportMenu;
-  private readonly undo: HTMLButtonElement;
-  private readonly redo: HTMLButtonElement;
-  private readonly select: HTMLButtonElement;
+  readonly #exports: ExportMenu;
+  readonly #undo: HTMLButtonElement;
+  readonly #redo: HTMLButtonElement;
+  readonly #select: HTMLButtonElement;
 
   constructor(events: PanelEvents) {
     const tool = (name: keyof typeof ICONS, click: () => void) => {
@@ -37,35 +37,35 @@ export class Toolbar implements Panel {
       return button;
     };
     const projects = createProjectMenu(events);
-    this.exports = new ExportMenu(events);
-    this.menus = [projects.menu, this.exports.menu];
-    this.undo = tool('undo', () => events.undo());
-    this.redo = tool('redo', () => events.redo());
-    this.select = tool('select', () => events.handles.toggleSelecting());
+    this.#exports = new ExportMenu(events);
+    this.menus = [projects.menu, this.#exports.menu];
+    this.#undo = tool('undo', () => events.undo());
+    this.#redo = tool('redo', () => events.redo());
+    this.#select = tool('select', () => events.handles.toggleSelecting());
     this.element = make(
       'div',
       { class: 'toolbar', role: 'group', 'aria-label': words.toolbar.actions },
       projects.button,
-      this.undo,
-      this.redo,
+      this.#undo,
+      this.#redo,
       tool('reset', () => events.reset()),
-      this.select,
+      this.#select,
       tool('frame', () => events.frameAll()),
       tool('link', () => events.share()),
-      this.exports.button,
+      this.#exports.button,
     );
   }
 
   showTables({ formats }: Tables): void {
-    this.exports.showFormats(formats);
+    this.#exports.showFormats(formats);
   }
 
   showHandles(_handles: readonly HandleData[], { selecting }: Choice): void {
-    this.select.setAttribute('aria-pressed', String(selecting));
+    this.#select.setAttribute('aria-pressed', String(selecting));
   }
 
   showHistory({ canUndo, canRedo }: HistoryView): void {
-    this.undo.disabled = !canUndo;
-    this.redo.disabled = !canRedo;
+    this.#undo.disabled = !canUndo;
+    this.#redo.disabled = !canRedo;
   }
 }

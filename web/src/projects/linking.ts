@@ -1,4 +1,4 @@
-import { part } from '../part';
+import { lazy } from '../lazy';
 
 /** For reading links and making them. */
-export const linking = part(() => import('./link'));
+export const linking = lazy(() => import('./link'));

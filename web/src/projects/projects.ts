@@ -10,7 +10,7 @@ import { Autosave } from './autosave';
 import { claim, findLast, findNewest, isOwn, newId } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
-import { clearMark, isMarked, setMark } from './mark';
+import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
 import { Failure, messageOf } from '../failure';
 
 export class Projects {
@@ -27,7 +27,7 @@ export class Projects {
     this.#app = app;
     this.#autosave = new Autosave(app, () => this.#sayNotKept(), keeps);
     this.#last = keeps ? findLast().catch(() => undefined) : Promise.resolve(undefined);
-    app.on('restarted', () => this.#markLoss());
+    app.on('restarted', () => this.#flagLoss());
     app.on('settled', () => this.#forgetLoss());
   }
 
@@ -50,8 +50,8 @@ export class Projects {
 
   /** These return what there is to say once a net is open. */
   async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
-    const open = (): Promise<void> => this.#openMarked(hash, () => this.#openLink(hash));
-    if (isMarked(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
+    const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
+    if (hasCrashFlag(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
     await open();
     return () => {
       if (last) this.#offer(words.projects.linkOpened, words.projects.restoreLast, () => this.#restore(last));
@@ -60,7 +60,7 @@ export class Projects {
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
-    if (isMarked(last.id))
+    if (hasCrashFlag(last.id))
       return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
     await this.#restore(last);
     return () => this.#offer(words.projects.restored, words.projects.startAfresh, () => this.newNet());
@@ -78,7 +78,7 @@ export class Projects {
   }
 
   async followLink(): Promise<void> {
-    await this.#openMarked(location.hash, () => this.#openLink(location.hash));
+    await this.#openFlagged(location.hash, () => this.#openLink(location.hash));
     this.#app.say(words.projects.linkFollowed);
   }
 
@@ -146,34 +146,34 @@ export class Projects {
   async #restore({ id, project }: KeptProject): Promise<void> {
     const isFirst = this.#app.opening === null;
     const goesOn = isFirst && isOwn(id) && (await claim(id));
-    await this.#openMarked(id, () => this.#app.openProject(readProject(project)));
+    await this.#openFlagged(id, () => this.#app.openProject(readProject(project)));
     this.#autosave.begin(goesOn ? id : newId(), !isFirst);
   }
 
   // ------------------------------------------------------------------------------------------------------------- misfortunes
 
-  /** Marked until it has settled. One that was refused in good order will be so again: no need to ask the user first. */
-  async #openMarked(mark: string, open: () => Promise<void>): Promise<void> {
-    setMark(mark);
+  /** Flagged until it has settled. One that was refused in good order will be so again: no need to ask the user first. */
+  async #openFlagged(mark: string, open: () => Promise<void>): Promise<void> {
+    setCrashFlag(mark);
     try {
       await open();
     } catch (error) {
-      if ((error as { code?: unknown }).code !== 'worker_lost') clearMark();
+      if ((error as { code?: unknown }).code !== 'worker_lost') clearCrashFlag();
       throw error;
     }
-    void this.#app.settled().then(() => this.#lostAt === null && clearMark());
+    void this.#app.settled().then(() => this.#lostAt === null && clearCrashFlag());
   }
 
-  #markLoss(): void {
+  #flagLoss(): void {
     this.#lostAt = this.#app.history.revision;
-    setMark(location.hash.length > 1 ? location.hash : this.#autosave.id);
+    setCrashFlag(location.hash.length > 1 ? location.hash : this.#autosave.id);
   }
 
   /** It has gone on well since. */
   #forgetLoss(): void {
     if (this.#lostAt === null || this.#lostAt === this.#app.history.revision) return;
     this.#lostAt = null;
-    clearMark();
+    clearCrashFlag();
   }
 
   #sayNotKept(): void {

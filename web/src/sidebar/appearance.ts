@@ -7,11 +7,11 @@ import type { Panel, PanelEvents } from '../panels';
 
 export class Appearance implements Panel {
   readonly element: HTMLElement;
-  private readonly field: HTMLSelectElement;
-  private readonly map: HTMLSelectElement;
-  private readonly mapRow: HTMLElement;
-  private readonly faces: HTMLInputElement;
-  private readonly up: HTMLSelectElement;
+  readonly #field: HTMLSelectElement;
+  readonly #map: HTMLSelectElement;
+  readonly #mapRow: HTMLElement;
+  readonly #faces: HTMLInputElement;
+  readonly #up: HTMLSelectElement;
 
   constructor(events: PanelEvents) {
     const fields = FIELD_NAMES.map((name) => ({ value: name, text: words.colourFields[name].choice }));
@@ -31,17 +31,17 @@ export class Appearance implements Panel {
     );
     const faces = makeSwitch(words.appearance.faces, (showFaces) => events.setView({ showFaces }));
     const up = makeSelect(words.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
-    [this.field, this.map, this.mapRow] = [field.select, map.select, map.row];
-    [this.faces, this.up] = [faces.box, up.select];
+    [this.#field, this.#map, this.#mapRow] = [field.select, map.select, map.row];
+    [this.#faces, this.#up] = [faces.box, up.select];
     this.element = makeSection(words.sections.appearance, false, field.row, map.row, faces.row, up.row);
   }
 
   showDocument({ view }: ChebnetDocument): void {
     const { field, colourMap, showFaces, upAxis } = view;
-    setValue(this.field, field);
-    setValue(this.map, colourMap);
-    this.mapRow.hidden = fieldOf(field).maps === undefined;
-    this.faces.checked = showFaces;
-    setValue(this.up, upAxis ?? 'z');
+    setValue(this.#field, field);
+    setValue(this.#map, colourMap);
+    this.#mapRow.hidden = fieldOf(field).maps === undefined;
+    this.#faces.checked = showFaces;
+    setValue(this.#up, upAxis ?? 'z');
   }
 }

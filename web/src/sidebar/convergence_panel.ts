@@ -9,34 +9,34 @@ import { ConvergencePlot } from './convergence_plot';
 import { LiveNumbers } from './live_numbers';
 
 export class ConvergencePanel implements Panel {
-  private readonly numbers = new LiveNumbers();
-  private readonly plot = new ConvergencePlot();
-  readonly element = makeSection(words.sections.convergence, true, this.numbers.element, this.plot.element);
-  private usualThreshold = 1e-6;
+  readonly #numbers = new LiveNumbers();
+  readonly #plot = new ConvergencePlot();
+  readonly element = makeSection(words.sections.convergence, true, this.#numbers.element, this.#plot.element);
+  #usualThreshold = 1e-6;
 
   showTables({ options }: Tables): void {
-    this.usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.usualThreshold;
+    this.#usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.#usualThreshold;
   }
 
   showDocument({ options }: ChebnetDocument): void {
-    this.plot.setThreshold(Number(options.threshold ?? this.usualThreshold));
+    this.#plot.setThreshold(Number(options.threshold ?? this.#usualThreshold));
   }
 
   showNet(net: OpenedNet): void {
-    this.numbers.showNet(net);
-    this.plot.clear();
+    this.#numbers.showNet(net);
+    this.#plot.clear();
   }
 
   showHandles(handles: readonly HandleData[]): void {
-    this.numbers.showHandles(handles.length);
+    this.#numbers.showHandles(handles.length);
   }
 
   takeFrame({ trace }: FrameData): void {
-    this.plot.add(trace);
+    this.#plot.add(trace);
   }
 
   showFrame(frame: FrameData, framesPerSecond: number): void {
-    this.numbers.showFrame(frame, framesPerSecond);
-    this.plot.refresh();
+    this.#numbers.showFrame(frame, framesPerSecond);
+    this.#plot.refresh();
   }
 }

@@ -1,6 +1,6 @@
 /** How a drag shapes the net: how far from the hand it moves, and whether the hand is held to where the net can follow. */
 import type { ChebnetDocument } from '../document/document';
-import type { HandleWishes } from '../handles/wishes';
+import type { HandleCommands } from '../handles/commands';
 import { words } from '../language/language';
 import { make, makeSection, makeSwitch } from '../elements/dom';
 import type { Panel } from '../panels';
@@ -13,81 +13,83 @@ const NEAREST = 2;
 
 export class DragPanel implements Panel {
   readonly element: HTMLElement;
-  private readonly slider = make('input', {
+  readonly #slider = make('input', {
     type: 'range',
     min: 0,
     max: STEPS,
     value: 0,
     title: words.drag.localityHint,
   });
-  private readonly output = make('output');
-  private farthest = 50;
-  private shown: number | undefined;
+  readonly #output = make('output');
+  #farthest = 50;
+  #shown: number | undefined;
+  readonly #wishes: HandleCommands;
 
-  constructor(private readonly wishes: HandleWishes) {
+  constructor(wishes: HandleCommands) {
+    this.#wishes = wishes;
     const row = make(
       'label',
       { class: 'slider locality' },
       make('span', {}, words.drag.locality),
-      this.slider,
-      this.output,
+      this.#slider,
+      this.#output,
     );
-    this.slider.addEventListener('input', () => this.adjust());
-    this.slider.addEventListener('focus', () => this.adjust());
-    this.slider.addEventListener('blur', () => wishes.previewLocality(undefined));
-    this.slider.addEventListener('change', () => this.choose());
+    this.#slider.addEventListener('input', () => this.#adjust());
+    this.#slider.addEventListener('focus', () => this.#adjust());
+    this.#slider.addEventListener('blur', () => wishes.previewLocality(undefined));
+    this.#slider.addEventListener('change', () => this.#choose());
     const within = makeSwitch(words.drag.within, (on) => wishes.setKeepWithin(on));
     within.row.title = words.drag.withinHint;
     within.box.checked = true;
     const reach = makeSwitch(words.drag.showReach, (on) => wishes.setShowReach(on));
     reach.row.title = words.drag.showReachHint;
     this.element = makeSection(words.sections.drag, false, row, within.row, reach.row);
-    this.write(undefined);
+    this.#write(undefined);
   }
 
   /** The far end of the slider is about half as far as such a net is wide. */
   showNet({ info }: OpenedNet): void {
-    this.farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
-    this.show(this.shown);
+    this.#farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
+    this.#show(this.#shown);
   }
 
   showDocument({ locality }: ChebnetDocument): void {
-    this.show(locality);
+    this.#show(locality);
   }
 
-  private show(locality: number | undefined): void {
-    this.shown = locality;
-    if (document.activeElement !== this.slider || this.radius() !== locality)
-      this.slider.valueAsNumber = this.stepOf(locality);
-    this.write(locality);
+  #show(locality: number | undefined): void {
+    this.#shown = locality;
+    if (document.activeElement !== this.#slider || this.#radius() !== locality)
+      this.#slider.valueAsNumber = this.#stepOf(locality);
+    this.#write(locality);
   }
 
-  private adjust(): void {
-    this.write(this.radius());
-    this.wishes.previewLocality(this.radius());
+  #adjust(): void {
+    this.#write(this.#radius());
+    this.#wishes.previewLocality(this.#radius());
   }
 
-  private choose(): void {
-    if (this.radius() !== this.shown) this.wishes.setLocality(this.radius());
+  #choose(): void {
+    if (this.#radius() !== this.#shown) this.#wishes.setLocality(this.#radius());
   }
 
-  private write(locality: number | undefined): void {
+  #write(locality: number | undefined): void {
     const text =
       locality === undefined ? words.drag.everything : words.drag.radius(locality.toLocaleString(words.locale));
-    this.output.value = text;
-    this.slider.setAttribute('aria-valuetext', text);
+    this.#output.value = text;
+    this.#slider.setAttribute('aria-valuetext', text);
   }
 
   /** Equal steps make equal ratios, rounded to whole edges. */
-  private radius(): number | undefined {
-    const step = this.slider.valueAsNumber;
+  #radius(): number | undefined {
+    const step = this.#slider.valueAsNumber;
     if (step === 0) return undefined;
-    return Math.round(NEAREST * (this.farthest / NEAREST) ** ((STEPS - step) / (STEPS - 1)));
+    return Math.round(NEAREST * (this.#farthest / NEAREST) ** ((STEPS - step) / (STEPS - 1)));
   }
 
-  private stepOf(locality: number | undefined): number {
+  #stepOf(locality: number | undefined): number {
     if (locality === undefined) return 0;
-    const part = Math.log(locality / NEAREST) / Math.log(this.farthest / NEAREST);
+    const part = Math.log(locality / NEAREST) / Math.log(this.#farthest / NEAREST);
     return Math.min(Math.max(Math.round(STEPS - part * (STEPS - 1)), 1), STEPS);
   }
 }

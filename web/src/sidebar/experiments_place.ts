@@ -2,46 +2,47 @@
  *  note on the one that is open. */
 import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
-import { part } from '../part';
+import { lazy } from '../lazy';
 import { make, makeSection } from '../elements/dom';
 import type { ExperimentGuide } from './experiment_guide';
 import type { Panel, PanelEvents } from '../panels';
 import './experiments_place.css';
 
-const loadGuide = part(() => import('./experiment_guide'));
+const loadGuide = lazy(() => import('./experiment_guide'));
 
 export class ExperimentsPlace implements Panel {
   readonly note = make('section', { class: 'experiment', hidden: true });
   readonly element = makeSection(words.sections.experiments, false);
-  private guide: ExperimentGuide | null = null;
-  private document: ChebnetDocument | null = null;
+  #guide: ExperimentGuide | null = null;
+  #document: ChebnetDocument | null = null;
+  readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
 
   /** @param failed is told why they did not come. */
-  constructor(
-    private readonly events: PanelEvents,
-    private readonly failed: (error: unknown) => void,
-  ) {
-    this.element.addEventListener('toggle', () => this.element.open && this.load());
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
+    this.#events = events;
+    this.#failed = failed;
+    this.element.addEventListener('toggle', () => this.element.open && this.#load());
   }
 
   showDocument(document: ChebnetDocument): void {
-    this.document = document;
-    if (this.guide) return this.guide.show(document);
+    this.#document = document;
+    if (this.#guide) return this.#guide.show(document);
     if (document.experiment === undefined) return;
     // At once, for the picture leaves room for it.
     this.note.hidden = false;
-    this.load();
+    this.#load();
   }
 
-  private load(): void {
-    if (!this.guide) this.open().catch(this.failed);
+  #load(): void {
+    if (!this.#guide) this.#open().catch(this.#failed);
   }
 
-  private async open(): Promise<void> {
+  async #open(): Promise<void> {
     const { ExperimentGuide } = await loadGuide();
-    if (this.guide) return;
-    this.guide = new ExperimentGuide(this.note, this.events, this.failed);
-    this.element.append(...this.guide.content);
-    if (this.document) this.guide.show(this.document);
+    if (this.#guide) return;
+    this.#guide = new ExperimentGuide(this.note, this.#events, this.#failed);
+    this.element.append(...this.#guide.content);
+    if (this.#document) this.#guide.show(this.#document);
   }
 }

@@ -21,34 +21,36 @@ interface Item {
 
 export class Gallery {
   readonly element = make('div', { class: 'gallery', role: 'group', 'aria-label': words.gallery.label });
-  private readonly fileTile = this.makeFileTile();
-  private items: Item[] = [];
-  private waiting: Item[] = [];
-  private drawing = false;
-  private thumbnail: (recipe: string) => Promise<Wireframe> = () => Promise.reject(new Error('no shapes yet'));
-  private readonly sight = new IntersectionObserver((entries) => this.seen(entries));
+  readonly #fileTile = this.#makeFileTile();
+  #items: Item[] = [];
+  #waiting: Item[] = [];
+  #drawing = false;
+  #thumbnail: (recipe: string) => Promise<Wireframe> = () => Promise.reject(new Error('no shapes yet'));
+  readonly #sight = new IntersectionObserver((entries) => this.#seen(entries));
+  readonly #idle: Idle;
+  readonly #open: (recipe: string) => void;
+  readonly #openFile: () => void;
 
-  constructor(
-    private readonly idle: Idle,
-    private readonly open: (recipe: string) => void,
-    private readonly openFile: () => void,
-  ) {
-    this.element.append(this.fileTile);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.redraw());
+  constructor(idle: Idle, open: (recipe: string) => void, openFile: () => void) {
+    this.#idle = idle;
+    this.#open = open;
+    this.#openFile = openFile;
+    this.element.append(this.#fileTile);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw());
   }
 
   showTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
-    this.thumbnail = thumbnail;
-    this.items = shapes.map((shape) => this.makeItem(shape));
-    this.element.replaceChildren(...this.items.map(({ button }) => button), this.fileTile);
-    for (const { button } of this.items) this.sight.observe(button);
+    this.#fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
+    this.#thumbnail = thumbnail;
+    this.#items = shapes.map((shape) => this.#makeItem(shape));
+    this.element.replaceChildren(...this.#items.map(({ button }) => button), this.#fileTile);
+    for (const { button } of this.#items) this.#sight.observe(button);
   }
 
   /** null: what is open is from a file. */
   showCurrent(name: string | null): void {
-    this.fileTile.classList.toggle('current', name === null);
-    for (const { shape, button, canvas, net } of this.items) {
+    this.#fileTile.classList.toggle('current', name === null);
+    for (const { shape, button, canvas, net } of this.#items) {
       const pressed = String(shape.name === name);
       if (button.getAttribute('aria-pressed') === pressed) continue;
       button.setAttribute('aria-pressed', pressed);
@@ -57,44 +59,44 @@ export class Gallery {
     }
   }
 
-  private makeItem(shape: ShapeInfo): Item {
+  #makeItem(shape: ShapeInfo): Item {
     const canvas = make('canvas', { 'aria-hidden': 'true' });
-    const button = makeButton(canvas, () => this.open(shape.name), { title: shape.sentence, 'aria-pressed': 'false' });
+    const button = makeButton(canvas, () => this.#open(shape.name), { title: shape.sentence, 'aria-pressed': 'false' });
     button.append(make('span', {}, shape.title));
     return { shape, button, canvas, net: null };
   }
 
-  private makeFileTile(): HTMLButtonElement {
-    const tile = makeButton(makeIcon(FOLDER), () => this.openFile());
+  #makeFileTile(): HTMLButtonElement {
+    const tile = makeButton(makeIcon(FOLDER), () => this.#openFile());
     tile.append(make('span', {}, words.gallery.openFile));
     return tile;
   }
 
-  private seen(entries: IntersectionObserverEntry[]): void {
+  #seen(entries: IntersectionObserverEntry[]): void {
     for (const { target, isIntersecting } of entries) {
-      const item = this.items.find(({ button }) => button === target);
+      const item = this.#items.find(({ button }) => button === target);
       if (!isIntersecting || !item) continue;
-      this.sight.unobserve(target);
-      this.waiting.push(item);
+      this.#sight.unobserve(target);
+      this.#waiting.push(item);
     }
-    if (!this.drawing) void this.drawWaiting();
+    if (!this.#drawing) void this.#drawWaiting();
   }
 
-  private async drawWaiting(): Promise<void> {
-    this.drawing = true;
-    for (let item = this.waiting.shift(); item; item = this.waiting.shift()) {
-      await this.idle.quiet();
+  async #drawWaiting(): Promise<void> {
+    this.#drawing = true;
+    for (let item = this.#waiting.shift(); item; item = this.#waiting.shift()) {
+      await this.#idle.quiet();
       try {
-        item.net = await this.thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
+        item.net = await this.#thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
         drawThumbnail(item.canvas, item.net);
       } catch {
         // A picture less; the name still opens the shape.
       }
     }
-    this.drawing = false;
+    this.#drawing = false;
   }
 
-  private redraw(): void {
-    for (const { canvas, net } of this.items) if (net) drawThumbnail(canvas, net);
+  #redraw(): void {
+    for (const { canvas, net } of this.#items) if (net) drawThumbnail(canvas, net);
   }
 }

@@ -1,7 +1,7 @@
 /** One handle of the list: its name to select it by, eye, lock and cross; while it alone is selected, its fields. */
 import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
-import type { HandleTraits } from '../handles/wishes';
+import type { HandleTraits } from '../handles/commands';
 import { words } from '../language/language';
 import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';

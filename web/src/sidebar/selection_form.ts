@@ -2,7 +2,7 @@
 import type { HandleData, Vec3 } from '../document/document';
 import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import { make, setText, setValue } from '../elements/dom';
 import { makeCoordinates } from './handle_row';

@@ -12,42 +12,42 @@ import type { Wireframe } from './thumbnail';
 
 export class ShapePanel implements Panel {
   readonly element: HTMLElement;
-  private readonly idle = new Idle();
-  private readonly gallery: Gallery;
-  private readonly parameters: ShapeParameters;
-  private readonly fileName = make('p', { class: 'quiet', hidden: true });
-  private shapes: ShapeInfo[] = [];
+  readonly #idle = new Idle();
+  readonly #gallery: Gallery;
+  readonly #parameters: ShapeParameters;
+  readonly #fileName = make('p', { class: 'quiet', hidden: true });
+  #shapes: ShapeInfo[] = [];
 
   constructor(events: PanelEvents) {
     const open = (recipe: string): void => events.openRecipe(recipe);
-    this.gallery = new Gallery(this.idle, open, () => events.pickFile());
-    this.parameters = new ShapeParameters(open);
+    this.#gallery = new Gallery(this.#idle, open, () => events.pickFile());
+    this.#parameters = new ShapeParameters(open);
     const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });
     this.element = makeSection(
       words.sections.shape,
       true,
-      this.gallery.element,
-      this.fileName,
-      this.parameters.element,
+      this.#gallery.element,
+      this.#fileName,
+      this.#parameters.element,
       make('div', { class: 'buttons' }, equalize),
     );
   }
 
   showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.shapes = tables.shapes;
-    this.idle.touch();
-    this.gallery.showTables(tables, thumbnail);
+    this.#shapes = tables.shapes;
+    this.#idle.touch();
+    this.#gallery.showTables(tables, thumbnail);
   }
 
   showDocument({ net }: ChebnetDocument): void {
     const recipe = 'recipe' in net ? net.recipe : null;
-    this.gallery.showCurrent(recipe?.split(':')[0] ?? null);
-    this.parameters.show(recipe, this.shapes);
-    this.fileName.hidden = recipe !== null;
-    setText(this.fileName, 'name' in net ? net.name : '');
+    this.#gallery.showCurrent(recipe?.split(':')[0] ?? null);
+    this.#parameters.show(recipe, this.#shapes);
+    this.#fileName.hidden = recipe !== null;
+    setText(this.#fileName, 'name' in net ? net.name : '');
   }
 
   takeFrame(): void {
-    this.idle.touch();
+    this.#idle.touch();
   }
 }

@@ -5,7 +5,7 @@ import { ComparisonPlace } from '../comparison/place';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton } from '../elements/dom';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import type { Tables } from '../net/tables';
 import { Legend } from '../overlay/legend';

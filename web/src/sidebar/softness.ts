@@ -1,5 +1,5 @@
 /** Whether handles are soft, and how hard they pull then. */
-import type { HandleTraits } from '../handles/wishes';
+import type { HandleTraits } from '../handles/commands';
 import { words } from '../language/language';
 import { make, makeSwitch, setText, setValue } from '../elements/dom';
 import { small } from '../language/numbers';

@@ -20,21 +20,23 @@ interface Setting {
 
 export class SolverPanel implements Panel {
   readonly element: HTMLElement;
-  private readonly method = new MethodChoice(() => this.set(this.options));
-  private readonly initialisation = new InitialisationChoice(() => this.set(this.options));
-  private readonly usual = make('div');
-  private readonly seldom = make('div');
-  private readonly defaults: HTMLButtonElement;
-  private readonly buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
-  private settings: Setting[] = [];
-  private options: SolverOptions = {};
+  readonly #method = new MethodChoice(() => this.#set(this.#options));
+  readonly #initialisation = new InitialisationChoice(() => this.#set(this.#options));
+  readonly #usual = make('div');
+  readonly #seldom = make('div');
+  readonly #defaults: HTMLButtonElement;
+  readonly #buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
+  #settings: Setting[] = [];
+  #options: SolverOptions = {};
+  readonly #events: PanelEvents;
 
-  constructor(private readonly events: PanelEvents) {
-    this.buttons = {
+  constructor(events: PanelEvents) {
+    this.#events = events;
+    this.#buttons = {
       cancel: makeButton(words.solver.cancel, () => events.cancel(), { disabled: true }),
       undo: makeButton(words.solver.undo, () => events.undo(), { disabled: true }),
     };
-    this.defaults = makeButton(words.solver.defaults, () => this.set({}), { class: 'plain link' });
+    this.#defaults = makeButton(words.solver.defaults, () => this.#set({}), { class: 'plain link' });
     this.element = makeSection(
       words.sections.solver,
       false,
@@ -42,47 +44,47 @@ export class SolverPanel implements Panel {
         'div',
         { class: 'buttons' },
         makeButton(words.solver.solve, () => events.solve(), { title: words.solver.solveHint }),
-        this.buttons.cancel,
+        this.#buttons.cancel,
         makeButton(words.solver.reset, () => events.reset()),
-        this.buttons.undo,
+        this.#buttons.undo,
       ),
-      ...this.method.content,
-      ...this.initialisation.content,
-      this.usual,
-      make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.seldom),
-      this.defaults,
+      ...this.#method.content,
+      ...this.#initialisation.content,
+      this.#usual,
+      make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.#seldom),
+      this.#defaults,
     );
   }
 
   showTables({ methods, initialisations, options }: Tables): void {
-    this.method.showTable(methods);
-    this.initialisation.showTable(initialisations);
-    this.settings = options.map((option) => this.makeSetting(option));
+    this.#method.showTable(methods);
+    this.#initialisation.showTable(initialisations);
+    this.#settings = options.map((option) => this.#makeSetting(option));
     const isUsual = ({ option }: Setting) => USUAL.includes(option.name);
-    this.usual.replaceChildren(...this.settings.filter(isUsual).map(({ row }) => row));
-    this.seldom.replaceChildren(...this.settings.filter((each) => !isUsual(each)).map(({ row }) => row));
+    this.#usual.replaceChildren(...this.#settings.filter(isUsual).map(({ row }) => row));
+    this.#seldom.replaceChildren(...this.#settings.filter((each) => !isUsual(each)).map(({ row }) => row));
   }
 
   showDocument({ method, initialisation, options }: ChebnetDocument): void {
-    this.options = options;
-    this.method.show(method);
-    this.initialisation.show(initialisation);
-    for (const { option, input } of this.settings)
-      this.showSetting(option, input, options[option.name] ?? option.value);
-    this.defaults.hidden = Object.keys(options).length === 0;
+    this.#options = options;
+    this.#method.show(method);
+    this.#initialisation.show(initialisation);
+    for (const { option, input } of this.#settings)
+      this.#showSetting(option, input, options[option.name] ?? option.value);
+    this.#defaults.hidden = Object.keys(options).length === 0;
   }
 
   showHistory({ canUndo }: HistoryView): void {
-    this.buttons.undo.disabled = !canUndo;
+    this.#buttons.undo.disabled = !canUndo;
   }
 
   showFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    if (this.buttons.cancel.disabled === solving) this.buttons.cancel.disabled = !solving;
+    if (this.#buttons.cancel.disabled === solving) this.#buttons.cancel.disabled = !solving;
   }
 
-  private makeSetting(option: OptionInfo): Setting {
+  #makeSetting(option: OptionInfo): Setting {
     if (option.kind === 'flag') {
-      const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.change(option, on));
+      const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.#change(option, on));
       row.title = option.sentence;
       return { option, input: box, row };
     }
@@ -90,7 +92,7 @@ export class SolverPanel implements Panel {
     const { smallest: min, largest: max } = option;
     const input = make('input', { type: 'number', step, min, max, required: true });
     input.addEventListener('change', () => {
-      if (input.reportValidity()) this.change(option, input.valueAsNumber);
+      if (input.reportValidity()) this.#change(option, input.valueAsNumber);
     });
     const row = make(
       'label',
@@ -101,20 +103,20 @@ export class SolverPanel implements Panel {
     return { option, input, row };
   }
 
-  private showSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
+  #showSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
     if (kind === 'flag') input.checked = Boolean(value);
     else setValue(input, plain(Number(value)));
   }
 
-  private change({ name }: OptionInfo, value: number | boolean): void {
-    this.set({ ...this.options, [name]: value });
+  #change({ name }: OptionInfo, value: number | boolean): void {
+    this.#set({ ...this.#options, [name]: value });
   }
 
-  private set(options: SolverOptions): void {
+  #set(options: SolverOptions): void {
     // Sent whole: what is left out goes back to its default.
-    const all = Object.fromEntries(this.settings.map(({ option }) => [option.name, usualValue(option)]));
-    const [method, initialisation] = [this.method.value, this.initialisation.value];
-    this.events.setOptions({ method, initialisation, options: { ...all, ...options } });
+    const all = Object.fromEntries(this.#settings.map(({ option }) => [option.name, usualValue(option)]));
+    const [method, initialisation] = [this.#method.value, this.#initialisation.value];
+    this.#events.setOptions({ method, initialisation, options: { ...all, ...options } });
   }
 }
 

@@ -7,8 +7,8 @@ import { statusWords } from './status';
 
 export class StatusRow implements Panel {
   readonly element: HTMLElement;
-  private readonly light = make('i', { class: 'light', 'data-status': 'running' });
-  private readonly status = make('span', { class: 'status-words' }, words.status.loading);
+  readonly #light = make('i', { class: 'light', 'data-status': 'running' });
+  readonly #status = make('span', { class: 'status-words' }, words.status.loading);
 
   /** @param fold unfolds the sections on a phone, where this row is all that is seen of them at first. */
   constructor(events: PanelEvents, fold: HTMLElement) {
@@ -17,11 +17,11 @@ export class StatusRow implements Panel {
       'aria-label': words.keys.title,
       title: words.keys.hint,
     });
-    this.element = make('div', { class: 'status' }, this.light, this.status, keys, fold);
+    this.element = make('div', { class: 'status' }, this.#light, this.#status, keys, fold);
   }
 
   showFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
-    this.light.dataset.status = status === 'running' && !solving ? 'stalled' : status;
-    setText(this.status, statusWords(status, solving, iterations));
+    this.#light.dataset.status = status === 'running' && !solving ? 'stalled' : status;
+    setText(this.#status, statusWords(status, solving, iterations));
   }
 }

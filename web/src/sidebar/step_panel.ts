@@ -10,20 +10,21 @@ import { stageWords } from './status';
 
 const LABELS = words.step.numbers;
 
+type Cells = Record<keyof typeof LABELS, HTMLElement>;
+
 export class StepPanel implements Panel {
   readonly element: HTMLElement;
-  private readonly stage = make('p', { class: 'quiet' });
-  private readonly cells: Record<keyof typeof LABELS, HTMLElement>;
-  private row: TraceRow | null = null;
+  readonly #stage = make('p', { class: 'quiet' });
+  readonly #cells: Cells;
+  #row: TraceRow | null = null;
   /** Of the last step, in edges; null if it was no single one. */
-  private move: number | null = null;
-  private edgeLength = 1;
+  #move: number | null = null;
+  #edgeLength = 1;
+  readonly #say: (stage: string) => void;
 
   /** @param say tells a visitor who steps that another stage began. */
-  constructor(
-    events: PanelEvents,
-    private readonly say: (stage: string) => void,
-  ) {
+  constructor(events: PanelEvents, say: (stage: string) => void) {
+    this.#say = say;
     const { row } = makeSwitch(words.step.arrows, (on) => events.setStepArrows(on));
     row.title = words.step.arrowsHint;
     const numbers = make('dl', { class: 'numbers' });
@@ -32,33 +33,31 @@ export class StepPanel implements Panel {
       numbers.append(make('div', {}, make('dt', {}, label), value));
       return value;
     };
-    this.cells = Object.fromEntries(
-      Object.entries(LABELS).map(([key, label]) => [key, cell(label)]),
-    ) as typeof this.cells;
+    this.#cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as Cells;
     const step = makeButton(words.step.step, () => events.step(), { title: words.step.stepHint });
     const buttons = make('div', { class: 'buttons' }, step);
-    this.element = makeSection(words.sections.step, false, buttons, row, this.stage, numbers);
+    this.element = makeSection(words.sections.step, false, buttons, row, this.#stage, numbers);
   }
 
   showNet({ info }: OpenedNet): void {
-    this.edgeLength = info.meanLength;
-    this.row = null;
-    this.move = null;
+    this.#edgeLength = info.meanLength;
+    this.#row = null;
+    this.#move = null;
     this.showFrame();
   }
 
   takeFrame({ trace, stepFrom, positions }: FrameData): void {
     const row = trace.at(-1);
     if (row === undefined) return;
-    const isNew = row.iteration === 1 || row.stage !== this.row?.stage;
-    this.row = row;
-    this.move = stepFrom && longestMove(stepFrom, positions) / this.edgeLength;
-    if (stepFrom && isNew) this.say(stageWords(row));
+    const isNew = row.iteration === 1 || row.stage !== this.#row?.stage;
+    this.#row = row;
+    this.#move = stepFrom && longestMove(stepFrom, positions) / this.#edgeLength;
+    if (stepFrom && isNew) this.#say(stageWords(row));
   }
 
   showFrame(): void {
-    const { row, move, cells } = this;
-    setText(this.stage, row ? stageWords(row) : words.step.idle);
+    const [row, move, cells] = [this.#row, this.#move, this.#cells];
+    setText(this.#stage, row ? stageWords(row) : words.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);
     setText(cells.energy, row ? small(row.energy) : NOTHING);
     setText(cells.step, row ? small(row.step) : NOTHING);

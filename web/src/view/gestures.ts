@@ -17,7 +17,7 @@ import { nearestVertex, type Projection } from './picking';
 import type { ViewEvents } from './view';
 
 /** What the scene lends to the hands. */
-export interface GestureStage {
+export interface GestureContext {
   canvas: HTMLCanvasElement;
   camera: PerspectiveCamera;
   orbit: OrbitControls;
@@ -102,11 +102,11 @@ export class Gestures {
   #longTouch: ReturnType<typeof setTimeout> | undefined;
   readonly #plane = new ViewPlane();
   readonly #listeners = new AbortController();
-  readonly #stage: GestureStage;
+  readonly #context: GestureContext;
 
-  constructor(stage: GestureStage) {
-    this.#stage = stage;
-    const { canvas } = stage;
+  constructor(context: GestureContext) {
+    this.#context = context;
+    const { canvas } = context;
     const { signal } = this.#listeners;
     // In the capture phase of the parent: decided before the camera's and the arrows' own listeners hear of it.
     const above = canvas.parentElement!;
@@ -130,7 +130,7 @@ export class Gestures {
   }
 
   #down(event: PointerEvent): void {
-    const { canvas, orbit, gizmo } = this.#stage;
+    const { canvas, orbit, gizmo } = this.#context;
     if (event.target !== canvas) return;
     this.#setHover(null);
     if (this.#press) return this.#downToo(event, this.#press);
@@ -138,7 +138,7 @@ export class Gestures {
     const isTouch = event.pointerType === 'touch';
     const at = this.#place(event);
     const vertex = this.#handleAt(at, event);
-    if (isTouch && vertex !== null && !this.#stage.selecting()) this.#awaitLongTouch(event.pointerId, vertex);
+    if (isTouch && vertex !== null && !this.#context.selecting()) this.#awaitLongTouch(event.pointerId, vertex);
     const handle = event.shiftKey ? null : this.#grip(vertex);
     const onGizmo = vertex === null && gizmo.takes(this.#toDevice(at));
     const outline = handle || onGizmo ? null : this.#outlineFrom(at, event);
@@ -150,7 +150,7 @@ export class Gestures {
     if (isCameras || onGizmo) return;
     gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
-    if (handle) this.#plane.grab(this.#stage.camera, handle.from, this.#toDevice(at));
+    if (handle) this.#plane.grab(this.#context.camera, handle.from, this.#toDevice(at));
   }
 
   /** Another finger: the camera's business, unless something is well under way; then it goes unheard. */
@@ -158,7 +158,7 @@ export class Gestures {
     if (isUnderWay(press)) return event.stopPropagation();
     clearTimeout(this.#longTouch);
     this.#giveUp();
-    this.#stage.gizmo.setEnabled(false);
+    this.#context.gizmo.setEnabled(false);
   }
 
   #move(event: PointerEvent): void {
@@ -176,25 +176,25 @@ export class Gestures {
     if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
     if (!press.moved) return;
     if (press.outline) this.#draw(press.outline, at);
-    else if (press.handle && this.#stage.report.isUnderWay) this.#carry(press.handle, at);
+    else if (press.handle && this.#context.report.isUnderWay) this.#carry(press.handle, at);
   }
 
   #begin(press: Press): void {
     press.moved = true;
     clearTimeout(this.#longTouch);
     if (!press.handle) return;
-    this.#stage.grab(this.#stage.moving(press.handle.vertex));
-    this.#stage.canvas.style.cursor = 'grabbing';
+    this.#context.grab(this.#context.moving(press.handle.vertex));
+    this.#context.canvas.style.cursor = 'grabbing';
   }
 
   #draw(outline: Outline, at: Place): void {
     outline.extend(at);
-    this.#stage.outline(outline.corners);
+    this.#context.outline(outline.corners);
   }
 
   #carry({ from }: NonNullable<Press['handle']>, at: Place): void {
-    const point = this.#plane.carry(this.#stage.camera, this.#toDevice(at));
-    if (point) this.#stage.carry(shift(point.sub(from)));
+    const point = this.#plane.carry(this.#context.camera, this.#toDevice(at));
+    if (point) this.#context.carry(shift(point.sub(from)));
   }
 
   #up(event: PointerEvent): void {
@@ -202,7 +202,7 @@ export class Gestures {
     if (!press || event.pointerId !== press.pointer) return;
     this.#letGo();
     if (press.outline && press.moved) this.#chooseInside(press.outline);
-    else if (press.handle && press.moved) this.#stage.report.end(false);
+    else if (press.handle && press.moved) this.#context.report.end(false);
     else if (!press.moved && !press.onGizmo) this.#click(press.at, event);
   }
 
@@ -210,33 +210,33 @@ export class Gestures {
   #lost(event: PointerEvent): void {
     if (event.pointerId !== this.#press?.pointer) return;
     this.#letGo();
-    this.#stage.gizmo.release();
-    this.#stage.report.end(true);
+    this.#context.gizmo.release();
+    this.#context.report.end(true);
   }
 
   #letGo(): void {
     clearTimeout(this.#longTouch);
     this.#press = null;
-    this.#stage.orbit.enabled = true;
-    this.#stage.gizmo.setEnabled(true);
-    this.#stage.canvas.style.cursor = '';
-    this.#stage.outline(null);
+    this.#context.orbit.enabled = true;
+    this.#context.gizmo.setEnabled(true);
+    this.#context.canvas.style.cursor = '';
+    this.#context.outline(null);
   }
 
   /** Whatever the pointer was about to do, it does not. */
   #giveUp(): void {
     if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
-    this.#stage.outline(null);
-    this.#stage.gizmo.release();
-    this.#stage.report.end(true);
-    this.#stage.canvas.style.cursor = '';
+    this.#context.outline(null);
+    this.#context.gizmo.release();
+    this.#context.report.end(true);
+    this.#context.canvas.style.cursor = '';
   }
 
   #click(at: Place, event: PointerEvent): void {
-    const { events } = this.#stage;
-    const selection = this.#stage.selection();
+    const { events } = this.#context;
+    const selection = this.#context.selection();
     const found = this.#find(at, event);
-    const adds = event.shiftKey || this.#stage.selecting();
+    const adds = event.shiftKey || this.#context.selecting();
     if (found && !found.handle) events.addHandle(found.vertex, adds ? selection : []);
     else if (found) events.select(adds ? toggled(selection, found.vertex) : [found.vertex]);
     else if (!adds) events.select([]);
@@ -244,12 +244,12 @@ export class Gestures {
 
   #outlineFrom(at: Place, { shiftKey }: PointerEvent): Outline | null {
     if (shiftKey) return new Outline('box', at);
-    return this.#stage.selecting() ? new Outline('lasso', at) : null;
+    return this.#context.selecting() ? new Outline('lasso', at) : null;
   }
 
   #chooseInside({ corners }: Outline): void {
-    const { marks, events } = this.#stage;
-    events.select(united(this.#stage.selection(), marks.inside(this.#stage.projection(), corners)));
+    const { marks, events } = this.#context;
+    events.select(united(this.#context.selection(), marks.inside(this.#context.projection(), corners)));
   }
 
   #awaitLongTouch(pointer: number, vertex: number): void {
@@ -264,13 +264,13 @@ export class Gestures {
     if (this.#press?.pointer !== pointer || this.#press.moved) return;
     // The finger has had its say: nothing follows from where it goes, or lifts.
     this.#press = { ...this.#press, moved: true, handle: null };
-    this.#stage.events.select(toggled(this.#stage.selection(), vertex));
+    this.#context.events.select(toggled(this.#context.selection(), vertex));
   }
 
   /** A handle as a hand takes it; null: there is none, or it is locked, or still to be selected. */
   #grip(vertex: number | null): Press['handle'] {
-    const { marks } = this.#stage;
-    if (this.#stage.selecting() && !this.#stage.selection().includes(vertex ?? -1)) return null;
+    const { marks } = this.#context;
+    if (this.#context.selecting() && !this.#context.selection().includes(vertex ?? -1)) return null;
     const point = vertex === null || marks.isLocked(vertex) ? undefined : marks.point(vertex);
     return point ? { vertex: vertex!, from: point.clone() } : null;
   }
@@ -278,18 +278,18 @@ export class Gestures {
   #find(at: Place, event: PointerEvent): Found | null {
     const handle = this.#handleAt(at, event);
     if (handle !== null) return { vertex: handle, handle: true };
-    const data = this.#stage.data();
-    if (!data || this.#stage.selecting()) return null;
+    const data = this.#context.data();
+    if (!data || this.#context.selecting()) return null;
     const layer = LAYER * data.edgeLength;
     const { points, vertexCount } = data;
-    const projection = this.#stage.projection();
+    const projection = this.#context.projection();
     const vertex = nearestVertex(points, vertexCount, projection, at.x, at.y, REACH[kind(event)], layer);
-    if (vertex === null || this.#stage.marks.isHidden(vertex)) return null;
-    return { vertex, handle: this.#stage.marks.point(vertex) !== undefined };
+    if (vertex === null || this.#context.marks.isHidden(vertex)) return null;
+    return { vertex, handle: this.#context.marks.point(vertex) !== undefined };
   }
 
   #handleAt(at: Place, event: PointerEvent): number | null {
-    return this.#stage.marks.at(this.#stage.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
+    return this.#context.marks.at(this.#context.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
   }
 
   /** At most once a frame, however many events the mouse sends. */
@@ -301,7 +301,7 @@ export class Gestures {
       const last = this.#hover;
       this.#hover = null;
       if (last && !this.#press)
-        this.#setHover(last.target === this.#stage.canvas ? this.#find(this.#place(last), last) : null);
+        this.#setHover(last.target === this.#context.canvas ? this.#find(this.#place(last), last) : null);
     });
   }
 
@@ -310,15 +310,15 @@ export class Gestures {
   }
 
   #setHover(found: Found | null): void {
-    const { canvas } = this.#stage;
+    const { canvas } = this.#context;
     canvas.style.cursor = !found ? '' : !found.handle ? 'crosshair' : this.#grip(found.vertex) ? 'grab' : 'pointer';
-    this.#stage.hovered(found);
+    this.#context.hovered(found);
   }
 
   /** Takes part before anyone else hears of the key: Esc in a gesture means this gesture, nothing else. */
   #escape(event: KeyboardEvent): void {
     const isDrawing = this.#press?.outline && this.#press.moved;
-    if (event.key !== 'Escape' || (!this.#stage.report.isUnderWay && !isDrawing)) return;
+    if (event.key !== 'Escape' || (!this.#context.report.isUnderWay && !isDrawing)) return;
     event.stopPropagation();
     event.preventDefault();
     this.#nudged = null;
@@ -329,9 +329,9 @@ export class Gestures {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const direction = ARROW_KEYS[event.key];
     if (direction) this.#arrowKey(direction, event.shiftKey);
-    else if (event.key === '+' || event.key === '=') this.#stage.orbit.dollyIn(KEY.zoom);
-    else if (event.key === '-') this.#stage.orbit.dollyOut(KEY.zoom);
-    else if (event.key === 'Home') this.#stage.frameAll();
+    else if (event.key === '+' || event.key === '=') this.#context.orbit.dollyIn(KEY.zoom);
+    else if (event.key === '-') this.#context.orbit.dollyOut(KEY.zoom);
+    else if (event.key === 'Home') this.#context.frameAll();
     else return;
     event.preventDefault();
   }
@@ -343,12 +343,12 @@ export class Gestures {
   #endNudge(): void {
     if (!this.#nudged) return;
     this.#nudged = null;
-    this.#stage.report.end(false);
+    this.#context.report.end(false);
   }
 
   #arrowKey([dx, dy]: readonly [number, number], big: boolean): void {
-    const { orbit } = this.#stage;
-    if (this.#stage.selection().length > 0) this.#nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
+    const { orbit } = this.#context;
+    if (this.#context.selection().length > 0) this.#nudge(dx, dy, big ? KEY.bigNudge : KEY.nudge);
     else if (big) orbit.pan(-dx * KEY.pan, dy * KEY.pan);
     else if (dx) orbit.rotateLeft(dx * KEY.turn);
     else orbit.rotateUp(dy * KEY.turn);
@@ -356,28 +356,28 @@ export class Gestures {
 
   /** Moves the selection in the view plane; held keys and their repeats make one drag. */
   #nudge(dx: number, dy: number, edges: number): void {
-    const { camera } = this.#stage;
-    const moving = this.#stage.moving();
-    const data = this.#stage.data();
+    const { camera } = this.#context;
+    const moving = this.#context.moving();
+    const data = this.#context.data();
     if (moving.length === 0 || !data || this.#press) return;
     if (!this.#nudged) {
       this.#nudged = new Vector3();
-      this.#stage.grab(moving);
+      this.#context.grab(moving);
     }
     const step = edges * data.edgeLength;
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
     this.#nudged.addScaledVector(right, dx * step).addScaledVector(up, dy * step);
-    this.#stage.carry(shift(this.#nudged));
+    this.#context.carry(shift(this.#nudged));
   }
 
   #place(event: PointerEvent): Place {
-    const box = this.#stage.canvas.getBoundingClientRect();
+    const box = this.#context.canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
   #toDevice({ x, y }: Place): Vector2 {
-    const { clientWidth, clientHeight } = this.#stage.canvas;
+    const { clientWidth, clientHeight } = this.#context.canvas;
     return new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight);
   }
 }

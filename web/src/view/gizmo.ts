@@ -13,8 +13,8 @@ import {
 } from 'three';
 import type { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { UpAxis } from '../document/document';
-import type { GizmoMode } from '../handles/wishes';
-import { part } from '../part';
+import type { GizmoMode } from '../handles/commands';
+import { lazy } from '../lazy';
 import type { Theme } from './theme';
 
 export interface GizmoEvents {
@@ -28,7 +28,7 @@ export interface GizmoEvents {
   failed(error: unknown): void;
 }
 
-const loadControls = part(() => import('three/addons/controls/TransformControls.js'));
+const loadControls = lazy(() => import('three/addons/controls/TransformControls.js'));
 
 /** A fingertip needs more to take hold of. */
 const SIZE = matchMedia('(pointer: coarse)').matches ? 1 : 0.75;

@@ -96,24 +96,24 @@ void main() {
 
 export class Ground {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
-  private readonly plan = target(PLAN_PIXELS);
-  private readonly blurred = [target(BLUR_PIXELS), target(BLUR_PIXELS)] as const;
-  private readonly stage = new Scene();
-  private readonly painter: Mesh<BufferGeometry, ShaderMaterial>;
-  private readonly camera = new OrthographicCamera();
-  private readonly sheet = new PlaneGeometry(2, 2);
-  private readonly planMaterial: ShaderMaterial;
-  private readonly blurMaterial = new ShaderMaterial({
+  readonly #plan = target(PLAN_PIXELS);
+  readonly #blurred = [target(BLUR_PIXELS), target(BLUR_PIXELS)] as const;
+  readonly #stage = new Scene();
+  readonly #painter: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly #camera = new OrthographicCamera();
+  readonly #sheet = new PlaneGeometry(2, 2);
+  readonly #planMaterial: ShaderMaterial;
+  readonly #blurMaterial = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: FULL_VERTEX,
     fragmentShader: BLUR_FRAGMENT,
     depthTest: false,
     uniforms: { source: { value: null }, stride: { value: new Vector2() } },
   });
-  private faces: BufferGeometry | null = null;
+  #faces: BufferGeometry | null = null;
 
   constructor(net: NetUniforms) {
-    this.planMaterial = new ShaderMaterial({
+    this.#planMaterial = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: PLAN_VERTEX,
       fragmentShader: PLAN_FRAGMENT,
@@ -132,7 +132,7 @@ export class Ground {
       transparent: true,
       depthWrite: false,
       uniforms: {
-        plan_shadow: { value: this.blurred[1].texture },
+        plan_shadow: { value: this.#blurred[1].texture },
         shadowColour: { value: new Color() },
         gridColour: { value: new Color() },
         shadowShare: { value: 0 },
@@ -141,15 +141,15 @@ export class Ground {
       },
     });
     this.object = new Mesh(new PlaneGeometry(2 * REACH, 2 * REACH), material);
-    this.painter = new Mesh<BufferGeometry, ShaderMaterial>(this.sheet, this.planMaterial);
-    this.painter.frustumCulled = false;
-    this.stage.add(this.painter);
+    this.#painter = new Mesh<BufferGeometry, ShaderMaterial>(this.#sheet, this.#planMaterial);
+    this.#painter.frustumCulled = false;
+    this.#stage.add(this.#painter);
   }
 
   /** `faces`: the net's triangles. */
   showNet({ space }: NetData, faces: BufferGeometry): void {
-    this.faces = faces;
-    this.planMaterial.uniforms.floorHeight!.value = space.floor;
+    this.#faces = faces;
+    this.#planMaterial.uniforms.floorHeight!.value = space.floor;
     // A little below, or a flat net would flicker through it.
     this.object.position.z = space.floor - 0.02;
   }
@@ -162,32 +162,28 @@ export class Ground {
   }
 
   drawShadow(renderer: WebGLRenderer): void {
-    if (!this.faces) return;
-    this.paint(renderer, this.faces, this.planMaterial, this.plan);
-    const { source, stride } = this.blurMaterial.uniforms;
-    source!.value = this.plan.texture;
+    if (!this.#faces) return;
+    this.#paint(renderer, this.#faces, this.#planMaterial, this.#plan);
+    const { source, stride } = this.#blurMaterial.uniforms;
+    source!.value = this.#plan.texture;
     stride!.value.set(1 / BLUR_PIXELS, 0);
-    this.paint(renderer, this.sheet, this.blurMaterial, this.blurred[0]);
-    source!.value = this.blurred[0].texture;
+    this.#paint(renderer, this.#sheet, this.#blurMaterial, this.#blurred[0]);
+    source!.value = this.#blurred[0].texture;
     stride!.value.set(0, 1 / BLUR_PIXELS);
-    this.paint(renderer, this.sheet, this.blurMaterial, this.blurred[1]);
+    this.#paint(renderer, this.#sheet, this.#blurMaterial, this.#blurred[1]);
     renderer.setRenderTarget(null);
   }
 
-  private paint(
-    renderer: WebGLRenderer,
-    geometry: BufferGeometry,
-    material: ShaderMaterial,
-    to: WebGLRenderTarget,
-  ): void {
-    this.painter.geometry = geometry;
-    this.painter.material = material;
+  #paint(renderer: WebGLRenderer, geometry: BufferGeometry, material: ShaderMaterial, to: WebGLRenderTarget): void {
+    this.#painter.geometry = geometry;
+    this.#painter.material = material;
     renderer.setRenderTarget(to);
-    renderer.render(this.stage, this.camera);
+    renderer.render(this.#stage, this.#camera);
   }
 
   dispose(): void {
-    for (const thing of [this.plan, ...this.blurred, this.sheet, this.planMaterial, this.blurMaterial]) thing.dispose();
+    for (const thing of [this.#plan, ...this.#blurred, this.#sheet, this.#planMaterial, this.#blurMaterial])
+      thing.dispose();
     this.object.geometry.dispose();
     this.object.material.dispose();
   }

@@ -54,33 +54,35 @@ export class NetData {
   readonly vertexCount: number;
   /** Mean length of an edge, in the scene. */
   readonly edgeLength: number;
-  private readonly vertices: DataTexture;
-  private readonly numberTexture: DataTexture;
-  private readonly mobilities: DataTexture;
-  private readonly mobilityValues: Float32Array<ArrayBuffer>;
-  private readonly ends: DataTexture;
+  readonly #vertices: DataTexture;
+  readonly #numberTexture: DataTexture;
+  readonly #mobilities: DataTexture;
+  readonly #mobilityValues: Float32Array<ArrayBuffer>;
+  readonly #ends: DataTexture;
   /** Of the field that is shown, one for each vertex or each edge. */
-  private readonly numbers: Float32Array<ArrayBuffer>;
+  readonly #numbers: Float32Array<ArrayBuffer>;
+  readonly #net: OpenedNet;
 
   constructor(
-    private readonly net: OpenedNet,
+    net: OpenedNet,
     readonly space: Space,
   ) {
+    this.#net = net;
     this.vertexCount = net.restPositions.length / 3;
     this.edgeLength = net.info.meanLength * space.scale;
     const edges = net.edges.length / 2;
     this.points = new Float32Array(4 * texels(this.vertexCount));
     const most = Math.max(this.vertexCount, edges);
-    this.numbers = new Float32Array(texels(most));
+    this.#numbers = new Float32Array(texels(most));
     const ends = new Int32Array(2 * texels(edges));
     ends.set(net.edges);
-    this.vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
-    this.numberTexture = table(this.numbers, most, RedFormat, FloatType);
-    this.mobilityValues = new Float32Array(texels(this.vertexCount)).fill(1);
-    this.mobilities = table(this.mobilityValues, this.vertexCount, RedFormat, FloatType);
-    this.mobilities.needsUpdate = true;
-    this.ends = table(ends, edges, RGIntegerFormat, IntType);
-    this.ends.needsUpdate = true;
+    this.#vertices = table(this.points, this.vertexCount, RGBAFormat, FloatType);
+    this.#numberTexture = table(this.#numbers, most, RedFormat, FloatType);
+    this.#mobilityValues = new Float32Array(texels(this.vertexCount)).fill(1);
+    this.#mobilities = table(this.#mobilityValues, this.vertexCount, RedFormat, FloatType);
+    this.#mobilities.needsUpdate = true;
+    this.#ends = table(ends, edges, RGIntegerFormat, IntType);
+    this.#ends.needsUpdate = true;
   }
 
   show(placed: Placed, field: ColourField): void {
@@ -94,27 +96,27 @@ export class NetData {
       points[to + 1] = (positions[from + axisY]! - cy) * scaleY;
       points[to + 2] = (positions[from + axisZ]! - cz) * scale;
     }
-    field.write(this.numbers, placed, this.net);
-    this.vertices.needsUpdate = true;
-    this.numberTexture.needsUpdate = true;
+    field.write(this.#numbers, placed, this.#net);
+    this.#vertices.needsUpdate = true;
+    this.#numberTexture.needsUpdate = true;
   }
 
   /** null: all vertices move freely. */
   showRegion(mobility: Float32Array | null): void {
-    if (mobility) this.mobilityValues.set(mobility);
-    else this.mobilityValues.fill(1);
-    this.mobilities.needsUpdate = true;
+    if (mobility) this.#mobilityValues.set(mobility);
+    else this.#mobilityValues.fill(1);
+    this.#mobilities.needsUpdate = true;
   }
 
   putInto(uniforms: NetUniforms): void {
-    uniforms.mobilities.value = this.mobilities;
-    uniforms.vertices.value = this.vertices;
-    uniforms.numbers.value = this.numberTexture;
-    uniforms.ends.value = this.ends;
+    uniforms.mobilities.value = this.#mobilities;
+    uniforms.vertices.value = this.#vertices;
+    uniforms.numbers.value = this.#numberTexture;
+    uniforms.ends.value = this.#ends;
   }
 
   dispose(): void {
-    for (const texture of [this.vertices, this.numberTexture, this.mobilities, this.ends]) texture.dispose();
+    for (const texture of [this.#vertices, this.#numberTexture, this.#mobilities, this.#ends]) texture.dispose();
   }
 }
 

@@ -85,7 +85,7 @@ function lineWidth(edgePixels: number): number {
 
 export class NetLines {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
-  private edgeLength = 1;
+  #edgeLength = 1;
 
   constructor(net: NetUniforms, colours: ColourTexture) {
     const material = new ShaderMaterial({
@@ -120,7 +120,7 @@ export class NetLines {
     this.object.geometry = new BufferGeometry();
     this.object.geometry.setIndex(new BufferAttribute(strips, 1));
     this.object.material.uniforms.lift!.value = LIFT * edgeLength;
-    this.edgeLength = edgeLength;
+    this.#edgeLength = edgeLength;
   }
 
   setTheme(theme: Theme): void {
@@ -139,7 +139,7 @@ export class NetLines {
     const { viewport, width, near, fadeRange } = this.object.material.uniforms;
     const pixelsPerLength = size.y / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
     viewport!.value.copy(size).multiplyScalar(pixelRatio);
-    width!.value = lineWidth(this.edgeLength * pixelsPerLength) * pixelRatio;
+    width!.value = lineWidth(this.#edgeLength * pixelsPerLength) * pixelRatio;
     near!.value = camera.near;
     fadeRange!.value.set(distance - 0.7, distance + 1.2);
   }

@@ -41,258 +41,280 @@ export function createView(container: HTMLElement, events: ViewEvents): View {
 }
 
 class SceneView implements View {
-  private readonly scene = new Scene();
-  private readonly renderer: WebGLRenderer;
-  private readonly rig: CameraRig;
-  private readonly gizmo: Gizmo;
-  private readonly marks = new HandleMarks();
-  private readonly uniforms = netUniforms();
-  private readonly ground = new Ground(this.uniforms);
-  private readonly stepArrows = new StepArrows();
-  private readonly sheet = new SymmetrySheet();
-  private readonly reach = new ReachSurface();
-  private readonly colours = new ColourTexture();
-  private readonly lines = new NetLines(this.uniforms, this.colours);
-  private readonly faces = new NetFaces(this.uniforms, this.colours);
-  private readonly annotations: Annotations;
-  private readonly report: DragReport;
-  private readonly hand: Hand;
-  private readonly gestures: Gestures;
-  private readonly notice: ReturnType<typeof createNotice>;
-  private readonly resizing: ResizeObserver;
-  private readonly stopThemes: () => void;
-  private readonly size = new Vector2(1, 1);
-  private readonly viewProjection = new Matrix4();
-  private theme: Theme;
+  readonly #scene = new Scene();
+  readonly #renderer: WebGLRenderer;
+  readonly #rig: CameraRig;
+  readonly #gizmo: Gizmo;
+  readonly #marks = new HandleMarks();
+  readonly #uniforms = netUniforms();
+  readonly #ground = new Ground(this.#uniforms);
+  readonly #stepArrows = new StepArrows();
+  readonly #sheet = new SymmetrySheet();
+  readonly #reach = new ReachSurface();
+  readonly #colours = new ColourTexture();
+  readonly #lines = new NetLines(this.#uniforms, this.#colours);
+  readonly #faces = new NetFaces(this.#uniforms, this.#colours);
+  readonly #annotations: Annotations;
+  readonly #report: DragReport;
+  readonly #hand: Hand;
+  readonly #gestures: Gestures;
+  readonly #notice: ReturnType<typeof createNotice>;
+  readonly #resizing: ResizeObserver;
+  readonly #stopThemes: () => void;
+  readonly #size = new Vector2(1, 1);
+  readonly #viewProjection = new Matrix4();
+  #theme: Theme;
   /** What is drawn of the net. */
-  private shown: NetData | null = null;
-  private net: OpenedNet | null = null;
-  private latest: FrameData | null = null;
-  private handles: readonly HandleData[] = [];
-  private appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
-  private choice: ViewChoice = { selection: [], mode: 'translate', selecting: false };
-  private symmetry: Symmetry | undefined;
-  private regionShown = false;
-  private preview: readonly number[] = [];
-  private found: Found | null = null;
-  private firstVisit = isFirstVisit();
-  private frame = 0;
-  private netMoved = false;
+  #shown: NetData | null = null;
+  #net: OpenedNet | null = null;
+  #latest: FrameData | null = null;
+  #handles: readonly HandleData[] = [];
+  #appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
+  #choice: ViewChoice = { selection: [], mode: 'translate', selecting: false };
+  #symmetry: Symmetry | undefined;
+  #regionShown = false;
+  #preview: readonly number[] = [];
+  #found: Found | null = null;
+  #firstVisit = isFirstVisit();
+  #frame = 0;
+  #netMoved = false;
   /** The camera is being put where that of another view is. */
-  private following = false;
-  private drawTimes: number[] = [];
+  #following = false;
+  #drawTimes: number[] = [];
+  readonly #container: HTMLElement;
+  readonly #events: ViewEvents;
+  readonly #graphics: 'card' | 'software';
 
-  constructor(
-    private readonly container: HTMLElement,
-    private readonly events: ViewEvents,
-    private readonly graphics: 'card' | 'software',
-  ) {
-    this.renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
-    const canvas = this.renderer.domElement;
+  constructor(container: HTMLElement, events: ViewEvents, graphics: 'card' | 'software') {
+    this.#container = container;
+    this.#events = events;
+    this.#graphics = graphics;
+    this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
+    const canvas = this.#renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', words.view.net);
-    this.annotations = new Annotations({
-      size: this.size,
-      marks: this.marks,
-      vertexPoint: (vertex) => this.vertexPoint(vertex),
-      place: (point) => this.place(point),
+    this.#annotations = new Annotations({
+      size: this.#size,
+      marks: this.#marks,
+      vertexPoint: (vertex) => this.#vertexPoint(vertex),
+      place: (point) => this.#place(point),
     });
-    container.append(canvas, this.annotations.overlay.element);
-    this.notice = createNotice(container);
-    this.report = new DragReport(this.noteFirstDrag(events));
-    this.hand = new Hand(this.marks, this.report, () => this.choice.selection);
-    this.rig = new CameraRig(canvas, {
-      moved: () => this.cameraMoved(),
+    container.append(canvas, this.#annotations.overlay.element);
+    this.#notice = createNotice(container);
+    this.#report = new DragReport(this.#noteFirstDrag(events));
+    this.#hand = new Hand(this.#marks, this.#report, () => this.#choice.selection);
+    this.#rig = new CameraRig(canvas, {
+      moved: () => this.#cameraMoved(),
       rested: () => events.cameraChanged(this.camera()),
     });
-    this.gizmo = new Gizmo(this.rig.camera, canvas, {
-      start: () => this.hand.grab(this.hand.moving()),
-      move: (motion) => this.carry(motion),
-      end: () => this.report.end(false),
-      changed: () => this.requestDraw(),
+    this.#gizmo = new Gizmo(this.#rig.camera, canvas, {
+      start: () => this.#hand.grab(this.#hand.moving()),
+      move: (motion) => this.#carry(motion),
+      end: () => this.#report.end(false),
+      changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.ground, this.lines, this.faces, this.marks, this.stepArrows, this.sheet, this.reach])
-      this.scene.add(part.object);
-    this.scene.add(this.gizmo.object, this.rig.camera);
-    this.addLights();
-    this.gestures = this.createGestures(canvas);
-    this.theme = readTheme(container);
-    this.applyTheme();
-    this.stopThemes = onThemeChange(() => this.readTheme());
-    canvas.addEventListener('webglcontextlost', () => this.lost());
-    canvas.addEventListener('webglcontextrestored', () => this.restored());
-    this.resizing = new ResizeObserver(() => this.resize());
-    this.resizing.observe(container);
-    this.resize();
+    for (const part of [
+      this.#ground,
+      this.#lines,
+      this.#faces,
+      this.#marks,
+      this.#stepArrows,
+      this.#sheet,
+      this.#reach,
+    ])
+      this.#scene.add(part.object);
+    this.#scene.add(this.#gizmo.object, this.#rig.camera);
+    this.#addLights();
+    this.#gestures = this.#createGestures(canvas);
+    this.#theme = readTheme(container);
+    this.#applyTheme();
+    this.#stopThemes = onThemeChange(() => this.#readTheme());
+    canvas.addEventListener('webglcontextlost', () => this.#lost());
+    canvas.addEventListener('webglcontextrestored', () => this.#restored());
+    this.#resizing = new ResizeObserver(() => this.#resize());
+    this.#resizing.observe(container);
+    this.#resize();
   }
 
   showNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
-    this.removeNet();
-    this.net = net;
-    this.shown = new NetData(net, Space.of(net.restPositions, this.appearance.upAxis));
-    this.shown.putInto(this.uniforms);
-    this.lines.showNet(this.shown, net.strips);
-    this.faces.showNet(net.triangles);
-    this.ground.showNet(this.shown, this.faces.object.geometry);
-    this.sheet.show(this.symmetry, net.restPositions, this.shown.space);
+    this.#removeNet();
+    this.#net = net;
+    this.#shown = new NetData(net, Space.of(net.restPositions, this.#appearance.upAxis));
+    this.#shown.putInto(this.#uniforms);
+    this.#lines.showNet(this.#shown, net.strips);
+    this.#faces.showNet(net.triangles);
+    this.#ground.showNet(this.#shown, this.#faces.object.geometry);
+    this.#sheet.show(this.#symmetry, net.restPositions, this.#shown.space);
     this.showFrame(frame);
-    this.rig.framed = camera === null;
-    this.rig.standAt(camera ? this.toStand(camera) : this.wholeNet());
+    this.#rig.framed = camera === null;
+    this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
   }
 
   showFrame(frame: FrameData): void {
-    if (!this.shown) return;
-    this.latest = frame;
-    this.shown.show(frame, fieldOf(this.appearance.field));
-    this.stepArrows.show(frame, this.shown.space, this.shown.edgeLength);
-    this.netMoved = true;
-    this.requestDraw();
+    if (!this.#shown) return;
+    this.#latest = frame;
+    this.#shown.show(frame, fieldOf(this.#appearance.field));
+    this.#stepArrows.show(frame, this.#shown.space, this.#shown.edgeLength);
+    this.#netMoved = true;
+    this.#requestDraw();
   }
 
   showHandles(handles: readonly HandleData[], choice: ViewChoice): void {
-    if (!this.shown) return;
-    this.handles = handles;
-    this.choice = choice;
-    this.marks.show(handles, this.shown.space, choice.selection, this.report.vertices);
-    this.container.classList.toggle('selecting', choice.selecting);
-    this.gizmo.setMode(choice.mode);
-    this.gizmo.show(this.gizmoPlace());
-    if (this.found && !this.found.handle && this.marks.point(this.found.vertex)) this.found = null;
-    this.requestDraw();
+    if (!this.#shown) return;
+    this.#handles = handles;
+    this.#choice = choice;
+    this.#marks.show(handles, this.#shown.space, choice.selection, this.#report.vertices);
+    this.#container.classList.toggle('selecting', choice.selecting);
+    this.#gizmo.setMode(choice.mode);
+    this.#gizmo.show(this.#gizmoPlace());
+    if (this.#found && !this.#found.handle && this.#marks.point(this.#found.vertex)) this.#found = null;
+    this.#requestDraw();
   }
 
   setSymmetry(symmetry: Symmetry | undefined): void {
-    if (symmetry === this.symmetry) return;
-    this.symmetry = symmetry;
-    if (this.net && this.shown) this.sheet.show(symmetry, this.net.restPositions, this.shown.space);
-    this.requestDraw();
+    if (symmetry === this.#symmetry) return;
+    this.#symmetry = symmetry;
+    if (this.#net && this.#shown) this.#sheet.show(symmetry, this.#net.restPositions, this.#shown.space);
+    this.#requestDraw();
   }
 
   setRegion(mobility: Float32Array | null): void {
-    if (!this.shown || (mobility === null && !this.regionShown)) return;
-    this.regionShown = mobility !== null;
-    this.shown.showRegion(mobility);
-    this.requestDraw();
+    if (!this.#shown || (mobility === null && !this.#regionShown)) return;
+    this.#regionShown = mobility !== null;
+    this.#shown.showRegion(mobility);
+    this.#requestDraw();
   }
 
   setReach(limits: readonly Limit[] | null): void {
-    if (!this.shown || (limits === null && !this.reach.object.visible)) return;
-    this.reach.show(limits, this.shown.space);
-    this.requestDraw();
+    if (!this.#shown || (limits === null && !this.#reach.object.visible)) return;
+    this.#reach.show(limits, this.#shown.space);
+    this.#requestDraw();
   }
 
   setPreview(vertices: readonly number[]): void {
-    this.preview = vertices;
-    this.drawAnnotations();
+    this.#preview = vertices;
+    this.#drawAnnotations();
   }
 
   setAppearance(appearance: Appearance): void {
-    const before = this.appearance;
-    this.appearance = appearance;
+    const before = this.#appearance;
+    this.#appearance = appearance;
     const { field, showFaces } = appearance;
     const { place } = fieldOf(field);
-    if (appearance.upAxis !== before.upAxis) this.turn();
-    else if (field !== before.field && this.latest) this.shown?.show(this.latest, fieldOf(field));
-    this.colours.show(scaleOf(appearance, this.theme), place);
-    this.faces.object.visible = showFaces;
-    this.lines.setOverColours(showFaces && place === 'vertex');
-    this.requestDraw();
+    if (appearance.upAxis !== before.upAxis) this.#turn();
+    else if (field !== before.field && this.#latest) this.#shown?.show(this.#latest, fieldOf(field));
+    this.#colours.show(scaleOf(appearance, this.#theme), place);
+    this.#faces.object.visible = showFaces;
+    this.#lines.setOverColours(showFaces && place === 'vertex');
+    this.#requestDraw();
   }
 
   setStepArrows(shown: boolean): void {
-    this.stepArrows.object.visible = shown;
-    this.requestDraw();
+    this.#stepArrows.object.visible = shown;
+    this.#requestDraw();
   }
 
   frameAll(): void {
-    if (!this.shown) return;
-    this.rig.framed = true;
-    this.rig.glideTo(this.wholeNet());
+    if (!this.#shown) return;
+    this.#rig.framed = true;
+    this.#rig.glideTo(this.#wholeNet());
   }
 
   camera(): CameraPlace {
-    if (!this.shown) return { position: [0, 0, 0], target: [0, 0, 0] };
-    const { space } = this.shown;
-    return { position: space.toNet(this.rig.camera.position), target: space.toNet(this.rig.orbit.target) };
+    if (!this.#shown) return { position: [0, 0, 0], target: [0, 0, 0] };
+    const { space } = this.#shown;
+    return { position: space.toNet(this.#rig.camera.position), target: space.toNet(this.#rig.orbit.target) };
   }
 
   picture(magnification: number): Promise<Blob> {
-    return takePicture(this.renderer, this.size, magnification, () => this.draw());
+    return takePicture(this.#renderer, this.#size, magnification, () => this.#draw());
   }
 
   film(): Film {
-    return takeFilm(this.renderer, this.scene, this.theme, () => this.requestDraw());
+    return takeFilm(this.#renderer, this.#scene, this.#theme, () => this.#requestDraw());
   }
 
   setCamera(camera: CameraPlace): void {
-    if (!this.shown) return;
-    this.rig.framed = false;
-    this.following = true;
-    this.rig.standAt(this.toStand(camera));
-    this.following = false;
+    if (!this.#shown) return;
+    this.#rig.framed = false;
+    this.#following = true;
+    this.#rig.standAt(this.#toStand(camera));
+    this.#following = false;
   }
 
   framesPerSecond(): number {
     const second = performance.now() - 1000;
-    return this.drawTimes.filter((time) => time > second).length;
+    return this.#drawTimes.filter((time) => time > second).length;
   }
 
   screenPosition(vertex: number): Place {
-    const box = this.renderer.domElement.getBoundingClientRect();
-    const { x, y } = this.place(this.marks.point(vertex) ?? this.vertexPoint(vertex));
+    const box = this.#renderer.domElement.getBoundingClientRect();
+    const { x, y } = this.#place(this.#marks.point(vertex) ?? this.#vertexPoint(vertex));
     return { x: box.left + x, y: box.top + y };
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.frame);
-    this.resizing.disconnect();
-    this.stopThemes();
-    this.gestures.dispose();
-    this.removeNet();
-    const { gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer } = this;
+    cancelAnimationFrame(this.#frame);
+    this.#resizing.disconnect();
+    this.#stopThemes();
+    this.#gestures.dispose();
+    this.#removeNet();
+    const [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer] = [
+      this.#gizmo,
+      this.#stepArrows,
+      this.#sheet,
+      this.#reach,
+      this.#rig,
+      this.#marks,
+      this.#ground,
+      this.#lines,
+      this.#faces,
+      this.#colours,
+      this.#renderer,
+    ];
     for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer])
       thing.dispose();
-    this.renderer.domElement.remove();
-    this.annotations.overlay.element.remove();
-    this.notice.remove();
+    this.#renderer.domElement.remove();
+    this.#annotations.overlay.element.remove();
+    this.#notice.remove();
   }
 
-  private createGestures(canvas: HTMLCanvasElement): Gestures {
+  #createGestures(canvas: HTMLCanvasElement): Gestures {
     return new Gestures({
       canvas,
-      camera: this.rig.camera,
-      orbit: this.rig.orbit,
-      gizmo: this.gizmo,
-      marks: this.marks,
-      report: this.report,
-      events: this.events,
-      data: () => this.shown,
-      selection: () => this.choice.selection,
-      selecting: () => this.choice.selecting,
-      moving: (handle) => this.hand.moving(handle),
-      projection: () => this.projection(),
-      grab: (vertices) => this.hand.grab(vertices),
-      carry: (motion) => this.carry(motion),
-      outline: (corners) => this.annotations.overlay.setOutline(corners),
-      hovered: (found) => this.setFound(found),
+      camera: this.#rig.camera,
+      orbit: this.#rig.orbit,
+      gizmo: this.#gizmo,
+      marks: this.#marks,
+      report: this.#report,
+      events: this.#events,
+      data: () => this.#shown,
+      selection: () => this.#choice.selection,
+      selecting: () => this.#choice.selecting,
+      moving: (handle) => this.#hand.moving(handle),
+      projection: () => this.#projection(),
+      grab: (vertices) => this.#hand.grab(vertices),
+      carry: (motion) => this.#carry(motion),
+      outline: (corners) => this.#annotations.overlay.setOutline(corners),
+      hovered: (found) => this.#setFound(found),
       frameAll: () => this.frameAll(),
     });
   }
 
   /** Light comes along with the camera, so a handle looks the same from every side. */
-  private addLights(): void {
+  #addLights(): void {
     const lamp = new DirectionalLight(0xffffff, 2.2);
     lamp.position.set(-1, 2, 2);
-    this.rig.camera.add(lamp);
-    this.scene.add(new HemisphereLight(0xffffff, 0xb0b8c8, 1.5));
+    this.#rig.camera.add(lamp);
+    this.#scene.add(new HemisphereLight(0xffffff, 0xb0b8c8, 1.5));
   }
 
-  private noteFirstDrag(events: ViewEvents): DragEvents {
+  #noteFirstDrag(events: ViewEvents): DragEvents {
     return {
       dragStart: () => {
-        this.firstVisit = false;
+        this.#firstVisit = false;
         endFirstVisit();
         events.dragStart();
       },
@@ -301,155 +323,163 @@ class SceneView implements View {
     };
   }
 
-  private carry(motion: Matrix4): void {
-    if (!this.report.isUnderWay || !this.shown) return;
-    this.hand.carry(motion, this.shown.space);
-    this.requestDraw();
+  #carry(motion: Matrix4): void {
+    if (!this.#report.isUnderWay || !this.#shown) return;
+    this.#hand.carry(motion, this.#shown.space);
+    this.#requestDraw();
   }
 
-  private setFound(found: Found | null): void {
-    this.found = found;
-    this.drawAnnotations();
+  #setFound(found: Found | null): void {
+    this.#found = found;
+    this.#drawAnnotations();
   }
 
-  private removeNet(): void {
-    this.shown?.dispose();
-    this.shown = null;
-    this.found = null;
-    this.regionShown = false;
-    this.reach.object.visible = false;
+  #removeNet(): void {
+    this.#shown?.dispose();
+    this.#shown = null;
+    this.#found = null;
+    this.#regionShown = false;
+    this.#reach.object.visible = false;
   }
 
   /** Another axis is up: everything stands elsewhere in the scene. */
-  private turn(): void {
-    this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
-    if (!this.net || !this.latest) return;
-    this.showNet(this.net, this.latest, null);
-    this.showHandles(this.handles, this.choice);
+  #turn(): void {
+    this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
+    if (!this.#net || !this.#latest) return;
+    this.showNet(this.#net, this.#latest, null);
+    this.showHandles(this.#handles, this.#choice);
   }
 
-  private readTheme(): void {
-    this.theme = readTheme(this.container);
-    this.applyTheme();
+  #readTheme(): void {
+    this.#theme = readTheme(this.#container);
+    this.#applyTheme();
   }
 
-  private applyTheme(): void {
-    for (const part of [this.marks, this.ground, this.lines, this.faces, this.stepArrows, this.sheet, this.reach])
-      part.setTheme(this.theme);
-    this.gizmo.setTheme(this.theme, this.appearance.upAxis ?? 'z');
-    this.setAppearance(this.appearance);
+  #applyTheme(): void {
+    for (const part of [
+      this.#marks,
+      this.#ground,
+      this.#lines,
+      this.#faces,
+      this.#stepArrows,
+      this.#sheet,
+      this.#reach,
+    ])
+      part.setTheme(this.#theme);
+    this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
+    this.setAppearance(this.#appearance);
   }
 
   /** Browsers bring it back, if not always. What was done is kept over a reload. */
-  private lost(): void {
-    this.notice.show(words.view.pictureLost, { label: words.offline.reload, run: () => location.reload() });
+  #lost(): void {
+    this.#notice.show(words.view.pictureLost, { label: words.offline.reload, run: () => location.reload() });
   }
 
-  private restored(): void {
-    this.notice.hide();
-    this.netMoved = true;
-    this.requestDraw();
+  #restored(): void {
+    this.#notice.hide();
+    this.#netMoved = true;
+    this.#requestDraw();
   }
 
-  private resize(): void {
-    const { clientWidth, clientHeight } = this.container;
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#container;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.size.set(clientWidth, clientHeight);
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO[this.graphics]));
-    this.renderer.setSize(clientWidth, clientHeight);
-    this.rig.resize(clientWidth, clientHeight);
-    if (this.rig.framed && this.shown) this.rig.standAt(this.wholeNet());
+    this.#size.set(clientWidth, clientHeight);
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO[this.#graphics]));
+    this.#renderer.setSize(clientWidth, clientHeight);
+    this.#rig.resize(clientWidth, clientHeight);
+    if (this.#rig.framed && this.#shown) this.#rig.standAt(this.#wholeNet());
     // At once: setting the size has cleared the canvas.
-    this.draw();
+    this.#draw();
   }
 
-  private cameraMoved(): void {
-    if (this.shown && !this.following) this.events.cameraMoved(this.camera());
-    this.requestDraw();
+  #cameraMoved(): void {
+    if (this.#shown && !this.#following) this.#events.cameraMoved(this.camera());
+    this.#requestDraw();
   }
 
-  private requestDraw(): void {
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
+  #requestDraw(): void {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw());
   }
 
-  private draw(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = 0;
-    this.report.flush();
-    this.rig.update();
-    if (!this.shown) return;
-    this.prepare(this.shown);
-    if (this.netMoved) this.ground.drawShadow(this.renderer);
-    this.netMoved = false;
-    this.renderer.render(this.scene, this.rig.camera);
-    this.drawAnnotations();
-    this.countDraw();
+  #draw(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#report.flush();
+    this.#rig.update();
+    if (!this.#shown) return;
+    this.#prepare(this.#shown);
+    if (this.#netMoved) this.#ground.drawShadow(this.#renderer);
+    this.#netMoved = false;
+    this.#renderer.render(this.#scene, this.#rig.camera);
+    this.#drawAnnotations();
+    this.#countDraw();
   }
 
-  private prepare({ edgeLength }: NetData): void {
-    const { camera, distance } = this.rig;
-    this.lines.beforeDraw(camera, this.size, this.renderer.getPixelRatio(), distance);
-    this.stepArrows.beforeDraw(this.size, this.renderer.getPixelRatio());
-    this.marks.beforeDraw(camera, this.size.y, edgeLength, distance);
-    this.gizmo.show(this.gizmoPlace());
+  #prepare({ edgeLength }: NetData): void {
+    const { camera, distance } = this.#rig;
+    this.#lines.beforeDraw(camera, this.#size, this.#renderer.getPixelRatio(), distance);
+    this.#stepArrows.beforeDraw(this.#size, this.#renderer.getPixelRatio());
+    this.#marks.beforeDraw(camera, this.#size.y, edgeLength, distance);
+    this.#gizmo.show(this.#gizmoPlace());
     // From below, the floor would hide the net.
-    this.ground.object.visible = camera.position.z > this.ground.object.position.z;
+    this.#ground.object.visible = camera.position.z > this.#ground.object.position.z;
   }
 
   /** It stands in nobody's way while handles are being selected. */
-  private gizmoPlace(): Vector3 | null {
-    return this.choice.selecting ? null : this.hand.centre();
+  #gizmoPlace(): Vector3 | null {
+    return this.#choice.selecting ? null : this.#hand.centre();
   }
 
-  private toStand({ position, target }: CameraPlace): Stand {
+  #toStand({ position, target }: CameraPlace): Stand {
     const stand = { position: new Vector3(), target: new Vector3() };
-    this.shown!.space.toScene(stand.position, position);
-    this.shown!.space.toScene(stand.target, target);
+    this.#shown!.space.toScene(stand.position, position);
+    this.#shown!.space.toScene(stand.target, target);
     return stand;
   }
 
-  private wholeNet(): Stand {
-    const { points, vertexCount } = this.shown!;
-    return fitCamera(points, vertexCount, this.rig.camera, this.margins());
+  #wholeNet(): Stand {
+    const { points, vertexCount } = this.#shown!;
+    return fitCamera(points, vertexCount, this.#rig.camera, this.#margins());
   }
 
   /** What title, tools and legend cover is up to the style sheet: pixels at top, right, bottom, left. */
-  private margins(): Margins {
-    const text = getComputedStyle(this.container).getPropertyValue('--view-margins');
+  #margins(): Margins {
+    const text = getComputedStyle(this.#container).getPropertyValue('--view-margins');
     const [top = 0, right = 0, bottom = 0, left = 0] = text.trim().split(/\s+/).map(Number);
-    const { x: width, y: height } = this.size;
+    const { x: width, y: height } = this.#size;
     return { top: top / height, right: right / width, bottom: bottom / height, left: left / width };
   }
 
-  private projection(): Projection {
-    const { camera } = this.rig;
+  #projection(): Projection {
+    const { camera } = this.#rig;
     camera.updateMatrixWorld();
-    this.viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    return { matrix: this.viewProjection.elements, width: this.size.x, height: this.size.y };
+    this.#viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    return { matrix: this.#viewProjection.elements, width: this.#size.x, height: this.#size.y };
   }
 
-  private vertexPoint(vertex: number): Vector3 {
-    return new Vector3().fromArray(this.shown!.points, 4 * vertex);
+  #vertexPoint(vertex: number): Vector3 {
+    return new Vector3().fromArray(this.#shown!.points, 4 * vertex);
   }
 
-  private place(point: Vector3): Place {
-    return toScreen(this.projection(), point);
+  #place(point: Vector3): Place {
+    return toScreen(this.#projection(), point);
   }
 
-  private drawAnnotations(): void {
-    if (!this.shown) return;
-    this.annotations.draw({
-      found: this.found,
-      isFirstVisit: this.firstVisit,
-      dragged: this.report.vertices[0],
-      preview: this.preview,
-      unreachable: this.latest?.unreachable ?? [],
+  #drawAnnotations(): void {
+    if (!this.#shown) return;
+    this.#annotations.draw({
+      found: this.#found,
+      isFirstVisit: this.#firstVisit,
+      dragged: this.#report.vertices[0],
+      preview: this.#preview,
+      unreachable: this.#latest?.unreachable ?? [],
     });
   }
 
-  private countDraw(): void {
+  #countDraw(): void {
     const now = performance.now();
-    this.drawTimes.push(now);
-    if (this.drawTimes.length > 240) this.drawTimes = this.drawTimes.filter((time) => time > now - 1000);
+    this.#drawTimes.push(now);
+    if (this.#drawTimes.length > 240) this.#drawTimes = this.#drawTimes.filter((time) => time > now - 1000);
   }
 }

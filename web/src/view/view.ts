@@ -4,7 +4,7 @@ import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
-import type { Choice } from '../handles/wishes';
+import type { Choice } from '../handles/commands';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** What a hand did in the view. */

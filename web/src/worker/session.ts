@@ -99,7 +99,7 @@ export class Session {
         return this.#reply(request, { type: 'done' });
       case 'options':
         this.#net().setState({ ...this.#net().state(), ...request.settings });
-        if (!this.#solving) this.#judge();
+        if (!this.#solving) this.#assess();
         return this.#accept(request, this.#solving);
       case 'solve':
         return this.#accept(request, true);
@@ -110,7 +110,7 @@ export class Session {
         return this.#accept(request, false);
       case 'reset':
         this.#net().reset();
-        this.#judge();
+        this.#assess();
         return this.#accept(request, false);
       case 'restore':
         this.#restore(request);
@@ -167,7 +167,7 @@ export class Session {
     this.#source = scene.net;
     this.#touch = id;
     this.#forgetSolve();
-    this.#judge();
+    this.#assess();
     const frame = this.#frame();
     const net = describe(editor);
     this.#post({ id, type: 'opened', net, frame }, [...buffersOf(net), ...buffersOf(frame)]);
@@ -200,7 +200,7 @@ export class Session {
   #restore({ scene }: Extract<Request, { type: 'restore' }>): void {
     const editor = this.#net();
     editor.setState(stateOf(scene, editor));
-    this.#judge();
+    this.#assess();
   }
 
   #export(id: number, format: ExportFormat): void {
@@ -289,7 +289,7 @@ export class Session {
     // Hard problems end with a status; what else throws is broken.
     if (code !== TOO_LARGE)
       return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
-    this.#judge();
+    this.#assess();
     this.#settle();
     this.#refuse(this.#touch, error);
   }
@@ -325,7 +325,7 @@ export class Session {
   }
 
   /** How the net stands when it was put there rather than solved. */
-  #judge(): void {
+  #assess(): void {
     const editor = this.#net();
     const converged = largest(editor.fields().deviation) < Number(editor.options().threshold);
     this.#status = converged ? 'converged' : editor.unreachablePairs().length > 0 ? 'unreachable' : 'running';

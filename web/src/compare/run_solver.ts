@@ -5,11 +5,11 @@ import type { WorkerLike } from '../worker/client';
 import type { FrameData, Measures, OpenedNet, Request, Response } from '../worker/protocol';
 import { Failure } from '../failure';
 
-export type BenchScene = Omit<Scene, 'view'>;
+export type RunScene = Omit<Scene, 'view'>;
 
 type Body = Request extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
 
-export class Bench {
+export class RunSolver {
   readonly #worker: WorkerLike;
   #lastId = 0;
   #take: (response: Response) => void = () => {};
@@ -25,7 +25,7 @@ export class Bench {
 
   /** Opens a scene and solves it to its end, or for about `milliseconds`; `news` sees the start and each frame. Returns the
    *  net. */
-  solve(scene: BenchScene, news: (frame: FrameData) => void, milliseconds?: number): Promise<OpenedNet> {
+  solve(scene: RunScene, news: (frame: FrameData) => void, milliseconds?: number): Promise<OpenedNet> {
     const id = this.#post({ type: 'open', scene });
     const stop = () => this.#post({ type: 'cancel' });
     const timer = milliseconds === undefined ? undefined : setTimeout(stop, milliseconds);

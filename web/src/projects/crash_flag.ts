@@ -1,8 +1,8 @@
-/** Says what is being opened by itself, a link or a kept project, until it has settled. A mark that is still there when
+/** Says what is being opened by itself, a link or a kept project, until it has settled. A flag that is still there when
  *  the page starts means that the page died of it. */
 const KEY = 'chebnet.opening';
 
-export function setMark(what: string): void {
+export function setCrashFlag(what: string): void {
   try {
     localStorage.setItem(KEY, what);
   } catch {
@@ -10,7 +10,7 @@ export function setMark(what: string): void {
   }
 }
 
-export function clearMark(): void {
+export function clearCrashFlag(): void {
   try {
     localStorage.removeItem(KEY);
   } catch {
@@ -18,7 +18,7 @@ export function clearMark(): void {
   }
 }
 
-export function isMarked(what: string): boolean {
+export function hasCrashFlag(what: string): boolean {
   try {
     return localStorage.getItem(KEY) === what;
   } catch {

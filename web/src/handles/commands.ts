@@ -23,7 +23,7 @@ export interface Choice {
   lines: number;
 }
 
-export interface HandleWishes {
+export interface HandleCommands {
   select(selection: Selection): void;
   /** Begins to select several, or ends it. */
   toggleSelecting(): void;
