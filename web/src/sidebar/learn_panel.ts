@@ -2,11 +2,11 @@
 import { makeSection } from '../elements/dom';
 import { words } from '../language/language';
 import type { Panel, PanelEvents } from '../panels';
-import { part } from '../part';
+import { lazy } from '../lazy';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import type { Lessons } from './lessons';
 
-const loadLessons = part(() => import('./lessons'));
+const loadLessons = lazy(() => import('./lessons'));
 
 export class LearnPanel implements Panel {
   readonly element = makeSection(words.sections.learn, false);
