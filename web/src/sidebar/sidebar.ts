@@ -34,13 +34,13 @@ export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
 }
 
 class Sidebar implements Panels {
-  private readonly messages = new Messages();
-  private readonly fold = makeButton(words.page.controls, () => this.unfold(!this.sections.classList.contains('open')));
-  private readonly sections: HTMLElement;
+  readonly #messages = new Messages();
+  readonly #fold = makeButton(words.page.controls, () => this.#unfold(!this.#sections.classList.contains('open')));
+  readonly #sections: HTMLElement;
   /** All that are shown anything. */
-  private readonly panels: readonly Panel[];
-  private pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
-  private timer = 0;
+  readonly #panels: readonly Panel[];
+  #pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
+  #timer = 0;
 
   constructor(root: HTMLElement, events: PanelEvents) {
     const failed = (error: unknown): void => this.say(messageOf(error), 'error');
@@ -51,25 +51,25 @@ class Sidebar implements Panels {
       toolbar,
       new Legend(events),
       new SelectionBar(events),
-      this.messages,
+      this.#messages,
       new RunNotice(events),
       new OpeningNotice(() => events.cancelOpening()),
     ];
     const results = new ComparisonPlace(events, failed);
-    const status = new StatusRow(events, this.fold);
+    const status = new StatusRow(events, this.#fold);
     const services = {
       events,
       failed,
       say: (message: string) => this.say(message, 'info'),
-      fold: () => this.unfold(false),
+      fold: () => this.#unfold(false),
     };
     const sections = createSections(services, experiments);
-    this.panels = [...over, results, status, ...sections];
+    this.#panels = [...over, results, status, ...sections];
 
-    this.sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
-    this.fold.classList.add('fold');
-    this.fold.setAttribute('aria-controls', this.sections.id);
-    this.unfold(false);
+    this.#sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
+    this.#fold.classList.add('fold');
+    this.#fold.setAttribute('aria-controls', this.#sections.id);
+    this.#unfold(false);
     root.append(
       make('section', { class: 'over', 'aria-label': words.page.over }, ...elementsOf(over), ...toolbar.menus),
       results.element,
@@ -77,68 +77,68 @@ class Sidebar implements Panels {
         'aside',
         { class: 'sidebar', 'aria-label': words.page.controls },
         status.element,
-        this.sections,
+        this.#sections,
         makeLanguageChoice((language) => events.chooseLanguage(language)),
       ),
     );
   }
 
   showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    for (const panel of this.panels) panel.showTables?.(tables, thumbnail);
+    for (const panel of this.#panels) panel.showTables?.(tables, thumbnail);
   }
 
   showDocument(document: ChebnetDocument, choice: Choice): void {
-    for (const panel of this.panels) panel.showDocument?.(document, choice);
+    for (const panel of this.#panels) panel.showDocument?.(document, choice);
     this.showHandles(document.handles, choice);
   }
 
   showHistory(history: HistoryView): void {
-    for (const panel of this.panels) panel.showHistory?.(history);
+    for (const panel of this.#panels) panel.showHistory?.(history);
   }
 
   showNet(net: OpenedNet): void {
-    for (const panel of this.panels) panel.showNet?.(net);
+    for (const panel of this.#panels) panel.showNet?.(net);
   }
 
   showOpening(isUnderWay: boolean, canCancel: boolean): void {
-    for (const panel of this.panels) panel.showOpening?.(isUnderWay, canCancel);
+    for (const panel of this.#panels) panel.showOpening?.(isUnderWay, canCancel);
   }
 
   showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
-    for (const panel of this.panels) panel.takeFrame?.(frame);
-    this.pending = { frame, framesPerSecond, solving };
-    if (this.timer === 0) this.timer = window.setTimeout(() => this.refresh(), REFRESH_MS);
+    for (const panel of this.#panels) panel.takeFrame?.(frame);
+    this.#pending = { frame, framesPerSecond, solving };
+    if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), REFRESH_MS);
   }
 
   showHandles(handles: readonly HandleData[], choice: Choice): void {
-    for (const panel of this.panels) panel.showHandles?.(handles, choice);
+    for (const panel of this.#panels) panel.showHandles?.(handles, choice);
   }
 
   showComparison(comparison: Comparison): void {
-    for (const panel of this.panels) panel.showComparison?.(comparison);
+    for (const panel of this.#panels) panel.showComparison?.(comparison);
   }
 
   showRuns(run: Run | null, beside: readonly Run[]): void {
-    for (const panel of this.panels) panel.showRuns?.(run, beside);
+    for (const panel of this.#panels) panel.showRuns?.(run, beside);
   }
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
-    this.messages.say(message, kind, action);
+    this.#messages.say(message, kind, action);
   }
 
   offer(message: string, button: string, accept: () => void): void {
-    this.messages.offer(message, button, accept);
+    this.#messages.offer(message, button, accept);
   }
 
-  private refresh(): void {
-    this.timer = 0;
-    const { frame, framesPerSecond, solving } = this.pending!;
-    for (const panel of this.panels) panel.showFrame?.(frame, framesPerSecond, solving);
+  #refresh(): void {
+    this.#timer = 0;
+    const { frame, framesPerSecond, solving } = this.#pending!;
+    for (const panel of this.#panels) panel.showFrame?.(frame, framesPerSecond, solving);
   }
 
-  private unfold(open: boolean): void {
-    this.sections.classList.toggle('open', open);
-    this.fold.setAttribute('aria-expanded', String(open));
+  #unfold(open: boolean): void {
+    this.#sections.classList.toggle('open', open);
+    this.#fold.setAttribute('aria-expanded', String(open));
   }
 }
 
