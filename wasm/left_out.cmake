@@ -7,7 +7,7 @@ endforeach()
 # Of these it has the words, so that its tables are whole.
 set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format.cpp)
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp
-     ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp)
+     ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/drape/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
 foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation solve/parts/corner_limit
                solve/parts/neighbour_system solve/parts/tangent_newton solve/terms/bending_term solve/terms/load_terms

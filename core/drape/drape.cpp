@@ -1,0 +1,371 @@
+#include "drape/drape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "drape/compass.h"
+
+namespace chebnet {
+
+namespace {
+
+// In edge lengths: how far a vertex may be off the distance to its neighbours, and how far from the boundary it still
+// counts as standing on it.
+constexpr double k_exact = 1e-9;
+// Vertices more than two steps apart do not come closer than this, in edge lengths, unless the net lies on itself: in a
+// net sheared to 30° they keep 1.03.
+constexpr double k_least_distance = 0.7;
+constexpr int k_near_steps = 2;
+
+/// Steps along the two families from the seed.
+struct Place {
+    int i, j;
+
+    Place operator+(const Place& step) const { return {i + step.i, j + step.j}; }
+    int steps() const { return std::abs(i) + std::abs(j); }
+    /// The nearest to the seed come first, and all four quadrants alike.
+    auto rank() const { return std::tuple(steps(), std::abs(i), i, j); }
+    bool operator>(const Place& other) const { return rank() > other.rank(); }
+};
+
+constexpr std::array<Place, 4> k_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+constexpr std::array<Place, 4> k_diagonals = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// Whole numbers as one key.
+std::uint64_t key_of(std::int64_t a, std::int64_t b, std::int64_t c = 0) {
+    std::uint64_t key = 0;
+    for (const std::int64_t number : {a, b, c}) {
+        key = (key ^ static_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15u;
+        key ^= key >> 32;
+    }
+    return key;
+}
+
+/// Vertices by the cube of space in which they are.
+class Surroundings {
+public:
+    explicit Surroundings(double size) : m_size(size) {}
+
+    void add(const Eigen::Vector3d& position, int vertex) {
+        const auto cube = cube_of(position);
+        m_vertices.emplace(key_of(cube[0], cube[1], cube[2]), vertex);
+    }
+
+    /// Whether `condition` holds for one of the vertices in this cube and those around it.
+    template <class Condition>
+    bool any_near(const Eigen::Vector3d& position, Condition condition) const {
+        const auto cube = cube_of(position);
+        for (int a = -1; a <= 1; ++a)
+            for (int b = -1; b <= 1; ++b)
+                for (int c = -1; c <= 1; ++c) {
+                    const auto [begin, end] = m_vertices.equal_range(key_of(cube[0] + a, cube[1] + b, cube[2] + c));
+                    for (auto entry = begin; entry != end; ++entry)
+                        if (condition(entry->second)) return true;
+                }
+        return false;
+    }
+
+private:
+    std::array<std::int64_t, 3> cube_of(const Eigen::Vector3d& position) const {
+        std::array<std::int64_t, 3> cube;
+        for (int k = 0; k < 3; ++k) cube[k] = static_cast<std::int64_t>(std::floor(position[k] / m_size));
+        return cube;
+    }
+
+    double m_size;
+    std::unordered_multimap<std::uint64_t, int> m_vertices;
+};
+
+void check(const Surface& surface, const DrapeOptions& options) {
+    const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
+    if (!options.seed.allFinite() || !options.direction.allFinite())
+        throw Error(ErrorCode::non_finite, "the seed or the direction has a coordinate that is not finite");
+    const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+    if (!(options.length > 1e-6 * size && options.length <= size))
+        refuse("the edge length must be between a millionth of the surface's size and that size");
+    if (!(options.smallest_angle > 0 && options.smallest_angle < std::numbers::pi / 2))
+        refuse("the shear limit must be an angle above 0 and below 90 degrees");
+    if (!(options.angle >= options.smallest_angle && options.angle <= std::numbers::pi - options.smallest_angle))
+        refuse("the angle at the seed must keep within the shear limit");
+    if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
+}
+
+class Draper {
+public:
+    Draper(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options)
+        : m_options(options),
+          m_compass(surface, tree, options.length),
+          m_surroundings(options.length),
+          m_largest_cosine(std::cos(options.smallest_angle)) {
+        const SurfaceTree::Nearest seed = tree.nearest(options.seed);
+        add({0, 0}, m_compass.vertex_at(seed.position, seed.at.face));
+    }
+
+    Drape run() {
+        run_arms();
+        do fill();
+        while (go_straight_on());
+        return result();
+    }
+
+private:
+    void run_arms() {
+        const Eigen::Vector3d normal = m_vertices[0].normal;
+        const Eigen::Vector3d laid = m_options.direction - m_options.direction.dot(normal) * normal;
+        if (!(laid.norm() > 1e-9 * m_options.direction.norm()))
+            throw Error(ErrorCode::bad_option, "the direction stands upright on the surface at the seed");
+        const Eigen::Vector3d u = laid.normalized();
+        const Eigen::Vector3d v = std::cos(m_options.angle) * u + std::sin(m_options.angle) * normal.cross(u);
+        const Eigen::Vector3d directions[] = {u, v, -u, -v};
+        for (int k = 0; k < 4; ++k) run_arm(k_steps[k], directions[k]);
+    }
+
+    void run_arm(const Place& step, Eigen::Vector3d direction) {
+        Place place{0, 0};
+        while (is_on_surface(m_vertices[m_at.at(key(place))])) {
+            const auto vertex = m_compass.straight_on(m_vertices[m_at.at(key(place))], direction);
+            place = place + step;
+            if (!vertex || !is_allowed(place, *vertex)) return;
+            add(place, *vertex);
+        }
+    }
+
+    /// Sets every vertex that has three of a cell's before it.
+    void fill() {
+        while (!m_waiting.empty()) {
+            const Place place = m_waiting.top();
+            m_waiting.pop();
+            if (find(place) >= 0) continue;
+            if (const auto vertex = vertex_across(place)) add(place, *vertex);
+        }
+    }
+
+    std::optional<DrapedVertex> vertex_across(const Place& place) {
+        const std::optional<Place> inward = inward_diagonal(place);
+        if (!inward) return std::nullopt;
+        const DrapedVertex& d = vertex(place + *inward);
+        const DrapedVertex& a = vertex(place + Place{inward->i, 0});
+        const DrapedVertex& b = vertex(place + Place{0, inward->j});
+        if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
+        const auto c = m_compass.across(d, a, b);
+        if (!c || !keeps_limit({d.position, a.position, c->position, b.position})) {
+            refuse(place, m_locked);
+            return std::nullopt;
+        }
+        return is_allowed(place, *c) ? c : std::nullopt;
+    }
+
+    /// To the cell at a place whose other three vertices are known; of several the one nearest to the seed.
+    std::optional<Place> inward_diagonal(const Place& place) const {
+        std::optional<Place> inward;
+        for (const Place& diagonal : k_diagonals) {
+            const Place d = place + diagonal;
+            if (find(d) < 0 || find(place + Place{diagonal.i, 0}) < 0 || find(place + Place{0, diagonal.j}) < 0)
+                continue;
+            if (!inward || place + *inward > d) inward = diagonal;
+        }
+        return inward;
+    }
+
+    /// At the rim, where no vertex has three of a cell's before it, the net line nearest to the seed goes one edge
+    /// straight on. False if none can.
+    bool go_straight_on() {
+        while (!m_rim.empty()) {
+            const auto [place, from] = m_rim.top();
+            m_rim.pop();
+            const Place back = {2 * from.i - place.i, 2 * from.j - place.j};
+            if (find(back) < 0 || !is_in_the_open(place, from) || !is_on_surface(vertex(from))) continue;
+            Eigen::Vector3d direction = vertex(from).position - vertex(back).position;
+            const auto next = m_compass.straight_on(vertex(from), direction);
+            if (!next || !is_allowed(place, *next)) continue;
+            add(place, *next);
+            return true;
+        }
+        return false;
+    }
+
+    /// Whether nothing is known at a place and around it but `from`, and nothing was refused there.
+    bool is_in_the_open(const Place& place, const Place& from) const {
+        if (find(place) >= 0 || is_refused(place)) return false;
+        for (const Place& step : k_steps) {
+            const Place next = place + step;
+            const bool is_from = next.i == from.i && next.j == from.j;
+            if (is_refused(next) || (find(next) >= 0 && !is_from)) return false;
+        }
+        return true;
+    }
+
+    bool is_allowed(const Place& place, const DrapedVertex& vertex) {
+        if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
+        if (m_options.border == DrapeOptions::Border::inside && !is_on_surface(vertex)) return false;
+        if (meets_net(place, vertex)) {
+            refuse(place, m_met);
+            return false;
+        }
+        return true;
+    }
+
+    bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= k_exact * m_options.length; }
+
+    /// Whether a new vertex is not one edge away from a neighbour, or on what other vertices have covered.
+    bool meets_net(const Place& place, const DrapedVertex& next) const {
+        for (const Place& step : k_steps) {
+            const int neighbour = find(place + step);
+            if (neighbour < 0) continue;
+            const double distance = (m_vertices[neighbour].position - next.position).norm();
+            if (std::abs(distance - m_options.length) > k_exact * m_options.length) return true;
+        }
+        return m_surroundings.any_near(next.position, [&](int other) {
+            const Place& there = m_places[other];
+            return std::abs(there.i - place.i) + std::abs(there.j - place.j) > k_near_steps &&
+                   (m_vertices[other].position - next.position).norm() < k_least_distance * m_options.length &&
+                   m_vertices[other].normal.dot(next.normal) > 0;
+        });
+    }
+
+    /// Of the corners of a cell.
+    bool keeps_limit(const std::array<Eigen::Vector3d, 4>& cell) const {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Eigen::Vector3d a = cell[(k + 1) % 4] - cell[k], b = cell[(k + 3) % 4] - cell[k];
+            if (std::abs(a.dot(b)) > m_largest_cosine * a.norm() * b.norm()) return false;
+        }
+        return true;
+    }
+
+    void add(const Place& place, const DrapedVertex& vertex) {
+        if (std::ssize(m_vertices) == k_most_draped_vertices)
+            throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
+                                                  " vertices: the edges are too short for this surface");
+        const int number = static_cast<int>(m_vertices.size());
+        m_vertices.push_back(vertex);
+        m_places.push_back(place);
+        m_at.emplace(key(place), number);
+        m_surroundings.add(vertex.position, number);
+        for (const Place& step : k_steps) {
+            m_rim.push({place + step, place});
+            if (find(place + step) >= 0) continue;
+            m_waiting.push(place + step);
+        }
+        for (const Place& diagonal : k_diagonals)
+            if (find(place + diagonal) < 0) m_waiting.push(place + diagonal);
+    }
+
+    // --------------------------------------------------------------------------------------------------- the result
+
+    Drape result() const {
+        const std::vector<std::array<int, 4>> cells = connected(complete_cells());
+        if (cells.empty())
+            throw Error(ErrorCode::bad_option, "no cell of this edge length fits on the surface at the seed");
+        std::vector<int> number(m_vertices.size(), -1);
+        std::vector<int> kept;
+        Faces faces;
+        for (const auto& cell : cells)
+            for (const int v : cell) number[v] = 0;
+        for (std::size_t v = 0; v < number.size(); ++v) {
+            if (number[v] < 0) continue;
+            number[v] = static_cast<int>(kept.size());
+            kept.push_back(static_cast<int>(v));
+        }
+        for (const auto& [a, b, c, d] : cells) faces.add({number[a], number[b], number[c], number[d]});
+        Positions positions(3, kept.size());
+        Eigen::Matrix2Xi places(2, kept.size());
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            positions.col(static_cast<Eigen::Index>(k)) = m_vertices[kept[k]].position;
+            places.col(static_cast<Eigen::Index>(k)) << m_places[kept[k]].i, m_places[kept[k]].j;
+        }
+        return {Net(std::move(positions), std::move(faces), RestLengths::equal), std::move(places), m_locked, m_met};
+    }
+
+    /// Cells of four known vertices, counterclockwise, which keep the limit and have a vertex on the surface.
+    std::vector<std::array<int, 4>> complete_cells() const {
+        std::vector<std::array<int, 4>> cells;
+        for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+            const Place& place = m_places[v];
+            const std::array<int, 4> cell{static_cast<int>(v), find(place + Place{1, 0}), find(place + Place{1, 1}),
+                                          find(place + Place{0, 1})};
+            const auto at = [&](int k) { return m_vertices[cell[k]].position; };
+            if (*std::min_element(cell.begin(), cell.end()) < 0) continue;
+            if (std::none_of(cell.begin(), cell.end(), [&](int c) { return is_on_surface(m_vertices[c]); })) continue;
+            if (keeps_limit({at(0), at(1), at(2), at(3)})) cells.push_back(cell);
+        }
+        return cells;
+    }
+
+    /// Those that are joined by edges to the first one at the seed.
+    std::vector<std::array<int, 4>> connected(const std::vector<std::array<int, 4>>& cells) const {
+        std::unordered_map<std::uint64_t, int> cell_at;
+        for (std::size_t c = 0; c < cells.size(); ++c) cell_at.emplace(key(m_places[cells[c][0]]), static_cast<int>(c));
+        std::vector<bool> is_reached(cells.size());
+        std::vector<int> waiting;
+        const auto reach = [&](const Place& place) {
+            const auto found = cell_at.find(key(place));
+            if (found == cell_at.end() || is_reached[found->second]) return;
+            is_reached[found->second] = true;
+            waiting.push_back(found->second);
+        };
+        for (const Place& corner : {Place{0, 0}, Place{-1, 0}, Place{-1, -1}, Place{0, -1}})
+            if (waiting.empty()) reach(corner);
+        while (!waiting.empty()) {
+            const Place place = m_places[cells[waiting.back()][0]];
+            waiting.pop_back();
+            for (const Place& step : k_steps) reach(place + step);
+        }
+        std::vector<std::array<int, 4>> reached;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            if (is_reached[c]) reached.push_back(cells[c]);
+        return reached;
+    }
+
+    static std::uint64_t key(const Place& place) {
+        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.i)) << 32 |
+               static_cast<std::uint32_t>(place.j);
+    }
+    int find(const Place& place) const {
+        const auto found = m_at.find(key(place));
+        return found == m_at.end() ? -1 : found->second;
+    }
+    const DrapedVertex& vertex(const Place& place) const { return m_vertices[m_at.at(key(place))]; }
+    void refuse(const Place& place, int& count) {
+        if (m_refused.emplace(key(place), true).second) ++count;
+    }
+    bool is_refused(const Place& place) const { return m_refused.contains(key(place)); }
+
+    struct Extension {
+        Place place, from;
+        bool operator>(const Extension& other) const { return place > other.place; }
+    };
+    template <class T>
+    using Queue = std::priority_queue<T, std::vector<T>, std::greater<>>;
+
+    const DrapeOptions& m_options;
+    Compass m_compass;
+    std::vector<DrapedVertex> m_vertices;
+    std::vector<Place> m_places;
+    std::unordered_map<std::uint64_t, int> m_at;  // by places
+    std::unordered_map<std::uint64_t, bool> m_refused;
+    Surroundings m_surroundings;
+    Queue<Place> m_waiting;
+    Queue<Extension> m_rim;
+    double m_largest_cosine;
+    int m_locked = 0, m_met = 0;
+};
+
+}  // namespace
+
+Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+    check(surface, options);
+    return Draper(surface, tree, options).run();
+}
+
+}  // namespace chebnet

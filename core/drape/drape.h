@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <numbers>
+
+#include "net/net.h"
+#include "surface/surface.h"
+#include "surface/surface_tree.h"
+
+namespace chebnet {
+
+/// How a net is laid on a surface from one point.
+struct DrapeOptions {
+    /// What happens where the surface ends.
+    enum class Border {
+        inside,  ///< no vertex stands beyond it
+        beyond,  ///< cells go over it that have a vertex on the surface; there it goes on as flat as it is there
+    };
+
+    Eigen::Vector3d seed = Eigen::Vector3d::Zero();        ///< the vertex to begin with is the nearest point to it
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of the first family of net lines there
+    double length = 1;                                     ///< L, of all edges
+    double angle = std::numbers::pi / 2;                   ///< between the two families at the seed
+    double smallest_angle = std::numbers::pi / 6;          ///< no corner is sharper, nor blunter than π less it
+    int reach = std::numeric_limits<int>::max();           ///< cells from the seed along either family
+    Border border = Border::beyond;
+};
+
+/// A net on a surface, and why it is not larger: how many times a further vertex was refused.
+struct Drape {
+    Net net;
+    Eigen::Matrix2Xi places;  ///< 2×V, the steps from the seed to each vertex along the first and the second family
+    int locked = 0;           ///< its corners would have been too sharp or too blunt, or no such point exists
+    int met = 0;              ///< it would have stood on the net, or not one edge away from all its neighbours
+};
+
+/// One patch of a net from a seed, each vertex on the surface and each edge of length L up to rounding. From the seed
+/// four arms run along straightest geodesics; each further vertex is the point of the surface one edge away from two
+/// known ones, across from a third (Compass), those nearest to the seed first. Where no such vertex is left, net lines
+/// at the rim go straight on, once for each bay.
+///
+/// Where the net locks or a corner would break the limit, and where the net comes round to itself, no vertex is set: a
+/// gap stays, and what hangs on the patch by a corner is taken off. The result is the same natively and in WebAssembly
+/// up to the last bits of the angles given.
+///
+/// Throws Error bad_option (a length or angles out of range, a direction upright on the surface, no cell fits there),
+/// non_finite, too_large (more than k_most_draped_vertices).
+Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
+
+inline constexpr int k_most_draped_vertices = 2'000'000;
+
+/// How well a net lies on a surface.
+struct DrapeReport {
+    double coverage;                         ///< part of the surface's area that is within L / 2 of the net
+    double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
+                                             ///< from where it would go on; in the surface's unit
+    double smallest_angle, largest_angle;    ///< of corners, radians
+    double max_deviation;                    ///< the largest dL
+};
+
+/// Takes about a microsecond for each sample of the surface, of which there are at least as many as triangles.
+DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net);
+
+}  // namespace chebnet

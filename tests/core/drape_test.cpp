@@ -1,0 +1,244 @@
+#include "drape/drape.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include "mesh_files.h"
+#include "net/measures.h"
+#include "sample_surfaces.h"
+
+using namespace chebnet;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+constexpr double k_exact = 1e-12;  // max dL of what is made with compasses
+
+struct Draped {
+    Drape drape;
+    DrapeReport report;
+};
+
+Draped draped(const Mesh& mesh, const DrapeOptions& options) {
+    const Surface surface(mesh);
+    const SurfaceTree tree(surface);
+    Drape result = drape(surface, tree, options);
+    const DrapeReport report = measure_drape(surface, tree, result.net);
+    return {std::move(result), report};
+}
+
+std::map<std::pair<int, int>, Eigen::Vector3d> positions_by_place(const Drape& drape) {
+    std::map<std::pair<int, int>, Eigen::Vector3d> positions;
+    for (int v = 0; v < drape.net.vertex_count(); ++v)
+        positions[{drape.places(0, v), drape.places(1, v)}] = drape.net.rest_positions().col(v);
+    return positions;
+}
+
+/// The angle ω between the families of a Chebyshev net on the unit sphere whose arms are great circles at right angles,
+/// at the distances u and v along them: ω_uv = −sin ω with ω = π/2 on the arms. It depends on z = u v alone, by
+/// z ω'' + ω' = −sin ω, which is integrated here from its series at 0.
+double angle_on_sphere(double z) {
+    double at = 1e-4, angle = k_pi / 2 - at, slope = -1;
+    const int steps = 20000;
+    const double h = (z - at) / steps;
+    for (int k = 0; k < steps; ++k) {  // midpoint rule
+        const double half_angle = angle + h / 2 * slope, half_slope = slope + h / 2 * (-std::sin(angle) - slope) / at;
+        angle += h * half_slope;
+        slope += h * (-std::sin(half_angle) - half_slope) / (at + h / 2);
+        at += h;
+    }
+    return angle;
+}
+
+}  // namespace
+
+TEST_CASE("A plane is draped by an exact square grid, its border included") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.seed = {0.013, -0.027, 0};
+    options.direction = {3, 1, 0};
+    const auto [drape, report] = draped(samples::plane(7, 1), options);
+    const Eigen::Vector3d u = options.direction.normalized(), v(-u.y(), u.x(), 0);
+    for (const auto& [place, position] : positions_by_place(drape))
+        CHECK((position - (options.seed + 0.1 * (place.first * u + place.second * v))).norm() < 1e-9);
+    CHECK(report.coverage == Approx(1));
+    CHECK(report.largest_distance < 1e-9);
+    CHECK(report.max_deviation < k_exact);
+    CHECK(report.smallest_angle == Approx(k_pi / 2));
+    CHECK(drape.locked == 0);
+    CHECK(drape.met == 0);
+}
+
+TEST_CASE("Inside a plane no vertex stands beyond its border, and the reach is kept") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.direction = {1, 0.2, 0};
+    options.border = DrapeOptions::Border::inside;
+    const auto inside = draped(samples::plane(7, 1), options);
+    CHECK(inside.drape.net.rest_positions().cwiseAbs().maxCoeff() < 1 + 1e-9);
+    CHECK(inside.report.coverage > 0.9);
+    options.reach = 3;
+    const auto near = draped(samples::plane(7, 1), options);
+    CHECK(near.drape.net.face_count() == 36);
+    CHECK(near.drape.places.cwiseAbs().maxCoeff() == 3);
+}
+
+TEST_CASE("The families keep their angle in a plane") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.angle = k_pi / 3;
+    const auto [drape, report] = draped(samples::plane(5, 1), options);
+    CHECK(report.smallest_angle == Approx(k_pi / 3));
+    CHECK(report.largest_angle == Approx(2 * k_pi / 3));
+    CHECK(report.coverage == Approx(1));
+}
+
+TEST_CASE("Half a cylinder is draped as the plane it unrolls to") {
+    Mesh half = samples::quads(91, 21, false, false, [](int i, int j) {
+        const double u = k_pi * i / 90;
+        return Eigen::Vector3d(std::cos(u), std::sin(u), j / 10. - 1);
+    });
+    DrapeOptions options;
+    options.length = 0.08;
+    options.seed = {0, 1, 0};
+    options.direction = {1, 0, 0.6};
+    const auto [drape, report] = draped(half, options);
+    CHECK(report.coverage > 0.999);
+    CHECK(report.max_deviation < k_exact);
+    CHECK(report.largest_distance < 0.1 * options.length);
+    // Chords, not arcs, have one length: of the order of L² / 8.
+    CHECK(std::abs(report.smallest_angle - k_pi / 2) < 0.03);
+    CHECK(std::abs(report.largest_angle - k_pi / 2) < 0.03);
+}
+
+TEST_CASE("A net goes round a cylinder until it meets itself") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.seed = {1, 0, 0};
+    options.direction = {0, 1, 0};
+    const auto [drape, report] = draped(samples::cylinder(120, 21, 1), options);
+    CHECK(drape.met > 0);
+    CHECK(report.coverage > 0.95);
+    CHECK(report.max_deviation < k_exact);
+    const int columns = drape.places.row(0).maxCoeff() - drape.places.row(0).minCoeff();
+    CHECK(columns >= 60);  // of 62.8
+    CHECK(columns <= 62);
+}
+
+TEST_CASE("On a hemisphere angles are those of the sine-Gordon equation, whatever the length") {
+    const Mesh mesh = samples::sphere(60, true);
+    for (const double length : {0.1, 0.05}) {
+        CAPTURE(length);
+        DrapeOptions options;
+        options.length = length;
+        options.seed = {0, 0, 1};
+        options.smallest_angle = 0.2;
+        const auto [drape, report] = draped(mesh, options);
+        CHECK(report.coverage > 0.995);
+        CHECK(report.max_deviation < k_exact);
+        CHECK(report.largest_distance < 0.2 * length);
+        const auto at = positions_by_place(drape);
+        int k = 1;
+        for (; at.contains({k, k}) && at.contains({k + 1, k}) && at.contains({k, k + 1}); ++k) {
+            const Eigen::Vector3d x = at.at({k, k}), a = at.at({k + 1, k}) - x, b = at.at({k, k + 1}) - x;
+            const double u = (k + 0.5) * 2 * std::asin(length / 2);  // of the middle of the cell
+            CHECK(std::acos(a.dot(b) / (length * length)) == Approx(angle_on_sphere(u * u)).margin(0.6 * length));
+        }
+        CHECK(k * length > 0.9);
+    }
+}
+
+TEST_CASE("A net on a symmetric surface is symmetric") {
+    DrapeOptions options;
+    options.length = 0.08;
+    options.seed = {0, 0, 1};
+    options.smallest_angle = 0.4;
+    const auto at = positions_by_place(draped(samples::sphere(40, true), options).drape);
+    int missing = 0;
+    for (const auto& [place, position] : at) {
+        const auto turned = at.find({-place.second, place.first});
+        if (turned == at.end()) {
+            ++missing;
+            continue;
+        }
+        const Eigen::Vector3d expected(-position.y(), position.x(), position.z());
+        CHECK((turned->second - expected).norm() < 1e-6);
+    }
+    CHECK(missing == 0);
+}
+
+TEST_CASE("On a hypar the rulings are net lines of an almost exact net") {
+    const Mesh mesh = samples::graph(61, 1, [](double x, double y) { return 0.5 * x * y; });
+    DrapeOptions options;
+    options.length = 0.07;
+    const auto [drape, report] = draped(mesh, options);
+    CHECK(report.coverage > 0.995);
+    CHECK(report.max_deviation < k_exact);
+    CHECK(report.largest_distance < 0.05 * options.length);
+    CHECK(drape.locked == 0);
+    CHECK(report.smallest_angle > k_pi / 3);
+}
+
+TEST_CASE("Where a corner would be too sharp there is a gap, not a sliver") {
+    for (const double limit : {k_pi / 6, k_pi / 4}) {
+        DrapeOptions options;
+        options.length = 0.1;
+        options.seed = {0, 0, 1};
+        options.smallest_angle = limit;
+        const auto [drape, report] = draped(samples::sphere(30), options);
+        CHECK(drape.locked > 0);
+        CHECK(report.smallest_angle > limit - 1e-9);
+        CHECK(report.largest_angle < k_pi - limit + 1e-9);
+        CHECK(report.max_deviation < k_exact);
+        CHECK(report.coverage > 0.4);
+        CHECK(report.coverage < 0.95);
+        CHECK(Topology(drape.net).component_count() == 1);
+    }
+}
+
+TEST_CASE("A surface with a notch is covered behind it too") {
+    const Mesh square = samples::plane(21, 1);
+    Mesh notched{square.positions, {}};
+    for (int f = 0; f < square.faces.size(); ++f) {
+        const Eigen::Vector3d corner = square.positions.col(square.faces[f][0]);
+        if (!(corner.x() > 0.25 && std::abs(corner.y() + 0.05) < 0.3)) notched.faces.add(square.faces[f]);
+    }
+    notched = repair(notched, k_all_defects).mesh;
+    DrapeOptions options;
+    options.length = 0.09;
+    options.seed = {-0.5, 0, 0};
+    const auto [drape, report] = draped(notched, options);
+    CHECK(report.coverage > 0.99);
+    CHECK(report.max_deviation < k_exact);
+}
+
+TEST_CASE("What cannot be draped is refused with a sentence") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto refusal = [](auto change) {
+        DrapeOptions options;
+        options.length = 0.1;
+        change(options);
+        return samples::refusal_of([&] { draped(samples::plane(5, 1), options); });
+    };
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.length = 0; }), Contains("bad_option") && Contains("edge length"));
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.length = 5; }), Contains("bad_option") && Contains("edge length"));
+    CHECK_THAT(refusal([&](DrapeOptions& o) { o.seed.x() = nan; }), Contains("non_finite"));
+    CHECK_THAT(refusal([](DrapeOptions& o) {
+                   o.direction = {0, 0, 1};
+               }),
+               Contains("bad_option") && Contains("upright"));
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.smallest_angle = 2; }), Contains("bad_option") && Contains("limit"));
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.angle = 0.1; }), Contains("bad_option") && Contains("angle"));
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.reach = 0; }), Contains("bad_option") && Contains("reach"));
+    CHECK_THAT(refusal([](DrapeOptions& o) {
+                   o.length = 1.5;
+                   o.border = DrapeOptions::Border::inside;
+               }),
+               Contains("bad_option") && Contains("no cell"));
+}
