@@ -270,9 +270,9 @@ void Editor::collect_holds() {
 }
 
 void Editor::prepare() {
-    const std::vector<int> fixed = fixed_vertices();
-    m_method->prepare(*m_unit_net, *m_topology, fixed);
-    m_initialisation.prepare(*m_unit_net, fixed);
+    m_fixed = fixed_vertices();
+    m_method->prepare(problem());
+    m_initialisation.prepare(*m_unit_net, m_fixed);
     m_prepared = true;
 }
 
@@ -312,7 +312,6 @@ Status Editor::begin_solve(Trace& trace) {
     if (!m_prepared) prepare();
     draw_targets_near();
     collect_holds();
-    m_method->set_holds(m_holds);
     m_iterations = 0;
     m_elapsed_ms = 0;
     load_positions();
@@ -321,7 +320,7 @@ Status Editor::begin_solve(Trace& trace) {
         trace = m_initialisation.apply(m_unit_positions);
         for (TraceRow& row : trace) row.total_ms += prepared_ms;
     }
-    return m_method->start(m_unit_positions, m_options, m_reachable);
+    return m_method->start(problem(), m_unit_positions, m_options);
 }
 
 Status Editor::iterate(TraceRow& row) {

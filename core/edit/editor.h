@@ -131,6 +131,7 @@ private:
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     std::vector<int> fixed_vertices() const;
+    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_holds, m_reachable}; }
     void collect_holds();
     void prepare();
     void draw_targets_near();
@@ -157,7 +158,8 @@ private:
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
-    std::vector<Hold> m_holds;        // of soft handles and of the region
+    std::vector<int> m_fixed;
+    std::vector<Hold> m_holds;  // of soft handles and of the region
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;

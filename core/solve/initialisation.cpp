@@ -52,9 +52,9 @@ Initialisation::Initialisation(std::string_view text) : m_name(text) {
                                                std::to_string(k_most_iterations) + ", not " + quoted(text));
 }
 
-void Initialisation::prepare(const Net& net, std::span<const int> handle_vertices) {
+void Initialisation::prepare(const Net& net, std::span<const int> fixed) {
     if (m_make_step == nullptr) return;
-    m_part = std::make_unique<LaplacianPart>(net, free_vertices(net.vertex_count(), handle_vertices));
+    m_part = std::make_unique<LaplacianPart>(net, free_vertices(net.vertex_count(), fixed));
     m_step = m_make_step(*m_part);
 }
 

@@ -35,8 +35,8 @@ public:
 
     const std::string& name() const { return m_name; }
 
-    /// Does the symbolic and numeric work for a set of handles. The net must outlive this.
-    void prepare(const Net& net, std::span<const int> handle_vertices);
+    /// Does the symbolic and numeric work for a set of fixed vertices. The net must outlive this.
+    void prepare(const Net& net, std::span<const int> fixed);
     /// Moves free vertices of `positions` (3×V), whose handles stand at their targets. Leaves them if the result would
     /// not be finite. Returns a row for each iteration: stage 0, the last one's number is 0, times from the beginning
     /// of this call. Only after prepare().

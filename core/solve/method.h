@@ -7,33 +7,30 @@
 
 #include "net/net.h"
 #include "net/topology.h"
-#include "solve/hold.h"
 #include "solve/options.h"
+#include "solve/problem.h"
 #include "solve/trace.h"
 
 namespace chebnet {
 
 /// A way to find positions in which every edge has its length and handles stay where they are. Methods are stateful:
-/// prepare() once for a set of handles, start() once for a solve, iterate() until the status is not `running`.
+/// prepare() once for a set of fixed vertices, start() once for a solve, iterate() until the status is not `running`.
 class Method {
 public:
     virtual ~Method() = default;
 
-    /// Does the symbolic work for a set of vertices that stay where they are: exact handles, and what lies outside the
-    /// region that may move (distinct, in range). Net and topology must outlive the method. Throws Error too_large
-    /// where a system of the method would take more memory than is allowed, as does iterate() for one that is made
-    /// late.
-    virtual void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) = 0;
+    /// Does the symbolic work for a net and a set of fixed vertices. Net and topology must outlive the method. Throws
+    /// Error too_large where a system of the method would take more memory than is allowed, as does iterate() for one
+    /// that is made late.
+    virtual void prepare(const Problem& problem) = 0;
 
-    /// Whether set_holds() is heeded.
+    /// Whether the holds of a problem are heeded. Edges come first: holds give way.
     virtual bool knows_holds() const { return false; }
-    /// Free vertices that the next solves pull (distinct), in place of those before. Edges come first: holds give way.
-    virtual void set_holds(std::span<const Hold>) {}
 
-    /// Begins a solve at `positions` (3×V), with the handles already at their targets. May move free vertices off
-    /// degenerate places. Returns `running`, or `converged` if nothing is to be done. `reachable` = false says that no
-    /// net exists: find the most even shape and end with `unreachable`.
-    virtual Status start(Positions& positions, const Options& options, bool reachable) = 0;
+    /// Begins a solve of the problem that was prepared, with the holds of the moment, at `positions` (3×V), where the
+    /// fixed vertices already stand. May move free vertices off degenerate places. Returns `running`, or `converged` if
+    /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`.
+    virtual Status start(const Problem& problem, Positions& positions, const Options& options) = 0;
 
     /// One iteration: moves free vertices only and fills `row` (all but iteration and total_ms).
     virtual Status iterate(Positions& positions, TraceRow& row) = 0;

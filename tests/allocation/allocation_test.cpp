@@ -54,7 +54,7 @@ struct Frames {
 };
 
 /// Drags the last of a shape's handles to and fro on a circle that ends where it began; a hold stays where it is.
-Frames drag(Method& method, const Shape& shape, Positions& positions, int count, std::span<const Hold> holds = {}) {
+Frames drag(Method& method, const Problem& problem, const Shape& shape, Positions& positions, int count) {
     Frames frames;
     const int dragged = shape.suggested_handles.back();
     const Eigen::Vector3d rest = shape.net.rest_positions().col(dragged);
@@ -63,8 +63,7 @@ Frames drag(Method& method, const Shape& shape, Positions& positions, int count,
     for (int frame = 1; frame <= count; ++frame) {
         const double angle = 6.283185307179586 * frame / count;
         positions.col(dragged) = rest + radius * Eigen::Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
-        method.set_holds(holds);
-        Status status = method.start(positions, Options{}, true);
+        Status status = method.start(problem, positions, Options{});
         for (int k = 0; k < 200 && status == Status::running; ++k) {
             TraceRow row;
             status = method.iterate(positions, row);
@@ -89,12 +88,13 @@ int main() {
     const Shape shape = make_shape("elephant:vertices=2000");
     const Topology topology(shape.net);
     const std::unique_ptr<Method> method = make_method("projection");
-    method->prepare(shape.net, topology, shape.suggested_handles);
+    Problem problem{shape.net, topology, shape.suggested_handles};
+    method->prepare(problem);
     Positions positions = shape.net.rest_positions();
 
-    const Frames first = drag(*method, shape, positions, 20);
+    const Frames first = drag(*method, problem, shape, positions, 20);
     check(first.allocations > 0, "the count sees that the first drag makes room for itself");
-    const Frames again = drag(*method, shape, positions, 40);
+    const Frames again = drag(*method, problem, shape, positions, 40);
     check(again.converged, "every frame of the second drag converges");
     check(again.stages_seen == 0b1110, "it goes through stages 1, 2 and 3");
     check(again.allocations == 0, "its " + std::to_string(again.iterations) + " iterations allocate nothing (counted " +
@@ -103,8 +103,9 @@ int main() {
     // Pulled to where the drag cannot let it stay, the hold gives way in each frame.
     const int held = shape.net.vertex_count() / 2;
     const Hold hold{held, positions.col(held) + 5 * shape.net.mean_length() * Eigen::Vector3d::UnitX(), 1};
-    drag(*method, shape, positions, 20, {&hold, 1});
-    const Frames soft = drag(*method, shape, positions, 40, {&hold, 1});
+    problem.holds = {&hold, 1};
+    drag(*method, problem, shape, positions, 20);
+    const Frames soft = drag(*method, problem, shape, positions, 40);
     check(soft.converged, "every frame of a drag against a hold converges");
     check(soft.allocations == 0, "its " + std::to_string(soft.iterations) + " iterations allocate nothing (counted " +
                                      std::to_string(soft.allocations) + ")");

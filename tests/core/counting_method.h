@@ -11,14 +11,13 @@ namespace chebnet::samples {
 class CountingMethod : public Method {
 public:
     CountingMethod(std::unique_ptr<Method> method, int& prepared) : m_method(std::move(method)), m_prepared(prepared) {}
-    void prepare(const Net& net, const Topology& topology, std::span<const int> fixed) override {
+    void prepare(const Problem& problem) override {
         ++m_prepared;
-        m_method->prepare(net, topology, fixed);
+        m_method->prepare(problem);
     }
     bool knows_holds() const override { return m_method->knows_holds(); }
-    void set_holds(std::span<const Hold> holds) override { m_method->set_holds(holds); }
-    Status start(Positions& x, const Options& options, bool reachable) override {
-        return m_method->start(x, options, reachable);
+    Status start(const Problem& problem, Positions& x, const Options& options) override {
+        return m_method->start(problem, x, options);
     }
     Status iterate(Positions& x, TraceRow& row) override { return m_method->iterate(x, row); }
 

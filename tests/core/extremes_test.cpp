@@ -38,8 +38,8 @@ ErrorCode code_of_scaled(double factor) {
 /// Loses its numbers in the second iteration.
 class FailingMethod : public Method {
 public:
-    void prepare(const Net&, const Topology&, std::span<const int>) override {}
-    Status start(Positions&, const Options&, bool) override { return Status::running; }
+    void prepare(const Problem&) override {}
+    Status start(const Problem&, Positions&, const Options&) override { return Status::running; }
     Status iterate(Positions& positions, TraceRow&) override {
         const bool first = m_iterations++ == 0;
         positions.col(5).z() = first ? 0.25 : std::nan("");

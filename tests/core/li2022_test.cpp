@@ -103,12 +103,13 @@ TEST_CASE("Eliminating the handles gives the step of the KKT system (5)") {
     const Eigen::VectorXd step = kkt.fullPivLu().solve(rhs).head(n);
 
     const auto method = k_li2022.make();
-    method->prepare(net, topology, handles);
+    const Problem problem{net, topology, handles};
+    method->prepare(problem);
     Options options;
     options.p_start = p;
     options.switch_deviation = 0;  // stay in stage 1
     options.threshold = 1e-20;
-    REQUIRE(method->start(x, options, true) == Status::running);
+    REQUIRE(method->start(problem, x, options) == Status::running);
     TraceRow row;
     method->iterate(x, row);
     REQUIRE(row.step == 1);

@@ -88,11 +88,13 @@ TEST_CASE("Newton's method converges quadratically, the paper's majorizer linear
     const auto gradient_norms = [](std::unique_ptr<Method> method) {
         Editor editor = stretched_patch();
         Positions x = editor.positions();
-        method->prepare(editor.net(), editor.topology(), std::vector<int>{0, 5, 24, 29});
+        const std::vector<int> fixed{0, 5, 24, 29};
+        const Problem problem{editor.net(), editor.topology(), fixed};
+        method->prepare(problem);
         Options options;
         options.threshold = 1e-24;
         options.energy_tolerance = options.gradient_tolerance = 0;
-        REQUIRE(method->start(x, options, true) == Status::running);
+        REQUIRE(method->start(problem, x, options) == Status::running);
         std::vector<double> norms;
         for (int k = 0; k < 8; ++k) {
             TraceRow row;

@@ -57,16 +57,17 @@ bool ask_for_the_same(const Options& a, const Options& b) {
 
 class Equilibrium : public Method {
 public:
-    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    void prepare(const Problem& problem) override;
     bool knows_holds() const override { return true; }
-    void set_holds(std::span<const Hold> holds) override;
-    Status start(Positions& positions, const Options& options, bool reachable) override;
+    Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
     std::span<const double> edge_forces() const override;
 
 private:
     enum Stage { net = 1, follow = 2, rest = 3 };
 
+    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_holds, m_reachable}; }
+    void take_holds(std::span<const Hold> holds);
     void choose_energy();
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
@@ -96,7 +97,7 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_handles;
+    std::vector<int> m_fixed;
     std::vector<bool> m_is_free;
     std::vector<Hold> m_holds;
     bool m_holds_changed = true, m_holds_moved = true;  // in number, place or weight; in their targets
@@ -127,43 +128,44 @@ private:
     Positions m_origin;
 };
 
-void Equilibrium::prepare(const Net& of, const Topology& topology, std::span<const int> handle_vertices) {
+void Equilibrium::prepare(const Problem& problem) {
+    const Net& of = problem.net;
     if (m_net != &of) {
         m_lengths.reset();
         m_terms.clear();
         m_result.resize(3, 0);
     }
     m_net = &of;
-    m_topology = &topology;
-    m_handles.assign(handle_vertices.begin(), handle_vertices.end());
-    m_is_free = free_vertices(of.vertex_count(), handle_vertices);
+    m_topology = &problem.topology;
+    m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
+    m_is_free = free_vertices(of.vertex_count(), m_fixed);
     m_part = std::make_unique<FreePart>(of, m_is_free);
     m_projection = k_projection.make();
-    m_projection->prepare(of, topology, handle_vertices);
+    m_projection->prepare(problem);
     m_newton.reset();
     m_has_metric = m_is_still = m_is_linearised = false;
 }
 
-void Equilibrium::set_holds(std::span<const Hold> holds) {
+void Equilibrium::take_holds(std::span<const Hold> holds) {
     const auto same_pull = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
     const auto same_target = [](const Hold& a, const Hold& b) { return a.target == b.target; };
     m_holds_moved = !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_target);
     m_holds_changed |= !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_pull);
     m_holds.assign(holds.begin(), holds.end());
-    m_projection->set_holds(holds);
 }
 
-Status Equilibrium::start(Positions& positions, const Options& options, bool reachable) {
+Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
+    take_holds(problem.holds);
     const bool same_energy = !m_terms.empty() && !m_holds_changed && ask_for_the_same(m_options, options);
     m_options = options;
-    m_reachable = reachable;
+    m_reachable = problem.reachable;
     m_max_deviation = max_deviation(*m_net, positions);
     m_steps = 0;
-    if (reachable && same_energy && !m_holds_moved && m_result == positions && is_at_rest()) return Status::converged;
-    const bool can_rest = reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
+    if (m_reachable && same_energy && !m_holds_moved && m_result == positions && is_at_rest()) return Status::converged;
+    const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net) {
-        const Status status = m_projection->start(positions, options, reachable);
+        const Status status = m_projection->start(problem, positions, options);
         if (status == Status::converged && can_rest) m_stage = rest;
         if (m_stage == net) return status;
     }
@@ -308,12 +310,11 @@ void Equilibrium::walk(double part, Positions& x) {
 bool Equilibrium::move_handles(double part, Positions& x) {
     const std::vector<double> held = m_limit.held();
     Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (int v : m_handles)
-        moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
+    for (int v : m_fixed) moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
     m_newton->extend(moves);
     x += moves;
     if (part == 1)
-        for (int v : m_handles) x.col(v) = m_walk_to.col(v);
+        for (int v : m_fixed) x.col(v) = m_walk_to.col(v);
     if (project(x)) return true;
     hold(held);
     return false;
@@ -321,7 +322,7 @@ bool Equilibrium::move_handles(double part, Positions& x) {
 
 Status Equilibrium::find_another_net(Positions& positions) {
     m_stage = net;
-    const Status status = m_projection->start(positions, m_options, m_reachable);
+    const Status status = m_projection->start(problem(), positions, m_options);
     m_max_deviation = max_deviation(*m_net, positions);
     return status;
 }

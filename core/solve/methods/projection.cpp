@@ -40,15 +40,16 @@ constexpr double k_unknown = std::numeric_limits<double>::infinity();
 
 class Projection : public Method {
 public:
-    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
+    void prepare(const Problem& problem) override;
     bool knows_holds() const override { return true; }
-    void set_holds(std::span<const Hold> holds) override;
-    Status start(Positions& positions, const Options& options, bool reachable) override;
+    Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:
     enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
+    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_holds, m_reachable}; }
+    void take_holds(std::span<const Hold> holds);
     int rigid_iterations(const Positions& positions) const;
     double largest_pull() const;
     void take_over_shape(const Positions& positions);
@@ -68,7 +69,7 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_handles;
+    std::vector<int> m_fixed;
     std::vector<bool> m_is_free;
     std::vector<Hold> m_holds;
     std::unique_ptr<LaplacianPart> m_part;
@@ -97,15 +98,16 @@ private:
     double m_smooth_deviation = 0;
 };
 
-void Projection::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
+void Projection::prepare(const Problem& problem) {
+    const Net& net = problem.net;
     if (m_net != &net) {
         m_lengths.reset();
         m_lengths_too_large = false;
     }
     m_net = &net;
-    m_topology = &topology;
-    m_handles.assign(handle_vertices.begin(), handle_vertices.end());
-    m_is_free = free_vertices(net.vertex_count(), handle_vertices);
+    m_topology = &problem.topology;
+    m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
+    m_is_free = free_vertices(net.vertex_count(), m_fixed);
     m_part = std::make_unique<LaplacianPart>(net, m_is_free);
     m_arap = std::make_unique<ArapStep>(*m_part);
     m_springs = std::make_unique<SpringDescent>(*m_part);
@@ -114,7 +116,7 @@ void Projection::prepare(const Net& net, const Topology& topology, std::span<con
     m_shape.resize(3, 0);
 }
 
-void Projection::set_holds(std::span<const Hold> holds) {
+void Projection::take_holds(std::span<const Hold> holds) {
     const auto same = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
     const std::span<const Hold> before = m_holds;
     if (!std::equal(before.begin(), before.end(), holds.begin(), holds.end(), same))
@@ -125,16 +127,17 @@ void Projection::set_holds(std::span<const Hold> holds) {
     m_holds.assign(holds.begin(), holds.end());
 }
 
-Status Projection::start(Positions& positions, const Options& options, bool reachable) {
+Status Projection::start(const Problem& problem, Positions& positions, const Options& options) {
+    take_holds(problem.holds);
     m_options = options;
-    m_reachable = reachable;
+    m_reachable = problem.reachable;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
     if (m_pulled == k_unknown) m_pulled = largest_pull();
     m_result = positions;
     if (m_max_deviation < options.threshold && m_pulled == 0) return Status::converged;
-    if (m_part->part().size() == 0) return ended(reachable);
+    if (m_part->part().size() == 0) return ended(m_reachable);
     m_round = 0;
     m_near = k_projection_deviation;
     m_springs_left = k_most_spring_iterations;
@@ -156,7 +159,7 @@ void Projection::take_over_shape(const Positions& positions) {
     } else {
         m_shape_before = m_shape;
     }
-    for (int v : m_handles) m_shape.col(v) = positions.col(v);
+    for (int v : m_fixed) m_shape.col(v) = positions.col(v);
 }
 
 double Projection::largest_pull() const {
@@ -168,7 +171,7 @@ double Projection::largest_pull() const {
 
 int Projection::rigid_iterations(const Positions& positions) const {
     double jump = m_pulled;
-    for (int v : m_handles) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
+    for (int v : m_fixed) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
     const double iterations = k_least_rigid_iterations + std::floor(jump / m_net->mean_length());
     return static_cast<int>(std::min<double>(iterations, k_most_rigid_iterations));
 }
@@ -190,9 +193,9 @@ void Projection::enter(Stage stage, Positions& positions) {
             loosen_lengths();
             break;
         case newton:
-            if (!m_newton_prepared) m_newton->prepare(*m_net, *m_topology, m_handles);
+            if (!m_newton_prepared) m_newton->prepare(problem());
             m_newton_prepared = true;
-            m_newton->start(positions, m_options, m_reachable);
+            m_newton->start(problem(), positions, m_options);
             break;
     }
 }

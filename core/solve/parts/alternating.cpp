@@ -9,22 +9,22 @@
 
 namespace chebnet {
 
-void Alternating::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
-    m_net = &net;
-    m_topology = &topology;
-    m_is_free = free_vertices(net.vertex_count(), handle_vertices);
-    m_part = std::make_unique<LaplacianPart>(net, m_is_free);
+void Alternating::prepare(const Problem& problem) {
+    m_net = &problem.net;
+    m_topology = &problem.topology;
+    m_is_free = free_vertices(m_net->vertex_count(), problem.fixed);
+    m_part = std::make_unique<LaplacianPart>(*m_net, m_is_free);
     m_step = m_make_step(*m_part);
 }
 
-Status Alternating::start(Positions& positions, const Options& options, bool reachable) {
+Status Alternating::start(const Problem& problem, Positions& positions, const Options& options) {
     m_options = options;
-    m_reachable = reachable;
+    m_reachable = problem.reachable;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
     measure(positions);
     if (m_max_deviation < m_options.threshold) return Status::converged;
     if (!std::isfinite(m_energy)) return Status::non_finite;
-    return m_part->part().size() == 0 ? ended(reachable) : Status::running;
+    return m_part->part().size() == 0 ? ended(m_reachable) : Status::running;
 }
 
 Status Alternating::iterate(Positions& positions, TraceRow& row) {

@@ -15,8 +15,8 @@ class Alternating : public Method {
 public:
     explicit Alternating(MakeAlternatingStep make_step) : m_make_step(make_step) {}
 
-    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
-    Status start(Positions& positions, const Options& options, bool reachable) override;
+    void prepare(const Problem& problem) override;
+    Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:

@@ -5,9 +5,9 @@
 
 namespace chebnet {
 
-std::vector<bool> free_vertices(int vertex_count, std::span<const int> handle_vertices) {
+std::vector<bool> free_vertices(int vertex_count, std::span<const int> fixed) {
     std::vector<bool> is_free(static_cast<std::size_t>(vertex_count), true);
-    for (int v : handle_vertices) is_free[v] = false;
+    for (int v : fixed) is_free[v] = false;
     return is_free;
 }
 

@@ -9,7 +9,7 @@
 namespace chebnet {
 
 /// V, true for each vertex that is no handle.
-std::vector<bool> free_vertices(int vertex_count, std::span<const int> handle_vertices);
+std::vector<bool> free_vertices(int vertex_count, std::span<const int> fixed);
 
 /// The vertices of a net that may move, numbered as the nodes of a linear system, and the edges that feel their moves.
 /// Fixed vertices are eliminated: an edge from a free to a fixed vertex adds to the free one's diagonal block only,

@@ -25,25 +25,25 @@ constexpr double k_reduced_progress = 0.5;
 StagedDescent::StagedDescent(MakeEnergy make_energy, std::unique_ptr<DescentDirection> direction, Adjust adjust)
     : m_make_energy(make_energy), m_direction(std::move(direction)), m_adjust(adjust) {}
 
-void StagedDescent::prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) {
-    m_net = &net;
-    m_topology = &topology;
-    m_is_free = free_vertices(net.vertex_count(), handle_vertices);
-    m_all = std::make_unique<FreePart>(net, m_is_free);
+void StagedDescent::prepare(const Problem& problem) {
+    m_net = &problem.net;
+    m_topology = &problem.topology;
+    m_is_free = free_vertices(m_net->vertex_count(), problem.fixed);
+    m_all = std::make_unique<FreePart>(*m_net, m_is_free);
     m_direction->prepare(*m_all);
 }
 
-Status StagedDescent::start(Positions& positions, const Options& options, bool reachable) {
+Status StagedDescent::start(const Problem& problem, Positions& positions, const Options& options) {
     m_options = options;
     m_adjust(m_options);
-    m_reachable = reachable;
+    m_reachable = problem.reachable;
     m_reduction_allowed = m_options.adaptive_reduction;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
     enter_stage(m_options.adaptive_p ? 1 : 2);
     measure(positions);
     if (m_max_deviation < m_options.threshold) return Status::converged;
     if (!std::isfinite(m_total_energy)) return Status::non_finite;
-    return m_all->size() == 0 ? ended(reachable) : Status::running;
+    return m_all->size() == 0 ? ended(m_reachable) : Status::running;
 }
 
 Status StagedDescent::iterate(Positions& positions, TraceRow& row) {

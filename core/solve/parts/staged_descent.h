@@ -29,8 +29,8 @@ public:
     StagedDescent(
         MakeEnergy make_energy, std::unique_ptr<DescentDirection> direction, Adjust adjust = [](Options&) {});
 
-    void prepare(const Net& net, const Topology& topology, std::span<const int> handle_vertices) override;
-    Status start(Positions& positions, const Options& options, bool reachable) override;
+    void prepare(const Problem& problem) override;
+    Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:

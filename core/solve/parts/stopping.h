@@ -12,7 +12,7 @@ namespace chebnet {
 inline constexpr double k_unreachable_progress = 1e-3;
 
 /// Whether an iteration has brought the energy to rest, by the paper's first two rules (ε_1 and ε_2, section 3.2).
-/// `gradient_norm` as in TraceRow; `reachable` as in Method::start.
+/// `gradient_norm` as in TraceRow; `reachable` as in Problem.
 inline bool has_settled(const Options& options, bool reachable, double energy_before, double energy,
                         double gradient_norm) {
     const double tolerance = reachable ? options.energy_tolerance : k_unreachable_progress;
