@@ -21,5 +21,6 @@ Command add_convert(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_drag(CLI::App& program);
 Command add_equalize(CLI::App& program);
+Command add_drape(CLI::App& program);
 
 }  // namespace chebnet

@@ -19,8 +19,8 @@ int run(int argc, char** argv) {
     program.footer("A NET is a file (" + titles_read("or") +
                    "), or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
                    "Exit codes: 0 done and converged, 1 did not converge, 2 bad usage or input.");
-    const Command commands[] = {add_info(program),  add_make(program), add_convert(program),
-                                add_solve(program), add_drag(program), add_equalize(program)};
+    const Command commands[] = {add_info(program), add_make(program),     add_convert(program), add_solve(program),
+                                add_drag(program), add_equalize(program), add_drape(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {

@@ -72,6 +72,19 @@ void check_shape_report(const json& report) {
     CHECK(report.at("largest_corner_angle_degrees") <= 180);
 }
 
+/// The saddle z = x y over a square, of n × n vertices.
+void write_saddle(const Sandbox& box, const std::string& name, int n) {
+    Mesh mesh{Positions(3, n * n), {}};
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const double x = 2. * i / (n - 1) - 1, y = 2. * j / (n - 1) - 1;
+            mesh.positions.col(j * n + i) << x, y, x * y / 2;
+            if (i + 1 < n && j + 1 < n)
+                mesh.faces.add({j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+        }
+    box.write(name, write_obj(mesh.positions, mesh.faces));
+}
+
 /// A user sees exit code 2, nothing on standard output, and one line that holds `what`.
 void check_refused(const Run& run, const std::string& what) {
     CHECK(run.exit_code == 2);
@@ -86,7 +99,7 @@ void check_refused(const Run& run, const std::string& what) {
 TEST_CASE("help and version answer on standard output") {
     const Sandbox box;
     for (const char* arguments : {"--help", "info --help", "make --help", "convert --help", "solve --help",
-                                  "drag --help", "equalize --help", "--version"}) {
+                                  "drag --help", "equalize --help", "drape --help", "--version"}) {
         const Run run = box.run(arguments);
         INFO(arguments);
         CHECK(run.exit_code == 0);
@@ -330,6 +343,61 @@ TEST_CASE("equalize says what stands in the way") {
     box.write("loose.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\n");
     check_refused(box.run("equalize loose.obj"), "--repair");
     CHECK(box.run("equalize loose.obj --repair").exit_code == 0);
+}
+
+TEST_CASE("drape lays a net on a surface, reports and writes") {
+    const Sandbox box;
+    write_saddle(box, "saddle.obj", 31);
+    const std::string drape = "drape saddle.obj --seed 0.1 0 0 --direction 1 0.2 0 --edge 0.1 ";
+    const Run run = box.run(drape + "--out net.obj");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    const json report = run.json();
+    CHECK(report.at("surface") == "saddle.obj");
+    CHECK(report.at("described").at("triangles") == 1800);
+    CHECK(report.at("described").at("boundary_loops") == 1);
+    CHECK(report.at("described").at("prospect") == "One uncut piece will cover it.");
+    const json& net = report.at("net");
+    CHECK(net.at("length") == Approx(0.1));
+    CHECK(net.at("max_dL") < 1e-12);
+    CHECK(net.at("coverage") > 0.99);
+    CHECK(net.at("largest_distance_in_lengths") < 0.1);
+    CHECK(net.at("smallest_corner_angle_degrees") > 45);
+    CHECK(report.at("milliseconds").at("drape") > 0);
+
+    const json info = box.run("info net.obj").json();
+    CHECK(info.at("chebyshev") == true);
+    CHECK(info.at("faces") == net.at("cells"));
+
+    CHECK(box.run(drape + "--inside").json().at("net").at("cells") < net.at("cells"));
+    CHECK(box.run(drape + "--reach 2").json().at("net").at("cells") == 16);
+    const json slanted = box.run(drape + "--angle 60").json();
+    CHECK(slanted.at("net").at("smallest_corner_angle_degrees") < 60.5);
+    const json strict = box.run(drape + "--shear-limit 80").json();
+    CHECK(strict.at("net").at("smallest_corner_angle_degrees") >= 80 - 1e-6);
+    CHECK(strict.at("net").at("refused_by_the_shear_limit") > 0);
+}
+
+TEST_CASE("what cannot be draped is refused with one line") {
+    const Sandbox box;
+    write_saddle(box, "saddle.obj", 5);
+    const std::string drape = "drape saddle.obj --seed 0 0 0 ";
+    check_refused(box.run("drape saddle.obj --direction 1 0 0 --edge 0.1"), "--seed");
+    check_refused(box.run(drape + "--edge 0.1"), "--direction");
+    check_refused(box.run(drape + "--direction 1 0 0"), "--edge");
+    check_refused(box.run(drape + "--direction 1 0 --edge 0.1"), "--direction");
+    check_refused(box.run(drape + "--direction 0 0 1 --edge 0.1"), "upright");
+    check_refused(box.run(drape + "--direction 1 0 0 --edge 0"), "edge length");
+    check_refused(box.run(drape + "--direction 1 0 0 --edge 0.1 --reach 0"), "reach");
+    check_refused(box.run(drape + "--direction 1 0 0 --edge 0.1 --shear-limit 95"), "shear limit");
+    check_refused(box.run(drape + "--direction 1 0 0 --edge 0.1 -o net.3dm"), "net.3dm");
+    check_refused(box.run("drape dome.obj --seed 0 0 0 --direction 1 0 0 --edge 1"), "dome.obj");
+    box.write("twisted.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n");
+    const std::string twisted = "drape twisted.obj --seed 0 0 0 --direction 1 1 0 --edge 0.2";
+    check_refused(box.run(twisted), "twisted.obj: the two faces at edge 0-1 wind against each other");
+    const Run repaired = box.run(twisted + " --repair");
+    CHECK(repaired.exit_code == 0);
+    CHECK_THAT(repaired.err, Contains("wound against the others, turned round"));
 }
 
 TEST_CASE("nets are read and written in every format, by extension") {
