@@ -103,7 +103,7 @@ const std::vector<std::string>& edit_kinds() {
     return kinds;
 }
 
-Problem make_problem(const EditCase& edit) {
+Edit make_problem(const EditCase& edit) {
     Shape shape = open_shape(edit);
     std::vector<Handle> handles = edit.edit_file.empty() ? generate_edit(shape.net, shape.suggested_handles, edit.kind)
                                                          : read_edit(edit.edit_file, shape.net.vertex_count());

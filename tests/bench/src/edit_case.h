@@ -19,7 +19,7 @@ struct EditCase {
     std::string name() const;
 };
 
-struct Problem {
+struct Edit {
     Net net;
     std::vector<Handle> handles;
 };
@@ -28,7 +28,7 @@ struct Problem {
 const std::vector<std::string>& edit_kinds();
 
 /// Makes net and handles. Always the same for the same input. Throws Error.
-Problem make_problem(const EditCase& edit);
+Edit make_problem(const EditCase& edit);
 
 /// Every OBJ file of a folder, with its edits: NAME.KIND.json in `edits_folder` if that is not empty, else one of each
 /// kind. Throws Error.

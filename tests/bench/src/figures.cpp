@@ -60,7 +60,7 @@ private:
         return {name, [json, folder = m_folder] { return open(json, folder); }};
     }
 
-    static Problem open(const Json& json, const std::filesystem::path& folder) {
+    static Edit open(const Json& json, const std::filesystem::path& folder) {
         Net net = open_net(json.at("net"), folder);
         std::vector<Handle> handles;
         for (const Json& handle : json.at("handles")) {

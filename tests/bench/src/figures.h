@@ -14,7 +14,7 @@ namespace chebnet::bench {
 /// An edit by name. The page opens the same under that name.
 struct NamedEdit {
     std::string name;
-    std::function<Problem()> open;  ///< throws Error
+    std::function<Edit()> open;  ///< throws Error
 };
 
 /// One way to solve an edit.

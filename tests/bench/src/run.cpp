@@ -61,7 +61,7 @@ void drag(Editor& editor, int frames, Run& result) {
     }
 }
 
-Run run_once(const NamedEdit& edit, const std::shared_ptr<const Problem>& problem, const Variant& variant) {
+Run run_once(const NamedEdit& edit, const std::shared_ptr<const Edit>& problem, const Variant& variant) {
     Editor editor(problem->net);
     editor.set_method(variant.method);
     editor.set_initialisation(variant.initialisation);
@@ -86,7 +86,7 @@ Run run_once(const NamedEdit& edit, const std::shared_ptr<const Problem>& proble
 }  // namespace
 
 Run run(const NamedEdit& edit, const Variant& variant, int repeats) {
-    const auto problem = std::make_shared<const Problem>(edit.open());
+    const auto problem = std::make_shared<const Edit>(edit.open());
     Run fastest = run_once(edit, problem, variant);
     for (int i = 1; i < repeats; ++i) {
         Run again = run_once(edit, problem, variant);

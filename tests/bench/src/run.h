@@ -26,7 +26,7 @@ struct Snapshot {
 struct Run {
     std::string edit;
     const Variant* variant = nullptr;
-    std::shared_ptr<const Problem> problem;
+    std::shared_ptr<const Edit> problem;
     Status status = Status::running;  ///< of a drag: `converged` if every frame is
     int iterations = 0;               ///< of all frames, by the method
     double milliseconds = 0;          ///< likewise, with the initialisation's

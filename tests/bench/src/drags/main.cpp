@@ -43,7 +43,7 @@ struct Row {
 
 class Drag {
 public:
-    Drag(const Problem& problem, const std::string& method) : m_problem(problem), m_editor(problem.net) {
+    Drag(const Edit& problem, const std::string& method) : m_problem(problem), m_editor(problem.net) {
         m_editor.set_method(method);
         m_editor.set_handles(problem.handles);
         m_editor.reset();
@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    const Problem& m_problem;
+    const Edit& m_problem;
     Editor m_editor;
 };
 
@@ -98,7 +98,7 @@ void drag_to(double from, double to, int frames, Drag& drag, Row& row) {
     }
 }
 
-Row measure(const Problem& problem, const std::string& method, int frames) {
+Row measure(const Edit& problem, const std::string& method, int frames) {
     Row row;
     Drag slow(problem, method);
     const Positions start = slow.positions();
@@ -162,7 +162,7 @@ std::vector<EditCase> wanted_cases(const Arguments& arguments) {
 void measure_all(const Arguments& arguments) {
     print_head();
     for (const EditCase& edit : wanted_cases(arguments)) {
-        const Problem problem = make_problem(edit);
+        const Edit problem = make_problem(edit);
         for (const std::string& method : arguments.methods)
             print(edit.name(), method, problem.net.vertex_count(), measure(problem, method, arguments.frames));
     }

@@ -104,11 +104,11 @@ Plan make_plan(const PlanArguments& arguments) {
     for (const std::string& method : arguments.methods) make_method(method);
     const std::vector<Wish> wishes = chosen_wishes(arguments);
     Plan plan{arguments.methods, arguments.quick ? 3 : 5, 60, {}};
-    std::map<std::string, Problem> made;  // several sections measure the same edit
+    std::map<std::string, Edit> made;  // several sections measure the same edit
     for (const auto& [section, edit, series] : wishes) {
         auto known = made.find(edit.name());
         if (known == made.end()) known = made.emplace(edit.name(), make_problem(edit)).first;
-        const Problem& problem = known->second;
+        const Edit& problem = known->second;
         plan.tasks.push_back({section, edit.name(), series, edit.net, problem.net.vertex_count(), problem.handles});
     }
     return plan;
