@@ -348,7 +348,8 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (!m_is_linearised && !linearise(positions)) return Status::stalled;
     if (is_at_rest()) return Status::converged;
     take_step(positions, row);
-    if (row.step == 0) return gradient_norm() < m_options.rest_tolerance ? Status::converged : Status::stalled;
+    if (row.step == 0)
+        return m_is_linearised && gradient_norm() < m_options.rest_tolerance ? Status::converged : Status::stalled;
     if (!linearise(positions)) return Status::stalled;
     row.factorisation_ms += m_newton->factorisation_ms();
     return is_at_rest() ? Status::converged : Status::running;
@@ -475,14 +476,14 @@ void Equilibrium::hold(const std::vector<double>& held) {
 
 /// With the rows of corners that push.
 bool Equilibrium::linearise(const Positions& positions) {
-    m_is_linearised = true;
     m_lack = m_limit.largest_lack(positions);
-    for (int round = 0; round < k_most_rounds; ++round) {
-        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return false;
-        if (m_limit.release(m_newton->multipliers()) == 0) return true;
+    m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
+    for (int round = 0; m_is_linearised && round < k_most_rounds; ++round) {
+        if (m_limit.release(m_newton->multipliers()) == 0) break;
         m_limit.apply(m_lengths->system());
+        m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
     }
-    return m_newton->linearise(positions, m_gradient, *m_lengths);
+    return m_is_linearised;
 }
 
 std::span<const double> Equilibrium::edge_forces() const {
