@@ -142,12 +142,12 @@ export const OPTIONS: Record<string, string> = {
   active_rings: '有偏差的边周围保持自由的邻域环数。',
   reduce_once: '像论文那样，临近结束时只选定一次要移动的顶点，而不是每次重新选定。',
   direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
-  shear_limit: '方法 equilibrium 不让四边形的任何角小于此度数；0 表示不限。',
-  bending_weight: '方法 equilibrium 中网线抵抗弯曲的程度。',
-  shear_weight: '方法 equilibrium 中四边形抵抗剪切的程度。',
-  straight_rods: '方法 equilibrium 中网线趋于伸直，而非保持初始的弯曲。',
-  gravity: '方法 equilibrium 中一条边的重量，沿 z 轴向下。',
-  rest_tolerance: '剩余梯度低于此值时，方法 equilibrium 视为静止。',
+  shear_limit: '平衡方法不让四边形的任何角小于此度数；0 表示不限。',
+  bending_weight: '平衡方法中网线抵抗弯曲的程度。',
+  shear_weight: '平衡方法中四边形抵抗剪切的程度。',
+  straight_rods: '平衡方法中网线趋于伸直，而非保持初始的弯曲。',
+  gravity: '平衡方法中一条边的重量，沿 z 轴向下。',
+  rest_tolerance: '剩余梯度低于此值时，平衡方法视为静止。',
 };
 
 /** Parameters of shapes, options, defects. */
