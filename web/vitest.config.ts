@@ -16,12 +16,10 @@ const tests = (folder: string, timeout: number) => ({
   },
 });
 
-/** The same tests in another browser. A driver that never answers (WebKit's, once in some hundred windows) is asked once more:
- *  what fails by the page fails twice. */
+/** The same tests in another browser. */
 function engine(name: 'chromium' | 'firefox' | 'webkit') {
   const project = tests('engines', 240_000);
-  const test = { ...project.test, hookTimeout: 90_000, retry: 1 };
-  return { ...project, test: { ...test, name: `engines ${name}`, env: { CHEBNET_ENGINE: name } } };
+  return { ...project, test: { ...project.test, name: `engines ${name}`, env: { CHEBNET_ENGINE: name } } };
 }
 
 /** Run by tests/fuzz/run. */

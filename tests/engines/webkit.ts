@@ -45,18 +45,31 @@ export async function startWebKit(): Promise<Engine> {
   // Under this locale the language of its browser is called C.
   const env = { ...process.env, HOME: home.path, XDG_CONFIG_HOME: '', DISPLAY: display.name, LC_ALL: 'C.UTF-8' };
 
-  /** A driver drives one window. */
+  /** A browser that does not come up is started once more: no page has been shown in it yet. */
   async function newWindow(): Promise<Driver> {
+    return startWindow().catch(startWindow);
+  }
+
+  /** A driver drives one window. */
+  async function startWindow(): Promise<Driver> {
     const port = await freePort();
     const server = spawn('WebKitWebDriver', ['-p', String(port)], { stdio: 'ignore', env });
-    const address = `http://127.0.0.1:${port}`;
+    try {
+      return await beginSession(`http://127.0.0.1:${port}`, () => end(server));
+    } catch (error) {
+      await end(server);
+      throw error;
+    }
+  }
+
+  async function beginSession(address: string, stop: () => Promise<void>): Promise<Driver> {
     await untilItAnswers(address);
     const options = { binary, args: ['--automation'] };
     const wishes = { browserName: 'MiniBrowser', pageLoadStrategy: 'none', 'webkitgtk:browserOptions': options };
     const { sessionId } = (await call(address, 'POST', '/session', { capabilities: { alwaysMatch: wishes } })) as {
       sessionId: string;
     };
-    const window = new WebKitWindow(`${address}/session/${sessionId}`, downloads, () => end(server));
+    const window = new WebKitWindow(`${address}/session/${sessionId}`, downloads, stop);
     await window.begin();
     return window;
   }
@@ -209,7 +222,12 @@ function listen(): boolean {
 }
 
 async function call(address: string, method: string, path: string, body?: object): Promise<unknown> {
-  const response = await fetch(address + path, { method, body: body === undefined ? null : JSON.stringify(body) });
+  // A driver that never answers is an error that names the command. Scripts give up earlier by themselves.
+  const signal = AbortSignal.timeout(1.5 * PATIENCE);
+  const given = { method, signal, body: body === undefined ? null : JSON.stringify(body) };
+  const response = await fetch(address + path, given).catch((error) => {
+    throw new Error(`${method} ${path}: ${error}`);
+  });
   const { value } = (await response.json()) as { value: unknown };
   if (!response.ok) throw new Error(`${method} ${path}: ${JSON.stringify(value)}`);
   return value;
