@@ -164,13 +164,13 @@ export const en = {
       cloth: 'Bends and shears easily. With gravity it hangs.',
       own: 'Its method and numbers are under “Solver”.',
     },
-    limit: 'Narrowest corner',
+    limit: 'Corners',
     limitHint:
       'No corner of a quad gets narrower than this: wires would lie on each other, rods could not turn further',
     weight: 'Gravity',
     weightHint: 'Bends the net downwards between its handles',
     off: 'off',
-    degrees: (degrees: number) => `${degrees}°`,
+    degrees: (degrees: number) => `from ${degrees}°`,
     times: (step: number) => `${step} of 9`,
   },
   drag: {
