@@ -66,7 +66,7 @@ beforeEach(() => {
 });
 
 test('panels are there before the view fits a net to the room they leave', () => {
-  expect(names().indexOf('showDocument')).toBeLessThan(names().indexOf('showNet'));
+  expect(names().indexOf('setDocument')).toBeLessThan(names().indexOf('setNet'));
 });
 
 test('what changes in one task is presented once, after it', async () => {
@@ -77,8 +77,8 @@ test('what changes in one task is presented once, after it', async () => {
   state.change({ locality: 3 });
   expect(calls).toEqual([]);
   await afterwards();
-  expect(names().sort()).toEqual(['setSymmetry', 'showDocument', 'showHandles', 'showHistory']);
-  expect(named('showDocument')[0]![1]).toMatchObject({ method: 'li2022', locality: 3 });
+  expect(names().sort()).toEqual(['setSymmetry', 'setDocument', 'setHandles', 'setHistory']);
+  expect(named('setDocument')[0]![1]).toMatchObject({ method: 'li2022', locality: 3 });
 });
 
 test('a drag is presented at once, and nothing else with it', async () => {
@@ -86,7 +86,7 @@ test('a drag is presented at once, and nothing else with it', async () => {
   calls = [];
   state.drag([{ vertex: 0, target: [1, 2, 3], anchor: false }]);
   presenter.presentDrag();
-  expect(names()).toEqual(['showHandles', 'showHandles']);
+  expect(names()).toEqual(['setHandles', 'setHandles']);
   await afterwards();
   expect(calls).toHaveLength(2);
 });
@@ -95,14 +95,14 @@ test('a run has its net and handles shown until the own net moves', async () => 
   state.change({ handles: [{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }] });
   presenter.showRun(runAt(7));
   await afterwards();
-  expect((named('showFrame').at(-1)![1] as FrameData).positions[0]).toBe(7);
-  const shown = named('showHandles').at(-1)![1] as HandleData[];
+  expect((named('setFrame').at(-1)![1] as FrameData).positions[0]).toBe(7);
+  const shown = named('setHandles').at(-1)![1] as HandleData[];
   expect(shown).toEqual([{ vertex: 0, target: [7, 0, 0], anchor: true, name: 'foot' }]);
   state.takeFrame(frameAt(1), false);
   presenter.presentFrame(frameAt(1), false);
-  expect(named('showRuns').at(-1)![1]).toBeNull();
+  expect(named('setRuns').at(-1)![1]).toBeNull();
   await afterwards();
-  expect(named('showHandles').at(-1)![1]).toEqual([{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }]);
+  expect(named('setHandles').at(-1)![1]).toEqual([{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }]);
 });
 
 test('handles out of reach are spoken of once, until they are within reach again', () => {

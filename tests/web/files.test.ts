@@ -6,7 +6,7 @@ import { edgesCsv } from '../../web/src/net/edges_csv';
 import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
 import { kindsFor, typeOf } from '../../web/src/export/kinds';
-import type { FileRequest, FileResponse, Stage } from '../../web/src/files/file_protocol';
+import type { FileRequest, FileResponse, ReadStep } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
 import { FileSession } from '../../web/src/files/file_session';
@@ -126,7 +126,7 @@ class LocalWorker implements FileWorkerLike {
 }
 
 class FakeDialog implements FileDialogLike {
-  stages: Stage[] = [];
+  steps: ReadStep[] = [];
   report: FileReport | null = null;
   isClosed = false;
   close!: () => void;
@@ -142,8 +142,8 @@ class FakeDialog implements FileDialogLike {
     private readonly answer: (dialog: FakeDialog) => Promise<FileChoice>,
   ) {}
 
-  showStage(stage: Stage): void {
-    this.stages.push(stage);
+  setStep(step: ReadStep): void {
+    this.steps.push(step);
   }
 
   ask(report: FileReport): Promise<FileChoice> {
@@ -181,10 +181,10 @@ function makeOpener(
 }
 
 describe('a file', () => {
-  test('is read in stages, told about and opened', async () => {
+  test('is read in steps, told about and opened', async () => {
     const { open, opened, dialogs, workers } = makeOpener();
     await open(SQUARES);
-    expect(dialogs[0]?.stages).toEqual(['loading', 'reading', 'checking', 'measuring']);
+    expect(dialogs[0]?.steps).toEqual(['loading', 'reading', 'checking', 'measuring']);
     expect(dialogs[0]?.report).toEqual({
       vertices: 6,
       edges: 7,

@@ -61,9 +61,9 @@ describe('edges longer than they are to be', () => {
     data.putInto(uniforms);
     const { data: values } = uniforms.numbers.value!.image as { data: Float32Array };
     const frame = { ...frameOf(net, 0.25), positions: stretched(net, 1.1) };
-    data.show(frame, FIELDS.longer);
+    data.setFrame(frame, FIELDS.longer);
     expect([...values.subarray(0, edges)]).toEqual(notAcross.map(Number));
-    data.show(frame, FIELDS.deviation);
+    data.setFrame(frame, FIELDS.deviation);
     expect([...values.subarray(0, edges)]).toEqual(Array(edges).fill(0.25));
   });
 });
@@ -74,7 +74,7 @@ describe('the textures of a net', () => {
   data.putInto(uniforms);
 
   test('hold every vertex and edge, by number', () => {
-    data.show(frameOf(net, 0), FIELDS.deviation);
+    data.setFrame(frameOf(net, 0), FIELDS.deviation);
     const { data: points } = uniforms.vertices.value!.image as { data: Float32Array };
     const { data: ends } = uniforms.ends.value!.image as { data: Int32Array };
     expect(points).toBe(data.points);
@@ -86,7 +86,7 @@ describe('the textures of a net', () => {
     const kept = Object.values(uniforms).map(({ value }) => value);
     const arrays = kept.map((texture) => (texture.image as { data: unknown }).data);
     const versions = kept.map(({ version }) => version);
-    for (const shift of [0.1, 0.2, 0.3]) data.show(frameOf(net, shift), FIELDS.deviation);
+    for (const shift of [0.1, 0.2, 0.3]) data.setFrame(frameOf(net, shift), FIELDS.deviation);
     expect(Object.values(uniforms).map(({ value }) => value)).toEqual(kept);
     kept.forEach((texture, i) => expect((texture.image as { data: unknown }).data).toBe(arrays[i]));
     expect(kept.map(({ version }, i) => version - versions[i]!)).toEqual([3, 3, 0, 0]);
@@ -104,7 +104,7 @@ test('the next net is drawn by the same material: nothing is compiled for it', (
   for (const shown of [net, smaller]) {
     const data = dataOf(shown);
     data.putInto(uniforms);
-    lines.showNet(data, stripTriangles(shown.info.edges));
+    lines.setNet(data, stripTriangles(shown.info.edges));
     expect(lines.object.material).toBe(material);
     expect(material.uniforms.vertices!.value).toHaveProperty('image.data', data.points);
     expect(lines.object.geometry.index!.count).toBe(6 * shown.info.edges);

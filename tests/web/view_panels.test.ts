@@ -72,7 +72,7 @@ describe('the record of convergence', () => {
     expect(record.curve(false)).toEqual({
       x: [1, 2, 3, 4],
       y: [-1, -2, -4, -7],
-      marks: [
+      stageStarts: [
         { x: 1, stage: 1 },
         { x: 3, stage: 2 },
         { x: 4, stage: 3 },

@@ -2,7 +2,7 @@ import { PerspectiveCamera } from 'three';
 import { describe, expect, test } from 'vitest';
 import { fitCamera } from '../../web/src/view/camera_fit';
 import { fanTriangles } from '../../web/src/worker/triangles';
-import { isInside, nearestMark, nearestVertex, project } from '../../web/src/view/picking';
+import { isInside, nearestMarker, nearestVertex, project } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
 import { random } from './random';
 
@@ -77,10 +77,10 @@ describe('the vertex under the pointer', () => {
 });
 
 test('of two handles under the pointer the one in front is meant', () => {
-  const mark = (x: number, depth: number) => ({ x, y: 0, depth, radius: 8 });
-  expect(nearestMark([mark(0, 5), mark(3, 4), mark(100, 1)], 0, 0, 4)).toBe(1);
-  expect(nearestMark([mark(20, 5)], 0, 0, 4)).toBeNull();
-  expect(nearestMark([mark(0, -1)], 0, 0, 4)).toBeNull();
+  const marker = (x: number, depth: number) => ({ x, y: 0, depth, radius: 8 });
+  expect(nearestMarker([marker(0, 5), marker(3, 4), marker(100, 1)], 0, 0, 4)).toBe(1);
+  expect(nearestMarker([marker(20, 5)], 0, 0, 4)).toBeNull();
+  expect(nearestMarker([marker(0, -1)], 0, 0, 4)).toBeNull();
 });
 
 describe('the whole net in sight', () => {

@@ -157,7 +157,7 @@ async function record(): Promise<void> {
   const net = app.opening?.document.net;
   const type = filmType();
   if (net === undefined || type === null || document.querySelector('.recording')) return;
-  const recording = new Recording(app.film(), type, (seconds) => notice.show(seconds));
+  const recording = new Recording(app.film(), type, (seconds) => notice.setSeconds(seconds));
   const notice = new RecordingNotice(element('panels'), () => recording.stop());
   try {
     download(fileNameOf(net, filmExtension(type), app.formats), await recording.done, type);

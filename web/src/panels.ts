@@ -70,33 +70,33 @@ export interface Action {
   run(): void;
 }
 
-/** One of the controls: its element, and of all that the page shows what it wants to be shown. */
+/** One of the controls: its element, and those methods of Panels that concern it. */
 export interface Panel extends Partial<Omit<Panels, 'say' | 'offer'>> {
   readonly element: HTMLElement;
-  /** Is told each frame; to be shown one comes no more often than its numbers can be read. */
-  takeFrame?(frame: FrameData): void;
+  /** Each frame; setFrame() has the latest, no more often than numbers can be read. */
+  onFrame?(frame: FrameData): void;
 }
 
 export interface Panels {
   /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
-  showTables(
+  setTables(
     tables: Tables,
     thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
   ): void;
   /** After anything in the document changed. */
-  showDocument(document: ChebnetDocument, choice: Choice): void;
+  setDocument(document: ChebnetDocument, choice: Choice): void;
   /** After anything was done, undone or redone. */
-  showHistory(history: HistoryView): void;
-  showNet(net: OpenedNet): void;
+  setHistory(history: HistoryView): void;
+  setNet(net: OpenedNet): void;
   /** While another net is on its way for long. */
-  showOpening(isUnderWay: boolean, canCancel: boolean): void;
+  setOpening(isUnderWay: boolean, canCancel: boolean): void;
   /** Live numbers and the plot. `solving`: the worker is busy. */
-  showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
-  showHandles(handles: readonly HandleData[], choice: Choice): void;
+  setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
+  setHandles(handles: readonly HandleData[], choice: Choice): void;
   /** Whenever there is news of it. */
-  showComparison(comparison: Comparison): void;
+  setComparison(comparison: Comparison): void;
   /** The run whose net is in the view (null: one's own is), and those beside it. */
-  showRuns(run: Run | null, beside: readonly Run[]): void;
+  setRuns(run: Run | null, beside: readonly Run[]): void;
   /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error', action?: Action): void;
   /** A line with a button; it stays until that is pressed or the line is dismissed. */

@@ -83,7 +83,7 @@ export class App {
       solving: () => this.#client.solving,
     });
     this.#opener = this.#createOpener();
-    this.#comparer = new Comparer(parts.spawnWorker, (comparison) => this.#presenter.panels.showComparison(comparison));
+    this.#comparer = new Comparer(parts.spawnWorker, (comparison) => this.#presenter.panels.setComparison(comparison));
   }
 
   /** Waits for the solver and fills the tables of the panels. */
@@ -92,7 +92,7 @@ export class App {
     this.#optionTable = tables.options;
     this.#methods = tables.methods.map(({ name }) => name);
     this.#formats = tables.formats;
-    this.#presenter.panels.showTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
+    this.#presenter.panels.setTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 
   // ------------------------------------------------------------------------------------------------------ how things are
@@ -336,7 +336,7 @@ export class App {
         this.#presenter.presentNet();
       },
       say: (message) => this.say(message),
-      notice: (isShown, canCancel) => this.#presenter.panels.showOpening(isShown, canCancel),
+      notice: (isShown, canCancel) => this.#presenter.panels.setOpening(isShown, canCancel),
     });
   }
 

@@ -68,9 +68,9 @@ export class Presenter {
     const { document } = opening;
     const choice = this.#presented.choice();
     this.view.setSymmetry(document.symmetry);
-    this.view.showHandles(this.#shownHandles(), choice);
-    this.panels.showDocument(document, choice);
-    this.panels.showHistory(history);
+    this.view.setHandles(this.#shownHandles(), choice);
+    this.panels.setDocument(document, choice);
+    this.panels.setHistory(history);
   }
 
   /** Another net is open; before, the user's own was shown. */
@@ -79,10 +79,10 @@ export class Presenter {
     if (opening === null) return;
     const { document, net, frame } = opening;
     // First, for the view leaves room for what the panels say.
-    this.panels.showDocument(document, this.#presented.choice());
+    this.panels.setDocument(document, this.#presented.choice());
     this.view.setAppearance(document.view);
-    this.view.showNet(net, frame, document.view.camera);
-    this.panels.showNet(net);
+    this.view.setNet(net, frame, document.view.camera);
+    this.panels.setNet(net);
     this.#presentNumbers(frame);
     this.schedule();
   }
@@ -90,7 +90,7 @@ export class Presenter {
   /** The net has moved. The user's own is shown again. */
   presentFrame(frame: FrameData, settled: boolean): void {
     this.showRun(null);
-    this.view.showFrame(frame);
+    this.view.setFrame(frame);
     this.#presentNumbers(frame);
     if (settled) this.#sayUnreachable(frame);
   }
@@ -99,8 +99,8 @@ export class Presenter {
   presentDrag(): void {
     const { handles } = this.#presented.state;
     const choice = this.#presented.choice();
-    this.view.showHandles(handles, choice);
-    this.panels.showHandles(handles, choice);
+    this.view.setHandles(handles, choice);
+    this.panels.setHandles(handles, choice);
   }
 
   setAppearance(view: ViewState): void {
@@ -115,8 +115,8 @@ export class Presenter {
     const { opening } = this.#presented.state;
     if (run === this.#shownRun || opening === null) return;
     this.#shownRun = run;
-    this.view.showFrame(run?.frame ?? opening.frame);
-    this.panels.showRuns(run, this.#runsBeside);
+    this.view.setFrame(run?.frame ?? opening.frame);
+    this.panels.setRuns(run, this.#runsBeside);
     this.schedule();
   }
 
@@ -127,7 +127,7 @@ export class Presenter {
     this.#runsBeside = runs;
     const frames = runs.flatMap(({ frame }) => frame ?? []);
     this.#beside.show(opening.net, frames, { ...opening.document.view, camera: this.view.camera() });
-    this.panels.showRuns(this.#shownRun, runs);
+    this.panels.setRuns(this.#shownRun, runs);
   }
 
   /** No nets of runs any longer. */
@@ -145,7 +145,7 @@ export class Presenter {
   // ------------------------------------------------------------------------------------------------------------- numbers
 
   #presentNumbers(frame: FrameData): void {
-    this.panels.showFrame(frame, this.view.framesPerSecond(), this.#presented.solving());
+    this.panels.setFrame(frame, this.view.framesPerSecond(), this.#presented.solving());
   }
 
   /** Once, until all handles are within reach again. */

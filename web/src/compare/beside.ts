@@ -22,10 +22,10 @@ export class Beside {
     for (const view of this.#views.splice(frames.length)) view.dispose();
     frames.forEach((frame, place) => {
       const view = (this.#views[place] ??= this.#open(place, net, frame, look));
-      view.showFrame(frame);
+      view.setFrame(frame);
       // Locked all: no hand takes hold of them here.
       const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
-      view.showHandles(handles, { selection: [], mode: 'translate', selecting: false });
+      view.setHandles(handles, { selection: [], mode: 'translate', selecting: false });
     });
   }
 
@@ -40,7 +40,7 @@ export class Beside {
   #open(place: number, net: OpenedNet, frame: FrameData, look: ViewState): View {
     const view = this.#create({ ...LOOKING_ONLY, cameraMoved: (camera) => this.#turned(view, camera) }, place);
     view.setAppearance(look);
-    view.showNet(net, frame, look.camera);
+    view.setNet(net, frame, look.camera);
     return view;
   }
 

@@ -29,7 +29,7 @@ export class ComparisonForm implements Panel {
     this.#run = makeButton(words.comparison.compare, () => this.#submit());
     const start = makeSelect(words.comparison.startFrom, STARTS, () => {});
     this.#start = start.select;
-    this.#methods.addEventListener('change', () => this.#showReady());
+    this.#methods.addEventListener('change', () => this.#updateButton());
     this.element = makeSection(
       words.sections.compare,
       false,
@@ -40,7 +40,7 @@ export class ComparisonForm implements Panel {
     );
   }
 
-  showTables({ methods }: Tables): void {
+  setTables({ methods }: Tables): void {
     const choice = ({ name, sentence }: MethodInfo) =>
       make(
         'label',
@@ -49,16 +49,16 @@ export class ComparisonForm implements Panel {
         words.core.method(name),
       );
     this.#methods.replaceChildren(make('legend', {}, words.comparison.methods), ...methods.map(choice));
-    this.#showReady();
+    this.#updateButton();
   }
 
   /** Ticks the methods that a document proposes, once: what the user ticks after that stays. */
-  showDocument({ compare: methods }: ChebnetDocument): void {
+  setDocument({ compare: methods }: ChebnetDocument): void {
     if (methods === this.#proposed) return;
     this.#proposed = methods;
     if (methods === undefined || methods.length === 0) return;
     for (const box of this.#methods.querySelectorAll('input')) box.checked = methods.includes(box.value);
-    this.#showReady();
+    this.#updateButton();
   }
 
   #submit(): void {
@@ -69,7 +69,7 @@ export class ComparisonForm implements Panel {
     return [...this.#methods.querySelectorAll('input')].filter(({ checked }) => checked).map(({ value }) => value);
   }
 
-  #showReady(): void {
+  #updateButton(): void {
     this.#run.disabled = this.#chosen().length === 0;
   }
 }

@@ -22,18 +22,18 @@ export class ComparisonPlace implements Panel {
   }
 
   /** May be called often. */
-  showComparison(comparison: Comparison): void {
+  setComparison(comparison: Comparison): void {
     const isNew = comparison !== this.#comparison;
     this.#comparison = comparison;
-    if (this.#results) this.#results.show(comparison);
+    if (this.#results) this.#results.setComparison(comparison);
     else if (isNew) this.#load().catch(this.#failed);
   }
 
-  showRuns(run: Run | null, beside: readonly Run[]): void {
-    this.#results?.showCurrent(run, beside);
+  setRuns(run: Run | null, beside: readonly Run[]): void {
+    this.#results?.setShown(run, beside);
   }
 
-  showNet(): void {
+  setNet(): void {
     this.#results?.netChanged();
   }
 
@@ -42,6 +42,6 @@ export class ComparisonPlace implements Panel {
     if (this.#results || !this.#comparison) return;
     this.#results = new ComparisonResults(this.#events);
     this.element.replaceWith(this.#results.element);
-    this.#results.show(this.#comparison);
+    this.#results.setComparison(this.#comparison);
   }
 }

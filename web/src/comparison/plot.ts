@@ -46,7 +46,7 @@ export class ComparisonPlot {
     return this.#plot?.ctx.canvas ?? null;
   }
 
-  show(comparison: Comparison): void {
+  setComparison(comparison: Comparison): void {
     const isOther = this.#comparison?.runs !== comparison.runs;
     this.#comparison = comparison;
     if (isOther) void this.#remake();

@@ -60,13 +60,13 @@ export class ComparisonResults {
   }
 
   /** May be called often. */
-  show(comparison: Comparison): void {
+  setComparison(comparison: Comparison): void {
     if (comparison !== this.#comparison) this.#begin(comparison);
     if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), comparison.running ? REFRESH_MS : 0);
   }
 
   /** The run whose net is in the view (null: the user's own is), and those beside it. */
-  showCurrent(run: Run | null, beside: readonly Run[]): void {
+  setShown(run: Run | null, beside: readonly Run[]): void {
     [this.#current, this.#beside] = [run, beside];
     this.#refreshTable();
   }
@@ -81,13 +81,13 @@ export class ComparisonResults {
     this.#comparison = comparison;
     this.#netIsOpen = true;
     this.element.hidden = false;
-    this.#table.showRuns(comparison.runs);
+    this.#table.setRuns(comparison.runs);
   }
 
   #refresh(): void {
     this.#timer = 0;
     const comparison = this.#comparison!;
-    for (const plot of this.#plots) plot.show(comparison);
+    for (const plot of this.#plots) plot.setComparison(comparison);
     this.#refreshTable();
     setText(this.#words, progress(comparison));
     this.#stop.disabled = !comparison.running;

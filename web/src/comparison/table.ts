@@ -51,7 +51,7 @@ export class ComparisonTable {
     this.#events = events;
   }
 
-  showRuns(runs: readonly Run[]): void {
+  setRuns(runs: readonly Run[]): void {
     const heads = COLUMNS.map(({ title, hint }) => make('th', { scope: 'col', title: hint }, title));
     this.#rows = runs.map((run) => this.#makeRow(run));
     const body = make('tbody', {}, ...this.#rows.map((row) => this.#makeLine(row)));

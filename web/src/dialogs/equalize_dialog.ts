@@ -38,7 +38,7 @@ export class EqualizeDialog implements EqualizerLike {
   readonly #slider = make('input', { type: 'range', min: 0, max: 1, step: 0.01, 'aria-label': TEXT.between });
   readonly #farEnd = make('span');
   readonly #sliderRow = make('div', { class: 'between' }, make('span', {}, TEXT.original), this.#slider, this.#farEnd);
-  readonly #shown = make('p', { class: 'quiet' });
+  readonly #caption = make('p', { class: 'quiet' });
   readonly #start = makeButton(TEXT.start, () => void this.#run(), { class: 'primary' });
   readonly #stop = makeButton(TEXT.stop, () => this.#giveUp());
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#obj), { class: 'primary' });
@@ -64,7 +64,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#form = new EqualizeForm(this.#before.length, handles.length, () => this.#forget());
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
-    const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#shown));
+    const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#caption));
     const side = make(
       'div',
       { class: 'side' },
@@ -79,7 +79,7 @@ export class EqualizeDialog implements EqualizerLike {
       make('div', { class: 'body' }, figure, side),
       this.#buttons,
     );
-    this.#slider.addEventListener('input', () => this.#showBetween());
+    this.#slider.addEventListener('input', () => this.#drawBetween());
     root.append(this.#dialog);
     this.#dialog.showModal();
     this.#view = this.#openView(picture);
@@ -107,7 +107,7 @@ export class EqualizeDialog implements EqualizerLike {
     const view = this.#parts.createView(picture, LOOKING_ONLY);
     const { upAxis } = this.#parts;
     view.setAppearance({ field: 'deviation', colourMap: 'log', showFaces: true, ...(upAxis && { upAxis }) });
-    view.showNet(this.#subject.net, stillFrame(this.#before, this.#subject.net), null);
+    view.setNet(this.#subject.net, stillFrame(this.#before, this.#subject.net), null);
     return view;
   }
 
@@ -123,9 +123,9 @@ export class EqualizeDialog implements EqualizerLike {
     this.#stop.focus();
     try {
       const mesh = { positions: this.#subject.positions, faceStart, faceVertices };
-      this.#showEnded(await this.#equalizing.run({ mesh, options }, (news) => this.#showNews(news)));
+      this.#onEnd(await this.#equalizing.run({ mesh, options }, (news) => this.#onProgress(news)));
     } catch (error) {
-      this.#results.showFault(messageOf(error));
+      this.#results.renderFault(messageOf(error));
       this.#arrange('waiting');
       this.#start.focus();
     }
@@ -145,27 +145,27 @@ export class EqualizeDialog implements EqualizerLike {
     this.#results.clear();
     this.#slider.value = '0';
     this.#arrange('waiting');
-    this.#showBetween();
+    this.#drawBetween();
   }
 
-  #showNews({ report, positions }: EqualizeNews): void {
-    this.#results.showProgress(report);
-    this.#show({ positions, length: report.length });
+  #onProgress({ report, positions }: EqualizeNews): void {
+    this.#results.renderProgress(report);
+    this.#draw({ positions, length: report.length });
   }
 
-  #showEnded({ report, positions, obj }: Equalized): void {
+  #onEnd({ report, positions, obj }: Equalized): void {
     this.#after = { positions, length: report.length };
     this.#obj = obj;
-    this.#results.showEnd(report, this.#before.length);
-    this.#form.showFittingLength(report);
+    this.#results.renderEnd(report, this.#before.length);
+    this.#form.renderFittingLength(report);
     setText(this.#farEnd, obj === null ? TEXT.attempt : TEXT.equalised);
     this.#arrange('ended');
     this.#slider.value = '1';
-    this.#showBetween();
+    this.#drawBetween();
     (obj === null ? this.#slider : this.#take).focus();
   }
 
-  // ------------------------------------------------------------------------------------------------------------ showing
+  // ------------------------------------------------------------------------------------------------------------ drawing
 
   #arrange(state: 'waiting' | 'running' | 'ended'): void {
     this.#form.setBusy(state === 'running');
@@ -175,18 +175,18 @@ export class EqualizeDialog implements EqualizerLike {
     this.#sliderRow.hidden = state !== 'ended';
   }
 
-  #showBetween(): void {
+  #drawBetween(): void {
     const share = Number(this.#slider.value);
     this.#slider.setAttribute(
       'aria-valuetext',
       share === 0 ? TEXT.original : TEXT.share(Math.round(100 * share), this.#farEnd.textContent ?? ''),
     );
-    this.#show(between(this.#before, this.#after ?? this.#before, share));
+    this.#draw(between(this.#before, this.#after ?? this.#before, share));
   }
 
-  #show(shape: Shape): void {
+  #draw(shape: Shape): void {
     const frame = stillFrame(shape, this.#subject.net);
-    this.#view.showFrame(frame);
-    setText(this.#shown, TEXT.shown(small(frame.maxDeviation)));
+    this.#view.setFrame(frame);
+    setText(this.#caption, TEXT.shown(small(frame.maxDeviation)));
   }
 }

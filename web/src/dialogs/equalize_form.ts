@@ -59,7 +59,7 @@ export class EqualizeForm {
     this.element.disabled = busy;
   }
 
-  showFittingLength({ fittingLength }: EqualizeReport): void {
+  renderFittingLength({ fittingLength }: EqualizeReport): void {
     if (!this.#hold.box.checked) setText(this.#fitting.firstChild!, TEXT.fittingKnown(lengthWords(fittingLength)));
   }
 

@@ -38,14 +38,14 @@ export class EqualizeResults {
   }
 
   /** The bar counts the decades that the largest deviation has gone down; it never goes back. */
-  showProgress({ iterations, maxDeviation }: EqualizeReport): void {
+  renderProgress({ iterations, maxDeviation }: EqualizeReport): void {
     if (Number.isNaN(this.#start)) this.#start = maxDeviation;
     const done = Math.log(this.#start / maxDeviation) / Math.log(this.#start / EQUAL);
     this.#progress.value = Math.min(1, Math.max(this.#progress.position, done, 0));
     setText(this.#progressWords, TEXT.progress(count(iterations), small(maxDeviation)));
   }
 
-  showEnd(report: EqualizeReport, meanBefore: number): void {
+  renderEnd(report: EqualizeReport, meanBefore: number): void {
     this.clear();
     const equal = report.status === 'converged';
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
@@ -55,7 +55,7 @@ export class EqualizeResults {
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
-  showFault(sentence: string): void {
+  renderFault(sentence: string): void {
     this.clear();
     this.#end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
   }

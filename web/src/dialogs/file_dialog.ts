@@ -1,7 +1,7 @@
 /** A file on its way in: how far its reading is, then what it holds, what is wrong with it, and how to open it. Escape or
  *  Cancel ends it at any time before the net is opened. */
-import { STAGES } from '../files/file_protocol';
-import type { Stage } from '../files/file_protocol';
+import { READ_STEPS } from '../files/file_protocol';
+import type { ReadStep } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
 import type { FileChoice, FileDialogLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
@@ -15,9 +15,9 @@ import './file_dialog.css';
 export class FileDialog implements FileDialogLike {
   readonly closed: Promise<null>;
   readonly #dialog: HTMLDialogElement;
-  readonly #stage = make('label', { for: 'file-progress' });
-  readonly #progress = make('progress', { id: 'file-progress', max: STAGES.length });
-  readonly #progressRow = make('p', { class: 'progress', role: 'status' }, this.#stage, this.#progress);
+  readonly #step = make('label', { for: 'file-progress' });
+  readonly #progress = make('progress', { id: 'file-progress', max: READ_STEPS.length });
+  readonly #progressRow = make('p', { class: 'progress', role: 'status' }, this.#step, this.#progress);
   readonly #cancel = makeButton(dialogWords.file.cancel, () => this.close());
   readonly #body = make('div', { class: 'body' }, this.#progressRow);
   readonly #buttons = make('div', { class: 'buttons' }, this.#cancel);
@@ -28,14 +28,14 @@ export class FileDialog implements FileDialogLike {
     this.#dialog = make('dialog', { class: 'file', 'aria-labelledby': heading.id }, heading, this.#body, this.#buttons);
     this.closed = new Promise((resolve) => this.#dialog.addEventListener('close', () => resolve(null)));
     this.#dialog.addEventListener('close', () => this.#dialog.remove());
-    this.showStage('loading');
+    this.setStep('loading');
     root.append(this.#dialog);
     this.#dialog.showModal();
   }
 
-  showStage(stage: Stage): void {
-    setText(this.#stage, dialogWords.file.stages[stage]);
-    this.#progress.value = STAGES.indexOf(stage);
+  setStep(step: ReadStep): void {
+    setText(this.#step, dialogWords.file.steps[step]);
+    this.#progress.value = READ_STEPS.indexOf(step);
   }
 
   ask(report: FileReport): Promise<FileChoice> {

@@ -4,7 +4,7 @@ import type { NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
-import type { Stage } from '../files/file_protocol';
+import type { ReadStep } from '../files/file_protocol';
 import { FileReading } from '../files/file_reading';
 import type { FileWorkerLike } from '../files/file_reading';
 import type { FileReport } from '../files/file_report';
@@ -22,7 +22,7 @@ export interface FileChoice {
 
 /** Where the user sees what is going on and is asked. */
 export interface FileDialogLike {
-  showStage(stage: Stage): void;
+  setStep(step: ReadStep): void;
   /** Resolves when the user has chosen; may be asked again. */
   ask(report: FileReport): Promise<FileChoice>;
   /** Resolves as soon as the user wants no more of it, or `close` is called. */
@@ -61,7 +61,7 @@ export class FileOpener {
     this.#dialog = dialog;
     const reading = new FileReading(
       () => this.#parts.spawnWorker(),
-      (stage) => dialog.showStage(stage),
+      (step) => dialog.setStep(step),
     );
     try {
       const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);

@@ -42,7 +42,7 @@ export class Menu {
       make('span', {}, label),
     );
     this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title });
-    this.show(content);
+    this.setContent(content);
     // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
     // frame of another site a browser would complain.
     this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true));
@@ -53,7 +53,7 @@ export class Menu {
     });
   }
 
-  protected show(content: readonly (MenuItem | MenuGroup)[]): void {
+  protected setContent(content: readonly (MenuItem | MenuGroup)[]): void {
     this.menu.replaceChildren(
       ...content.map((each) => ('items' in each ? this.#makeGroup(each) : this.#makeLine(each))),
     );

@@ -3,11 +3,11 @@ import type { OpenedNet } from '../worker/protocol';
 import type { FileReport } from './file_report';
 
 /** What is going on with a file, in this order. */
-export const STAGES = ['loading', 'reading', 'checking', 'measuring'] as const;
-export type Stage = (typeof STAGES)[number];
+export const READ_STEPS = ['loading', 'reading', 'checking', 'measuring'] as const;
+export type ReadStep = (typeof READ_STEPS)[number];
 
 export type FileRequest =
-  /** Answered with `report`, after news of the stages. `name` is what messages call the file. */
+  /** Answered with `report`, after news of the steps. `name` is what messages call the file. */
   | { type: 'read'; file: Blob; name: string }
   /** Then: the mesh as it was read, or repaired. Answered with `text`. */
   | { type: 'take'; repaired: boolean }
@@ -15,7 +15,7 @@ export type FileRequest =
   | { type: 'show'; repaired: boolean };
 
 export type FileResponse =
-  | { type: 'stage'; stage: Stage }
+  | { type: 'step'; step: ReadStep }
   | { type: 'report'; report: FileReport }
   /** OBJ text of the mesh. */
   | { type: 'text'; obj: string }

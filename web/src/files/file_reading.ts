@@ -2,7 +2,7 @@
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { OpenedNet } from '../worker/protocol';
-import type { FileRequest, FileResponse, Stage } from './file_protocol';
+import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
 import type { FileReport } from './file_report';
 import { Failure } from '../failure';
 
@@ -26,10 +26,10 @@ interface Waiting {
 export class FileReading {
   readonly #worker: FileWorkerLike;
   #waiting: Waiting | null = null;
-  readonly #entered: (stage: Stage) => void;
+  readonly #stepBegan: (step: ReadStep) => void;
 
-  constructor(spawn: () => FileWorkerLike, entered: (stage: Stage) => void) {
-    this.#entered = entered;
+  constructor(spawn: () => FileWorkerLike, stepBegan: (step: ReadStep) => void) {
+    this.#stepBegan = stepBegan;
     this.#worker = spawn();
     this.#worker.onmessage = ({ data }) => this.#receive(data);
     this.#worker.onerror = ({ message }) => this.#fail('internal', message || dialogWords.file.notStarted);
@@ -69,7 +69,7 @@ export class FileReading {
   }
 
   #receive(response: FileResponse): void {
-    if (response.type === 'stage') this.#entered(response.stage);
+    if (response.type === 'step') this.#stepBegan(response.step);
     else if (response.type === 'error') this.#fail(response.code, words.core.failure(response.code, response.message));
     else this.#waiting?.resolve(response);
   }

@@ -1,7 +1,7 @@
 /** What the file worker does, apart from being a worker: reads one file, has it looked at, gives it as text. */
 import type { Chebnet, Mesh } from '../../../wasm/chebnet';
 import { describe } from '../worker/opened_net';
-import type { FileRequest, FileResponse, Stage } from './file_protocol';
+import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
 import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
 import { objText } from './obj_text';
@@ -29,13 +29,13 @@ export class FileSession {
   }
 
   async #read(file: Blob, name: string): Promise<FileReport> {
-    this.#enter('loading');
+    this.#begin('loading');
     const bytes = await bytesOf(file, name);
-    this.#enter('reading');
+    this.#begin('reading');
     const given = this.#core.readMesh(bytes, name);
-    this.#enter('checking');
+    this.#begin('checking');
     const mesh = inFile(name, () => checkMesh(this.#core, given));
-    this.#enter('measuring');
+    this.#begin('measuring');
     const report = inFile(name, () => reportOf(this.#core, mesh));
     this.#mesh = mesh;
     return report;
@@ -46,8 +46,8 @@ export class FileSession {
     return repaired ? this.#mesh.repaired : this.#mesh.given;
   }
 
-  #enter(stage: Stage): void {
-    this.#post({ type: 'stage', stage });
+  #begin(step: ReadStep): void {
+    this.#post({ type: 'step', step });
   }
 }
 

@@ -4,7 +4,7 @@ import type { Client } from '../worker/client';
 import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from './reach';
 
 /** Where it is shown. */
-export interface GuideMarks {
+export interface GuideView {
   /** How freely each vertex moves, 0 … 1; null: all do. */
   setRegion(mobility: Float32Array | null): void;
   /** Where the handle that leads the drag may go; null: that is not shown. */
@@ -20,7 +20,7 @@ export class DragGuide {
   /** Whether the reach is shown all the time, or only near its border. */
   alwaysShowsReach = false;
   readonly #client: Client;
-  readonly #marks: GuideMarks;
+  readonly #view: GuideView;
   #inHand: readonly InHand[] = [];
   /** Of the translation of what is in hand. */
   #limits: readonly Limit[] = [];
@@ -30,9 +30,9 @@ export class DragGuide {
   #drags = 0;
   #regions = 0;
 
-  constructor(client: Client, marks: GuideMarks) {
+  constructor(client: Client, view: GuideView) {
     this.#client = client;
-    this.#marks = marks;
+    this.#view = view;
   }
 
   /** Before handles are moved. `locality`: a radius in edge lengths; null: none. */
@@ -63,7 +63,7 @@ export class DragGuide {
   end(): void {
     this.#drags += 1;
     this.#limits = [];
-    this.#marks.setReach(null);
+    this.#view.setReach(null);
     this.hideRegion();
   }
 
@@ -72,12 +72,12 @@ export class DragGuide {
     if (locality === null || origins.length === 0) return this.hideRegion();
     const question = ++this.#regions;
     const mobility = await this.#client.mobility(locality, origins);
-    if (question === this.#regions) this.#marks.setRegion(mobility);
+    if (question === this.#regions) this.#view.setRegion(mobility);
   }
 
   hideRegion(): void {
     this.#regions += 1;
-    this.#marks.setRegion(null);
+    this.#view.setRegion(null);
   }
 
   async #findReach(vertices: readonly number[]): Promise<void> {
@@ -94,6 +94,6 @@ export class DragGuide {
       ...limit,
       centre: [centre[0] + x, centre[1] + y, centre[2] + z],
     });
-    this.#marks.setReach(shown ? this.#limits.map(place) : null);
+    this.#view.setReach(shown ? this.#limits.map(place) : null);
   }
 }

@@ -26,7 +26,7 @@ export interface Curve {
   /** log₁₀ of max dL. */
   y: (number | null)[];
   /** Where stages begin. */
-  marks: { x: number; stage: number }[];
+  stageStarts: { x: number; stage: number }[];
 }
 
 export class Convergence {
@@ -58,13 +58,13 @@ export class Convergence {
   }
 
   curve(byTime: boolean): Curve {
-    const curve: Curve = { x: [], y: [], marks: [] };
+    const curve: Curve = { x: [], y: [], stageStarts: [] };
     let start = 0;
     for (const { milliseconds, maxDeviations, stages } of this.#solves) {
       if (start > 0) push(curve, start, null);
       maxDeviations.forEach((deviation, i) => {
         const x = start + (byTime ? milliseconds[i]! : i + 1);
-        if (stages[i] !== stages[i - 1]) curve.marks.push({ x, stage: stages[i]! });
+        if (stages[i] !== stages[i - 1]) curve.stageStarts.push({ x, stage: stages[i]! });
         push(curve, x, decade(deviation));
       });
       start = curve.x.at(-1) ?? 0;

@@ -26,11 +26,11 @@ export class ExportMenu extends Menu {
   constructor(events: PanelEvents) {
     super(LOOK, []);
     this.#events = events;
-    this.showFormats([]);
+    this.setFormats([]);
   }
 
   /** @param formats the core's; before they are known, the page's own are there alone. */
-  showFormats(formats: readonly FormatInfo[]): void {
+  setFormats(formats: readonly FormatInfo[]): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
       svg: [this.#edge, make('span', {}, 'mm')],
       png: [this.#size],
@@ -39,7 +39,7 @@ export class ExportMenu extends Menu {
       kindsFor(purpose, formats, words.save.hints).map(({ kind, title, hint }) => {
         return { title, hint, choose: () => this.#events.save(this.#wish(kind)), beside: beside[kind] };
       });
-    this.show([
+    this.setContent([
       { title: words.save.meshes, items: items('meshes') },
       { title: words.save.making, items: items('making') },
       { title: words.save.pictures, items: [...items('pictures'), recordItem(() => this.#events.record())] },

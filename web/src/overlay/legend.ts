@@ -43,24 +43,24 @@ export class Legend implements Panel {
     onThemeChange(() => this.#draw());
   }
 
-  showDocument({ view }: ChebnetDocument): void {
+  setDocument({ view }: ChebnetDocument): void {
     const { field, colourMap, ends } = this.#view;
     const same = this.#scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
     this.#view = view;
     if (!same) this.#draw();
   }
 
-  showNet(net: OpenedNet): void {
+  setNet(net: OpenedNet): void {
     this.#net = net;
     this.#own = this.#frame = null;
   }
 
-  showFrame(frame: FrameData): void {
+  setFrame(frame: FrameData): void {
     this.#own = this.#frame = frame;
     this.#drawData();
   }
 
-  showRuns(run: Run | null): void {
+  setRuns(run: Run | null): void {
     this.#frame = run?.frame ?? this.#own;
     this.#drawData();
   }
@@ -83,7 +83,7 @@ export class Legend implements Panel {
     const scale = scaleOf(this.#view, readTheme(document.documentElement));
     this.#scale = scale;
     this.#data.hidden = this.#ends.element.hidden = field.ends === undefined;
-    this.#ends.show(field, scale, endsOf(this.#view) !== undefined);
+    this.#ends.update(field, scale, endsOf(this.#view) !== undefined);
     setText(this.#name, words.colourFields[name].title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {

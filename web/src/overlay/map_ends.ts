@@ -23,7 +23,7 @@ export class MapEnds {
     this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
   }
 
-  show(field: ColourField, { low, high }: Scale, byHand: boolean): void {
+  update(field: ColourField, { low, high }: Scale, byHand: boolean): void {
     this.#field = field;
     this.#automatic.setAttribute('aria-pressed', String(!byHand));
     this.#inputs.forEach((input, i) => {

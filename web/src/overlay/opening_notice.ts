@@ -15,7 +15,7 @@ export class OpeningNotice implements Panel {
     this.#line = make('p', { class: 'message' }, make('span', {}, words.opening.underWay), this.#cancel);
   }
 
-  showOpening(isUnderWay: boolean, canCancel: boolean): void {
+  setOpening(isUnderWay: boolean, canCancel: boolean): void {
     this.#cancel.hidden = !canCancel;
     this.element.replaceChildren(...(isUnderWay ? [this.#line] : []));
   }

@@ -16,12 +16,12 @@ export class RecordingNotice {
       this.#time,
       makeButton(words.recording.stop, stop),
     );
-    this.show(0);
+    this.setSeconds(0);
     root.append(this.#element);
     this.#element.querySelector('button')!.focus();
   }
 
-  show(seconds: number): void {
+  setSeconds(seconds: number): void {
     setText(this.#time, `${clock(seconds)} / ${clock(LONGEST)}`);
   }
 

@@ -19,7 +19,7 @@ export class RunNotice implements Panel {
     this.#line = make('p', { class: 'message' }, this.#words, makeButton(words.comparison.back, back));
   }
 
-  showRuns(run: Run | null, beside: readonly Run[]): void {
+  setRuns(run: Run | null, beside: readonly Run[]): void {
     if (run === null && beside.length === 0) return this.element.replaceChildren();
     const names = [run?.label ?? words.comparison.yourNet, ...beside.map(({ label }) => label)];
     setText(

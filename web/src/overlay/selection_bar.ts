@@ -64,7 +64,7 @@ export class SelectionBar implements Panel {
     );
   }
 
-  showHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
+  setHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
     const chosen = new Set(selection);
     this.#selected = handles.filter(({ vertex }) => chosen.has(vertex));
     this.element.hidden = this.#selected.length === 0;

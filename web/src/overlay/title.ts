@@ -17,7 +17,7 @@ export class Title implements Panel {
     this.element = make('header', { class: 'title' }, name, this.#toDrag, this.#toClick, this.#toSelect, note);
   }
 
-  showHandles(handles: readonly HandleData[], { selecting, selection }: Choice): void {
+  setHandles(handles: readonly HandleData[], { selecting, selection }: Choice): void {
     const draggable = handles.some(({ anchor }) => !anchor);
     this.#toDrag.hidden = selecting || !draggable;
     this.#toClick.hidden = selecting || draggable;

@@ -56,15 +56,15 @@ export class Toolbar implements Panel {
     );
   }
 
-  showTables({ formats }: Tables): void {
-    this.#exports.showFormats(formats);
+  setTables({ formats }: Tables): void {
+    this.#exports.setFormats(formats);
   }
 
-  showHandles(_handles: readonly HandleData[], { selecting }: Choice): void {
+  setHandles(_handles: readonly HandleData[], { selecting }: Choice): void {
     this.#select.setAttribute('aria-pressed', String(selecting));
   }
 
-  showHistory({ canUndo, canRedo }: HistoryView): void {
+  setHistory({ canUndo, canRedo }: HistoryView): void {
     this.#undo.disabled = !canUndo;
     this.#redo.disabled = !canRedo;
   }

@@ -153,8 +153,8 @@ export class Projects {
   // ------------------------------------------------------------------------------------------------------------- misfortunes
 
   /** Flagged until it has settled. One that was refused in good order will be so again: no need to ask the user first. */
-  async #openFlagged(mark: string, open: () => Promise<void>): Promise<void> {
-    setCrashFlag(mark);
+  async #openFlagged(what: string, open: () => Promise<void>): Promise<void> {
+    setCrashFlag(what);
     try {
       await open();
     } catch (error) {

@@ -36,7 +36,7 @@ export class Appearance implements Panel {
     this.element = makeSection(words.sections.appearance, false, field.row, map.row, faces.row, up.row);
   }
 
-  showDocument({ view }: ChebnetDocument): void {
+  setDocument({ view }: ChebnetDocument): void {
     const { field, colourMap, showFaces, upAxis } = view;
     setValue(this.#field, field);
     setValue(this.#map, colourMap);

@@ -62,18 +62,18 @@ export class BehaviourPanel implements Panel {
     );
   }
 
-  showTables({ options }: Tables): void {
+  setTables({ options }: Tables): void {
     this.#usual = Object.fromEntries(
       options.map(({ name, kind, value }) => [name, kind === 'flag' ? value !== 0 : value]),
     );
   }
 
-  showNet({ info }: OpenedNet): void {
+  setNet({ info }: OpenedNet): void {
     this.#lightest = lightest(info.vertices);
-    if (this.#document !== null) this.showDocument(this.#document);
+    if (this.#document !== null) this.setDocument(this.#document);
   }
 
-  showDocument(document: ChebnetDocument): void {
+  setDocument(document: ChebnetDocument): void {
     this.#document = document;
     const behaviour = this.#behaviour();
     setValue(this.#choice.select, behaviour);
@@ -81,8 +81,8 @@ export class BehaviourPanel implements Panel {
     this.#about.textContent = words.behaviour.about[behaviour];
     const isMaterial = document.method === METHOD;
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
-    this.#showLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
-    this.#showWeight(this.#weightStep());
+    this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
+    this.#setWeight(this.#weightStep());
   }
 
   #option(name: string): number | boolean | undefined {
@@ -102,23 +102,23 @@ export class BehaviourPanel implements Panel {
   }
 
   #chooseLimit(): void {
-    this.#showLimit(this.#limit.input.valueAsNumber);
+    this.#setLimit(this.#limit.input.valueAsNumber);
     this.#set(METHOD, { shear_limit: DEGREES * this.#limit.input.valueAsNumber });
   }
 
   #chooseWeight(): void {
     const step = this.#weight.input.valueAsNumber;
-    this.#showWeight(step);
+    this.#setWeight(step);
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
     this.#set(METHOD, { gravity });
   }
 
-  #showLimit(step: number): void {
-    this.#limit.show(step, step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step));
+  #setLimit(step: number): void {
+    this.#limit.set(step, step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step));
   }
 
-  #showWeight(step: number): void {
-    this.#weight.show(step, step === 0 ? words.behaviour.off : words.behaviour.times(step));
+  #setWeight(step: number): void {
+    this.#weight.set(step, step === 0 ? words.behaviour.off : words.behaviour.times(step));
   }
 
   #weightStep(): number {
@@ -139,10 +139,10 @@ function makeSlider(label: string, steps: number, chosen: () => void) {
   const input = make('input', { type: 'range', min: 0, max: steps, step: 1, value: 0 });
   const output = make('output');
   input.addEventListener('change', chosen);
-  const show = (step: number, text: string): void => {
+  const set = (step: number, text: string): void => {
     if (input.valueAsNumber !== step) input.valueAsNumber = step;
     output.value = text;
     input.setAttribute('aria-valuetext', text);
   };
-  return { row: make('label', { class: 'slider' }, make('span', {}, label), input, output), input, show };
+  return { row: make('label', { class: 'slider' }, make('span', {}, label), input, output), input, set };
 }

@@ -14,29 +14,29 @@ export class ConvergencePanel implements Panel {
   readonly element = makeSection(words.sections.convergence, true, this.#numbers.element, this.#plot.element);
   #usualThreshold = 1e-6;
 
-  showTables({ options }: Tables): void {
+  setTables({ options }: Tables): void {
     this.#usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.#usualThreshold;
   }
 
-  showDocument({ options }: ChebnetDocument): void {
+  setDocument({ options }: ChebnetDocument): void {
     this.#plot.setThreshold(Number(options.threshold ?? this.#usualThreshold));
   }
 
-  showNet(net: OpenedNet): void {
-    this.#numbers.showNet(net);
+  setNet(net: OpenedNet): void {
+    this.#numbers.setNet(net);
     this.#plot.clear();
   }
 
-  showHandles(handles: readonly HandleData[]): void {
-    this.#numbers.showHandles(handles.length);
+  setHandles(handles: readonly HandleData[]): void {
+    this.#numbers.setHandles(handles.length);
   }
 
-  takeFrame({ trace }: FrameData): void {
+  onFrame({ trace }: FrameData): void {
     this.#plot.add(trace);
   }
 
-  showFrame(frame: FrameData, framesPerSecond: number): void {
-    this.#numbers.showFrame(frame, framesPerSecond);
+  setFrame(frame: FrameData, framesPerSecond: number): void {
+    this.#numbers.setFrame(frame, framesPerSecond);
     this.#plot.refresh();
   }
 }

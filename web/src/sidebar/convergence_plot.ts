@@ -31,7 +31,7 @@ export class ConvergencePlot {
   #plot: uPlot | null = null;
   /** There has been something to plot. */
   #wanted = false;
-  #curve: Curve = { x: [], y: [], marks: [] };
+  #curve: Curve = { x: [], y: [], stageStarts: [] };
   #byTime = false;
   #threshold = 1e-6;
   #stale = false;
@@ -117,11 +117,11 @@ export class ConvergencePlot {
       },
       series: [{}, { stroke: colour, width: 1.5, points: { show: true, size: 4, fill: colour } }],
       axes: plotAxes(this.element),
-      hooks: { drawClear: [(plot) => this.#drawMarks(plot)] },
+      hooks: { drawClear: [(plot) => this.#drawStageStarts(plot)] },
     };
   }
 
-  #drawMarks(plot: uPlot): void {
+  #drawStageStarts(plot: uPlot): void {
     const { ctx, bbox } = plot;
     const ratio = devicePixelRatio;
     ctx.save();
@@ -130,16 +130,16 @@ export class ConvergencePlot {
     ctx.textAlign = 'left';
     drawThreshold(plot, this.#threshold, this.element);
     let free = -Infinity;
-    for (const mark of this.#curve.marks) {
-      const x = plot.valToPos(mark.x, 'x', true);
+    for (const start of this.#curve.stageStarts) {
+      const x = plot.valToPos(start.x, 'x', true);
       if (x < bbox.left || x > bbox.left + bbox.width) continue;
       // Many of them, in the course of a drag, must not drown the curve.
-      ctx.strokeStyle = plotColour(this.element, this.#curve.marks.length < 8 ? '--line-strong' : '--line');
+      ctx.strokeStyle = plotColour(this.element, this.#curve.stageStarts.length < 8 ? '--line-strong' : '--line');
       ctx.setLineDash([]);
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
       if (x < free) continue;
       ctx.fillStyle = plotColour(this.element, '--muted');
-      const label = free < 0 ? words.plot.stage(mark.stage) : String(mark.stage);
+      const label = free < 0 ? words.plot.stage(start.stage) : String(start.stage);
       ctx.fillText(label, x, bbox.top - 7 * ratio);
       free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
     }

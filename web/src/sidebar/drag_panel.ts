@@ -23,10 +23,10 @@ export class DragPanel implements Panel {
   readonly #output = make('output');
   #farthest = 50;
   #shown: number | undefined;
-  readonly #wishes: HandleCommands;
+  readonly #commands: HandleCommands;
 
-  constructor(wishes: HandleCommands) {
-    this.#wishes = wishes;
+  constructor(commands: HandleCommands) {
+    this.#commands = commands;
     const row = make(
       'label',
       { class: 'slider locality' },
@@ -36,28 +36,28 @@ export class DragPanel implements Panel {
     );
     this.#slider.addEventListener('input', () => this.#adjust());
     this.#slider.addEventListener('focus', () => this.#adjust());
-    this.#slider.addEventListener('blur', () => wishes.previewLocality(undefined));
+    this.#slider.addEventListener('blur', () => commands.previewLocality(undefined));
     this.#slider.addEventListener('change', () => this.#choose());
-    const within = makeSwitch(words.drag.within, (on) => wishes.setKeepWithin(on));
+    const within = makeSwitch(words.drag.within, (on) => commands.setKeepWithin(on));
     within.row.title = words.drag.withinHint;
     within.box.checked = true;
-    const reach = makeSwitch(words.drag.showReach, (on) => wishes.setShowReach(on));
+    const reach = makeSwitch(words.drag.showReach, (on) => commands.setShowReach(on));
     reach.row.title = words.drag.showReachHint;
     this.element = makeSection(words.sections.drag, false, row, within.row, reach.row);
     this.#write(undefined);
   }
 
   /** The far end of the slider is about half as far as such a net is wide. */
-  showNet({ info }: OpenedNet): void {
+  setNet({ info }: OpenedNet): void {
     this.#farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
-    this.#show(this.#shown);
+    this.#update(this.#shown);
   }
 
-  showDocument({ locality }: ChebnetDocument): void {
-    this.#show(locality);
+  setDocument({ locality }: ChebnetDocument): void {
+    this.#update(locality);
   }
 
-  #show(locality: number | undefined): void {
+  #update(locality: number | undefined): void {
     this.#shown = locality;
     if (document.activeElement !== this.#slider || this.#radius() !== locality)
       this.#slider.valueAsNumber = this.#stepOf(locality);
@@ -66,11 +66,11 @@ export class DragPanel implements Panel {
 
   #adjust(): void {
     this.#write(this.#radius());
-    this.#wishes.previewLocality(this.#radius());
+    this.#commands.previewLocality(this.#radius());
   }
 
   #choose(): void {
-    if (this.#radius() !== this.#shown) this.#wishes.setLocality(this.#radius());
+    if (this.#radius() !== this.#shown) this.#commands.setLocality(this.#radius());
   }
 
   #write(locality: number | undefined): void {

@@ -14,7 +14,7 @@ export class EnergyGraph {
   readonly element = make('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'energy', role: 'img' });
   readonly #curve = make('path', { class: 'current' });
   readonly #name = make('text', { class: 'name' });
-  readonly #mark = make('circle', { r: 5, class: 'worst' });
+  readonly #worst = make('circle', { r: 5, class: 'worst' });
 
   constructor() {
     const axes = make('path', { d: `M${LEFT} ${TOP}V${HEIGHT - BOTTOM}H${WIDTH}`, class: 'axis' });
@@ -23,10 +23,10 @@ export class EnergyGraph {
     );
     const levels = [2, 3, 4, 5].map((e) => label(LEFT - 6, y(e) + 4, String(e), 'end'));
     const usual = USUAL.map((p) => make('path', { d: path(p), class: 'usual' }));
-    this.element.append(axes, ...ticks, ...levels, ...usual, this.#curve, this.#name, this.#mark);
+    this.element.append(axes, ...ticks, ...levels, ...usual, this.#curve, this.#name, this.#worst);
   }
 
-  show(p: number, ratio: number): void {
+  update(p: number, ratio: number): void {
     this.#curve.setAttribute('d', path(p));
     // Inside of a wide curve, beside a narrow one, near where it leaves the picture.
     const r = Math.min(1.8, Math.exp(Math.acosh(HIGHEST / 2) / p));
@@ -34,8 +34,8 @@ export class EnergyGraph {
     place(this.#name, x(r) + (r > 1.4 ? -8 : 8), Math.max(y(energy(r, p)), TOP + 8));
     setText(this.#name, `p = ${p}`);
     const inside = Math.min(2, Math.max(0.5, ratio));
-    this.#mark.setAttribute('cx', x(inside).toFixed(1));
-    this.#mark.setAttribute('cy', y(Math.min(HIGHEST, energy(inside, p))).toFixed(1));
+    this.#worst.setAttribute('cx', x(inside).toFixed(1));
+    this.#worst.setAttribute('cy', y(Math.min(HIGHEST, energy(inside, p))).toFixed(1));
     this.element.setAttribute('aria-label', learnWords.graph(p, ratio.toPrecision(4)));
   }
 }

@@ -57,7 +57,7 @@ export class ExperimentGuide {
     ];
   }
 
-  show(document: ChebnetDocument): void {
+  setDocument(document: ChebnetDocument): void {
     this.#document = document;
     const figure = findFigure(document.experiment);
     this.#note.hidden = figure === undefined;

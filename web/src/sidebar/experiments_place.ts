@@ -25,9 +25,9 @@ export class ExperimentsPlace implements Panel {
     this.element.addEventListener('toggle', () => this.element.open && this.#load());
   }
 
-  showDocument(document: ChebnetDocument): void {
+  setDocument(document: ChebnetDocument): void {
     this.#document = document;
-    if (this.#guide) return this.#guide.show(document);
+    if (this.#guide) return this.#guide.setDocument(document);
     if (document.experiment === undefined) return;
     // At once, for the picture leaves room for it.
     this.note.hidden = false;
@@ -43,6 +43,6 @@ export class ExperimentsPlace implements Panel {
     if (this.#guide) return;
     this.#guide = new ExperimentGuide(this.note, this.#events, this.#failed);
     this.element.append(...this.#guide.content);
-    if (this.#document) this.#guide.show(this.#document);
+    if (this.#document) this.#guide.setDocument(this.#document);
   }
 }

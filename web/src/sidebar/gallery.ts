@@ -39,7 +39,7 @@ export class Gallery {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#redraw());
   }
 
-  showTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+  setTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
     this.#fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
     this.#thumbnail = thumbnail;
     this.#items = shapes.map((shape) => this.#makeItem(shape));
@@ -48,7 +48,7 @@ export class Gallery {
   }
 
   /** null: what is open is from a file. */
-  showCurrent(name: string | null): void {
+  setCurrent(name: string | null): void {
     this.#fileTile.classList.toggle('current', name === null);
     for (const { shape, button, canvas, net } of this.#items) {
       const pressed = String(shape.name === name);

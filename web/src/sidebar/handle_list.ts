@@ -62,17 +62,17 @@ export class HandleList implements Panel {
     );
   }
 
-  showNet({ info }: OpenedNet): void {
+  setNet({ info }: OpenedNet): void {
     this.#number.max = String(info.vertices - 1);
     this.#edgeLength = info.meanLength;
     this.#mostRows = ROWS_AT_A_TIME;
   }
 
-  showDocument({ symmetry }: ChebnetDocument): void {
-    this.#symmetry.show(symmetry);
+  setDocument({ symmetry }: ChebnetDocument): void {
+    this.#symmetry.set(symmetry);
   }
 
-  showHandles(handles: readonly HandleData[], choice: Choice): void {
+  setHandles(handles: readonly HandleData[], choice: Choice): void {
     setSummary(this.element, words.handles.title(handles.length));
     this.#handles = handles;
     this.#choice = choice;
@@ -90,10 +90,10 @@ export class HandleList implements Panel {
     );
     for (const handle of listed) {
       const isSelected = selected.has(handle.vertex);
-      this.#rows.get(handle.vertex)!.show(handle, isSelected, isSelected && alone, this.#edgeLength);
+      this.#rows.get(handle.vertex)!.update(handle, isSelected, isSelected && alone, this.#edgeLength);
     }
     if (alone) this.#bringIntoSight(choice.selection[0]!);
-    this.#form.show(
+    this.#form.update(
       handles.filter(({ vertex }) => selected.has(vertex)),
       choice,
       this.#edgeLength,
@@ -111,7 +111,7 @@ export class HandleList implements Panel {
   #showMore(): void {
     const next = this.#handles[this.#mostRows];
     this.#mostRows += ROWS_AT_A_TIME;
-    this.showHandles(this.#handles, this.#choice);
+    this.setHandles(this.#handles, this.#choice);
     if (next) this.#rows.get(next.vertex)?.focus();
   }
 

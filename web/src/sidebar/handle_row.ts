@@ -67,7 +67,7 @@ export class HandleRow {
   }
 
   /** `alone`: nothing else is selected. Fields are for one handle at a time. */
-  show(handle: HandleData, selected: boolean, alone: boolean, edgeLength: number): void {
+  update(handle: HandleData, selected: boolean, alone: boolean, edgeLength: number): void {
     const state = `${selected} ${alone}`;
     if (handle === this.#handle && state === this.#shown) return;
     [this.#handle, this.#shown] = [handle, state];
@@ -80,8 +80,8 @@ export class HandleRow {
     classList.toggle('unseen', hidden === true);
     this.#select.setAttribute('aria-pressed', String(selected));
     this.#select.setAttribute('aria-expanded', String(alone));
-    this.#eye.show(hidden === true);
-    this.#lock.show(anchor);
+    this.#eye.set(hidden === true);
+    this.#lock.set(anchor);
     this.#fields.hidden = !alone;
     if (!alone) return;
     setValue(this.#name, handle.name ?? '');
@@ -89,7 +89,7 @@ export class HandleRow {
       input.disabled = anchor;
       setValue(input, coordinate(target[axis]!, edgeLength));
     });
-    this.#softness.show(weight);
+    this.#softness.setWeight(weight);
   }
 
   focus(): void {
@@ -144,7 +144,7 @@ class Toggle {
     this.#turn(false);
   }
 
-  show(on: boolean): void {
+  set(on: boolean): void {
     if (on === this.#on) return;
     this.#turn(on);
   }

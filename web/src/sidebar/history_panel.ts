@@ -24,7 +24,7 @@ export class HistoryPanel implements Panel {
     this.#list.addEventListener('keydown', (event) => this.#pressKey(event));
   }
 
-  showHistory(history: HistoryView): void {
+  setHistory(history: HistoryView): void {
     this.#history = history;
     this.#refresh();
   }

@@ -23,17 +23,17 @@ export class LearnPanel implements Panel {
     this.element.addEventListener('toggle', () => this.element.open && this.#unfolded().catch(failed));
   }
 
-  showNet(net: OpenedNet): void {
+  setNet(net: OpenedNet): void {
     this.#net = net;
   }
 
-  takeFrame(frame: FrameData): void {
+  onFrame(frame: FrameData): void {
     this.#frame = frame;
     this.#p = frame.trace.filter(({ p }) => p > 0).at(-1)?.p ?? this.#p;
   }
 
-  showFrame(): void {
-    if (this.element.open && this.#net && this.#frame) this.#lessons?.show(this.#net, this.#frame, this.#p);
+  setFrame(): void {
+    if (this.element.open && this.#net && this.#frame) this.#lessons?.update(this.#net, this.#frame, this.#p);
   }
 
   async #unfolded(): Promise<void> {
@@ -43,6 +43,6 @@ export class LearnPanel implements Panel {
       this.element.append(...this.#lessons.content);
     }
     this.element.scrollIntoView({ block: 'start' });
-    this.showFrame();
+    this.setFrame();
   }
 }

@@ -33,9 +33,9 @@ export class Lessons {
   }
 
   /** @param p the exponent of the moment. */
-  show(net: OpenedNet, frame: FrameData, p: number): void {
+  update(net: OpenedNet, frame: FrameData, p: number): void {
     const ratio = worstRatio(net, frame);
-    this.#graph.show(p, ratio);
+    this.#graph.update(p, ratio);
     setText(this.#now, TEXT.now(p, ratio.toPrecision(5)));
     this.#stages.forEach((each, i) => {
       if (frame.status === 'running' && frame.stage === i + 1) each.setAttribute('aria-current', 'step');

@@ -21,16 +21,16 @@ export class LiveNumbers {
     this.#cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as Cells;
   }
 
-  showNet({ info }: OpenedNet): void {
+  setNet({ info }: OpenedNet): void {
     setText(this.#cells.vertices, count(info.vertices));
     setText(this.#cells.edges, count(info.edges));
   }
 
-  showHandles(handles: number): void {
+  setHandles(handles: number): void {
     setText(this.#cells.handles, count(handles));
   }
 
-  showFrame(frame: FrameData, framesPerSecond: number): void {
+  setFrame(frame: FrameData, framesPerSecond: number): void {
     setText(this.#cells.maxDeviation, small(frame.maxDeviation));
     const solved = frame.iterations > 0;
     setText(this.#cells.stage, solved ? String(frame.stage) : NOTHING);

@@ -22,14 +22,14 @@ class Choice<Info extends { name: string; sentence: string; citation: string }> 
     return this.#table.find(({ name }) => name === this.#select.value);
   }
 
-  showTable(table: Info[]): void {
+  setTable(table: Info[]): void {
     this.#table = table;
     this.#select.replaceChildren(
       ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, words.core.method(name))),
     );
   }
 
-  show(name: string): void {
+  setValue(name: string): void {
     setValue(this.#select, name);
     const info = this.#table.find((each) => each.name === name);
     if (info && this.about.dataset.name !== name) this.#describe(info);
@@ -54,12 +54,12 @@ export class MethodChoice {
     return this.#choice.chosen?.name ?? '';
   }
 
-  showTable(table: MethodInfo[]): void {
-    this.#choice.showTable(table);
+  setTable(table: MethodInfo[]): void {
+    this.#choice.setTable(table);
   }
 
-  show(method: string): void {
-    this.#choice.show(method);
+  setValue(method: string): void {
+    this.#choice.setValue(method);
   }
 }
 
@@ -88,13 +88,13 @@ export class InitialisationChoice {
     return counted ? `${name}:${this.#count.validity.valid ? this.#count.value : USUAL_COUNT}` : name;
   }
 
-  showTable(table: InitialisationInfo[]): void {
-    this.#choice.showTable(table);
+  setTable(table: InitialisationInfo[]): void {
+    this.#choice.setTable(table);
   }
 
-  show(initialisation: string): void {
+  setValue(initialisation: string): void {
     const [name = '', count] = initialisation.split(':');
-    this.#choice.show(name);
+    this.#choice.setValue(name);
     this.#countRow.hidden = count === undefined;
     if (count !== undefined) setValue(this.#count, count);
   }

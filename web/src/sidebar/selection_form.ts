@@ -63,11 +63,11 @@ export class SelectionForm {
     );
   }
 
-  show(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
+  update(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
     this.element.hidden = selected.length < 2;
     if (this.element.hidden) return;
     this.#selection = selection;
-    this.#softness.show(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
+    this.#softness.setWeight(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
     setText(this.#count, words.handles.selected(selected.length));
     const moving = unlocked(selection, selected);
     this.#motions.disabled = moving.length === 0;

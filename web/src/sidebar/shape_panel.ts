@@ -33,21 +33,21 @@ export class ShapePanel implements Panel {
     );
   }
 
-  showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+  setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
     this.#shapes = tables.shapes;
     this.#idle.touch();
-    this.#gallery.showTables(tables, thumbnail);
+    this.#gallery.setTables(tables, thumbnail);
   }
 
-  showDocument({ net }: ChebnetDocument): void {
+  setDocument({ net }: ChebnetDocument): void {
     const recipe = 'recipe' in net ? net.recipe : null;
-    this.#gallery.showCurrent(recipe?.split(':')[0] ?? null);
-    this.#parameters.show(recipe, this.#shapes);
+    this.#gallery.setCurrent(recipe?.split(':')[0] ?? null);
+    this.#parameters.setRecipe(recipe, this.#shapes);
     this.#fileName.hidden = recipe !== null;
     setText(this.#fileName, 'name' in net ? net.name : '');
   }
 
-  takeFrame(): void {
+  onFrame(): void {
     this.#idle.touch();
   }
 }

@@ -16,7 +16,7 @@ export class ShapeParameters {
   }
 
   /** null: the net is from a file. */
-  show(text: string | null, shapes: ShapeInfo[]): void {
+  setRecipe(text: string | null, shapes: ShapeInfo[]): void {
     const recipe = text === null ? null : parseRecipe(text);
     const shape = shapes.find(({ name }) => name === recipe?.name);
     const key = shape ? text! : '';

@@ -83,43 +83,43 @@ class Sidebar implements Panels {
     );
   }
 
-  showTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    for (const panel of this.#panels) panel.showTables?.(tables, thumbnail);
+  setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+    for (const panel of this.#panels) panel.setTables?.(tables, thumbnail);
   }
 
-  showDocument(document: ChebnetDocument, choice: Choice): void {
-    for (const panel of this.#panels) panel.showDocument?.(document, choice);
-    this.showHandles(document.handles, choice);
+  setDocument(document: ChebnetDocument, choice: Choice): void {
+    for (const panel of this.#panels) panel.setDocument?.(document, choice);
+    this.setHandles(document.handles, choice);
   }
 
-  showHistory(history: HistoryView): void {
-    for (const panel of this.#panels) panel.showHistory?.(history);
+  setHistory(history: HistoryView): void {
+    for (const panel of this.#panels) panel.setHistory?.(history);
   }
 
-  showNet(net: OpenedNet): void {
-    for (const panel of this.#panels) panel.showNet?.(net);
+  setNet(net: OpenedNet): void {
+    for (const panel of this.#panels) panel.setNet?.(net);
   }
 
-  showOpening(isUnderWay: boolean, canCancel: boolean): void {
-    for (const panel of this.#panels) panel.showOpening?.(isUnderWay, canCancel);
+  setOpening(isUnderWay: boolean, canCancel: boolean): void {
+    for (const panel of this.#panels) panel.setOpening?.(isUnderWay, canCancel);
   }
 
-  showFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
-    for (const panel of this.#panels) panel.takeFrame?.(frame);
+  setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
+    for (const panel of this.#panels) panel.onFrame?.(frame);
     this.#pending = { frame, framesPerSecond, solving };
     if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), REFRESH_MS);
   }
 
-  showHandles(handles: readonly HandleData[], choice: Choice): void {
-    for (const panel of this.#panels) panel.showHandles?.(handles, choice);
+  setHandles(handles: readonly HandleData[], choice: Choice): void {
+    for (const panel of this.#panels) panel.setHandles?.(handles, choice);
   }
 
-  showComparison(comparison: Comparison): void {
-    for (const panel of this.#panels) panel.showComparison?.(comparison);
+  setComparison(comparison: Comparison): void {
+    for (const panel of this.#panels) panel.setComparison?.(comparison);
   }
 
-  showRuns(run: Run | null, beside: readonly Run[]): void {
-    for (const panel of this.#panels) panel.showRuns?.(run, beside);
+  setRuns(run: Run | null, beside: readonly Run[]): void {
+    for (const panel of this.#panels) panel.setRuns?.(run, beside);
   }
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
@@ -133,7 +133,7 @@ class Sidebar implements Panels {
   #refresh(): void {
     this.#timer = 0;
     const { frame, framesPerSecond, solving } = this.#pending!;
-    for (const panel of this.#panels) panel.showFrame?.(frame, framesPerSecond, solving);
+    for (const panel of this.#panels) panel.setFrame?.(frame, framesPerSecond, solving);
   }
 
   #unfold(open: boolean): void {

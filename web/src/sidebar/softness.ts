@@ -28,7 +28,7 @@ export class Softness {
   }
 
   /** undefined: exact. */
-  show(weight: number | undefined): void {
+  setWeight(weight: number | undefined): void {
     this.#soft.box.checked = weight !== undefined;
     this.#weightRow.hidden = weight === undefined;
     if (weight === undefined) return;

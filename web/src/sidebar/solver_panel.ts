@@ -56,29 +56,29 @@ export class SolverPanel implements Panel {
     );
   }
 
-  showTables({ methods, initialisations, options }: Tables): void {
-    this.#method.showTable(methods);
-    this.#initialisation.showTable(initialisations);
+  setTables({ methods, initialisations, options }: Tables): void {
+    this.#method.setTable(methods);
+    this.#initialisation.setTable(initialisations);
     this.#settings = options.map((option) => this.#makeSetting(option));
     const isUsual = ({ option }: Setting) => USUAL.includes(option.name);
     this.#usual.replaceChildren(...this.#settings.filter(isUsual).map(({ row }) => row));
     this.#seldom.replaceChildren(...this.#settings.filter((each) => !isUsual(each)).map(({ row }) => row));
   }
 
-  showDocument({ method, initialisation, options }: ChebnetDocument): void {
+  setDocument({ method, initialisation, options }: ChebnetDocument): void {
     this.#options = options;
-    this.#method.show(method);
-    this.#initialisation.show(initialisation);
+    this.#method.setValue(method);
+    this.#initialisation.setValue(initialisation);
     for (const { option, input } of this.#settings)
-      this.#showSetting(option, input, options[option.name] ?? option.value);
+      this.#updateSetting(option, input, options[option.name] ?? option.value);
     this.#defaults.hidden = Object.keys(options).length === 0;
   }
 
-  showHistory({ canUndo }: HistoryView): void {
+  setHistory({ canUndo }: HistoryView): void {
     this.#buttons.undo.disabled = !canUndo;
   }
 
-  showFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
+  setFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
     if (this.#buttons.cancel.disabled === solving) this.#buttons.cancel.disabled = !solving;
   }
 
@@ -103,7 +103,7 @@ export class SolverPanel implements Panel {
     return { option, input, row };
   }
 
-  #showSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
+  #updateSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
     if (kind === 'flag') input.checked = Boolean(value);
     else setValue(input, plain(Number(value)));
   }

@@ -20,7 +20,7 @@ export class StatusRow implements Panel {
     this.element = make('div', { class: 'status' }, this.#light, this.#status, keys, fold);
   }
 
-  showFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
+  setFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
     this.#light.dataset.status = status === 'running' && !solving ? 'stalled' : status;
     setText(this.#status, statusWords(status, solving, iterations));
   }

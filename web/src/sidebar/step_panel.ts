@@ -39,14 +39,14 @@ export class StepPanel implements Panel {
     this.element = makeSection(words.sections.step, false, buttons, row, this.#stage, numbers);
   }
 
-  showNet({ info }: OpenedNet): void {
+  setNet({ info }: OpenedNet): void {
     this.#edgeLength = info.meanLength;
     this.#row = null;
     this.#move = null;
-    this.showFrame();
+    this.setFrame();
   }
 
-  takeFrame({ trace, stepFrom, positions }: FrameData): void {
+  onFrame({ trace, stepFrom, positions }: FrameData): void {
     const row = trace.at(-1);
     if (row === undefined) return;
     const isNew = row.iteration === 1 || row.stage !== this.#row?.stage;
@@ -55,7 +55,7 @@ export class StepPanel implements Panel {
     if (stepFrom && isNew) this.#say(stageWords(row));
   }
 
-  showFrame(): void {
+  setFrame(): void {
     const [row, move, cells] = [this.#row, this.#move, this.#cells];
     setText(this.#stage, row ? stageWords(row) : words.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);

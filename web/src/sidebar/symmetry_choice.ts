@@ -27,10 +27,10 @@ export class SymmetryChoice {
       () => this.#choose(),
     );
     this.rows = [this.#axis.row, this.#through.row];
-    this.show(undefined);
+    this.set(undefined);
   }
 
-  show(symmetry: Symmetry | undefined): void {
+  set(symmetry: Symmetry | undefined): void {
     setValue(this.#axis.select, symmetry?.axis ?? OFF);
     setValue(this.#through.select, symmetry?.through ?? 'centre');
     this.#through.row.hidden = symmetry === undefined;

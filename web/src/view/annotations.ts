@@ -3,7 +3,7 @@ import type { Vector2, Vector3 } from 'three';
 import { words } from '../language/language';
 import type { FrameData } from '../worker/protocol';
 import type { Found } from './gestures';
-import type { HandleMarks } from './handles';
+import type { HandleMarkers } from './handles';
 import { Overlay, type Place, type Strain } from './overlay';
 
 /** A label keeps so far from the edges of the canvas, in pixels. */
@@ -14,7 +14,7 @@ const SHOWN_STRAINS = 3;
 /** Where things are. */
 export interface Picture {
   readonly size: Vector2;
-  readonly marks: HandleMarks;
+  readonly markers: HandleMarkers;
   /** A vertex of the net in the scene. */
   vertexPoint(vertex: number): Vector3;
   /** A point of the scene on the canvas. */
@@ -43,11 +43,11 @@ export class Annotations {
   }
 
   draw({ found, isFirstVisit, dragged, preview, unreachable }: Annotated): void {
-    const { marks } = this.#picture;
-    const radius = marks.screenRadius;
+    const { markers } = this.#picture;
+    const radius = markers.screenRadius;
     this.#drawHover(found, radius);
-    const suggested = isFirstVisit ? marks.suggested : null;
-    const begin = suggested === null ? undefined : marks.point(suggested);
+    const suggested = isFirstVisit ? markers.suggested : null;
+    const begin = suggested === null ? undefined : markers.point(suggested);
     this.overlay.setPulse(begin ? this.#picture.place(begin) : null, radius + 3);
     this.overlay.setTether(this.#tether(dragged, radius));
     this.overlay.setPreview(preview.map((vertex) => this.#vertexPlace(vertex)));
@@ -57,12 +57,12 @@ export class Annotations {
   #drawHover(found: Found | null, radius: number): void {
     if (!found) return this.overlay.setHover(null, 0, false);
     const { vertex, handle } = found;
-    const point = (handle && this.#picture.marks.point(vertex)) || this.#picture.vertexPoint(vertex);
+    const point = (handle && this.#picture.markers.point(vertex)) || this.#picture.vertexPoint(vertex);
     this.overlay.setHover(this.#picture.place(point), handle ? radius + 4 : 8, !handle);
   }
 
   #tether(vertex: number | undefined, radius: number): { from: Place; to: Place } | null {
-    const point = vertex === undefined ? undefined : this.#picture.marks.point(vertex);
+    const point = vertex === undefined ? undefined : this.#picture.markers.point(vertex);
     if (vertex === undefined || !point) return null;
     const from = this.#vertexPlace(vertex);
     const to = this.#picture.place(point);
@@ -70,9 +70,9 @@ export class Annotations {
   }
 
   #strains(unreachable: FrameData['unreachable']): Strain[] {
-    const { marks } = this.#picture;
+    const { markers } = this.#picture;
     return unreachable.slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
-      const [a, b] = [marks.point(vertexA), marks.point(vertexB)];
+      const [a, b] = [markers.point(vertexA), markers.point(vertexB)];
       if (!a || !b) return [];
       const [from, to] = [this.#picture.place(a), this.#picture.place(b)];
       const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));

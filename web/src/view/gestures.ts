@@ -9,7 +9,7 @@ import { words } from '../language/language';
 import type { KeyRow } from '../elements/keys';
 import { type DragReport, ViewPlane } from './drag';
 import type { Gizmo } from './gizmo';
-import type { HandleMarks } from './handles';
+import type { HandleMarkers } from './handles';
 import type { NetData } from './net_data';
 import { Outline } from './outline';
 import type { Place } from './overlay';
@@ -22,7 +22,7 @@ export interface GestureContext {
   camera: PerspectiveCamera;
   orbit: OrbitControls;
   gizmo: Gizmo;
-  marks: HandleMarks;
+  markers: HandleMarkers;
   report: DragReport;
   events: ViewEvents;
   data(): NetData | null;
@@ -248,8 +248,8 @@ export class Gestures {
   }
 
   #chooseInside({ corners }: Outline): void {
-    const { marks, events } = this.#context;
-    events.select(united(this.#context.selection(), marks.inside(this.#context.projection(), corners)));
+    const { markers, events } = this.#context;
+    events.select(united(this.#context.selection(), markers.inside(this.#context.projection(), corners)));
   }
 
   #awaitLongTouch(pointer: number, vertex: number): void {
@@ -269,9 +269,9 @@ export class Gestures {
 
   /** A handle as a hand takes it; null: there is none, or it is locked, or still to be selected. */
   #grip(vertex: number | null): Press['handle'] {
-    const { marks } = this.#context;
+    const { markers } = this.#context;
     if (this.#context.selecting() && !this.#context.selection().includes(vertex ?? -1)) return null;
-    const point = vertex === null || marks.isLocked(vertex) ? undefined : marks.point(vertex);
+    const point = vertex === null || markers.isLocked(vertex) ? undefined : markers.point(vertex);
     return point ? { vertex: vertex!, from: point.clone() } : null;
   }
 
@@ -284,12 +284,12 @@ export class Gestures {
     const { points, vertexCount } = data;
     const projection = this.#context.projection();
     const vertex = nearestVertex(points, vertexCount, projection, at.x, at.y, REACH[kind(event)], layer);
-    if (vertex === null || this.#context.marks.isHidden(vertex)) return null;
-    return { vertex, handle: this.#context.marks.point(vertex) !== undefined };
+    if (vertex === null || this.#context.markers.isHidden(vertex)) return null;
+    return { vertex, handle: this.#context.markers.point(vertex) !== undefined };
   }
 
   #handleAt(at: Place, event: PointerEvent): number | null {
-    return this.#context.marks.at(this.#context.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
+    return this.#context.markers.at(this.#context.projection(), at.x, at.y, HANDLE_SLACK[kind(event)]);
   }
 
   /** At most once a frame, however many events the mouse sends. */

@@ -61,7 +61,7 @@ export class Gizmo {
   }
 
   /** Where it stands; null: nothing is selected that could move. */
-  show(point: Vector3 | null): void {
+  setPosition(point: Vector3 | null): void {
     const isFirst = this.#point === null && point !== null;
     this.#point = point;
     if (this.#controls) this.#place(this.#controls);
@@ -86,7 +86,7 @@ export class Gizmo {
     this.#controls = controls;
     this.setMode(this.#mode);
     this.setEnabled(this.#enabled);
-    this.#showColours();
+    this.#applyColours();
     this.#place(controls);
     this.#events.changed();
   }
@@ -145,7 +145,7 @@ export class Gizmo {
   setTheme({ axes, accent }: Theme, up: UpAxis): void {
     const [x, y, z] = up === 'z' ? axes : [axes[0], axes[2], axes[1]];
     this.#colours = [x, y, z, accent].map((rgb) => new Color().setRGB(...rgb, SRGBColorSpace));
-    this.#showColours();
+    this.#applyColours();
   }
 
   dispose(): void {
@@ -153,7 +153,7 @@ export class Gizmo {
     this.#controls?.dispose();
   }
 
-  #showColours(): void {
+  #applyColours(): void {
     const [x, y, z, active] = this.#colours;
     this.#controls?.setColors(x!, y!, z!, active!);
   }

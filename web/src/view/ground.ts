@@ -98,7 +98,7 @@ export class Ground {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #plan = target(PLAN_PIXELS);
   readonly #blurred = [target(BLUR_PIXELS), target(BLUR_PIXELS)] as const;
-  readonly #stage = new Scene();
+  readonly #scene = new Scene();
   readonly #painter: Mesh<BufferGeometry, ShaderMaterial>;
   readonly #camera = new OrthographicCamera();
   readonly #sheet = new PlaneGeometry(2, 2);
@@ -143,11 +143,11 @@ export class Ground {
     this.object = new Mesh(new PlaneGeometry(2 * REACH, 2 * REACH), material);
     this.#painter = new Mesh<BufferGeometry, ShaderMaterial>(this.#sheet, this.#planMaterial);
     this.#painter.frustumCulled = false;
-    this.#stage.add(this.#painter);
+    this.#scene.add(this.#painter);
   }
 
   /** `faces`: the net's triangles. */
-  showNet({ space }: NetData, faces: BufferGeometry): void {
+  setNet({ space }: NetData, faces: BufferGeometry): void {
     this.#faces = faces;
     this.#planMaterial.uniforms.floorHeight!.value = space.floor;
     // A little below, or a flat net would flicker through it.
@@ -178,7 +178,7 @@ export class Ground {
     this.#painter.geometry = geometry;
     this.#painter.material = material;
     renderer.setRenderTarget(to);
-    renderer.render(this.#stage, this.#camera);
+    renderer.render(this.#scene, this.#camera);
   }
 
   dispose(): void {

@@ -2,19 +2,19 @@
 import { type Matrix4, Vector3 } from 'three';
 import type { Selection } from '../handles/selection';
 import type { DragReport } from './drag';
-import type { HandleMarks } from './handles';
+import type { HandleMarkers } from './handles';
 import type { Space } from './space';
 
 export class Hand {
   /** Where those that are being carried were taken. */
   #taken: { vertex: number; from: Vector3 }[] = [];
-  readonly #marks: HandleMarks;
+  readonly #markers: HandleMarkers;
   readonly #report: DragReport;
   readonly #selection: () => Selection;
 
   /** @param selection the last one leads. */
-  constructor(marks: HandleMarks, report: DragReport, selection: () => Selection) {
-    this.#marks = marks;
+  constructor(markers: HandleMarkers, report: DragReport, selection: () => Selection) {
+    this.#markers = markers;
     this.#report = report;
     this.#selection = selection;
   }
@@ -23,20 +23,20 @@ export class Hand {
   moving(handle?: number): readonly number[] {
     const selection = this.#selection();
     if (handle !== undefined && !selection.includes(handle)) return [handle];
-    const free = [...selection].reverse().filter((vertex) => !this.#marks.isLocked(vertex));
+    const free = [...selection].reverse().filter((vertex) => !this.#markers.isLocked(vertex));
     return handle === undefined ? free : [handle, ...free.filter((vertex) => vertex !== handle)];
   }
 
   /** The centre of what would move; null: nothing would. */
   centre(): Vector3 | null {
-    const points = this.moving().flatMap((vertex) => this.#marks.point(vertex) ?? []);
+    const points = this.moving().flatMap((vertex) => this.#markers.point(vertex) ?? []);
     if (points.length === 0) return null;
     return points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length);
   }
 
   grab(vertices: readonly number[]): void {
     this.#taken = vertices.flatMap((vertex) => {
-      const from = this.#marks.point(vertex)?.clone();
+      const from = this.#markers.point(vertex)?.clone();
       return from ? [{ vertex, from }] : [];
     });
     this.#report.begin(vertices);
@@ -46,7 +46,7 @@ export class Hand {
   carry(motion: Matrix4, space: Space): void {
     const targets = this.#taken.map(({ vertex, from }) => {
       const point = from.clone().applyMatrix4(motion);
-      this.#marks.point(vertex)?.copy(point);
+      this.#markers.point(vertex)?.copy(point);
       return { vertex, target: space.toNet(point) };
     });
     this.#report.move(targets);

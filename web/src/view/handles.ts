@@ -21,7 +21,7 @@ import {
 import type { HandleData } from '../document/document';
 import type { Selection } from '../handles/selection';
 import type { Place } from './overlay';
-import { isInside, nearestMark, project, type Projection, type ScreenPoint } from './picking';
+import { isInside, nearestMarker, project, type Projection, type ScreenPoint } from './picking';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
@@ -33,7 +33,7 @@ const CUBE = 0.7;
 /** So many spheres are drawn coarser: thousands of round ones would be millions of triangles. */
 const MANY = 500;
 
-interface Mark {
+interface Marker {
   vertex: number;
   locked: boolean;
   soft: boolean;
@@ -42,9 +42,9 @@ interface Mark {
   point: Vector3;
 }
 
-export class HandleMarks {
+export class HandleMarkers {
   readonly object = new Group();
-  #marks = new Map<number, Mark>();
+  #markers = new Map<number, Marker>();
   #radius = SMALLEST;
   // Round enough at their size: there may be hundreds, and not everybody has a graphics card.
   readonly #spheres = new Shape(new SphereGeometry(1, 20, 12));
@@ -58,10 +58,10 @@ export class HandleMarks {
   }
 
   /** `held`: the handles in a hand at the moment; they stay where the hand has them. */
-  show(handles: readonly HandleData[], space: Space, selection: Selection, held: readonly number[]): void {
+  update(handles: readonly HandleData[], space: Space, selection: Selection, held: readonly number[]): void {
     const inHand = new Map(held.map((vertex) => [vertex, this.point(vertex)]));
     const selected = new Set(selection);
-    const mark = ({ vertex, target, anchor, weight, hidden }: HandleData): Mark => {
+    const marker = ({ vertex, target, anchor, weight, hidden }: HandleData): Marker => {
       const point = inHand.get(vertex) ?? new Vector3();
       if (!inHand.has(vertex)) space.toScene(point, target);
       return {
@@ -73,19 +73,19 @@ export class HandleMarks {
         point,
       };
     };
-    this.#marks = new Map(handles.map((handle) => [handle.vertex, mark(handle)]));
+    this.#markers = new Map(handles.map((handle) => [handle.vertex, marker(handle)]));
   }
 
   point(vertex: number): Vector3 | undefined {
-    return this.#marks.get(vertex)?.point;
+    return this.#markers.get(vertex)?.point;
   }
 
   isLocked(vertex: number): boolean {
-    return this.#marks.get(vertex)?.locked ?? false;
+    return this.#markers.get(vertex)?.locked ?? false;
   }
 
   isHidden(vertex: number): boolean {
-    return this.#marks.get(vertex)?.hidden ?? false;
+    return this.#markers.get(vertex)?.hidden ?? false;
   }
 
   /** The one a newcomer is to drag: the last that is not locked. */
@@ -100,8 +100,8 @@ export class HandleMarks {
   /** The handle under a point of the canvas. */
   at(projection: Projection, x: number, y: number, slack: number): number | null {
     const visible = this.#visible;
-    const marks = visible.map(({ point }) => ({ ...toScreen(projection, point), radius: this.#radius }));
-    const hit = nearestMark(marks, x, y, slack);
+    const markers = visible.map(({ point }) => ({ ...toScreen(projection, point), radius: this.#radius }));
+    const hit = nearestMarker(markers, x, y, slack);
     return hit === null ? null : visible[hit]!.vertex;
   }
 
@@ -127,7 +127,7 @@ export class HandleMarks {
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / canvasHeight;
     this.#radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
     const size = this.#radius * pixel;
-    const points = (which: (mark: Mark) => boolean) => this.#visible.filter(which).map(({ point }) => point);
+    const points = (which: (marker: Marker) => boolean) => this.#visible.filter(which).map(({ point }) => point);
     const plain = points(({ locked, soft }) => !locked && !soft);
     this.#spheres.place(plain.length > MANY ? [] : plain, camera, size);
     this.#manySpheres.place(plain.length > MANY ? plain : [], camera, size);
@@ -156,8 +156,8 @@ export class HandleMarks {
     return [this.#spheres, this.#manySpheres, this.#cubes, this.#hollow, this.#rings];
   }
 
-  get #visible(): Mark[] {
-    return [...this.#marks.values()].filter(({ hidden }) => !hidden);
+  get #visible(): Marker[] {
+    return [...this.#markers.values()].filter(({ hidden }) => !hidden);
   }
 }
 

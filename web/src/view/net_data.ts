@@ -85,7 +85,7 @@ export class NetData {
     this.#ends.needsUpdate = true;
   }
 
-  show(placed: Placed, field: ColourField): void {
+  setFrame(placed: Placed, field: ColourField): void {
     const { points, vertexCount } = this;
     const { positions } = placed;
     const { scale, centre, axisY, axisZ, signY } = this.space;
@@ -102,7 +102,7 @@ export class NetData {
   }
 
   /** null: all vertices move freely. */
-  showRegion(mobility: Float32Array | null): void {
+  setMobility(mobility: Float32Array | null): void {
     if (mobility) this.#mobilityValues.set(mobility);
     else this.#mobilityValues.fill(1);
     this.#mobilities.needsUpdate = true;
@@ -143,7 +143,7 @@ export class ColourTexture {
   }
 
   /** @param place where the numbers stand. */
-  show(scale: Scale, place: ColourField['place']): void {
+  setScale(scale: Scale, place: ColourField['place']): void {
     const { colours, low, high } = this.uniforms;
     (colours.value.image.data as Uint8Array).set(lookupTable(scale));
     colours.value.needsUpdate = true;

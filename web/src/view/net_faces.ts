@@ -61,7 +61,7 @@ export class NetFaces {
   }
 
   /** @param triangles three vertices each. */
-  showNet(triangles: Uint32Array): void {
+  setTriangles(triangles: Uint32Array): void {
     this.object.geometry.dispose();
     // No attributes: the shader finds each vertex by its number.
     this.object.geometry = new BufferGeometry();

@@ -115,7 +115,7 @@ export class NetLines {
   }
 
   /** @param strips two triangles an edge, of its four vertices. */
-  showNet({ edgeLength }: NetData, strips: Uint32Array): void {
+  setNet({ edgeLength }: NetData, strips: Uint32Array): void {
     this.object.geometry.dispose();
     this.object.geometry = new BufferGeometry();
     this.object.geometry.setIndex(new BufferAttribute(strips, 1));

@@ -42,9 +42,9 @@ export function createBlankView(container: HTMLElement): View {
   notice.show(words.view.noGraphics);
   const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
   return {
-    showNet() {},
-    showFrame() {},
-    showHandles() {},
+    setNet() {},
+    setFrame() {},
+    setHandles() {},
     setSymmetry() {},
     setRegion() {},
     setReach() {},

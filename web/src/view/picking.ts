@@ -61,17 +61,17 @@ export function nearestVertex(
   return nearest;
 }
 
-/** Of some marks, the nearest to (x, y) within its own radius plus `slack` pixels; of two such the one in front. */
-export function nearestMark(
-  marks: readonly (ScreenPoint & { radius: number })[],
+/** Of some markers, the nearest to (x, y) within its own radius plus `slack` pixels; of two such the one in front. */
+export function nearestMarker(
+  markers: readonly (ScreenPoint & { radius: number })[],
   x: number,
   y: number,
   slack: number,
 ): number | null {
   let best: number | null = null;
-  marks.forEach((mark, i) => {
-    const inside = mark.depth > 0 && Math.hypot(mark.x - x, mark.y - y) <= mark.radius + slack;
-    if (inside && (best === null || mark.depth < marks[best]!.depth)) best = i;
+  markers.forEach((marker, i) => {
+    const inside = marker.depth > 0 && Math.hypot(marker.x - x, marker.y - y) <= marker.radius + slack;
+    if (inside && (best === null || marker.depth < markers[best]!.depth)) best = i;
   });
   return best;
 }

@@ -92,7 +92,7 @@ export class ReachSurface {
     this.object.visible = false;
   }
 
-  show(limits: readonly Limit[] | null, space: Space): void {
+  update(limits: readonly Limit[] | null, space: Space): void {
     this.object.visible = limits !== null;
     if (limits === null) return;
     const drawn = [...limits].sort((a, b) => a.radius - b.radius).slice(0, MOST_LIMITS);

@@ -15,7 +15,7 @@ import { type Found, Gestures } from './gestures';
 import { Gizmo } from './gizmo';
 import { Ground } from './ground';
 import { Hand } from './hand';
-import { HandleMarks, toScreen } from './handles';
+import { HandleMarkers, toScreen } from './handles';
 import { ColourTexture, NetData, netUniforms } from './net_data';
 import { NetFaces } from './net_faces';
 import { NetLines } from './net_lines';
@@ -45,7 +45,7 @@ class SceneView implements View {
   readonly #renderer: WebGLRenderer;
   readonly #rig: CameraRig;
   readonly #gizmo: Gizmo;
-  readonly #marks = new HandleMarks();
+  readonly #markers = new HandleMarkers();
   readonly #uniforms = netUniforms();
   readonly #ground = new Ground(this.#uniforms);
   readonly #stepArrows = new StepArrows();
@@ -65,7 +65,7 @@ class SceneView implements View {
   readonly #viewProjection = new Matrix4();
   #theme: Theme;
   /** What is drawn of the net. */
-  #shown: NetData | null = null;
+  #netData: NetData | null = null;
   #net: OpenedNet | null = null;
   #latest: FrameData | null = null;
   #handles: readonly HandleData[] = [];
@@ -96,14 +96,14 @@ class SceneView implements View {
     canvas.setAttribute('aria-label', words.view.net);
     this.#annotations = new Annotations({
       size: this.#size,
-      marks: this.#marks,
+      markers: this.#markers,
       vertexPoint: (vertex) => this.#vertexPoint(vertex),
       place: (point) => this.#place(point),
     });
     container.append(canvas, this.#annotations.overlay.element);
     this.#notice = createNotice(container);
     this.#report = new DragReport(this.#noteFirstDrag(events));
-    this.#hand = new Hand(this.#marks, this.#report, () => this.#choice.selection);
+    this.#hand = new Hand(this.#markers, this.#report, () => this.#choice.selection);
     this.#rig = new CameraRig(canvas, {
       moved: () => this.#cameraMoved(),
       rested: () => events.cameraChanged(this.camera()),
@@ -119,7 +119,7 @@ class SceneView implements View {
       this.#ground,
       this.#lines,
       this.#faces,
-      this.#marks,
+      this.#markers,
       this.#stepArrows,
       this.#sheet,
       this.#reach,
@@ -138,58 +138,58 @@ class SceneView implements View {
     this.#resize();
   }
 
-  showNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
+  setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
     this.#removeNet();
     this.#net = net;
-    this.#shown = new NetData(net, Space.of(net.restPositions, this.#appearance.upAxis));
-    this.#shown.putInto(this.#uniforms);
-    this.#lines.showNet(this.#shown, net.strips);
-    this.#faces.showNet(net.triangles);
-    this.#ground.showNet(this.#shown, this.#faces.object.geometry);
-    this.#sheet.show(this.#symmetry, net.restPositions, this.#shown.space);
-    this.showFrame(frame);
+    this.#netData = new NetData(net, Space.of(net.restPositions, this.#appearance.upAxis));
+    this.#netData.putInto(this.#uniforms);
+    this.#lines.setNet(this.#netData, net.strips);
+    this.#faces.setTriangles(net.triangles);
+    this.#ground.setNet(this.#netData, this.#faces.object.geometry);
+    this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
+    this.setFrame(frame);
     this.#rig.framed = camera === null;
     this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
   }
 
-  showFrame(frame: FrameData): void {
-    if (!this.#shown) return;
+  setFrame(frame: FrameData): void {
+    if (!this.#netData) return;
     this.#latest = frame;
-    this.#shown.show(frame, fieldOf(this.#appearance.field));
-    this.#stepArrows.show(frame, this.#shown.space, this.#shown.edgeLength);
+    this.#netData.setFrame(frame, fieldOf(this.#appearance.field));
+    this.#stepArrows.update(frame, this.#netData.space, this.#netData.edgeLength);
     this.#netMoved = true;
     this.#requestDraw();
   }
 
-  showHandles(handles: readonly HandleData[], choice: ViewChoice): void {
-    if (!this.#shown) return;
+  setHandles(handles: readonly HandleData[], choice: ViewChoice): void {
+    if (!this.#netData) return;
     this.#handles = handles;
     this.#choice = choice;
-    this.#marks.show(handles, this.#shown.space, choice.selection, this.#report.vertices);
+    this.#markers.update(handles, this.#netData.space, choice.selection, this.#report.vertices);
     this.#container.classList.toggle('selecting', choice.selecting);
     this.#gizmo.setMode(choice.mode);
-    this.#gizmo.show(this.#gizmoPlace());
-    if (this.#found && !this.#found.handle && this.#marks.point(this.#found.vertex)) this.#found = null;
+    this.#gizmo.setPosition(this.#gizmoPlace());
+    if (this.#found && !this.#found.handle && this.#markers.point(this.#found.vertex)) this.#found = null;
     this.#requestDraw();
   }
 
   setSymmetry(symmetry: Symmetry | undefined): void {
     if (symmetry === this.#symmetry) return;
     this.#symmetry = symmetry;
-    if (this.#net && this.#shown) this.#sheet.show(symmetry, this.#net.restPositions, this.#shown.space);
+    if (this.#net && this.#netData) this.#sheet.update(symmetry, this.#net.restPositions, this.#netData.space);
     this.#requestDraw();
   }
 
   setRegion(mobility: Float32Array | null): void {
-    if (!this.#shown || (mobility === null && !this.#regionShown)) return;
+    if (!this.#netData || (mobility === null && !this.#regionShown)) return;
     this.#regionShown = mobility !== null;
-    this.#shown.showRegion(mobility);
+    this.#netData.setMobility(mobility);
     this.#requestDraw();
   }
 
   setReach(limits: readonly Limit[] | null): void {
-    if (!this.#shown || (limits === null && !this.#reach.object.visible)) return;
-    this.#reach.show(limits, this.#shown.space);
+    if (!this.#netData || (limits === null && !this.#reach.object.visible)) return;
+    this.#reach.update(limits, this.#netData.space);
     this.#requestDraw();
   }
 
@@ -204,8 +204,8 @@ class SceneView implements View {
     const { field, showFaces } = appearance;
     const { place } = fieldOf(field);
     if (appearance.upAxis !== before.upAxis) this.#turn();
-    else if (field !== before.field && this.#latest) this.#shown?.show(this.#latest, fieldOf(field));
-    this.#colours.show(scaleOf(appearance, this.#theme), place);
+    else if (field !== before.field && this.#latest) this.#netData?.setFrame(this.#latest, fieldOf(field));
+    this.#colours.setScale(scaleOf(appearance, this.#theme), place);
     this.#faces.object.visible = showFaces;
     this.#lines.setOverColours(showFaces && place === 'vertex');
     this.#requestDraw();
@@ -217,14 +217,14 @@ class SceneView implements View {
   }
 
   frameAll(): void {
-    if (!this.#shown) return;
+    if (!this.#netData) return;
     this.#rig.framed = true;
     this.#rig.glideTo(this.#wholeNet());
   }
 
   camera(): CameraPlace {
-    if (!this.#shown) return { position: [0, 0, 0], target: [0, 0, 0] };
-    const { space } = this.#shown;
+    if (!this.#netData) return { position: [0, 0, 0], target: [0, 0, 0] };
+    const { space } = this.#netData;
     return { position: space.toNet(this.#rig.camera.position), target: space.toNet(this.#rig.orbit.target) };
   }
 
@@ -237,7 +237,7 @@ class SceneView implements View {
   }
 
   setCamera(camera: CameraPlace): void {
-    if (!this.#shown) return;
+    if (!this.#netData) return;
     this.#rig.framed = false;
     this.#following = true;
     this.#rig.standAt(this.#toStand(camera));
@@ -251,7 +251,7 @@ class SceneView implements View {
 
   screenPosition(vertex: number): Place {
     const box = this.#renderer.domElement.getBoundingClientRect();
-    const { x, y } = this.#place(this.#marks.point(vertex) ?? this.#vertexPoint(vertex));
+    const { x, y } = this.#place(this.#markers.point(vertex) ?? this.#vertexPoint(vertex));
     return { x: box.left + x, y: box.top + y };
   }
 
@@ -261,20 +261,20 @@ class SceneView implements View {
     this.#stopThemes();
     this.#gestures.dispose();
     this.#removeNet();
-    const [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer] = [
+    const [gizmo, stepArrows, sheet, reach, rig, markers, ground, lines, faces, colours, renderer] = [
       this.#gizmo,
       this.#stepArrows,
       this.#sheet,
       this.#reach,
       this.#rig,
-      this.#marks,
+      this.#markers,
       this.#ground,
       this.#lines,
       this.#faces,
       this.#colours,
       this.#renderer,
     ];
-    for (const thing of [gizmo, stepArrows, sheet, reach, rig, marks, ground, lines, faces, colours, renderer])
+    for (const thing of [gizmo, stepArrows, sheet, reach, rig, markers, ground, lines, faces, colours, renderer])
       thing.dispose();
     this.#renderer.domElement.remove();
     this.#annotations.overlay.element.remove();
@@ -287,10 +287,10 @@ class SceneView implements View {
       camera: this.#rig.camera,
       orbit: this.#rig.orbit,
       gizmo: this.#gizmo,
-      marks: this.#marks,
+      markers: this.#markers,
       report: this.#report,
       events: this.#events,
-      data: () => this.#shown,
+      data: () => this.#netData,
       selection: () => this.#choice.selection,
       selecting: () => this.#choice.selecting,
       moving: (handle) => this.#hand.moving(handle),
@@ -324,8 +324,8 @@ class SceneView implements View {
   }
 
   #carry(motion: Matrix4): void {
-    if (!this.#report.isUnderWay || !this.#shown) return;
-    this.#hand.carry(motion, this.#shown.space);
+    if (!this.#report.isUnderWay || !this.#netData) return;
+    this.#hand.carry(motion, this.#netData.space);
     this.#requestDraw();
   }
 
@@ -335,8 +335,8 @@ class SceneView implements View {
   }
 
   #removeNet(): void {
-    this.#shown?.dispose();
-    this.#shown = null;
+    this.#netData?.dispose();
+    this.#netData = null;
     this.#found = null;
     this.#regionShown = false;
     this.#reach.object.visible = false;
@@ -346,8 +346,8 @@ class SceneView implements View {
   #turn(): void {
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
-    this.showNet(this.#net, this.#latest, null);
-    this.showHandles(this.#handles, this.#choice);
+    this.setNet(this.#net, this.#latest, null);
+    this.setHandles(this.#handles, this.#choice);
   }
 
   #readTheme(): void {
@@ -357,7 +357,7 @@ class SceneView implements View {
 
   #applyTheme(): void {
     for (const part of [
-      this.#marks,
+      this.#markers,
       this.#ground,
       this.#lines,
       this.#faces,
@@ -388,13 +388,13 @@ class SceneView implements View {
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO[this.#graphics]));
     this.#renderer.setSize(clientWidth, clientHeight);
     this.#rig.resize(clientWidth, clientHeight);
-    if (this.#rig.framed && this.#shown) this.#rig.standAt(this.#wholeNet());
+    if (this.#rig.framed && this.#netData) this.#rig.standAt(this.#wholeNet());
     // At once: setting the size has cleared the canvas.
     this.#draw();
   }
 
   #cameraMoved(): void {
-    if (this.#shown && !this.#following) this.#events.cameraMoved(this.camera());
+    if (this.#netData && !this.#following) this.#events.cameraMoved(this.camera());
     this.#requestDraw();
   }
 
@@ -407,8 +407,8 @@ class SceneView implements View {
     this.#frame = 0;
     this.#report.flush();
     this.#rig.update();
-    if (!this.#shown) return;
-    this.#prepare(this.#shown);
+    if (!this.#netData) return;
+    this.#prepare(this.#netData);
     if (this.#netMoved) this.#ground.drawShadow(this.#renderer);
     this.#netMoved = false;
     this.#renderer.render(this.#scene, this.#rig.camera);
@@ -420,8 +420,8 @@ class SceneView implements View {
     const { camera, distance } = this.#rig;
     this.#lines.beforeDraw(camera, this.#size, this.#renderer.getPixelRatio(), distance);
     this.#stepArrows.beforeDraw(this.#size, this.#renderer.getPixelRatio());
-    this.#marks.beforeDraw(camera, this.#size.y, edgeLength, distance);
-    this.#gizmo.show(this.#gizmoPlace());
+    this.#markers.beforeDraw(camera, this.#size.y, edgeLength, distance);
+    this.#gizmo.setPosition(this.#gizmoPlace());
     // From below, the floor would hide the net.
     this.#ground.object.visible = camera.position.z > this.#ground.object.position.z;
   }
@@ -433,13 +433,13 @@ class SceneView implements View {
 
   #toStand({ position, target }: CameraPlace): Stand {
     const stand = { position: new Vector3(), target: new Vector3() };
-    this.#shown!.space.toScene(stand.position, position);
-    this.#shown!.space.toScene(stand.target, target);
+    this.#netData!.space.toScene(stand.position, position);
+    this.#netData!.space.toScene(stand.target, target);
     return stand;
   }
 
   #wholeNet(): Stand {
-    const { points, vertexCount } = this.#shown!;
+    const { points, vertexCount } = this.#netData!;
     return fitCamera(points, vertexCount, this.#rig.camera, this.#margins());
   }
 
@@ -459,7 +459,7 @@ class SceneView implements View {
   }
 
   #vertexPoint(vertex: number): Vector3 {
-    return new Vector3().fromArray(this.#shown!.points, 4 * vertex);
+    return new Vector3().fromArray(this.#netData!.points, 4 * vertex);
   }
 
   #place(point: Vector3): Place {
@@ -467,7 +467,7 @@ class SceneView implements View {
   }
 
   #drawAnnotations(): void {
-    if (!this.#shown) return;
+    if (!this.#netData) return;
     this.#annotations.draw({
       found: this.#found,
       isFirstVisit: this.#firstVisit,

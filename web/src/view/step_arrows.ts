@@ -79,7 +79,7 @@ export class StepArrows {
   }
 
   /** @param edgeLength in the scene. */
-  show({ stepFrom, positions }: FrameData, space: Space, edgeLength: number): void {
+  update({ stepFrom, positions }: FrameData, space: Space, edgeLength: number): void {
     const { geometry } = this.object;
     geometry.instanceCount = 0;
     if (stepFrom === null) return;

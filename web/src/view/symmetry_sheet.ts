@@ -41,7 +41,7 @@ export class SymmetrySheet {
     this.object.visible = false;
   }
 
-  show(symmetry: Symmetry | undefined, restPositions: Float64Array, space: Space): void {
+  update(symmetry: Symmetry | undefined, restPositions: Float64Array, space: Space): void {
     this.object.visible = symmetry !== undefined;
     if (!symmetry) return;
     const place = new Vector3();

@@ -50,10 +50,10 @@ export interface Film {
 
 export interface View {
   /** Shows another net; frames the camera unless one is given. */
-  showNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
+  setNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
-  showFrame(frame: FrameData): void;
-  showHandles(handles: readonly HandleData[], choice: ViewChoice): void;
+  setFrame(frame: FrameData): void;
+  setHandles(handles: readonly HandleData[], choice: ViewChoice): void;
   /** The plane of symmetry, if there is one. */
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** Shades what moves less or not at all, 1 … 0 for each vertex; null: nothing. */

@@ -2,7 +2,7 @@
 
 export const dialogs = {
   file: {
-    stages: {
+    steps: {
       loading: 'Loading the file',
       reading: 'Reading the mesh',
       checking: 'Looking for defects',

@@ -5,7 +5,7 @@ const POLYGONS: Record<number, string> = { 3: '三角形', 4: '四边形', 5: '�
 
 export const dialogs: Widened<typeof en> = {
   file: {
-    stages: {
+    steps: {
       loading: '正在加载文件',
       reading: '正在读取网格',
       checking: '正在检查缺陷',
