@@ -1,14 +1,15 @@
-/** Imports of the page go down: no circle of files, and no arrow from a room to one above it. */
+/** Imports of the page and includes of the core go down: no circle of files, and no arrow from a room to one above it. */
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { expect, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { ROOT } from '../wasm/load';
 
-const SOURCES = fileURLToPath(new URL('web/src', ROOT));
+/** Of each file those that it imports, by their paths in the folder. */
+type Imports = Map<string, string[]>;
 
-/** From the ground up. A file beside the rooms is a room of its own. */
-const ROOMS = [
+/** Rooms from the ground up. A file beside them is a room of its own. */
+const PAGE = [
   // What any of them may lean on.
   ...['failure.ts', 'net', 'language', 'fields', 'lazy.ts', 'elements', 'document'],
   // What is done with a net.
@@ -18,47 +19,65 @@ const ROOMS = [
   // The page.
   ...['app', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
 ];
+const CORE = ['base', 'net', 'energy', 'linear', 'surface', 'io', 'fabricate', 'solve', 'shapes', 'drape', 'edit', 'cli'];
 
-const imports = readImports();
+describe.each([
+  ['the page', PAGE, readImports()],
+  ['the core', CORE, readIncludes()],
+])('%s', (_, rooms, imports) => {
+  test('has no room that is not listed', () => {
+    const found = new Set([...imports.keys()].map(roomOf));
+    expect([...found].filter((room) => !room.endsWith('.d.ts')).sort()).toEqual([...rooms].sort());
+  });
 
-test('the page has no room that is not listed', () => {
-  const rooms = new Set([...imports.keys()].map(roomOf));
-  expect([...rooms].filter((room) => !ROOMS.includes(room) && !room.endsWith('.d.ts'))).toEqual([]);
-});
+  test('has no file that imports itself by way of others', () => {
+    const done = new Set<string>();
+    const visit = (file: string, path: string[]): void => {
+      if (path.includes(file)) throw new Error(`a circle: ${[...path.slice(path.indexOf(file)), file].join(' -> ')}`);
+      if (done.has(file)) return;
+      for (const next of imports.get(file) ?? []) visit(next, [...path, file]);
+      done.add(file);
+    };
+    for (const file of imports.keys()) visit(file, []);
+    expect(done.size).toBe(imports.size);
+  });
 
-test('no file imports itself by way of others', () => {
-  const done = new Set<string>();
-  const visit = (file: string, path: string[]): void => {
-    if (path.includes(file)) throw new Error(`a circle: ${[...path.slice(path.indexOf(file)), file].join(' -> ')}`);
-    if (done.has(file)) return;
-    for (const next of imports.get(file) ?? []) visit(next, [...path, file]);
-    done.add(file);
-  };
-  for (const file of imports.keys()) visit(file, []);
-  expect(done.size).toBe(imports.size);
-});
-
-test('imports go down', () => {
-  const level = (file: string) => ROOMS.indexOf(roomOf(file));
-  const up = [...imports].flatMap(([file, all]) =>
-    all.filter((next) => level(next) > level(file)).map((next) => `${file} -> ${next}`),
-  );
-  expect(up).toEqual([]);
+  test('imports go down', () => {
+    const level = (file: string) => rooms.indexOf(roomOf(file));
+    const all = [...imports].flatMap(([file, others]) => others.map((next) => ({ file, next })));
+    expect(all.length).toBeGreaterThan(imports.size);
+    expect(all.filter(({ file, next }) => level(next) > level(file))).toEqual([]);
+  });
 });
 
 function roomOf(file: string): string {
   return file.split('/')[0]!;
 }
 
-/** Of each source the sources that it imports when it is loaded; what it loads later, by import(), is another matter. */
-function readImports(): Map<string, string[]> {
-  const files = readdirSync(SOURCES, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.ts'));
-  const known = new Set(files);
-  const of = (file: string) => {
-    const text = readFileSync(join(SOURCES, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
+/** Of each source of the page those that it imports when it is loaded; what it loads later, by import(), is another matter. */
+function readImports(): Imports {
+  return readFiles('web/src', /\.ts$/, (file, text) => {
     const found = [...text.matchAll(/^(?:import|export)\s[^'"]*?'(\.[^']+)'|^import '(\.[^']+)'/gm)];
     const paths = found.map(([, from, alone]) => relative('.', join(dirname(file), (from ?? alone)!)));
-    return paths.flatMap((path) => [`${path}.ts`, path].filter((each) => known.has(each)).slice(0, 1));
+    return paths.map((path) => [`${path}.ts`, path]);
+  });
+}
+
+/** Of each source of the core the headers that it includes: by their path in core, or from beside it. */
+function readIncludes(): Imports {
+  return readFiles('core', /\.(h|cpp)$/, (file, text) =>
+    [...text.matchAll(/^#include "([^"]+)"/gm)].map(([, path]) => [path!, join(dirname(file), path!)]),
+  );
+}
+
+/** @param find of a file the paths that each of its imports may have; the first that is there counts. */
+function readFiles(folder: string, names: RegExp, find: (file: string, text: string) => string[][]): Imports {
+  const root = fileURLToPath(new URL(folder, ROOT));
+  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => names.test(file));
+  const known = new Set(files);
+  const importsOf = (file: string) => {
+    const text = readFileSync(join(root, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
+    return find(file, text).flatMap((paths) => paths.filter((path) => known.has(path)).slice(0, 1));
   };
-  return new Map(files.map((file) => [file, [...new Set(of(file))]]));
+  return new Map(files.map((file) => [file, [...new Set(importsOf(file))]]));
 }
