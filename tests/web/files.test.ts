@@ -126,6 +126,7 @@ class LocalWorker implements FileWorkerLike {
 }
 
 class FakeDialog implements FileDialogLike {
+  readonly #answer: (dialog: FakeDialog) => Promise<FileChoice>;
   steps: ReadStep[] = [];
   report: FileReport | null = null;
   isClosed = false;
@@ -139,8 +140,10 @@ class FakeDialog implements FileDialogLike {
 
   constructor(
     readonly name: string,
-    private readonly answer: (dialog: FakeDialog) => Promise<FileChoice>,
-  ) {}
+    answer: (dialog: FakeDialog) => Promise<FileChoice>,
+  ) {
+    this.#answer = answer;
+  }
 
   setStep(step: ReadStep): void {
     this.steps.push(step);
@@ -148,7 +151,7 @@ class FakeDialog implements FileDialogLike {
 
   ask(report: FileReport): Promise<FileChoice> {
     this.report = report;
-    return this.answer(this);
+    return this.#answer(this);
   }
 }
 

@@ -29,7 +29,7 @@ const smaller = openedNet('dome:vertices=200');
 const { vertices, edges } = net.info;
 
 function dataOf(shown: OpenedNet): NetData {
-  return new NetData(shown, Space.of(shown.restPositions));
+  return new NetData(shown, new Space(shown.restPositions));
 }
 
 /** Stretched along x. */

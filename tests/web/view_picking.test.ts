@@ -115,17 +115,17 @@ describe('the whole net in sight', () => {
 });
 
 test('the scene is centred and of one size, wherever the net is', () => {
-  const space = Space.of(Float64Array.from([1000, 2000, 3000, 1006, 2008, 3000]));
+  const space = new Space(Float64Array.from([1000, 2000, 3000, 1006, 2008, 3000]));
   const point = { x: 0, y: 0, z: 0 };
   space.toScene(point, [1006, 2008, 3000]);
   expect(Math.hypot(point.x, point.y, point.z)).toBeCloseTo(1);
   expect(space.toNet(point)).toEqual([1006, 2008, 3000]);
   expect(space.floor).toBeCloseTo(0);
-  expect(Space.of(Float64Array.from([1, 1, 1])).scale).toBe(1);
+  expect(new Space(Float64Array.from([1, 1, 1])).scale).toBe(1);
 });
 
 test('a net whose y is up stands upright in the scene, right-handed as before', () => {
-  const space = Space.of(Float64Array.from([-3, -2, -6, 3, 2, 6]), 'y');
+  const space = new Space(Float64Array.from([-3, -2, -6, 3, 2, 6]), 'y');
   const point = { x: 0, y: 0, z: 0 };
   space.toScene(point, [3, 2, 6]);
   expect([point.x, point.y, point.z].map((x) => 7 * x)).toEqual([3, -6, 2].map((x) => expect.closeTo(x)));

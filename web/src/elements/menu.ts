@@ -53,7 +53,7 @@ export class Menu {
     });
   }
 
-  protected setContent(content: readonly (MenuItem | MenuGroup)[]): void {
+  setContent(content: readonly (MenuItem | MenuGroup)[]): void {
     this.menu.replaceChildren(
       ...content.map((each) => ('items' in each ? this.#makeGroup(each) : this.#makeLine(each))),
     );

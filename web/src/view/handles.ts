@@ -183,13 +183,12 @@ class Shape {
   readonly #scale = new Vector3();
   readonly #centre = new Vector3();
   readonly #geometry: BufferGeometry;
+  readonly #facing: boolean;
 
   /** `facing`: flat, and turned to the camera. */
-  constructor(
-    geometry: BufferGeometry,
-    private readonly facing = false,
-  ) {
+  constructor(geometry: BufferGeometry, facing = false) {
     this.#geometry = geometry;
+    this.#facing = facing;
   }
 
   setColour(colour: Color): void {
@@ -208,7 +207,7 @@ class Shape {
       const nearer = 1 - 1.2 * size;
       this.#scale.setScalar(size * distance * nearer);
       this.#centre.lerpVectors(camera.position, point, nearer);
-      this.#matrix.compose(this.#centre, this.facing ? camera.quaternion : UPRIGHT, this.#scale);
+      this.#matrix.compose(this.#centre, this.#facing ? camera.quaternion : UPRIGHT, this.#scale);
       for (const mesh of this.#meshes) mesh.setMatrixAt(i, this.#matrix);
     });
     for (const mesh of this.#meshes) {

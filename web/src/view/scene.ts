@@ -141,7 +141,7 @@ class SceneView implements View {
   setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
     this.#removeNet();
     this.#net = net;
-    this.#netData = new NetData(net, Space.of(net.restPositions, this.#appearance.upAxis));
+    this.#netData = new NetData(net, new Space(net.restPositions, this.#appearance.upAxis));
     this.#netData.putInto(this.#uniforms);
     this.#lines.setNet(this.#netData, net.strips);
     this.#faces.setTriangles(net.triangles);

@@ -13,18 +13,11 @@ export class Space {
   /** Height of the lowest point of the rest net, in the scene. */
   readonly floor: number;
 
-  private constructor(
-    up: UpAxis,
-    readonly centre: Vec3,
-    /** Scene length of one unit of the net. */
-    readonly scale: number,
-    heights: { y: number; z: number },
-  ) {
-    [this.axisY, this.axisZ, this.signY] = up === 'z' ? [1, 2, 1] : [2, 1, -1];
-    this.floor = (-heights[up] * scale) / 2;
-  }
+  readonly centre: Vec3;
+  /** Scene length of one unit of the net. */
+  readonly scale: number;
 
-  static of(positions: Float64Array, up: UpAxis = 'z'): Space {
+  constructor(positions: Float64Array, up: UpAxis = 'z') {
     const low: Vec3 = [Infinity, Infinity, Infinity];
     const high: Vec3 = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < positions.length; i++) {
@@ -34,8 +27,10 @@ export class Space {
       if (x > high[axis]) high[axis] = x;
     }
     const [width, y, z] = [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
-    const centre: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
-    return new Space(up, centre, 1 / (Math.hypot(width, y, z) / 2 || 1), { y, z });
+    this.centre = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
+    this.scale = 1 / (Math.hypot(width, y, z) / 2 || 1);
+    [this.axisY, this.axisZ, this.signY] = up === 'z' ? [1, 2, 1] : [2, 1, -1];
+    this.floor = (-{ y, z }[up] * this.scale) / 2;
   }
 
   toScene(p: Point, place: readonly [number, number, number]): void {
