@@ -77,7 +77,7 @@ test('what changes in one task is presented once, after it', async () => {
   state.change({ locality: 3 });
   expect(calls).toEqual([]);
   await afterwards();
-  expect(names().sort()).toEqual(['setSymmetry', 'setDocument', 'setHandles', 'setHistory']);
+  expect(names().sort()).toEqual(['setDocument', 'setHandles', 'setHistory', 'setSymmetry']);
   expect(named('setDocument')[0]![1]).toMatchObject({ method: 'li2022', locality: 3 });
 });
 

@@ -19,7 +19,20 @@ const PAGE = [
   // The page.
   ...['app', 'keys.ts', 'learn', 'projects', 'scripting.ts', 'embed', 'main.ts'],
 ];
-const CORE = ['base', 'net', 'energy', 'linear', 'surface', 'io', 'fabricate', 'solve', 'shapes', 'drape', 'edit', 'cli'];
+const CORE = [
+  'base',
+  'net',
+  'energy',
+  'linear',
+  'surface',
+  'io',
+  'fabricate',
+  'solve',
+  'shapes',
+  'drape',
+  'edit',
+  'cli',
+];
 
 describe.each([
   ['the page', PAGE, readImports()],
