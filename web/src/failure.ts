@@ -1,8 +1,8 @@
 /**
- * What goes wrong. Whoever finds it throws a Failure: a code for programs, as in core/base/error.h or named where it is
- * thrown, and a sentence for people. Errors of the core have both, too. Only who knows better than the code that called it
- * catches one: to say more, or to put things back. All others end in App.report(), which shows the sentence, or reject the
- * promise of a script. An error without a code is a fault of the program itself.
+ * Errors that the user is told: a code for programs, as in core/base/error.h or named where it is thrown, and a sentence
+ * for people. Errors of the core have both, too. They are caught only to add to the sentence or to clean up. All end in
+ * App.report(), which shows the sentence, or reject the promise of a script. An error without a code is a fault of the
+ * program itself.
  */
 export class Failure extends Error {
   constructor(

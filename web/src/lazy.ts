@@ -1,8 +1,7 @@
 import { words } from './language/language';
 import { Failure } from './failure';
 
-/** A part of the page that comes when it is first wanted. Fails with a sentence for the user; the next try may have better
- *  luck. */
+/** Loads a part of the page on the first call. Fails with a sentence for the user; the next call tries again. */
 export function lazy<T>(load: () => Promise<T>): () => Promise<T> {
   let loading: Promise<T> | null = null;
   return () =>

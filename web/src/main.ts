@@ -38,7 +38,7 @@ const services: AppServices = {
   restoreLast: () => attempt(() => projects.restoreLast()),
   equalize: () => attempt(async () => (await openers()).equalizeNet()),
   share: () => attempt(share),
-  save: (wish) => attempt(() => saveAs(wish)),
+  save: (request) => attempt(() => saveAs(request)),
   record: () => attempt(record),
   chooseLanguage: (language) => {
     chooseLanguage(language);
@@ -142,10 +142,10 @@ async function copyLink(link: string, advice: string): Promise<string> {
   return words.link.inAddressBar(advice);
 }
 
-async function saveAs(wish: SaveRequest): Promise<void> {
+async function saveAs(request: SaveRequest): Promise<void> {
   hints?.done('share');
   const { save } = await saving();
-  await save(wish, {
+  await save(request, {
     app,
     theme: () => readTheme(document.body),
     spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),

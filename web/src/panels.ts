@@ -47,9 +47,9 @@ export interface PanelEvents {
   /** Goes to an entry of the history. */
   goTo(index: number): void;
   /** Run these methods one after another on the present edit. */
-  compare(wish: ComparisonRequest): void;
+  compare(request: ComparisonRequest): void;
   /** Run these from rest, those without an edit of their own on the present one. */
-  runAll(wishes: readonly RunRequest[]): void;
+  runAll(requests: readonly RunRequest[]): void;
   cancelComparison(): void;
   /** Show the net of a run in place of one's own; null: one's own again. */
   showRun(run: Run | null): void;
@@ -58,7 +58,7 @@ export interface PanelEvents {
   /** Pass on a link to what is seen. */
   share(): void;
   /** Save the net as a file. */
-  save(wish: SaveRequest): void;
+  save(request: SaveRequest): void;
   /** Record what is seen. */
   record(): void;
   frameAll(): void;

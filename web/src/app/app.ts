@@ -75,7 +75,7 @@ export class App {
       presentation: () => this.#presenter.schedule(),
     });
     this.handles = this.#createHandleEditor();
-    // Before the view, whose making holds the page up for a while: the worker loads meanwhile.
+    // Before the view, whose construction blocks the page for a while: the worker loads meanwhile.
     this.#tables = this.#client.hello();
     this.#presenter = new Presenter(parts, this.#viewEvents(), this.#panelEvents(services), {
       state: this.#state,
@@ -95,7 +95,7 @@ export class App {
     this.#presenter.panels.setTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
   }
 
-  // ------------------------------------------------------------------------------------------------------ how things are
+  // ----------------------------------------------------------------------------------------------------------- state
 
   /** The net that is open; null before the first. Not to be changed. */
   get opening(): Opening | null {
@@ -119,7 +119,7 @@ export class App {
     return this.#presenter.view.screenPosition(vertex);
   }
 
-  /** Nothing is under way, neither in the solver nor in the user's hand. */
+  /** Neither a solve nor a drag is under way. */
   get isQuiet(): boolean {
     return !this.#opener.isOpening && !this.#state.history.inGesture && !this.#client.changing;
   }
@@ -169,22 +169,22 @@ export class App {
     return this.#opener.openProject(project);
   }
 
-  /** Opens a net as it comes, to be solved and shown as the present one is. */
+  /** Opens a net at rest, with the settings and the view of the present document. */
   openNet(net: NetSource): Promise<void> {
     return this.#opener.openNet(net);
   }
 
-  /** Whether a net is on its way that can be given up for the one that is open. */
+  /** Whether a net is being opened, and can be cancelled in favour of the present one. */
   get canCancelOpening(): boolean {
     return this.#opener.canCancel;
   }
 
-  /** Gives up the net on its way; the one that is open stays. */
+  /** Cancels the opening; the present net stays. */
   cancelOpening(): void {
     this.#opener.cancel();
   }
 
-  /** The document and its history, in the middle of a gesture as before it; null before the first net. */
+  /** The document and its history, during a gesture the state before it; null before the first net. */
   project(): Project | null {
     const { opening, history } = this.#state;
     const now = history.beforeGesture ?? this.#state.snapshot();
@@ -291,7 +291,7 @@ export class App {
   }
 
   /** Runs these from rest, in a worker of their own; those without an edit of their own on the present one. */
-  runAll(wishes: readonly RunRequest[]): void {
+  runAll(requests: readonly RunRequest[]): void {
     if (this.opening === null) return;
     const { document } = this.opening;
     const planOf = ({ label, edit, ...settings }: RunRequest, style: number): RunPlan => ({
@@ -301,7 +301,7 @@ export class App {
       threshold: this.#threshold(settings),
       isOfOpenNet: edit === undefined,
     });
-    this.#run(wishes.map(planOf));
+    this.#run(requests.map(planOf));
   }
 
   #run(plans: readonly RunPlan[]): void {
@@ -348,7 +348,7 @@ export class App {
     return new HandleEditor(
       {
         opening: () => this.opening,
-        // While a net is on its way, the one in hand is about to go.
+        // While another net is being opened, the present one is about to go.
         snapshot: () => (this.#opener.isOpening ? null : this.#state.snapshot()),
         change: (change) => this.#state.change(change),
         drag: (handles) => {
@@ -396,8 +396,8 @@ export class App {
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),
       cancel: () => this.#attempt(this.#client.cancel()),
       reset: () => this.#attempt(this.reset()),
-      compare: (wish) => this.compare(wish),
-      runAll: (wishes) => this.runAll(wishes),
+      compare: (request) => this.compare(request),
+      runAll: (requests) => this.runAll(requests),
       cancelComparison: () => this.#comparer.cancel(),
       showRun: (run) => this.#presenter.showRun(run),
       showBeside: (runs) => this.#presenter.showBeside(runs),

@@ -1,4 +1,4 @@
-/** Opens nets and goes through the history: one net is on its way at a time, and until it is there the other one stays. */
+/** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
 import { freshScene } from '../document/defaults';
 import type { NetSource, Scene } from '../document/document';
@@ -8,16 +8,16 @@ import { words } from '../language/language';
 import type { Client, Opened } from '../worker/client';
 import type { State } from './state';
 
-/** Delay before the user is told that a net is on its way. */
+/** Delay before the opening notice, in milliseconds. */
 const NOTICE_MS = 250;
 
-/** What is told of it. */
+/** Callbacks to the app. */
 export interface OpenerEvents {
-  /** Before a net takes the place of the present one. */
+  /** Before a net replaces the present one. */
   leaving(): void;
   opened(): void;
   say(message: string): void;
-  /** Whether the notice is to be seen, and offers to give up the net on its way. */
+  /** Shows or hides the notice that a net is being opened, with or without a button to cancel. */
   notice(isShown: boolean, canCancel: boolean): void;
 }
 
@@ -25,7 +25,7 @@ export class Opener {
   readonly #client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>;
   readonly #state: State;
   readonly #events: OpenerEvents;
-  /** Nets on their way. */
+  /** Number of nets being opened. */
   #underWay = 0;
 
   constructor(client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>, state: State, events: OpenerEvents) {
@@ -38,12 +38,12 @@ export class Opener {
     return this.#underWay > 0;
   }
 
-  /** Whether a net is on its way that can be given up for the one that is open. */
+  /** Whether a net is being opened, and can be cancelled in favour of the present one. */
   get canCancel(): boolean {
     return this.isOpening && this.#state.opening !== null;
   }
 
-  /** Gives up the net on its way; the one that is open stays. */
+  /** Cancels the opening; the present net stays. */
   cancel(): void {
     if (this.canCancel) this.#client.cancelOpening();
   }
@@ -69,7 +69,7 @@ export class Opener {
     this.#state.history.begin(entries, present);
   }
 
-  /** Opens a net as it comes, to be solved and shown as the present one is. */
+  /** Opens a net at rest, with the settings and the view of the present document. */
   openNet(net: NetSource): Promise<void> {
     const fresh = freshScene(net);
     if (this.#state.opening === null) return this.openScene(fresh);
@@ -89,7 +89,7 @@ export class Opener {
     try {
       await this.restore(state);
     } catch (error) {
-      // A history from a file may hold what no net can be.
+      // A history from a file may hold states that no net can take.
       if (history.goTo(from, state)) await this.restore(now);
       throw error;
     }
@@ -115,7 +115,7 @@ export class Opener {
     this.#events.opened();
   }
 
-  /** Says so if it takes long. */
+  /** Shows the notice if it takes long. */
   async #request(scene: Scene): Promise<Opened> {
     this.#underWay += 1;
     const notice = setTimeout(() => this.#events.notice(true, this.canCancel), NOTICE_MS);

@@ -1,4 +1,4 @@
-/** Keeps view and panels in step with what is open. However much changes in one task, it is presented once, after it. */
+/** Keeps view and panels up to date. All changes within one task are presented once, after it. */
 import { Beside } from '../compare/beside';
 import type { Run } from '../compare/run';
 import type { HandleData, ViewState } from '../document/document';
@@ -9,7 +9,7 @@ import type { View, ViewEvents } from '../view/view';
 import type { FrameData } from '../worker/protocol';
 import type { State } from './state';
 
-/** What makes the parts of the page. */
+/** Factories for the parts of the page. */
 export interface Screen {
   createView(events: ViewEvents): View;
   /** Another view, in the first or second place to the right of it. */
@@ -17,7 +17,7 @@ export interface Screen {
   createPanels(events: PanelEvents): Panels;
 }
 
-/** What is presented. */
+/** The state that is presented. */
 export interface Presented {
   state: Pick<State, 'opening' | 'handles' | 'history' | 'withTraits'>;
   choice(): Choice;
@@ -52,7 +52,7 @@ export class Presenter {
     this.panels = screen.createPanels(panelEvents);
   }
 
-  /** Presents document, choice and history when the task under way is over. */
+  /** Presents document, choice and history after the current task. */
   schedule(): void {
     if (this.#isScheduled) return;
     this.#isScheduled = true;
@@ -78,7 +78,7 @@ export class Presenter {
     const { opening } = this.#presented.state;
     if (opening === null) return;
     const { document, net, frame } = opening;
-    // First, for the view leaves room for what the panels say.
+    // Before the view, which fits the net into the space that the panels leave.
     this.panels.setDocument(document, this.#presented.choice());
     this.view.setAppearance(document.view);
     this.view.setNet(net, frame, document.view.camera);
@@ -95,7 +95,7 @@ export class Presenter {
     if (settled) this.#sayUnreachable(frame);
   }
 
-  /** At once, for it is under the user's hand: handles that are being dragged, and no more. */
+  /** The dragged handles only, and at once: they follow the pointer. */
   presentDrag(): void {
     const { handles } = this.#presented.state;
     const choice = this.#presented.choice();
@@ -110,7 +110,7 @@ export class Presenter {
 
   // -------------------------------------------------------------------------------------------------- nets of a comparison
 
-  /** Puts the net of a run in the place of the user's, which comes back with null or whenever it moves. */
+  /** Shows the net of a run in place of the user's, which comes back with null or whenever it moves. */
   showRun(run: Run | null): void {
     const { opening } = this.#presented.state;
     if (run === this.#shownRun || opening === null) return;
@@ -130,13 +130,13 @@ export class Presenter {
     this.panels.setRuns(this.#shownRun, runs);
   }
 
-  /** No nets of runs any longer. */
+  /** Shows the user's net only. */
   showOwnNet(): void {
     this.showRun(null);
     this.showBeside([]);
   }
 
-  /** Those of the run whose net is shown stand where they stood when it began. */
+  /** The user's, or those of the run whose net is shown. */
   #shownHandles(): readonly HandleData[] {
     const { state } = this.#presented;
     return this.#shownRun?.frame?.handles.map((handle) => state.withTraits(handle)) ?? state.handles;
@@ -148,7 +148,7 @@ export class Presenter {
     this.panels.setFrame(frame, this.view.framesPerSecond(), this.#presented.solving());
   }
 
-  /** Once, until all handles are within reach again. */
+  /** Said once, until all handles are within reach again. */
   #sayUnreachable({ unreachable }: FrameData): void {
     const [worst] = unreachable;
     const said = this.#saidUnreachable;

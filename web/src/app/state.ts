@@ -6,7 +6,7 @@ import type { Opened } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { FrameData } from '../worker/protocol';
 
-/** What is to be done after a change. */
+/** Callbacks after a change. */
 export interface StateEvents {
   /** Anything in the document changed. */
   document(): void;
@@ -20,7 +20,7 @@ export class State {
   readonly #events: StateEvents;
   #opening: Opening | null = null;
 
-  /** @param isChanging whether the solver is yet to make the net what it was asked to be. */
+  /** @param isChanging whether requests that change the net are still unanswered. */
   constructor(isChanging: () => boolean, events: StateEvents) {
     this.#isChanging = isChanging;
     this.#events = events;
@@ -43,7 +43,7 @@ export class State {
     return { ...state, settled: this.isSettled };
   }
 
-  /** While something is under way, the positions shown are not the last. */
+  /** While something is under way, the positions are not final. */
   get isSettled(): boolean {
     return this.#opening?.document.settled === true && !this.#isChanging();
   }
@@ -71,7 +71,7 @@ export class State {
     this.#change({ handles });
   }
 
-  /** To a state of the same net. */
+  /** Goes to a state of the same net. */
   restore(state: Snapshot): void {
     if (this.#opening === null) return;
     const { numbering, view } = this.#opening.document;
@@ -79,7 +79,7 @@ export class State {
     this.#events.presentation();
   }
 
-  /** The solver has come further. */
+  /** Takes a frame of the solver. */
   takeFrame(frame: FrameData, settled: boolean): void {
     if (this.#opening === null) return;
     const document = { ...this.#opening.document, positions: frame.positions, settled };

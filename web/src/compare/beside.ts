@@ -1,4 +1,4 @@
-/** Other nets beside the user's, seen from the same place: for looking only. */
+/** Views of other nets beside the user's, with the same camera; nothing can be edited in them. */
 import type { HandleData, ViewState } from '../document/document';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
@@ -17,13 +17,13 @@ export class Beside {
     this.#cameraMoved = cameraMoved;
   }
 
-  /** As many as there are frames, and no more. */
+  /** One view for each frame. */
   show(net: OpenedNet, frames: readonly FrameData[], look: ViewState): void {
     for (const view of this.#views.splice(frames.length)) view.dispose();
     frames.forEach((frame, place) => {
       const view = (this.#views[place] ??= this.#open(place, net, frame, look));
       view.setFrame(frame);
-      // Locked all: no hand takes hold of them here.
+      // All locked: they cannot be dragged here.
       const handles = frame.handles.map((handle): HandleData => ({ ...handle, anchor: true }));
       view.setHandles(handles, { selection: [], mode: 'translate', selecting: false });
     });
@@ -45,7 +45,7 @@ export class Beside {
   }
 
   #turned(turned: View, camera: Camera): void {
-    // Not while it is being opened: it stands where the other does, which must still fit itself to the room left to it.
+    // Not while it is being opened: it starts with the camera of the main view, which has yet to fit its smaller size.
     if (!this.#views.includes(turned)) return;
     for (const view of this.#views) if (view !== turned) view.setCamera(camera);
     this.#cameraMoved(camera);

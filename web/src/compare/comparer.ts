@@ -1,4 +1,4 @@
-/** Runs one scene after another, and tells how far they are. */
+/** Runs one scene after another and reports progress. */
 import type { WorkerLike } from '../worker/client';
 import type { FrameData } from '../worker/protocol';
 import { RunSolver } from './run_solver';
@@ -6,8 +6,8 @@ import { newRun } from './run';
 import type { Comparison, Run, RunPlan } from './run';
 import { messageOf } from '../failure';
 
-/** Each scene is first run for so long, again and again if it is fast, and that is thrown away: engines compile what they
- *  run, and the first one would pay for all. */
+/** Milliseconds of warm-up for each scene, repeated if it is fast, whose results are discarded: engines compile code as it
+ *  runs, and the first run would pay for all. */
 const WARM_UP_MS = 400;
 
 export class Comparer {
@@ -16,13 +16,13 @@ export class Comparer {
   #solver: RunSolver | null = null;
   #comparison: Comparison | null = null;
 
-  /** `changed` is called often; what it is given goes on changing. */
+  /** `changed` is called often, with an object that is changed in place. */
   constructor(spawn: () => WorkerLike, changed: (comparison: Comparison) => void) {
     this.#spawn = spawn;
     this.#changed = changed;
   }
 
-  /** Ends the comparison before, if it still runs. Never fails: a run that does says so. */
+  /** Ends the previous comparison, if it still runs. Never rejects: a run that fails has a fault. */
   async start(plans: readonly RunPlan[]): Promise<void> {
     this.cancel();
     const comparison: Comparison = { runs: plans.map(newRun), running: true };

@@ -1,4 +1,4 @@
-/** A comparison as tables for other programs: numbers whole, one header line, comma separated. */
+/** A comparison as tables for other programs: numbers in full precision, one header line, comma separated. */
 import type { TraceRow } from '../../../wasm/chebnet';
 import type { SolverOptions } from '../document/document';
 import type { Comparison, Run } from './run';

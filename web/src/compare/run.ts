@@ -4,23 +4,23 @@ import type { HandleSeed, NetSource, SolverSettings } from '../document/document
 import type { FrameData, Measures } from '../worker/protocol';
 import type { RunScene } from './run_solver';
 
-/** Settings to run the edit with that is open. */
+/** Settings for a run of the present edit. */
 export interface RunRequest extends SolverSettings {
   label: string;
   /** Another edit in its place, from rest. */
   edit?: { net: NetSource; handles: HandleSeed[] };
 }
 
-/** A run before it is made. */
+/** A run to be made. */
 export interface RunPlan {
-  /** What it is called in curves and table. */
+  /** Its name in curves and table. */
   readonly label: string;
   /** Which of the styles of curves it takes. */
   readonly style: number;
   readonly scene: RunScene;
   /** dL below which it has converged. */
   readonly threshold: number;
-  /** Its net is the one that is open, which it can stand in for. */
+  /** Its net is the open one, so that its result can be shown in the view. */
   readonly isOfOpenNet: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** A worker of its own for comparing: it solves one scene after another while the user's worker is free for their hands. */
+/** A worker for comparisons: it solves one scene after another while the user's own worker stays free for edits. */
 import type { Scene } from '../document/document';
 import { words } from '../language/language';
 import type { WorkerLike } from '../worker/client';
@@ -53,7 +53,7 @@ export class RunSolver {
     });
   }
 
-  /** At once, in the middle of whatever it does; what is waited for fails. Of no use afterwards. */
+  /** Terminates the worker at once; pending promises reject. Not usable afterwards. */
   dispose(): void {
     this.#worker.terminate();
     this.#reject(new Failure('cancelled', words.comparison.wasCancelled));

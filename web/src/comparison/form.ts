@@ -1,4 +1,4 @@
-/** Chooses what to compare and sets it going. */
+/** A form to choose methods and start a comparison. */
 import type { MethodInfo } from '../../../wasm/chebnet';
 import type { ComparisonRequest, StartingPoint } from '../compare/run';
 import type { ChebnetDocument } from '../document/document';
@@ -22,9 +22,9 @@ export class ComparisonForm implements Panel {
   readonly #start: HTMLSelectElement;
   readonly #run: HTMLButtonElement;
   #proposed: readonly string[] | undefined;
-  readonly #compare: (wish: ComparisonRequest) => void;
+  readonly #compare: (request: ComparisonRequest) => void;
 
-  constructor(compare: (wish: ComparisonRequest) => void) {
+  constructor(compare: (request: ComparisonRequest) => void) {
     this.#compare = compare;
     this.#run = makeButton(words.comparison.compare, () => this.#submit());
     const start = makeSelect(words.comparison.startFrom, STARTS, () => {});

@@ -45,7 +45,7 @@ export async function savePicture(
 
 type Key = CurveStyle & { title: string; x: number; y: number };
 
-/** Keys in columns, as many as fit. */
+/** The legend of curves, in as many columns as fit. */
 function placeKeys(
   curves: readonly (CurveStyle & { title: string })[],
   width: number,

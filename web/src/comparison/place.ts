@@ -1,4 +1,4 @@
-/** The place of a comparison's results, which come when they are first wanted. */
+/** Placeholder for the results of a comparison, which are loaded on demand. */
 import type { Comparison, Run } from '../compare/run';
 import { lazy } from '../lazy';
 import type { ComparisonResults } from './results';
@@ -8,14 +8,14 @@ import type { Panel, PanelEvents } from '../panels';
 const loadResults = lazy(() => import('./results'));
 
 export class ComparisonPlace implements Panel {
-  /** Until then. */
+  /** Replaced when they are loaded. */
   readonly element = make('section', { hidden: true });
   #results: ComparisonResults | null = null;
   #comparison: Comparison | null = null;
   readonly #events: PanelEvents;
   readonly #failed: (error: unknown) => void;
 
-  /** @param failed is told why they did not come. */
+  /** @param failed is called if they cannot be loaded. */
   constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
     this.#failed = failed;

@@ -8,14 +8,14 @@ import { make } from '../elements/dom';
 import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange } from '../elements/plot_parts';
 
 const HEIGHT = 172;
-/** Of a circle, in pixels. */
+/** Radius of a circle, in pixels. */
 const RADIUS = 4;
 
-/** What lines are made of, in pixels: drawn, left out. */
+/** Dash patterns in pixels: drawn, left out. */
 export const DASHES = { solid: [], dashed: [6, 3], dotted: [2, 3] } as const;
 export type LineStyle = keyof typeof DASHES;
 
-/** How the curve of a run looks. Dashes help where colours are hard to tell apart. */
+/** Style of a run's curve. Dashes help where colours are hard to tell apart. */
 export interface CurveStyle {
   /** Name of the colour in the style sheet. */
   colour: string;
@@ -41,7 +41,7 @@ export class ComparisonPlot {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());
   }
 
-  /** What has been drawn; null as long as there is nothing. */
+  /** The canvas of the plot; null before it is drawn. */
   get canvas(): HTMLCanvasElement | null {
     return this.#plot?.ctx.canvas ?? null;
   }
@@ -106,7 +106,7 @@ export class ComparisonPlot {
     };
   }
 
-  /** Of the method, if something else came before it. */
+  /** A circle where the method begins, after an initialisation. */
   #drawBeginning({ ctx, valToPos }: uPlot, run: Run): void {
     const [x, y] = this.#curve(run).map((values) => values[startLength(run)]);
     if (startLength(run) === 0 || x == null || y == null) return;

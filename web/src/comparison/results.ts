@@ -10,7 +10,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import type { PanelEvents } from '../panels';
 import './results.css';
 
-/** Numbers that change more often cannot be read. */
+/** Interval between updates, in milliseconds: faster numbers cannot be read. */
 const REFRESH_MS = 120;
 /** Colours for curves in the style sheet; every five styles the line is another. */
 const CURVE_COLOURS = 10;

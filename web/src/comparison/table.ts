@@ -1,4 +1,4 @@
-/** The numbers of a comparison, one line a run. A click on a line asks for its net. */
+/** The numbers of a comparison, one line a run. A click on a line shows its net. */
 import { canShow, type Run } from '../compare/run';
 import { words } from '../language/language';
 import type { CurveStyle } from './plot';
@@ -24,7 +24,7 @@ const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined
 
 interface TableEvents {
   show(run: Run): void;
-  /** Or no longer, if it is there. */
+  /** Toggles. */
   showBeside(run: Run): void;
 }
 
@@ -102,7 +102,7 @@ export class ComparisonTable {
   }
 }
 
-/** How a run of a comparison stands, short enough for a table. */
+/** The status of a run, short enough for a table. */
 function runWords({ state, frame, fault }: Run): string {
   if (state === 'ended') return frame ? words.comparison.status[frame.status] : '';
   return fault === null ? words.comparison.state[state] : words.core.sentence(fault);

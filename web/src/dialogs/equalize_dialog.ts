@@ -1,4 +1,4 @@
-/** A net being equalised: the wish at the side, the net in a picture of its own, which afterwards goes to and fro between
+/** A net being equalised: options at the side, the net in a view of its own; afterwards a slider blends between
  *  before and after. Escape or Cancel ends it at any time. */
 import { between, meanLength, stillFrame } from '../equalize/before_after';
 import type { Shape } from '../equalize/before_after';

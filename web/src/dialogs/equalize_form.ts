@@ -16,7 +16,7 @@ export class EqualizeForm {
   readonly #hold = makeSwitch('', () => this.#holdChanged());
   readonly #changed: () => void;
 
-  /** @param changed is told of every change of the wish. */
+  /** @param changed is called after every change of the options. */
   constructor(mean: number, handleCount: number, changed: () => void) {
     this.#changed = changed;
     this.#number = make('input', {

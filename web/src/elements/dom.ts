@@ -1,9 +1,9 @@
-/** A few words for building native elements; all that the panels need instead of a framework. */
+/** Helpers that build native elements; all that the panels need instead of a framework. */
 import './elements.css';
 
 type Attributes = Record<string, string | number | boolean>;
 
-/** An element with attributes (a boolean one is there or not) and children. */
+/** An element with attributes (a boolean one is present or absent) and children. */
 export function make<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
@@ -53,12 +53,12 @@ export function makeSwitch(
   return { row: make('label', { class: 'row' }, make('span', {}, label), box), box };
 }
 
-/** Writes only what is new: the document is left in peace otherwise. */
+/** Sets the text only if it differs, which spares layout and screen readers. */
 export function setText(node: Node, text: string): void {
   if (node.textContent !== text) node.textContent = text;
 }
 
-/** Leaves a field alone in which someone is typing. */
+/** Sets the value of a field, unless it has the focus: the user may be typing there. */
 export function setValue(field: HTMLInputElement | HTMLSelectElement, value: string): void {
   if (document.activeElement !== field && field.value !== value) field.value = value;
 }

@@ -10,7 +10,7 @@ export interface MenuItem {
   hint: string;
   choose(): void;
   disabled?: boolean;
-  /** How it is to be done: controls at the end of the line. */
+  /** Controls at the end of the line: settings of the command. */
   beside?: readonly HTMLElement[];
 }
 
@@ -43,11 +43,11 @@ export class Menu {
     );
     this.menu = make('div', { class: 'menu', id, popover: 'auto', role: 'group', 'aria-label': title });
     this.setContent(content);
-    // Whoever opens the menu by key goes on from its first entry. While the page loads it is no place for the focus: in the
-    // frame of another site a browser would complain.
+    // Opened by key, the menu has the focus on its first entry. Set only then: while a page in a frame of another site
+    // loads, browsers complain of autofocus.
     this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true));
     this.menu.addEventListener('toggle', () => this.#place());
-    // Escape is for the menu alone.
+    // Escape closes the menu and does nothing else.
     this.menu.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') event.stopPropagation();
     });
@@ -73,7 +73,7 @@ export class Menu {
     return make('div', { class: 'line' }, item, ...beside);
   }
 
-  /** Below the button, or above it where there is more room; in sight in any case. */
+  /** Below the button, or above it where there is more room; always within the window. */
   #place(): void {
     const { left, top, bottom } = this.button.getBoundingClientRect();
     const { offsetWidth, offsetHeight } = this.menu;

@@ -1,17 +1,17 @@
 /** What plots of convergence have in common: axes of decades, the threshold, colours of the page. */
 import type uPlot from 'uplot';
 
-/** The library comes when there is something to plot: the first net is shown without it. */
+/** Loads the library when there is something to plot: the first net is shown without it. */
 export async function loadPlots(): Promise<typeof uPlot> {
   return (await import('./uplot')).default;
 }
 
-/** A colour of the style sheet, as it is at this moment: it follows dark and light. */
+/** The current value of a colour of the style sheet, which follows dark and light. */
 export function plotColour(element: Element, name: string): string {
   return getComputedStyle(element).getPropertyValue(name).trim();
 }
 
-/** x plain, y in decades. */
+/** Axes: x linear, y in decades. */
 export function plotAxes(element: Element): uPlot.Axis[] {
   const stroke = () => plotColour(element, '--muted');
   const grid = { stroke: () => plotColour(element, '--line'), width: 1 };
@@ -31,13 +31,13 @@ export function plotAxes(element: Element): uPlot.Axis[] {
   ];
 }
 
-/** A few iterations do not stretch over the whole width. */
+/** Range of the x axis: few iterations do not stretch over the whole width. */
 export function roomyRange(low: number | null, high: number | null): [number, number] {
   const from = low ?? 0;
   return [from, Math.max(high ?? 0, from + 10)];
 }
 
-/** Always shows the threshold; empty, the decades a solve usually goes through. */
+/** Range of the y axis, which includes the threshold; without data, the decades a solve usually goes through. */
 export function decadeRange(low: number | null, high: number | null, threshold: number): [number, number] {
   const goal = Math.log10(threshold);
   return [Math.floor(Math.min(low ?? goal, goal) - 1), Math.ceil(Math.max(high ?? -1, goal + 2))];

@@ -16,13 +16,13 @@ export interface Edit {
 }
 
 export interface Variant extends Partial<SolverSettings> {
-  /** By which checks ask for it. */
+  /** Key by which checks find it. */
   name: string;
   label: Text;
   method: string;
   /** By name, in place of the figure's. */
   edit?: string;
-  /** Of our own, not in the paper. */
+  /** One of our own methods, not in the paper. */
   ours?: true;
 }
 
@@ -71,7 +71,7 @@ export function settingsOf({ method, initialisation = 'naive', options = {} }: V
   return { method, initialisation, options };
 }
 
-/** Whether an edit is one of this net. */
+/** Whether an edit is of this net. */
 export function isOfNet(edit: string, net: NetSource): boolean {
   const own = EDITS[edit]?.net;
   if (own === undefined) return false;

@@ -1,5 +1,5 @@
 /** Experiments as links: `#experiment=NAME`, with `&edit=N` and `&variant=N` for others than the first, counted from 0. They
- *  open unsolved, so that whoever looks can watch the solve. */
+ *  open unsolved, so that the solve can be watched. */
 import { DEFAULT_VIEW } from '../document/defaults';
 import type { Scene } from '../document/document';
 import { editScene } from './edits';
@@ -43,7 +43,7 @@ function numberIn(query: URLSearchParams, name: string): number {
   return Number(query.get(name) ?? 0);
 }
 
-/** Where the variant stands now that a link means; those of an older version have moved. */
+/** The present index of a link's variant: those of older versions have moved. */
 function placeOf(figure: Figure, name: string, variant: number): number {
   return name === figure.name ? variant : (figure.was?.[name]?.[variant] ?? NaN);
 }

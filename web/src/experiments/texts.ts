@@ -1,4 +1,4 @@
-/** What the page says of experiments, in the visitor's language. It comes with them, apart from all its other words. */
+/** Texts about experiments in the visitor's language, loaded with them, apart from all other texts. */
 import { experiments as en } from '../language/en/experiments';
 import { language } from '../language/language';
 import { experiments as zh } from '../language/zh/experiments';

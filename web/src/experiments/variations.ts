@@ -10,10 +10,10 @@ export function variationsOf(figure: Figure, { net }: ChebnetDocument): Promise<
   const usual = figure.variants.some(({ edit }) => edit !== undefined && isOfNet(edit, net))
     ? figure.edits[0]
     : undefined;
-  const wishOf = async (variant: Variant): Promise<RunRequest> => {
+  const requestOf = async (variant: Variant): Promise<RunRequest> => {
     const edit = variant.edit ?? usual;
     const isOpen = edit === undefined || isOfNet(edit, net);
     return { label: textOf(variant.label), ...settingsOf(variant), ...(isOpen ? {} : { edit: await editScene(edit) }) };
   };
-  return Promise.all(figure.variants.map(wishOf));
+  return Promise.all(figure.variants.map(requestOf));
 }

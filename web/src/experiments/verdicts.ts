@@ -10,13 +10,13 @@ export interface Finding {
   /** True in so many of the edits asked. */
   held: number;
   asked: number;
-  /** Of the first edit: by the place of a variant, unless it is of all; null where there is no such number. */
+  /** Numbers of the first edit, by index of the variant or one for all; null where there is no such number. */
   values: { variant?: number; value: number | null; unit: Unit }[];
 }
 
 const VERDICTS = file as unknown as { [figure: string]: { claims: Finding[] } | undefined };
 
-/** Of a figure's claim by its place; undefined: it was not measured. */
+/** The verdict on a claim, by its index in the figure; undefined: it was not measured. */
 export function findingOf(figure: string, claim: number): Finding | undefined {
   return VERDICTS[figure]?.claims[claim];
 }

@@ -22,7 +22,7 @@ export interface Painted {
   /** Red, green, blue of each vertex as the screen takes them, 0…255. */
   colours: Uint8Array;
   ink: Rgb;
-  /** Up is y in glTF: where it is z here, the net is stood upright. */
+  /** In glTF y points up; a net with another up axis is rotated. */
   up: UpAxis;
   name: string;
 }
@@ -60,7 +60,7 @@ function named<T extends { name: string }>(name: string, object: T): T {
   return object;
 }
 
-/** As glTF wants colours. */
+/** Linear colours, as glTF demands. */
 function linear(colours: Uint8Array): Float32Array {
   const colour = new Color();
   const values = new Float32Array(colours.length);

@@ -7,5 +7,5 @@ export type ExportJob = ({ kind: 'glb' } & Painted) | ({ kind: '3dm' } & RhinoNe
 
 export type ExportAnswer =
   | { bytes: Uint8Array<ArrayBuffer> }
-  /** Something is broken. */
+  /** A fault. */
   | { message: string };

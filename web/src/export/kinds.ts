@@ -1,17 +1,17 @@
-/** As what a net leaves the page: in the formats of the core's table, and in some that the page makes itself. */
+/** Kinds of files to save a net as: the formats of the core's table, and some that the page makes itself. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 
 /** What is offered under one heading. */
 export type Purpose = 'meshes' | 'making' | 'pictures';
 
-/** The page's own, in the order in which people are shown them; those of meshes stand behind one of the core's. */
+/** The page's own, in the order of the menu; mesh formats follow the core's format named by `after`. */
 const OWN = [
-  { name: '3dm', mediaType: 'model/vnd.3dm', purpose: 'meshes', behind: 'obj' },
-  { name: 'glb', mediaType: 'model/gltf-binary', purpose: 'meshes', behind: 'stl' },
+  { name: '3dm', mediaType: 'model/vnd.3dm', purpose: 'meshes', after: 'obj' },
+  { name: 'glb', mediaType: 'model/gltf-binary', purpose: 'meshes', after: 'stl' },
   { name: 'svg', mediaType: 'image/svg+xml', purpose: 'making' },
   { name: 'csv', mediaType: 'text/csv', purpose: 'making' },
   { name: 'png', mediaType: 'image/png', purpose: 'pictures' },
-] as const satisfies readonly { name: string; mediaType: string; purpose: Purpose; behind?: string }[];
+] as const satisfies readonly { name: string; mediaType: string; purpose: Purpose; after?: string }[];
 
 /** Each has a hint in `words.save.hints`. */
 export type OwnKind = (typeof OWN)[number]['name'];
@@ -51,7 +51,7 @@ export function kindsFor(
   if (purpose !== 'meshes') return own.map(line);
   return formats.flatMap(({ name, title, sentence }) => [
     { kind: name, title, hint: sentence },
-    ...own.filter((each) => 'behind' in each && each.behind === name).map(line),
+    ...own.filter((each) => 'after' in each && each.after === name).map(line),
   ]);
 }
 

@@ -15,10 +15,10 @@ export interface Drawing {
   edgeMm: number;
 }
 
-/** Sizes as shares of an edge. */
+/** Sizes as fractions of an edge. */
 const MARGIN = 1;
 const MARK_RADIUS = 0.16;
-/** Of a name from its mark. */
+/** Distance of a name from its mark. */
 const SHIFT = 0.22;
 const LETTER = 0.45;
 const THIN = 0.02;
@@ -61,7 +61,7 @@ function stroke(vertices: Int32Array, drawing: Drawing): string {
   return `M${points.join('L')}`;
 }
 
-/** Where a line turns, and its ends. */
+/** Its ends, and the points where it turns. */
 function corners(vertices: Int32Array, { places }: FlatPattern): number[] {
   const isStraight = (a: number, b: number, c: number): boolean =>
     places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! &&
@@ -72,7 +72,7 @@ function corners(vertices: Int32Array, { places }: FlatPattern): number[] {
   });
 }
 
-/** On the drawing rows count downwards. */
+/** In SVG y points down. */
 function place(vertex: number, { pattern: { places, rows }, edgeMm }: Drawing): [string, string] {
   return [mm((MARGIN + places[2 * vertex]!) * edgeMm), mm((MARGIN + rows - places[2 * vertex + 1]!) * edgeMm)];
 }
@@ -102,7 +102,7 @@ function mm(length: number): string {
   return String(Number(length.toFixed(3)));
 }
 
-/** A name may hold anything; XML may not. */
+/** Escapes a name for XML. */
 function escaped(text: string): string {
   const entities: Record<string, string> = { '&': '&amp;', '<': '&lt;', '>': '&gt;' };
   return text.replace(/[&<>\p{Cc}]/gu, (sign) => entities[sign] ?? ' ');

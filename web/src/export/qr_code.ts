@@ -1,9 +1,9 @@
 /** A QR code as one path, a square of side 1 for each dark module. Loaded when it is asked for. */
 import { encode } from 'uqr';
 
-/** So many characters of a link the largest code holds. */
+/** Most characters of a link that fit into the largest code. */
 export const QR_CAPACITY = 2953;
-/** Light modules around the code, as its standard wants. */
+/** Width of the quiet zone around the code that the standard demands, in modules. */
 const QUIET_ZONE = 4;
 
 export interface QrCode {

@@ -1,15 +1,15 @@
-/** A film of the view, as the browser can make one. */
+/** Records the view as a video in a format that the browser supports. */
 import { words } from '../language/language';
 import type { Film } from '../view/view';
 import { Failure } from '../failure';
 
-/** A film runs no longer, in seconds. */
+/** Longest film, in seconds. */
 export const LONGEST = 60;
 
-/** The first that the browser can make. */
+/** In order of preference. */
 const TYPES = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'] as const;
 
-/** null: this browser makes no films. */
+/** The first type that this browser supports; null: none. */
 export function filmType(): string | null {
   if (typeof MediaRecorder === 'undefined' || !('captureStream' in HTMLCanvasElement.prototype)) return null;
   return TYPES.find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
@@ -19,13 +19,13 @@ export function filmExtension(type: string): 'webm' | 'mp4' {
   return type.startsWith('video/mp4') ? 'mp4' : 'webm';
 }
 
-/** Records until it is stopped or the film is as long as it may be. */
+/** Records until it is stopped or the longest duration is reached. */
 export class Recording {
   /** The film; rejected if it could not be made. */
   readonly done: Promise<Blob>;
   readonly #recorder: MediaRecorder;
 
-  /** @param passed is told every second how many have passed. */
+  /** @param passed is called every second with the seconds recorded. */
   constructor(film: Film, type: string, passed: (seconds: number) => void) {
     this.#recorder = new MediaRecorder(film.stream, { mimeType: type });
     const began = performance.now();

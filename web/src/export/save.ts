@@ -31,29 +31,29 @@ export interface SaveParts {
   spawnWorker(): Worker;
 }
 
-export async function save(wish: SaveRequest, parts: SaveParts): Promise<void> {
+export async function save(request: SaveRequest, parts: SaveParts): Promise<void> {
   const { opening } = parts.app;
   if (opening === null) return;
-  const content = await contentOf(wish, opening, parts);
+  const content = await contentOf(request, opening, parts);
   const { formats } = parts.app;
-  download(fileNameOf(opening.document.net, wish.kind, formats), content, typeOf(wish.kind, formats));
+  download(fileNameOf(opening.document.net, request.kind, formats), content, typeOf(request.kind, formats));
 }
 
 async function contentOf(
-  wish: SaveRequest,
+  request: SaveRequest,
   opening: Opening,
   { app, theme, spawnWorker }: SaveParts,
 ): Promise<BlobPart> {
-  switch (wish.kind) {
+  switch (request.kind) {
     case 'png':
-      return app.picture(wish.magnification);
+      return app.picture(request.magnification);
     case '3dm':
     case 'glb':
-      return made(jobOf(wish.kind, opening, theme(), app.formats), spawnWorker());
+      return made(jobOf(request.kind, opening, theme(), app.formats), spawnWorker());
     case 'svg':
-      return made(await drawing(app, wish, opening), spawnWorker());
+      return made(await drawing(app, request, opening), spawnWorker());
     default:
-      return app.exported(wish.kind);
+      return app.exported(request.kind);
   }
 }
 
@@ -90,7 +90,7 @@ function jobOf(
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 
-/** Away from the page, which goes on meanwhile. */
+/** Runs a job in a worker, so as not to block the page. */
 function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> {
   const answered = new Promise<ExportAnswer>((resolve) => {
     worker.onmessage = ({ data }: MessageEvent<ExportAnswer>) => resolve(data);

@@ -1,4 +1,4 @@
-/** False if the clipboard is closed to this page. */
+/** False if the browser denies access to the clipboard. */
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);

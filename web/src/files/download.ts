@@ -1,9 +1,9 @@
-/** Hands something to the browser as a file to be saved. */
+/** Has the browser save something as a file. */
 export function download(name: string, content: BlobPart, type: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([content], { type }));
   link.download = name;
   link.click();
-  // The browser has taken hold of the content by the next task.
+  // By the next task the browser has started the download.
   setTimeout(() => URL.revokeObjectURL(link.href));
 }

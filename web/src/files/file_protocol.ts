@@ -1,8 +1,8 @@
-/** What page and file worker say to each other; one request at a time. */
+/** Messages between page and file worker; one request at a time. */
 import type { OpenedNet } from '../worker/protocol';
 import type { FileReport } from './file_report';
 
-/** What is going on with a file, in this order. */
+/** Steps of reading a file, in this order. */
 export const READ_STEPS = ['loading', 'reading', 'checking', 'measuring'] as const;
 export type ReadStep = (typeof READ_STEPS)[number];
 

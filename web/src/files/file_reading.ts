@@ -20,8 +20,8 @@ interface Waiting {
 }
 
 /**
- * A file being read. It has a worker of its own, so that the net at hand goes on meanwhile, and giving up needs no more
- * than ending the worker.
+ * A file being read, in a worker of its own: the open net can be edited meanwhile, and to cancel is to terminate the
+ * worker.
  */
 export class FileReading {
   readonly #worker: FileWorkerLike;
@@ -56,7 +56,7 @@ export class FileReading {
     return response.net;
   }
 
-  /** At any time; what is waited for then never comes. */
+  /** At any time; pending promises then never settle. */
   close(): void {
     this.#worker.terminate();
   }

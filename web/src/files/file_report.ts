@@ -1,4 +1,4 @@
-/** What a user should know of a file before it is opened. */
+/** The report on a file that is shown before it is opened. */
 import type { Chebnet, Editor, Finding, Mesh, NetInfo } from '../../../wasm/chebnet';
 import { edgeLengths, spreadOf } from '../net/edge_lengths';
 import type { LengthSpread } from '../net/edge_lengths';
@@ -8,7 +8,7 @@ export interface FileReport
   /** Number of corners → how many faces. */
   facesByArity: Record<string, number>;
   lengths: LengthSpread;
-  /** The edges are as good as equal in length. */
+  /** All edges have the same length, up to rounding. */
   isChebyshev: boolean;
   /** What repair changes; the numbers above are those of the repaired mesh. Empty: it is sound as it is. */
   findings: Finding[];
@@ -63,7 +63,7 @@ function refusalOf(core: Chebnet, mesh: Mesh): FileReport['refusal'] {
   }
 }
 
-/** `look` at a mesh as at a net. Throws ChebnetError if it is none. */
+/** Calls `look` with an editor of the mesh. Throws ChebnetError if it is no net. */
 export function withEditor<T>(core: Chebnet, mesh: Mesh, look: (editor: Editor) => T): T {
   const editor = core.openMesh(mesh);
   try {

@@ -1,4 +1,4 @@
-/** What the file worker does, apart from being a worker: reads one file, has it looked at, gives it as text. */
+/** The file worker's part without the worker: reads one file, reports on it, and gives it as OBJ text or as a net. */
 import type { Chebnet, Mesh } from '../../../wasm/chebnet';
 import { describe } from '../worker/opened_net';
 import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
@@ -59,7 +59,7 @@ async function bytesOf(file: Blob, name: string): Promise<Uint8Array> {
   }
 }
 
-/** What is wrong with a mesh is said without the file it came from. */
+/** Errors about meshes do not name the file: adds its name. */
 function inFile<T>(name: string, doing: () => T): T {
   try {
     return doing();

@@ -1,7 +1,7 @@
-/** What a document keeps of a mesh. */
+/** The OBJ text that a document stores of a mesh. */
 import type { Mesh } from '../../../wasm/chebnet';
 
-/** OBJ text in as few digits as bring every coordinate back, for a link has to carry it; the core's writer spends 17. */
+/** OBJ text with the fewest digits that restore every coordinate, since links carry it; the core's writer always uses 17. */
 export function objText({ positions, faceStart, faceVertices }: Mesh): string {
   const lines: string[] = [];
   for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions.subarray(i, i + 3).join(' ')}`);

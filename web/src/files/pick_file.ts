@@ -1,6 +1,6 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
 
-/** Lets the user choose a file, a mesh or a project; null if they think better of it. */
+/** Lets the user choose a file, a mesh or a project; null if they cancel. */
 export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
   const input = document.createElement('input');
   input.type = 'file';
@@ -12,7 +12,7 @@ export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
   });
 }
 
-/** The extensions of what can be opened; anything while no format is known. */
+/** The extensions that can be opened; any file while no format is known. */
 export function acceptOf(formats: readonly FormatInfo[]): string {
   if (formats.length === 0) return '';
   const meshes = formats.filter(({ reads }) => reads).map(({ name }) => name);

@@ -1,16 +1,16 @@
-/** What panels and keys may ask of the handles, and what they are shown. */
+/** The contract between the handle editor and panels and keys: commands, and the state of the selection. */
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
 import type { Selection } from './selection';
 import type { Motion } from './transform';
 
-/** What the arrows at the selection do. */
+/** What the gizmo at the selection does. */
 export type GizmoMode = 'translate' | 'rotate' | 'scale';
 export const GIZMO_MODES: readonly GizmoMode[] = ['translate', 'rotate', 'scale'];
 
 /** A line of vertices through the leading handle: the boundary loop, or one of its net lines. */
 export type LineName = 'boundary' | number;
 
-/** What may be changed about a handle, apart from where it is. */
+/** Properties of a handle that can be changed, apart from its target. */
 export type HandleTraits = { [K in 'name' | 'hidden' | 'weight' | 'anchor']?: HandleData[K] | undefined };
 
 export interface Choice {
@@ -25,7 +25,7 @@ export interface Choice {
 
 export interface HandleCommands {
   select(selection: Selection): void;
-  /** Begins to select several, or ends it. */
+  /** Starts selecting several, or ends it. */
   toggleSelecting(): void;
   setMode(mode: GizmoMode): void;
   /** Makes a vertex a handle and selects it, and `also` others with it. */
@@ -40,9 +40,9 @@ export interface HandleCommands {
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** How far the net moves with what is dragged, in edge lengths; undefined: everywhere. */
   setLocality(locality: number | undefined): void;
-  /** Shows what would stay; undefined: no longer. */
+  /** Shades what such a locality would fix; undefined: no longer. */
   previewLocality(locality: number | undefined): void;
-  /** Whether a drag is held to where the net can follow. */
+  /** Whether a drag is kept to where the net can follow. */
   setKeepWithin(on: boolean): void;
   /** Whether a drag always shows how far it can go. */
   setShowReach(on: boolean): void;

@@ -1,32 +1,32 @@
-/** What holds a drag: how far from the handles in hand the net moves with them, and where the other handles let them go. */
+/** The limits of a drag: how far from the dragged handles the net moves with them, and where the other handles let them go. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { Client } from '../worker/client';
 import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from './reach';
 
-/** Where it is shown. */
+/** The part of the view that shows the limits. */
 export interface GuideView {
-  /** How freely each vertex moves, 0 … 1; null: all do. */
+  /** How freely each vertex moves, 0 … 1; null: all move freely. */
   setRegion(mobility: Float32Array | null): void;
-  /** Where the handle that leads the drag may go; null: that is not shown. */
+  /** Where the leading handle may go; null: not shown. */
   setReach(limits: readonly Limit[] | null): void;
 }
 
-/** More handles in hand than this are not held: by what limits each of them the page would be held up itself. */
-const MOST_HELD = 500;
+/** A drag of more handles than this is not limited: the limits of all of them would take too long. */
+const MOST_LIMITED = 500;
 
 export class DragGuide {
-  /** Whether a drag is held to where the net can follow. */
+  /** Whether a drag is kept to where the net can follow. */
   keepsWithin = true;
   /** Whether the reach is shown all the time, or only near its border. */
   alwaysShowsReach = false;
   readonly #client: Client;
   readonly #view: GuideView;
   #inHand: readonly InHand[] = [];
-  /** Of the translation of what is in hand. */
+  /** Limits of the translation of the dragged handles. */
   #limits: readonly Limit[] = [];
-  /** The solver holds a part of the net. */
+  /** Whether the solver was told a locality. */
   #local = false;
-  /** Answers to earlier questions are too late. */
+  /** Numbers of the latest requests: answers to earlier ones are ignored. */
   #drags = 0;
   #regions = 0;
 
@@ -42,7 +42,7 @@ export class DragGuide {
     await this.#client.setLocality(locality, vertices);
   }
 
-  /** As a hand begins to drag handles, the leading one first. The limits come a moment later. */
+  /** At the start of a drag. The leading handle comes first; the limits arrive a moment later. */
   async begin(inHand: readonly InHand[], locality: number | null): Promise<void> {
     this.#inHand = inHand;
     this.#limits = [];
@@ -50,14 +50,15 @@ export class DragGuide {
     await Promise.all([this.limit(vertices, locality), this.#findReach(vertices), this.showRegion(vertices, locality)]);
   }
 
-  /** Where the drag may go. Handles that are turned or scaled limit each other anew with every move: they are not held. */
+  /** The targets nearest to these within the limits. Rotations and scalings are not limited: their limits would change with
+   *  every move. */
   within(targets: readonly Handle[]): readonly Handle[] {
     if (this.#limits.length === 0) return targets;
-    const wish = translationTo(targets, this.#inHand);
-    const held = wish && nearestInAll(this.#limits, wish);
-    this.#showReach(held !== null && (this.alwaysShowsReach || isNearBorder(this.#limits, held)));
-    if (held === null || held === wish || !this.keepsWithin) return targets;
-    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, held) }));
+    const asked = translationTo(targets, this.#inHand);
+    const nearest = asked && nearestInAll(this.#limits, asked);
+    this.#showReach(nearest !== null && (this.alwaysShowsReach || isNearBorder(this.#limits, nearest)));
+    if (nearest === null || nearest === asked || !this.keepsWithin) return targets;
+    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, nearest) }));
   }
 
   end(): void {
@@ -67,7 +68,7 @@ export class DragGuide {
     this.hideRegion();
   }
 
-  /** Shades what would stay. */
+  /** Shades the vertices that the locality would fix. */
   async showRegion(origins: readonly number[], locality: number | null): Promise<void> {
     if (locality === null || origins.length === 0) return this.hideRegion();
     const question = ++this.#regions;
@@ -82,12 +83,12 @@ export class DragGuide {
 
   async #findReach(vertices: readonly number[]): Promise<void> {
     const drag = ++this.#drags;
-    if (vertices.length > MOST_HELD) return;
+    if (vertices.length > MOST_LIMITED) return;
     const reaches = await this.#client.reach(vertices);
     if (drag === this.#drags) this.#limits = limitsOf(this.#inHand, reaches);
   }
 
-  /** From where the leading handle stood. */
+  /** Limits are of translations; they are drawn about the start of the leading handle. */
   #showReach(shown: boolean): void {
     const [x, y, z] = this.#inHand[0]!.base;
     const place = ({ centre, ...limit }: Limit): Limit => ({

@@ -17,16 +17,16 @@ import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
 import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from './commands';
 
-/** What the app lends to it. */
+/** The part of the app that it uses. */
 export interface HandleHost {
   opening(): Opening | null;
   /** The state before a change; null: no net is open, or another one is about to be. */
   snapshot(): Snapshot | null;
   change(change: Partial<ChebnetDocument>): void;
-  /** Likewise, in the middle of a drag: is shown at once. */
+  /** Likewise, in the middle of a drag; shown at once. */
   drag(handles: HandleData[]): void;
   restore(state: Snapshot): void;
-  /** What is selected changed, or how. */
+  /** The selection changed, or its mode. */
   choiceChanged(): void;
   say(message: string): void;
   /** For what the user does: a failure is shown, not thrown. */
@@ -49,10 +49,10 @@ export class HandleEditor implements HandleCommands {
   #selection: Selection = [];
   #selecting = false;
   #mode: GizmoMode = 'translate';
-  /** What the history will call the drag under way; null until it moves something. */
+  /** The history's name for the drag under way; null until it moves something. */
   #dragName: ChangeName | null = null;
-  /** Where the hand of the drag under way is; null: there is none, or the solver was told again already. */
-  #wish: readonly Handle[] | null = null;
+  /** Targets of the drag under way, to be sent again if a new solver replaces a lost one; null: none, or sent again already. */
+  #pendingTargets: readonly Handle[] | null = null;
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
 
@@ -65,7 +65,7 @@ export class HandleEditor implements HandleCommands {
 
   // --------------------------------------------------------------------------------------------------------- choosing
 
-  /** What is chosen, and what can be done with it. */
+  /** The selection, and what can be done with it. */
   get choice(): Choice {
     this.#selection = within(this.#selection, this.#handles);
     const lines = this.#linesThroughLeading();
@@ -92,7 +92,7 @@ export class HandleEditor implements HandleCommands {
     this.#host.choiceChanged();
   }
 
-  /** Ends selecting several; if that is not going on, nothing is selected any more. */
+  /** Ends selecting several; without that, clears the selection. */
   escape(): void {
     if (this.#selecting) this.toggleSelecting();
     else this.select([]);
@@ -108,7 +108,7 @@ export class HandleEditor implements HandleCommands {
     this.#selection = [];
     this.#selecting = false;
     this.#mode = 'translate';
-    this.#wish = null;
+    this.#pendingTargets = null;
   }
 
   // --------------------------------------------------------------------------------------------------------- which ones
@@ -121,7 +121,7 @@ export class HandleEditor implements HandleCommands {
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
-      // A solver that comes in the place of one that was lost has them from the document.
+      // A solver that replaces a lost one takes them from the document.
       if (!this.#client.returning) {
         if (before) this.#host.change({ handles: [...before.handles] });
         throw error;
@@ -175,7 +175,7 @@ export class HandleEditor implements HandleCommands {
   change(vertices: Selection, traits: HandleTraits): void {
     const chosen = new Set(vertices);
     const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? { ...handle, ...traits } : handle));
-    // To the solver a lock, a name, or not to be seen are all one.
+    // The solver does not know names, locks and visibility.
     const name = traitsChange(traits, this.#titleOf(this.#handles.filter(({ vertex }) => chosen.has(vertex))));
     if ('weight' in traits) return this.#host.attempt(this.set(handles, name));
     this.#changeDocument({ handles }, name);
@@ -192,7 +192,7 @@ export class HandleEditor implements HandleCommands {
     this.#changeDocument({ locality }, name, 'locality');
   }
 
-  /** About the selection, or what is likely to be dragged. */
+  /** Previews the locality around the selection, or around the handle likely to be dragged. */
   previewLocality(locality: number | undefined): void {
     const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
     const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
@@ -239,7 +239,7 @@ export class HandleEditor implements HandleCommands {
   async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
     const before = this.#host.snapshot();
     const both = this.#onBothSides(targets);
-    // Asked for at once, in this order: what a caller asks for next comes after both.
+    // Both requests are sent now, in this order, so that a caller's next request comes after them.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
     await Promise.all([limited, this.#client.drag(both)]);
     if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
@@ -255,32 +255,32 @@ export class HandleEditor implements HandleCommands {
 
   drag(targets: readonly Handle[]): void {
     if (!this.#history.inGesture) return;
-    this.#wish = targets;
+    this.#pendingTargets = targets;
     this.#carry(targets);
   }
 
-  /** Another solver is in the place of one that was lost, and stands where that one last was. It is told once where the
-   *  hand is: that may be what the other broke of. */
+  /** A new solver has replaced a lost one, at its last positions. It is sent the targets of the drag once only: they may be
+   *  what broke the other. */
   resumeDrag(): void {
-    const targets = this.#wish;
+    const targets = this.#pendingTargets;
     if (targets === null) return;
-    this.#wish = null;
+    this.#pendingTargets = null;
     this.#host.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
     this.#carry(targets);
   }
 
   #carry(targets: readonly Handle[]): void {
-    const wished = this.#onBothSides(targets);
+    const mirrored = this.#onBothSides(targets);
     if (this.#dragName === null) this.#host.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
-    const both = this.#guide.within(wished);
+    const both = this.#guide.within(mirrored);
     this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
     this.#host.attempt(this.#client.drag(both));
   }
 
   endDrag(cancelled: boolean): void {
-    // What was let go while another solver was on its way, that one does not know yet.
-    if (cancelled || !this.#client.returning) this.#wish = null;
+    // A new solver on its way does not know yet where the handles were released.
+    if (cancelled || !this.#client.returning) this.#pendingTargets = null;
     const before = cancelled ? this.#history.cancelGesture() : null;
     if (before && this.#dragName !== null) this.#host.restore(before);
     this.#history.endGesture(this.#dragName);

@@ -1,5 +1,5 @@
-/** Where handles may be moved together. Each stays in balls round what is held, as wide as the net between them is long; all
- *  follow one translation, and so these balls are limits of the translation. */
+/** Where handles may be moved together. Each stays in balls around the other handles, whose radii are the distances along
+ *  the net; all follow one translation, so the balls are limits of that translation. */
 import type { Ball, Handle } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
 
@@ -12,7 +12,7 @@ export interface Limit {
   counts: Vec3;
 }
 
-/** A handle in hand. The translation t takes it to `base` + `follows`·t, axis by axis. */
+/** A dragged handle. The translation t takes it to `base` + `follows`·t, axis by axis. */
 export interface InHand {
   vertex: number;
   base: Vec3;
@@ -21,13 +21,13 @@ export interface InHand {
 }
 
 const MOST_ROUNDS = 1000;
-/** A round that moves the point by less than this part of a radius is the last. */
+/** Iterations end when one moves the point by less than this fraction of a radius. */
 const TOLERANCE = 1e-9;
-/** Of a radius: closer to a border than this is near it. */
+/** Distance from a border that counts as near, as a fraction of the radius. */
 const NEAR = 0.05;
-/** Of more limits than this, those count that are the nearest to where the handles stand. */
+/** Most limits used: those nearest to the handles. */
 const MOST_LIMITS = 1000;
-/** So far from where a translation takes them, in parts of it, handles are turned or scaled. */
+/** Relative distance from a common translation beyond which a motion counts as a rotation or scaling. */
 const TURNED = 1e-6;
 
 /** The limits of a translation of these handles. `reaches`: the balls of each. */
@@ -42,8 +42,8 @@ export function limitsOf(inHand: readonly InHand[], reaches: readonly (readonly 
   return withoutNeedless(limits);
 }
 
-/** The translations t with |apart + moves·t| ≤ radius. Those of `moves` that are not 0 differ in sign only. null: no translation
- *  does anything about it. */
+/** The translations t with |apart + moves·t| ≤ radius. Those of `moves` that are not 0 differ in sign only. null: it does not
+ *  depend on t. */
 function limitOf(apart: Vec3, moves: Vec3, radius: number): Limit | null {
   const rate = Math.max(...moves.map(Math.abs));
   const constant = Math.hypot(...apart.map((x, axis) => (moves[axis] === 0 ? x : 0)));
@@ -55,7 +55,7 @@ function limitOf(apart: Vec3, moves: Vec3, radius: number): Limit | null {
   };
 }
 
-/** The smallest first. One that holds all of a smaller one limits nothing. */
+/** The smallest first. A limit that contains a smaller one is redundant. */
 function withoutNeedless(limits: readonly Limit[]): Limit[] {
   const needed: Limit[] = [];
   for (const limit of nearest(limits).sort((a, b) => a.radius - b.radius)) {
@@ -73,16 +73,16 @@ function nearest(limits: readonly Limit[]): Limit[] {
     : [...limits];
 }
 
-/** The point nearest to `wish` within all limits. Here rather than in the core: the pointer's next place cannot wait for the
- *  worker. Few of many limits matter: those not kept are taken in one after another, the worst first. */
-export function nearestInAll(limits: readonly Limit[], wish: Vec3): Vec3 {
-  const heeded: Limit[] = [];
-  let point = wish;
+/** The point nearest to `asked` within all limits. Here rather than in the core: a pointer event cannot wait for the worker.
+ *  Few of many limits are active: violated ones are added one after another, the worst first. */
+export function nearestInAll(limits: readonly Limit[], asked: Vec3): Vec3 {
+  const active: Limit[] = [];
+  let point = asked;
   for (;;) {
     const worst = worstOf(limits, point);
-    if (worst === null || heeded.includes(worst)) return point;
-    heeded.push(worst);
-    point = project(heeded, wish);
+    if (worst === null || active.includes(worst)) return point;
+    active.push(worst);
+    point = project(active, asked);
   }
 }
 
@@ -98,8 +98,8 @@ function worstOf(limits: readonly Limit[], point: Vec3): Limit | null {
 
 /** By Dykstra's algorithm of alternating projections (Boyle & Dykstra 1986). Where the limits have hardly a point in common or
  *  none at all, it comes as close as many rounds bring it. */
-function project(limits: readonly Limit[], wish: Vec3): Vec3 {
-  let point = wish;
+function project(limits: readonly Limit[], asked: Vec3): Vec3 {
+  let point = asked;
   const corrections = limits.map((): Vec3 => [0, 0, 0]);
   for (let round = 0; round < MOST_ROUNDS; round++) {
     let moved = 0;

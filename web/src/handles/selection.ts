@@ -1,9 +1,9 @@
-/** The handles chosen to be worked on together, by vertex, in the order of choosing: the last one leads. */
+/** The selected handles, by vertex, in the order of selection: the last one leads. */
 import type { HandleData } from '../document/document';
 
 export type Selection = readonly number[];
 
-/** In or out of it. */
+/** Adds a vertex, or removes it. */
 export function toggled(selection: Selection, vertex: number): Selection {
   return selection.includes(vertex) ? selection.filter((each) => each !== vertex) : [...selection, vertex];
 }
@@ -12,7 +12,7 @@ export function united(selection: Selection, more: readonly number[]): Selection
   return [...new Set([...selection, ...more])];
 }
 
-/** What is left of it when these are the handles. */
+/** The selection without vertices that are no handles any more. */
 export function within(selection: Selection, handles: readonly HandleData[]): Selection {
   const present = new Set(handles.map(({ vertex }) => vertex));
   return selection.every((vertex) => present.has(vertex))
@@ -20,14 +20,14 @@ export function within(selection: Selection, handles: readonly HandleData[]): Se
     : selection.filter((vertex) => present.has(vertex));
 }
 
-/** Those of the selection that may be moved or removed, the leading one first. */
+/** The selected handles that may be moved or removed, the leading one first. */
 export function unlocked(selection: Selection, handles: readonly HandleData[]): HandleData[] {
   const byVertex = new Map(handles.map((handle) => [handle.vertex, handle]));
   const chosen = [...selection].reverse().flatMap((vertex) => byVertex.get(vertex) ?? []);
   return chosen.filter(({ anchor }) => !anchor);
 }
 
-/** All that can be seen. */
+/** All visible handles. */
 export function all(handles: readonly HandleData[]): Selection {
   return handles.filter(({ hidden }) => !hidden).map(({ vertex }) => vertex);
 }

@@ -6,7 +6,7 @@ export const AXES: readonly Axis[] = ['x', 'y', 'z'];
 
 export type Motion =
   | { kind: 'move'; by: Vec3 }
-  /** About the axis through the centre, anticlockwise for whom the axis points at. */
+  /** About the axis through the centre, counterclockwise seen against the axis. */
   | { kind: 'rotate'; axis: Axis; degrees: number }
   | { kind: 'scale'; factor: number };
 
@@ -15,7 +15,7 @@ export function centreOf(points: readonly Vec3[]): Vec3 {
   return [sum(0), sum(1), sum(2)];
 }
 
-/** Where each of the points goes. */
+/** The transformed points. */
 export function transformed(points: readonly Vec3[], motion: Motion): Vec3[] {
   const centre = centreOf(points);
   return points.map((point) => moved(point, centre, motion));

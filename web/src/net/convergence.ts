@@ -1,8 +1,8 @@
-/** What the plot shows: the solves of late. While a handle is dragged many short ones follow each other and the record rolls
- *  on; when that has come to rest, the last one is left. */
+/** What the plot shows: the latest solves. While a handle is dragged many short ones follow each other and the oldest are
+ *  dropped; once nothing more comes, only the last one is left. */
 import type { TraceRow } from '../../../wasm/chebnet';
 
-/** The record rolls on when it has more iterations than this. */
+/** With more iterations than this the oldest solves are dropped. */
 const LONGEST = 72;
 /** Below this, dL is rounding. */
 const SMALLEST = 1e-16;
@@ -14,13 +14,13 @@ export function decade(deviation: number): number | null {
 
 interface Solve {
   lastIteration: number;
-  /** Since the solve began. */
+  /** Milliseconds since the solve began. */
   milliseconds: number[];
   maxDeviations: number[];
   stages: number[];
 }
 
-/** The record along one axis. A null parts two solves. */
+/** The record over one axis. A null separates two solves. */
 export interface Curve {
   x: number[];
   /** log₁₀ of max dL. */
@@ -35,7 +35,7 @@ export class Convergence {
 
   add(rows: readonly TraceRow[]): void {
     for (const { iteration, stage, maxDeviation, totalMs } of rows) {
-      // What an initialisation does has numbers up to 0.
+      // Iterations of an initialisation are numbered up to 0.
       if (!(iteration > (this.#solves.at(-1)?.lastIteration ?? Infinity))) this.#beginSolve();
       const solve = this.#solves.at(-1)!;
       solve.lastIteration = iteration;

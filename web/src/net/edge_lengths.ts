@@ -1,4 +1,4 @@
-/** Lengths of edges where the vertices stand, and how they deviate. */
+/** Edge lengths at given positions, and their deviation. */
 
 /** @param edges 2 vertices an edge. */
 export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64Array {
@@ -18,7 +18,7 @@ export interface LengthSpread {
   smallest: number;
   mean: number;
   largest: number;
-  /** Of a length from the mean, as a fraction of the mean. */
+  /** Largest difference of a length from the mean, as a fraction of the mean. */
   largestDeviation: number;
 }
 

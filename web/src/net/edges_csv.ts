@@ -1,4 +1,4 @@
-/** The edges of a net as a table for other programs: numbers whole, vertices from 0, one header line. */
+/** The edges of a net as a table for other programs: numbers in full precision, vertices from 0, one header line. */
 import { edgeLengths } from './edge_lengths';
 
 interface Edges {

@@ -1,4 +1,4 @@
-/** Edges that are longer than they are to be: those that Li et al. 2022 draw pink and count as ρ (figure 8). */
+/** Edges longer than their rest length: those that Li et al. 2022 draw pink and count as ρ (figure 8). */
 
 export interface Edges {
   /** 2 vertices an edge. */
@@ -6,7 +6,7 @@ export interface Edges {
   restLengths: Float64Array;
 }
 
-/** What is longer by less, as a part of the length, is so by rounding: dL would be 1e-16. */
+/** Relative excess below which an edge counts as equal: it is rounding, dL would be 1e-16. */
 const ROUNDING = 1e-8;
 
 /** @param positions 3 numbers a vertex. */

@@ -1,4 +1,4 @@
-/** What the net can be saved as, and how. */
+/** The menu of file kinds to save the net as, with their settings. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { kindsFor } from '../export/kinds';
 import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
@@ -29,7 +29,7 @@ export class ExportMenu extends Menu {
     this.setFormats([]);
   }
 
-  /** @param formats the core's; before they are known, the page's own are there alone. */
+  /** @param formats the core's; until they are known, the menu has the page's own only. */
   setFormats(formats: readonly FormatInfo[]): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
       svg: [this.#edge, make('span', {}, 'mm')],
@@ -37,7 +37,7 @@ export class ExportMenu extends Menu {
     };
     const items = (purpose: Purpose): MenuItem[] =>
       kindsFor(purpose, formats, words.save.hints).map(({ kind, title, hint }) => {
-        return { title, hint, choose: () => this.#events.save(this.#wish(kind)), beside: beside[kind] };
+        return { title, hint, choose: () => this.#events.save(this.#request(kind)), beside: beside[kind] };
       });
     this.setContent([
       { title: words.save.meshes, items: items('meshes') },
@@ -46,7 +46,7 @@ export class ExportMenu extends Menu {
     ]);
   }
 
-  #wish(kind: FileKind): SaveRequest {
+  #request(kind: FileKind): SaveRequest {
     const { usual, smallest, largest } = EDGE_MM;
     this.#edge.valueAsNumber = Math.min(largest, Math.max(smallest, this.#edge.valueAsNumber || usual));
     return { kind, edgeMm: this.#edge.valueAsNumber, magnification: Number(this.#size.value) };

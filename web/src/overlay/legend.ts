@@ -23,7 +23,7 @@ export class Legend implements Panel {
   readonly element: HTMLElement;
   #view: Colouring = { field: 'deviation', colourMap: 'paper' };
   #scale: Scale | null = null;
-  /** Of the net that is open, and the one in the picture, which may be that of a run. */
+  /** The frame of the open net, and the one in the view, which may be that of a run. */
   #own: FrameData | null = null;
   #frame: FrameData | null = null;
   #net: OpenedNet | null = null;
@@ -102,7 +102,7 @@ export class Legend implements Panel {
   }
 }
 
-/** Where a value stands on the legend, which may show more than the map tells apart. */
+/** Position of a value on the legend, whose range may be wider than that of the map. */
 function legendPosition(scale: Scale, value: number): number {
   return positionOn({ ...scale, low: scale.shown[0], high: scale.shown[1] }, value);
 }

@@ -1,4 +1,4 @@
-/** The ends of the colour map by hand; the map's own again by one click. */
+/** Fields for the ends of the colour map, and a button back to the automatic ones. */
 import { type Ends, endText, type Scale } from '../fields/colour_map';
 import { areEnds, type ColourField, FIELDS } from '../fields/fields';
 import { words } from '../language/language';
@@ -15,7 +15,7 @@ export class MapEnds {
   #field: ColourField = FIELDS.deviation;
   readonly #choose: (ends: Ends | undefined) => void;
 
-  /** @param choose what the user wants; undefined: the map's own. */
+  /** @param choose is called with the ends entered; undefined: automatic. */
   constructor(choose: (ends: Ends | undefined) => void) {
     this.#choose = choose;
     this.#automatic = makeButton(words.legend.automatic, () => choose(undefined));

@@ -1,15 +1,15 @@
-/** Passing lines for the user, read out by screen readers. An error stays until it is dismissed. */
+/** Toasts, read out by screen readers. An error stays until it is dismissed. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import type { Action, Panel } from '../panels';
 import './messages.css';
 
 const INFO_MS = 6000;
-/** Whoever is offered something has to decide. */
+/** How long a message with a button stays: there is a decision to make. */
 const OFFER_MS = 20_000;
 
 export class Messages implements Panel {
-  // Both must be in the page before anything is said, or screen readers miss the first line.
+  // Both are in the page from the start: screen readers announce changes of what is there.
   readonly #infos = make('div', { role: 'status' });
   readonly #errors = make('div', { role: 'alert' });
   readonly element = make('div', { class: 'messages' }, this.#infos, this.#errors);
@@ -20,7 +20,7 @@ export class Messages implements Panel {
     else this.#sayInfo(message, action);
   }
 
-  /** A line that stays until the user accepts or dismisses it. */
+  /** A message that stays until the user accepts or dismisses it. */
   offer(message: string, button: string, accept: () => void): void {
     const line = make(
       'p',

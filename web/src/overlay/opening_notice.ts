@@ -1,11 +1,11 @@
-/** Says over the picture that another net is on its way, and gives it up. */
+/** A notice over the view that another net is being opened, with a button to cancel. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import type { Panel } from '../panels';
 import './messages.css';
 
 export class OpeningNotice implements Panel {
-  // In the page before anything is said, or screen readers miss it.
+  // In the page from the start: screen readers announce changes of what is there.
   readonly element = make('div', { class: 'opening-notice', role: 'status' });
   readonly #cancel: HTMLButtonElement;
   readonly #line: HTMLElement;

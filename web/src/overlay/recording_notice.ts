@@ -1,4 +1,4 @@
-/** Says over the picture that it is being recorded, and for how long. */
+/** A notice over the view that it is being recorded, and for how long. */
 import { LONGEST } from '../export/recording';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';

@@ -1,4 +1,4 @@
-/** Says over the picture that the net in it is not one's own, and leads back. */
+/** A notice over the view that it shows the net of a run, with a button back to the user's own. */
 import type { Run } from '../compare/run';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
@@ -6,7 +6,7 @@ import type { Panel, PanelEvents } from '../panels';
 import './messages.css';
 
 export class RunNotice implements Panel {
-  // In the page before anything is said, or screen readers miss it.
+  // In the page from the start: screen readers announce changes of what is there.
   readonly element = make('div', { class: 'run-notice', role: 'status' });
   readonly #words = make('span');
   readonly #line: HTMLElement;

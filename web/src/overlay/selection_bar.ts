@@ -1,4 +1,4 @@
-/** What is wanted often of the selected handles, over the picture while there are any. */
+/** Frequent commands for the selected handles, over the view while there are any. */
 import type { HandleData } from '../document/document';
 import { type Choice, GIZMO_MODES, type GizmoMode, type LineName } from '../handles/commands';
 import { unlocked } from '../handles/selection';
@@ -8,7 +8,7 @@ import { ICONS } from '../elements/icons';
 import type { Panel, PanelEvents } from '../panels';
 import './toolbar.css';
 
-/** At singular vertices more lines than this begin; so many are offered. */
+/** Most net lines offered: at a singular vertex more may begin. */
 const MOST_LINES = 6;
 
 export class SelectionBar implements Panel {
@@ -89,7 +89,7 @@ export class SelectionBar implements Panel {
     this.#events.handles.change(this.#vertices, { anchor: !allLocked });
   }
 
-  /** Shows what it would take while a pointer or the keyboard rests on it. */
+  /** Previews the vertices it would select while it is hovered or has the focus. */
   #lineButton(name: LineName, icon: string, label: string, hint: string): HTMLButtonElement {
     const button = tool(icon, label, hint, () => {
       this.#events.previewLine(null);

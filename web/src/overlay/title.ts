@@ -1,4 +1,4 @@
-/** The name of the page, and below it what a hand can do with the net of the moment. */
+/** The name of the page, and below it a hint what can be done with the net. */
 import type { HandleData } from '../document/document';
 import { make, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
@@ -11,7 +11,7 @@ export class Title implements Panel {
   readonly #toClick = make('p', { hidden: true }, words.intro.click);
   readonly #toSelect = make('p', { class: 'to-select', role: 'status' });
 
-  /** @param note stands below. */
+  /** @param note is placed below. */
   constructor(note: HTMLElement) {
     const name = make('h1', {}, 'chebnet');
     this.element = make('header', { class: 'title' }, name, this.#toDrag, this.#toClick, this.#toSelect, note);

@@ -1,4 +1,4 @@
-/** What is wanted often, over the picture: the project, undo, selecting, the whole net in sight, the link, the files. */
+/** Frequent commands, over the view: project, undo, selecting several, showing the whole net, sharing, saving. */
 import type { HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { Choice } from '../handles/commands';
@@ -22,7 +22,7 @@ const ICONS = {
 
 export class Toolbar implements Panel {
   readonly element: HTMLElement;
-  /** Belong outside the toolbar. */
+  /** To be placed outside the toolbar element. */
   readonly menus: HTMLElement[];
   readonly #exports: ExportMenu;
   readonly #undo: HTMLButtonElement;

@@ -1,4 +1,4 @@
-/** Keeps the document in the browser, soon after each change, while nothing is under way. */
+/** Stores the document in the browser soon after each change, unless a drag or a solve is under way. */
 import type { App } from '../app/app';
 import type { ViewState } from '../document/document';
 import { type Project, writeProject } from '../document/project';
@@ -6,17 +6,17 @@ import { Measure } from '../document/undo';
 import { keep, newId } from './kept';
 
 const PAUSE_MS = 400;
-/** Bytes of nets and positions beyond those of the present state: as much of the history is kept. Writing takes some
+/** Bytes of nets and positions of the history that are stored beside the present state: so many are written in some
  *  milliseconds. */
 const LARGEST_HISTORY = 8e6;
 
 export class Autosave {
   #id = newId();
-  /** What is kept is of this revision of the history, and of this view. */
+  /** The revision of the history and the view that were stored last. */
   #revision = -1;
   #view: ViewState | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** Of what was kept last. */
+  /** The write under way, or the last one. */
   #writing = Promise.resolve();
   #refused = false;
   readonly #app: App;
@@ -41,12 +41,12 @@ export class Autosave {
     return this.#id;
   }
 
-  /** The browser has refused to keep the present net. */
+  /** The browser has refused to store the present net. */
   get refused(): boolean {
     return this.#refused;
   }
 
-  /** The present net is kept under `id` from now on; if it is not `worth` it yet, once something was done to it. */
+  /** Stores the present net under `id` from now on; unless it is `worth` it already, only after the next change. */
   begin(id: string, worth: boolean): void {
     this.#id = id;
     this.#revision = worth ? -1 : this.#app.history.revision;
@@ -54,14 +54,14 @@ export class Autosave {
     this.#soon();
   }
 
-  /** Keeps the present net at once, unless it is kept as it is, or something is under way: then it is kept after that. */
+  /** Stores the present net at once, unless nothing changed, or something is under way: then it is stored after that. */
   async save(): Promise<void> {
     if (!this.#keeps || !this.#app.isQuiet) return;
     clearTimeout(this.#timer);
     await this.#keep();
   }
 
-  /** Also while something is under way: the page may be about to go. */
+  /** Also while something is under way: the page may be about to close. */
   async #keep(): Promise<void> {
     const { revision } = this.#app.history;
     const project = this.#app.project();
@@ -82,7 +82,7 @@ export class Autosave {
       this.#refused = false;
     } catch {
       this.#refused = true;
-      // To be tried again at the next occasion.
+      // So that the next occasion tries again.
       this.#revision = -1;
       this.#failed();
     }

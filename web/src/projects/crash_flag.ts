@@ -1,12 +1,12 @@
-/** Says what is being opened by itself, a link or a kept project, until it has settled. A flag that is still there when
- *  the page starts means that the page died of it. */
+/** Names what is being opened without a question, a link or a kept project, until it has settled. A flag that is still set
+ *  when the page starts means that opening it crashed the page. */
 const KEY = 'chebnet.opening';
 
 export function setCrashFlag(what: string): void {
   try {
     localStorage.setItem(KEY, what);
   } catch {
-    // Storage is switched off: then nothing is kept that could open by itself.
+    // Storage is disabled: then nothing is kept that could open by itself.
   }
 }
 

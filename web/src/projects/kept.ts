@@ -1,7 +1,7 @@
 /** Projects kept in this browser, the newest few. Each tab has one of its own, and every write is whole. */
 import { createStore, delMany, get, set, update } from 'idb-keyval';
 
-/** Reading is checked by whoever reads: what is kept may be of another version of the page. */
+/** A stored project. Not validated here: it may be of another version of the page; readProject() checks it. */
 export interface KeptProject {
   id: string;
   project: unknown;
@@ -10,7 +10,7 @@ export interface KeptProject {
 const MOST = 6;
 /** Holds the ids, newest first. */
 const INDEX = 'index';
-/** In the tab's own storage, which outlives a reload. */
+/** Key in sessionStorage, which belongs to the tab and survives a reload. */
 const TAB = 'chebnet.tab';
 
 const store = createStore('chebnet', 'projects');
@@ -22,7 +22,7 @@ export function newId(): string {
   return id;
 }
 
-/** False: another tab has it, of which this one is a duplicate. The browser takes the claims of a tab back when it ends. */
+/** Locks an id for this tab. False: another tab holds it, of which this one is a duplicate. The lock ends with the tab. */
 export function claim(id: string): Promise<boolean> {
   const { locks } = navigator;
   if (locks === undefined) return Promise.resolve(true);
@@ -35,13 +35,13 @@ export function claim(id: string): Promise<boolean> {
   });
 }
 
-/** That of this tab before the reload, else the newest; undefined: there is none. */
+/** This tab's project from before the reload, else the newest; undefined: there is none. */
 export async function findLast(): Promise<KeptProject | undefined> {
   const own = sessionStorage.getItem(TAB);
   return (own === null ? undefined : await read(own)) ?? findNewest(null);
 }
 
-/** Whether it is this tab that kept it. */
+/** Whether this tab stored it. */
 export function isOwn(id: string): boolean {
   try {
     return sessionStorage.getItem(TAB) === id;
@@ -50,7 +50,7 @@ export function isOwn(id: string): boolean {
   }
 }
 
-/** The newest but for one. */
+/** The second newest. */
 export async function findNewest(except: string | null): Promise<KeptProject | undefined> {
   const ids = (await get<string[]>(INDEX, store)) ?? [];
   const newest = ids.find((id) => id !== except);

@@ -1,4 +1,4 @@
-/** The net as a link, and a link as a net. Comes when there is a link to make or to read. */
+/** The scene as a link, and back. Loaded when there is a link to make or to read. */
 import type { App } from '../app/app';
 import type { Scene } from '../document/document';
 import { decodeScene, encodeScene } from '../document/share';

@@ -1,4 +1,4 @@
 import { lazy } from '../lazy';
 
-/** For reading links and making them. */
+/** The code that reads and makes links, loaded on demand. */
 export const linking = lazy(() => import('./link'));

@@ -16,7 +16,7 @@ import { Failure, messageOf } from '../failure';
 export class Projects {
   readonly #app: App;
   readonly #autosave: Autosave;
-  /** Sought while the solver loads. */
+  /** Looked up while the solver loads. */
   readonly #last: Promise<KeptProject | undefined>;
   #saidNotKept = false;
   /** The revision of the history at which the worker was lost; null: it was not, or not by this document. */
@@ -33,7 +33,7 @@ export class Projects {
 
   // ------------------------------------------------------------------------------------------------------------ the start
 
-  /** Opens what the address asks for, else what was kept, else the first net. What cannot be opened is said to be so. */
+  /** Opens what the address asks for, else what was kept, else the first net. If something cannot be opened the user is told. */
   async start(): Promise<void> {
     const hash = location.hash.length > 1 ? location.hash : null;
     let after = (): void => {};
@@ -48,7 +48,7 @@ export class Projects {
     after();
   }
 
-  /** These return what there is to say once a net is open. */
+  /** These return the message to show once a net is open. */
   async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
     const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
     if (hasCrashFlag(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
@@ -91,8 +91,8 @@ export class Projects {
     this.#app.say(words.projects.lastRestored);
   }
 
-  /** Loads the page again. What was done to the net comes back, rather than the link it came from; where the browser keeps
-   *  nothing, a link of its own carries the net over. */
+  /** Reloads the page with the edited net rather than with the link it came from; where the browser stores nothing, a new
+   *  link carries the net over. */
   async reload(): Promise<void> {
     await this.#autosave.save();
     if (this.#autosave.refused)
@@ -142,7 +142,7 @@ export class Projects {
     if (isFirst) this.#autosave.begin(newId(), false);
   }
 
-  /** At the start of a tab of its own there is nothing new to keep; in place of another net there is. */
+  /** Opened at the start of the tab the project is kept already; opened later it is kept anew. */
   async #restore({ id, project }: KeptProject): Promise<void> {
     const isFirst = this.#app.opening === null;
     const goesOn = isFirst && isOwn(id) && (await claim(id));
@@ -150,9 +150,9 @@ export class Projects {
     this.#autosave.begin(goesOn ? id : newId(), !isFirst);
   }
 
-  // ------------------------------------------------------------------------------------------------------------- misfortunes
+  // ---------------------------------------------------------------------------------------------------------------- failures
 
-  /** Flagged until it has settled. One that was refused in good order will be so again: no need to ask the user first. */
+  /** Sets the crash flag until the net has settled. An orderly refusal clears it: the next start may try again. */
   async #openFlagged(what: string, open: () => Promise<void>): Promise<void> {
     setCrashFlag(what);
     try {
@@ -169,7 +169,7 @@ export class Projects {
     setCrashFlag(location.hash.length > 1 ? location.hash : this.#autosave.id);
   }
 
-  /** It has gone on well since. */
+  /** Clears the crash flag if the document was changed since the worker was lost. */
   #forgetLoss(): void {
     if (this.#lostAt === null || this.#lostAt === this.#app.history.revision) return;
     this.#lostAt = null;

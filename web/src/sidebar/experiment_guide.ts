@@ -103,7 +103,7 @@ export class ExperimentGuide {
   }
 
   #runAll(figure: Figure): void {
-    variationsOf(figure, this.#document!).then((wishes) => this.#events.runAll(wishes), this.#failed);
+    variationsOf(figure, this.#document!).then((requests) => this.#events.runAll(requests), this.#failed);
   }
 }
 

@@ -36,9 +36,9 @@ export function createSections({ events, say, failed, fold }: SidebarServices, e
     new SolverPanel(events),
     new HistoryPanel((index) => events.goTo(index)),
     experiments,
-    new ComparisonForm((wish) => {
+    new ComparisonForm((request) => {
       fold();
-      events.compare(wish);
+      events.compare(request);
     }),
   ];
 }

@@ -30,7 +30,7 @@ export interface ClientHost {
   gaveUp(why: Failure): void;
 }
 
-/** Whether somebody wanted it to fail. */
+/** Whether it failed because it was cancelled. */
 export function isCancelled(error: unknown): boolean {
   return codeOf(error) === 'cancelled';
 }
@@ -52,7 +52,7 @@ interface Waiting {
 }
 
 interface PendingDrag {
-  /** The newest of each vertex. */
+  /** The latest target of each vertex. */
   targets: Map<number, Vec3>;
   taken(): void;
   refused(error: unknown): void;
@@ -64,7 +64,7 @@ export class Client {
   readonly #host: ClientHost;
   readonly #patience: number;
   #worker: WorkerLike | null = null;
-  /** The worker has done something already: if it is lost, another may do better. */
+  /** The worker has answered something already: if it is lost, it is worth starting another. */
   #proven = false;
   #lastId = 0;
   readonly #waiting = new Map<number, Waiting>();
@@ -74,7 +74,7 @@ export class Client {
   /** The last request answered that touched the net, and the last of which the news says that it is settled. */
   #touched = 0;
   #settled = 0;
-  /** News of requests before this one is of the past. */
+  /** News of requests before this one is outdated. */
   #barrier = 0;
   /** The worker has a net. */
   #hasNet = false;
@@ -95,7 +95,7 @@ export class Client {
     return this.#waiting.size > 0 || this.#pendingDrag !== null || this.solving;
   }
 
-  /** Whether the net is yet to become what it was asked to be; other questions may wait meanwhile. */
+  /** Whether requests that change the net are unanswered, or it is being solved; queries do not count. */
   get changing(): boolean {
     const touching = [...this.#waiting.values()].some(({ type }) => touchesNet(type));
     return touching || this.#pendingDrag !== null || this.solving;
@@ -129,8 +129,8 @@ export class Client {
     return { net, frame };
   }
 
-  /** Gives up nets that are still on their way; the one opened before stays. In the middle of an opening a worker does not
-   *  listen: it is ended, and another takes its place. */
+  /** Cancels openings; the net opened before stays. A worker cannot be interrupted while it opens a net: it is terminated
+   *  and replaced. */
   cancelOpening(): void {
     if (![...this.#waiting.values()].some(({ type }) => type === 'open')) return;
     const why = new Failure('cancelled', words.solver.openingCancelled);
@@ -164,7 +164,7 @@ export class Client {
     return this.#tell({ type: 'options', settings });
   }
 
-  /** Puts the net that is open to a state of before. */
+  /** Puts the open net into an earlier state. */
   restore(scene: Omit<OpenScene, 'net'>): Promise<void> {
     return this.#tell({ type: 'restore', scene });
   }
@@ -209,7 +209,7 @@ export class Client {
 
   // -------------------------------------------------------------------------------------------------------- requests
 
-  /** For requests that are done or fail. A drag that waits goes first: the order of the user's hands is kept. */
+  /** For requests without a result. A waiting drag is sent first, which keeps the order of the user's actions. */
   async #tell(body: Body): Promise<void> {
     this.#sendDrag();
     await this.#ask(body, 'done');
@@ -266,7 +266,7 @@ export class Client {
     if (response.type === 'error') {
       const why = new Failure(response.code, words.core.failure(response.code, response.message));
       if (waiting === undefined) return this.#host.gaveUp(why);
-      // What failed changed nothing, so the news of what went on before still counts.
+      // A failed request changed nothing, so news of those before is still valid.
       if (this.#barrier === response.id) this.#barrier = 0;
       waiting.reject(why);
     } else if (waiting !== undefined) {
@@ -296,13 +296,13 @@ export class Client {
     return worker;
   }
 
-  /** Starts counting the silence anew, as long as there is something to wait for. */
+  /** Restarts the timeout, if there is anything to wait for. */
   #watch(): void {
     clearTimeout(this.#silence);
     if (this.busy) this.#silence = setTimeout(() => this.#lose(words.solver.silent), this.#patience);
   }
 
-  /** The net is not solved on: that may be what broke the worker. */
+  /** The net is not solved any further: that may be what broke the worker. */
   #lose(reason: string): void {
     const why = new Failure('worker_lost', reason);
     const [hadNet, hopeful] = [this.#hasNet, this.#proven];
@@ -331,14 +331,14 @@ export class Client {
       this.#returning = null;
       this.#host.restarted(why, isBack);
     };
-    // If this is given up too, it begins anew.
+    // If this worker is terminated, too, the next begins anew.
     this.open({ ...document, ...back }).then(
       () => end(true),
       (error: unknown) => isCancelled(error) || end(false),
     );
   }
 
-  /** Nobody waits any longer if there is nothing to wait for. */
+  /** Resolves idle() if nothing is pending. */
   #rest(): void {
     this.#watch();
     if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();

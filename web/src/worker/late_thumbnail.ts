@@ -1,16 +1,16 @@
 /** Pictures of shapes that the core for a first net leaves out. */
 import type { ThumbnailNet } from './thumbnail_net';
 
-const SIGNS_OF_A_HAND = ['pointermove', 'pointerdown', 'keydown', 'wheel'];
+const FIRST_INPUTS = ['pointermove', 'pointerdown', 'keydown', 'wheel'];
 
-/** From when this module is wanted on. */
-const handSeen = new Promise<unknown>((resolve) => {
-  for (const sign of SIGNS_OF_A_HAND) addEventListener(sign, resolve, { passive: true, once: true });
+/** From the time when this module is loaded. */
+const inputSeen = new Promise<unknown>((resolve) => {
+  for (const input of FIRST_INPUTS) addEventListener(input, resolve, { passive: true, once: true });
 });
 
-/** Nothing is fetched for them before the visitor does something: what is seen first comes first. */
+/** Waits for the first input of the visitor: the first net has priority over downloads for thumbnails. */
 export async function lateThumbnail(recipe: string): Promise<ThumbnailNet> {
-  await handSeen;
+  await inputSeen;
   const worker = new Worker(new URL('./thumbnail_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise((resolve, reject) => {

@@ -1,14 +1,14 @@
 /**
- * How a page learns that a worker is no more. Browsers end workers without a word, when memory runs short for one. A worker
- * therefore holds a lock with its own name as long as it lives: whoever else gets that lock knows that it does not. Where
- * there are no locks (a page that is no secure context, a sandboxed frame) only its silence tells.
+ * How a page learns that a worker has died. Browsers end workers without an event, e.g. when memory runs short. A worker
+ * therefore holds a Web Lock with its own name: when the page obtains that lock, the worker is gone. Without locks (in an
+ * insecure context or a sandboxed frame) only a timeout tells.
  */
 
 export function newName(): string {
   return `chebnet ${Date.now()} ${Math.random()}`;
 }
 
-/** In the worker: resolves once its lock is held, or cannot be. It is to say nothing before. */
+/** In the worker: resolves once its lock is held, or cannot be. It must not post before. */
 export function holdOwnLock(): Promise<void> {
   const { locks } = navigator;
   if (locks === undefined) return Promise.resolve();
@@ -21,7 +21,7 @@ export function holdOwnLock(): Promise<void> {
   });
 }
 
-/** In the page: `ended` is called when the worker of that name, which is to have said something, is no more. */
+/** In the page: calls `ended` when the worker of that name, which has posted already, is gone. */
 export function whenEnded(worker: Worker, name: string, ended: () => void): void {
   const watch = (): void => void navigator.locks?.request(name, ended).catch(() => {});
   worker.addEventListener('message', watch, { once: true });

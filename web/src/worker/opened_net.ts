@@ -1,4 +1,4 @@
-/** A net as the page wants to have it. */
+/** An editor's net as plain data for the page. */
 import type { Editor } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import type { OpenedNet } from './protocol';
@@ -10,7 +10,7 @@ export function describe(editor: Editor): OpenedNet {
   return {
     info,
     numbering: numberingOf(editor),
-    // Copies, made here: what the page gets is moved there, for to read it out of the message would hold the page up.
+    // Copies, since these arrays are transferred to the page: cloning them from the message would block it.
     edges: edges.slice(),
     faceStart: faceStart.slice(),
     faceVertices: faceVertices.slice(),

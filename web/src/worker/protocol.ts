@@ -15,7 +15,7 @@ import type { Tables } from '../net/tables';
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
 export const PROTOCOL_VERSION = 10;
 
-/** As what the solver's worker writes the net: a name from the core's table of formats, or `csv`, its edges with their lengths. */
+/** File formats that the solver's worker writes: a name from the core's table of formats, or `csv`, its edges with their lengths. */
 export type ExportFormat = string;
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */
@@ -30,7 +30,7 @@ export type Request = { id: number } & (
   /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;
    *  null: everything. */
   | { type: 'locality'; radius: number | null; origins: number[] }
-  /** Begins no solve; one under way goes on with them. */
+  /** Starts no solve; one under way goes on with them. */
   | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */
   | { type: 'solve' }
@@ -40,12 +40,12 @@ export type Request = { id: number } & (
   | { type: 'cancel' }
   /** Back to the rest positions, handles too. */
   | { type: 'reset' }
-  /** Put the net that is open to a state of before, e.g. by undo. Unless `settled`, solve on from there. */
+  /** Put the open net into an earlier state, e.g. for undo. Unless `settled`, solve on from there. */
   | { type: 'restore'; scene: Omit<Scene, 'view' | 'net'> }
-  /** The page has taken the last frame; until it says so, no other is sent. Has no answer. */
+  /** The page has received the last frame; the next is sent only after that. Has no answer. */
   | { type: 'seen' }
   | { type: 'export'; format: ExportFormat }
-  /** What is too dear to come with every frame. */
+  /** Measures that are too expensive for every frame. */
   | { type: 'measure' }
   /** Where each of these handles may be moved; see Editor.reach(). */
   | { type: 'reach'; vertices: number[] }

@@ -11,11 +11,11 @@ import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
 import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
 
-/** Milliseconds of solving between two looks at the messages; one iteration is the least. */
+/** Milliseconds of solving between two checks for messages; at least one iteration. */
 const SLICE = 12;
 /**
- * Milliseconds that a solve has before its first frame is sent or the next target interrupts it. A net that is solved in
- * this time is only ever shown solved, while the hand still sees it move at once.
+ * Milliseconds that a solve has before its first frame is sent or the next target interrupts it. A net that is solved
+ * within this time is only ever shown solved, and still seems to follow at once.
  */
 const SHARE = 32;
 
@@ -41,7 +41,7 @@ export interface SessionHost {
 export class Session {
   #core: Editors;
   readonly #host: SessionHost;
-  /** They wait for the whole core; null: it is not on its way. */
+  /** Requests that wait for the whole core; null: it is not being loaded. */
   #late: Request[] | null = null;
   #editor: Editor | null = null;
   /** Where the editor's net is from. */
@@ -52,7 +52,7 @@ export class Session {
   #sliceWaits = false;
   /** When the present solve began, or sent its last frame. */
   #shareStart = 0;
-  /** Targets that wait until the present solve has had its share. */
+  /** Targets that wait until the present solve has had its milliseconds. */
   #nextDrag: Drag | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
@@ -286,7 +286,7 @@ export class Session {
 
   #solveFailed(error: unknown): void {
     const code = codeOf(error, CRASHED);
-    // Hard problems end with a status; what else throws is broken.
+    // Hard problems end with a status; an exception is a fault.
     if (code !== TOO_LARGE)
       return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
     this.#assess();
@@ -324,7 +324,7 @@ export class Session {
     this.#unsentRows = [];
   }
 
-  /** How the net stands when it was put there rather than solved. */
+  /** The status of a net whose positions were set rather than solved. */
   #assess(): void {
     const editor = this.#net();
     const converged = largest(editor.fields().deviation) < Number(editor.options().threshold);
@@ -380,7 +380,7 @@ export class Session {
   }
 }
 
-/** Only a trap of the module comes without a code; see wasm/chebnet.d.ts. */
+/** Only traps of the module have no code; see wasm/chebnet.d.ts. */
 function openNet(core: Editors, net: OpenScene['net']): Editor {
   return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
 }
@@ -397,7 +397,7 @@ function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
   return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
 }
 
-/** The state that a scene wants the editor's net to be in. */
+/** The editor's state for a scene. */
 function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
   const { method, initialisation, options, positions } = scene;
   const rest = editor.restPositions;
@@ -405,7 +405,7 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
     scene.handles === 'suggested'
       ? Array.from(editor.suggestedHandles, (vertex) => ({ vertex, target: null }))
       : scene.handles;
-  // A vertex that is out of range gets a target all the same: the core says what is wrong with it.
+  // A vertex that is out of range gets a target, too: the core then refuses it with its message.
   const at = (vertex: number): [number, number, number] => [
     rest[3 * vertex] ?? 0,
     rest[3 * vertex + 1] ?? 0,
@@ -420,13 +420,13 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
   return { method, initialisation, options, handles: targetsOf(handles), locality: null, positions: stands ?? rest };
 }
 
-/** What of a message is moved to the page rather than copied. */
+/** The buffers of a message that are transferred rather than copied. */
 function buffersOf(message: OpenedNet | FrameData): Transferable[] {
   const values: unknown[] = [...Object.values(message), ...('fields' in message ? Object.values(message.fields) : [])];
   return values.flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }
 
-/** Of numbers that are not below 0; what is not a number shows. */
+/** The largest of numbers ≥ 0, or NaN if there is one. */
 function largest(numbers: Float32Array): number {
   let largest = 0;
   for (let i = 0; i < numbers.length; i++) largest = Math.max(largest, numbers[i]!);

@@ -5,7 +5,7 @@ export interface ThumbnailNet {
   positions: Float32Array;
 }
 
-/** The net of a recipe, as a picture in the gallery wants it. */
+/** The net of a recipe, reduced to what a picture in the gallery needs. */
 export function thumbnailOf(core: Editors, recipe: string): ThumbnailNet {
   const editor = core.openRecipe(recipe);
   const { edges, restPositions } = editor;

@@ -1,4 +1,4 @@
-/** Triangles that the page draws, three vertices each: made here, where it holds nobody up. */
+/** Triangles that the page draws, three vertices each; computed in the worker so as not to block the page. */
 
 /** Fans from the first vertex of each face. */
 export function fanTriangles(faceStart: Int32Array, faceVertices: Int32Array): Uint32Array<ArrayBuffer> {

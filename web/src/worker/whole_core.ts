@@ -1,4 +1,4 @@
-/** Comes when a net wants more than its first core has. */
+/** Loads the whole core, when a request needs more than the core for a first net has. */
 import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
 import { loadChebnet } from '../../../wasm/chebnet.js';
 import type { Chebnet } from '../../../wasm/chebnet';

@@ -18,7 +18,7 @@ function post(response: Response, transfer: Transferable[]): void {
   self.postMessage(response, { transfer });
 }
 
-// A message to oneself comes after those that wait already; a timer would be slowed down to 4 ms.
+// A message to itself is queued behind those that wait already; a timer would be clamped to 4 ms.
 const channel = new MessageChannel();
 let tasks: (() => void)[] = [];
 channel.port1.onmessage = () => {
@@ -40,7 +40,7 @@ self.onmessage = ({ data }: MessageEvent<Request>) => {
 function start(core: Editors): void {
   session = new Session(core, { post, soon, now: () => performance.now(), wholeCore });
   for (const request of queue.splice(0)) session.handle(request);
-  // After the first net is shown: a hand takes longer than this to find a handle.
+  // After the first net is shown; it is over before a user finds a handle.
   setTimeout(() => warmUp(core), WARM_UP_DELAY);
 }
 
