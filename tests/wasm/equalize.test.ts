@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, test } from 'vitest';
 import type { EqualizeOptions, EqualizeReport, Mesh } from '../../wasm/chebnet';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
-import { objText } from '../../web/src/files/obj_text';
+import { objText } from '../../web/src/document/obj_text';
 import { ROOT, failure, largestDistance, load } from './load';
 
 const PROGRAM = fileURLToPath(new URL('build/native/chebnet', ROOT));

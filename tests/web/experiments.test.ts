@@ -5,7 +5,7 @@ import { editScene } from '../../web/src/experiments/edits';
 import { EDITS, FIGURES, findFigure, type Text } from '../../web/src/experiments/figures';
 import { experimentLink, experimentScene, isExperimentLink } from '../../web/src/experiments/links';
 import { variationsOf } from '../../web/src/experiments/variations';
-import type { ChebnetDocument, Scene } from '../../web/src/document/document';
+import type { Scene } from '../../web/src/document/document';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
 import { Session } from '../../web/src/worker/session';
 import { load } from '../wasm/load';
@@ -162,15 +162,9 @@ describe('a link', () => {
 });
 
 describe('all variants', () => {
-  const documentOf = async (link: string): Promise<ChebnetDocument> => ({
-    ...(await experimentScene(link)),
-    handles: [],
-    positions: null,
-  });
-
   test('run on the edit that is open', async () => {
     const figure = findFigure('starts')!;
-    const wishes = await variationsOf(figure, await documentOf(experimentLink('starts', 2, 1)));
+    const wishes = await variationsOf(figure, await experimentScene(experimentLink('starts', 2, 1)));
     expect(wishes.map(({ initialisation, edit }) => [initialisation, edit])).toEqual([
       ['naive', undefined],
       ['arap:5', undefined],
@@ -183,7 +177,7 @@ describe('all variants', () => {
     async (open) => {
       const figure = findFigure('resolutions')!;
       const names = figure.variants.map(({ edit }) => edit ?? figure.edits[0]!);
-      const wishes = await variationsOf(figure, await documentOf(experimentLink('resolutions', 0, open)));
+      const wishes = await variationsOf(figure, await experimentScene(experimentLink('resolutions', 0, open)));
       expect(wishes.map(({ edit }) => edit)).toEqual(
         await Promise.all(names.map((name, i) => (i === open ? undefined : editScene(name)))),
       );

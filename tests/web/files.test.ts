@@ -1,5 +1,6 @@
 /** Files on their way in and out, without a page. */
 import { describe, expect, test } from 'vitest';
+import type { Mesh } from '../../wasm/chebnet';
 import type { NetSource } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
 import { edgesCsv } from '../../web/src/net/edges_csv';
@@ -12,7 +13,7 @@ import type { FileReport } from '../../web/src/files/file_report';
 import { FileSession } from '../../web/src/files/file_session';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
 import type { EqualizerLike, FileChoice, FileDialogLike } from '../../web/src/dialogs/file_opener';
-import { objText } from '../../web/src/files/obj_text';
+import { objText } from '../../web/src/document/obj_text';
 import { acceptOf } from '../../web/src/files/pick_file';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
@@ -20,6 +21,7 @@ import { faceWords, lengthWords, percentWords, singularWords } from '../../web/s
 import { load } from '../wasm/load';
 
 const core = await load();
+const meshOf = (text: string): Mesh => core.readMesh(new TextEncoder().encode(text), 'net.obj');
 
 const SQUARES = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n';
 const OBLONG = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
@@ -42,13 +44,10 @@ describe('lengths', () => {
 });
 
 test('the text of a mesh brings every coordinate back, in few digits', () => {
-  const mesh = core.readMesh(
-    new TextEncoder().encode('v 0.1 -2.5e-30 1e22\nv 1 0.3333333333333333 0\nv 0 1 0\nf 3 1 2\n'),
-    'net.obj',
-  );
+  const mesh = meshOf('v 0.1 -2.5e-30 1e22\nv 1 0.3333333333333333 0\nv 0 1 0\nf 3 1 2\n');
   const text = objText(mesh);
   expect(text.split('\n')[0]).toBe('v 0.1 -2.5e-30 1e+22');
-  expect(core.readMesh(new TextEncoder().encode(text), 'net.obj')).toEqual(mesh);
+  expect(meshOf(text)).toEqual(mesh);
 });
 
 test('a file to be saved is named after what was opened', () => {
@@ -160,7 +159,7 @@ const AS_IT_IS: FileChoice = { repaired: false, restLengths: 'automatic' };
 /** Opens files one after the other; `answer` is what the user does. */
 function makeOpener(
   answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS),
-  equalized: (subject: Subject, closed: Promise<null>) => Promise<string | null> = () => Promise.resolve(null),
+  equalized: (subject: Subject, closed: Promise<null>) => Promise<Mesh | null> = () => Promise.resolve(null),
 ) {
   const [workers, dialogs, opened]: [LocalWorker[], FakeDialog[], NetSource[]] = [[], [], []];
   const createEqualizer = (subject: Subject): EqualizerLike => {
@@ -201,7 +200,7 @@ describe('a file', () => {
       findings: [],
       refusal: null,
     });
-    expect(opened).toEqual([{ obj: SQUARES, name: 'net.obj', restLengths: 'automatic' }]);
+    expect(opened).toEqual([{ mesh: meshOf(SQUARES), name: 'net.obj', restLengths: 'automatic' }]);
     expect(workers[0]?.terminated).toBe(true);
     expect(dialogs[0]?.isClosed).toBe(true);
   });
@@ -221,14 +220,14 @@ describe('a file', () => {
     ];
     const { open, opened } = makeOpener(
       () => Promise.resolve(answers.shift()!),
-      (subject) => Promise.resolve(subjects.push(subject) === 1 ? null : SQUARES),
+      (subject) => Promise.resolve(subjects.push(subject) === 1 ? null : meshOf(SQUARES)),
     );
     await open(OBLONG);
     expect(subjects.map(({ name, net, handles }) => [name, net.info.edges, handles])).toEqual([
       ['net.obj', 4, []],
       ['net.obj', 4, []],
     ]);
-    expect(opened).toEqual([{ obj: SQUARES, name: 'net.obj' }]);
+    expect(opened).toEqual([{ mesh: meshOf(SQUARES), name: 'net.obj' }]);
   });
 
   test('whose dialog is closed is not equalised any more', async () => {
@@ -253,14 +252,14 @@ describe('a file', () => {
     ]);
     expect(refusal?.message).toMatch(/vertex|edge/);
     expect(vertices).toBe(6);
-    expect(opened).toMatchObject([{ obj: SQUARES }]);
+    expect(opened).toMatchObject([{ mesh: meshOf(SQUARES) }]);
   });
 
   test('with a flaw the core puts up with may stay as it is', async () => {
     const { open, opened, dialogs } = makeOpener();
     await open(TURNED_FACE);
     expect(dialogs[0]?.report).toMatchObject({ findings: [{ defect: 'inconsistent_winding' }], refusal: null });
-    expect(opened).toMatchObject([{ obj: TURNED_FACE }]);
+    expect(opened).toMatchObject([{ mesh: meshOf(TURNED_FACE) }]);
   });
 
   test.each([

@@ -1,7 +1,9 @@
 /** Golden files: what a page of some day made, and beside each, as JSON, the document that it must open into. */
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { ROOT } from '../wasm/load';
-import type { ChebnetDocument } from '../../web/src/document/document';
+import { netAsText } from '../../web/src/document/codec';
+import type { ChebnetDocument, NetSource } from '../../web/src/document/document';
+import type { Project } from '../../web/src/document/project';
 
 /** Whether what is missing is to be made; see golden.test.ts. */
 export const isMaking = process.env['CHEBNET_GOLDEN'] === 'make';
@@ -10,7 +12,7 @@ const GOLDEN = new URL('tests/data/golden/', ROOT);
 
 export interface ExpectedLink {
   /** As it stood on the page that made the link; without positions in the link, as it opens. */
-  document: ChebnetDocument & { positions: Float64Array };
+  document: WithText<ChebnetDocument> & { positions: Float64Array };
   /** dL of each edge once the link is open. */
   deviations: number[];
 }
@@ -62,6 +64,17 @@ function read(file: string): string {
 
 // ------------------------------------------------------------------------------------------------------- what is expected
 
+/** Nets of files are written as text there. */
+export type WithText<T> = Omit<T, 'net'> & { net: ReturnType<typeof netAsText> };
+
+export function withText<T extends { net: NetSource }>(document: T): WithText<T> {
+  return { ...document, net: netAsText(document.net) };
+}
+
+export function projectWithText({ entries, ...rest }: Project): Project {
+  return { ...rest, entries: entries.map(({ name, state }) => ({ name, state: withText(state) })) };
+}
+
 /** Positions as the numbers they are, all bits of them: JSON has no −0, so this one is a text. */
 function format(value: unknown): string {
   const replace = (_key: string, each: unknown): unknown =>
@@ -78,14 +91,18 @@ function parse(text: string): unknown {
 
 // ---------------------------------------------------------------------------------------------------- what a browser keeps
 
-/** A record of IndexedDB, which has arrays of floats, and fields that are there without a value. */
+/** A record of IndexedDB, which has arrays of numbers, and fields that are there without a value. */
 export function keptText(record: object): string {
   const replace = (_key: string, each: unknown): unknown => {
-    if (each instanceof Float64Array)
-      return { float64: Buffer.from(each.buffer, each.byteOffset, each.byteLength).toString('base64') };
+    if (each instanceof Float64Array) return { float64: base64Of(each) };
+    if (each instanceof Int32Array) return { int32: base64Of(each) };
     return each === undefined ? { undefined: true } : each;
   };
   return JSON.stringify(record, replace);
+}
+
+function base64Of({ buffer, byteOffset, byteLength }: Float64Array | Int32Array): string {
+  return Buffer.from(buffer, byteOffset, byteLength).toString('base64');
 }
 
 export function keptRecord(text: string): unknown {
@@ -95,7 +112,12 @@ export function keptRecord(text: string): unknown {
 function restored(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value;
   if ('undefined' in value) return undefined;
-  if ('float64' in value) return new Float64Array(new Uint8Array(Buffer.from(String(value.float64), 'base64')).buffer);
+  if ('float64' in value) return new Float64Array(bytesOf(value.float64));
+  if ('int32' in value) return new Int32Array(bytesOf(value.int32));
   if (Array.isArray(value)) return value.map(restored);
   return Object.fromEntries(Object.entries(value).map(([name, each]) => [name, restored(each)]));
+}
+
+function bytesOf(base64: unknown): ArrayBuffer {
+  return new Uint8Array(Buffer.from(String(base64), 'base64')).buffer;
 }

@@ -6,9 +6,9 @@ import { projectText, writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { freshScene } from '../../web/src/document/defaults';
-import { isMade, keptText, writeGolden } from './golden_files';
+import { isMade, keptText, projectWithText, withText, writeGolden } from './golden_files';
 import type { ExpectedLink } from './golden_files';
-import { CHANGES, goldenLinks, SMALL } from './golden_scenes';
+import { CHANGES, goldenLinks, pulled, SMALL } from './golden_scenes';
 import type { GoldenLink } from './golden_scenes';
 import { openPage } from './page_without_pictures';
 import type { Page } from './page_without_pictures';
@@ -22,9 +22,10 @@ export async function makeGoldens(core: Chebnet, folder: string): Promise<void> 
   for (const [title, make] of Object.entries(projects(core))) {
     const name = `${folder}/${title}`;
     if (isMade(name, 'chebnet.json')) continue;
-    const expected = await make(core);
-    writeGolden({ name, text: projectText(expected), expected }, 'chebnet.json');
-    writeGolden({ name, text: keptText(writeProject(expected, Infinity)), expected }, 'kept.json');
+    const project = await make(core);
+    const expected = projectWithText(project);
+    writeGolden({ name, text: projectText(project), expected }, 'chebnet.json');
+    writeGolden({ name, text: keptText(writeProject(project, Infinity)), expected }, 'kept.json');
   }
 }
 
@@ -44,7 +45,7 @@ async function makeLink(
   await page.app.openScene(scene);
   if (!unsolved) await page.solve();
   if (drag) await dragLast(page, drag);
-  const { document } = page.app.toShare()!;
+  const document = withText(page.app.toShare()!.document);
   const shared = hashOf(page.app, largest);
   if (shared.hash === null) throw new Error('too large for a link');
   const opened = await openPage(core);
@@ -72,7 +73,7 @@ async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Pro
 
 /** A change, a method or an option more is a file more. */
 function projects(core: Chebnet): Record<string, (core: Chebnet) => Promise<Project>> {
-  return { lesson, [`${names().length}-changes`]: changes, [`${allSettings(core).length}-settings`]: settings };
+  return { lesson, file, [`${names().length}-changes`]: changes, [`${allSettings(core).length}-settings`]: settings };
 }
 
 /** Of two nets, with two changes undone. */
@@ -97,6 +98,15 @@ async function lesson(core: Chebnet): Promise<Project> {
   app.undo();
   await page.solve();
   return app.project()!;
+}
+
+/** Of a net that came from a file. */
+async function file(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  await page.app.openScene(pulled({ ...SMALL, restLengths: 'equal' }, 8, [2, 2, 0.5]).scene);
+  await page.solve();
+  await dragLast(page, [0.1, -0.1, 0]);
+  return page.app.project()!;
 }
 
 /** Of one state, by all names that a change can have. */

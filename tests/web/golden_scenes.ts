@@ -65,7 +65,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
 };
 
 /** Of a file, with a handle at rest and another pulled away. */
-function pulled(net: NetSource, vertex: number, target: Vec3, change: Partial<Scene> = {}): GoldenLink {
+export function pulled(net: NetSource, vertex: number, target: Vec3, change: Partial<Scene> = {}): GoldenLink {
   const handles = [
     { vertex: 0, target: null, anchor: true },
     { vertex, target, anchor: false },

@@ -38,7 +38,7 @@ function snapshot(): Snapshot {
 
 function undo() {
   const state = history.undo(snapshot());
-  if (state) opening = { ...opening, document: { view: opening.document.view, ...state } };
+  if (state) opening = { ...opening, document: { ...state, net: opening.document.net, view: opening.document.view } };
 }
 
 const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });

@@ -5,7 +5,7 @@ import type { Editor, Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import { numberingOf } from '../../web/src/document/numbering';
 import { parseProject } from '../../web/src/document/project';
-import { objText } from '../../web/src/files/obj_text';
+import { objText } from '../../web/src/document/obj_text';
 import { core as chinese } from '../../web/src/language/zh/core';
 import { sceneOf } from '../../web/src/projects/link';
 import { load, loadFirst, ROOT } from '../wasm/load';

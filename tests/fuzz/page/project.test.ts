@@ -2,23 +2,31 @@
 import fc from 'fast-check';
 import { expect } from 'vitest';
 import { Failure } from '../../../web/src/failure';
-import { parseProject, projectText } from '../../../web/src/document/project';
+import { netAsText } from '../../../web/src/document/codec';
+import { parseProject, projectText, readProject, writeProject } from '../../../web/src/document/project';
 import type { Project } from '../../../web/src/document/project';
 import { attack, attacks } from './attack';
-import { changed, changes, checkFinite, document, view } from './scenes';
+import { changed, changes, checkFinite, document, source, view } from './scenes';
 
 const project: fc.Arbitrary<Project> = fc
   .record({
-    documents: fc.array(document, { minLength: 1, maxLength: 4 }),
+    documents: fc.array(fc.tuple(document, source), { minLength: 1, maxLength: 4 }),
     name: fc.string({ maxLength: 50 }),
     present: fc.nat(),
     view,
   })
   .map(({ documents, name, present, view: seen }) => ({
-    entries: documents.map(({ view: _, ...state }) => ({ name, state })),
+    entries: documents.map(([{ view: _, ...state }, net]) => ({ name, state: { ...state, net } })),
     present: present % documents.length,
     view: seen,
   }));
+
+function withText({ entries, ...rest }: Project): Project {
+  return {
+    ...rest,
+    entries: entries.map(({ name, state }) => ({ name, state: { ...state, net: netAsText(state.net) } })),
+  };
+}
 
 function checkParsed(text: string): void {
   try {
@@ -30,7 +38,10 @@ function checkParsed(text: string): void {
 }
 
 attacks('projects', {
-  'a project comes back': attack(project, (given) => expect(parseProject(projectText(given))).toEqual(given)),
+  'a project comes back': attack(project, (given) => {
+    expect(parseProject(projectText(given))).toEqual(withText(given));
+    expect(readProject(writeProject(given, Infinity))).toEqual(given);
+  }),
   'a forged project': attack(fc.tuple(project, changes), ([given, list]) => {
     checkParsed(JSON.stringify(changed(JSON.parse(projectText(given)), list)));
   }),

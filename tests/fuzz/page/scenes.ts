@@ -1,6 +1,13 @@
 /** Documents in every form they can have, and what happens to them on the way. */
 import fc from 'fast-check';
-import type { ChebnetDocument, HandleData, NetSource, Vec3, ViewState } from '../../../web/src/document/document';
+import type {
+  ChebnetDocument,
+  DocumentNet,
+  HandleData,
+  NetSource,
+  Vec3,
+  ViewState,
+} from '../../../web/src/document/document';
 import { areEnds, FIELD_NAMES, fieldOf, type ScaledName } from '../../../web/src/fields/fields';
 import { grid } from '../../web/nets';
 
@@ -25,14 +32,35 @@ const handle: fc.Arbitrary<HandleData> = fc
   )
   .map(([needed, more]) => ({ ...needed, ...more }));
 
-const source: fc.Arbitrary<NetSource> = fc.oneof(
+/** What is told of a file beside the net in it. */
+const traits = fc
+  .tuple(
+    fc.record({ name: text }),
+    partial({ restLengths: fc.constantFrom('automatic' as const, 'equal' as const, 'own' as const) }),
+  )
+  .map(([needed, more]) => ({ ...needed, ...more }));
+
+/** Faces of any vertices. */
+const mesh = fc
+  .tuple(fc.array(point, { maxLength: 5 }), fc.array(fc.array(fc.nat(99), { minLength: 1, maxLength: 5 })))
+  .map(([points, faces]) => {
+    let end = 0;
+    return {
+      positions: Float64Array.from(points.flat()),
+      faceStart: Int32Array.of(0, ...faces.map((face) => (end += face.length))),
+      faceVertices: Int32Array.from(faces.flat()),
+    };
+  });
+
+const documentNet: fc.Arbitrary<DocumentNet> = fc.oneof(
   fc.record({ recipe: text }),
-  fc.record({ obj: text, name: text }),
-  fc.record({
-    obj: text,
-    name: text,
-    restLengths: fc.constantFrom('automatic' as const, 'equal' as const, 'own' as const),
-  }),
+  fc.tuple(mesh, traits).map(([given, more]) => ({ mesh: given, ...more })),
+);
+
+/** Also as text, as in a project that was opened. */
+export const source: fc.Arbitrary<NetSource> = fc.oneof(
+  documentNet,
+  fc.tuple(text, traits).map(([obj, more]) => ({ obj, ...more })),
 );
 
 /** Written with seven digits. */
@@ -70,7 +98,7 @@ const positions = fc.oneof(
 export const document: fc.Arbitrary<ChebnetDocument> = fc
   .tuple(
     fc.record({
-      net: source,
+      net: documentNet,
       handles: fc.array(handle, { maxLength: 5 }),
       method: text,
       initialisation: text,

@@ -65,8 +65,7 @@ export class Opener {
 
   /** Opens a project with its history in place of the present one. If it fails, the present one stays. */
   async openProject({ entries, present, view }: Project): Promise<void> {
-    await this.#reopen({ ...entries[present]!.state, view });
-    this.#state.history.begin(entries, present);
+    await this.#reopen({ ...entries[present]!.state, view }, () => this.#state.history.begin(entries, present));
   }
 
   /** Opens a net at rest, with the settings and the view of the present document. */
@@ -104,9 +103,11 @@ export class Opener {
     await this.#client.restore(rest);
   }
 
-  async #reopen(scene: Scene): Promise<void> {
+  /** @param leave is called when the present net is about to go. */
+  async #reopen(scene: Scene, leave = (): void => {}): Promise<void> {
     const opened = await this.#request(scene);
     this.#events.leaving();
+    leave();
     this.#take(scene, opened);
   }
 

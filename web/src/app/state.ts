@@ -1,10 +1,10 @@
 /** What is open: a net with its document, and the history of that. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { ChebnetDocument, HandleData, Scene } from '../document/document';
+import type { ChebnetDocument, DocumentNet, HandleData, NetSource, Scene } from '../document/document';
 import { type Snapshot, UndoHistory } from '../document/undo';
 import type { Opened } from '../worker/client';
 import type { Opening } from '../worker/opening';
-import type { FrameData } from '../worker/protocol';
+import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** Callbacks after a change. */
 export interface StateEvents {
@@ -57,7 +57,9 @@ export class State {
         ? { vertex, target, anchor: i < last }
         : { anchor: false, ...scene.handles[i], vertex, target },
     );
-    const document = { ...scene, numbering: net.numbering, handles, positions: frame.positions };
+    const source = withArrays(scene.net, net);
+    this.history.replaceNet(scene.net, source);
+    const document = { ...scene, net: source, numbering: net.numbering, handles, positions: frame.positions };
     this.#set({ net, frame, document });
   }
 
@@ -74,8 +76,8 @@ export class State {
   /** Goes to a state of the same net. */
   restore(state: Snapshot): void {
     if (this.#opening === null) return;
-    const { numbering, view } = this.#opening.document;
-    this.#set({ ...this.#opening, document: { ...state, numbering, view } });
+    const { net, numbering, view } = this.#opening.document;
+    this.#set({ ...this.#opening, document: { ...state, net, numbering, view } });
     this.#events.presentation();
   }
 
@@ -100,4 +102,11 @@ export class State {
     this.#opening = opening;
     this.#events.document();
   }
+}
+
+/** Those that the page has of an open net anyway, in place of the text it came from. */
+function withArrays(source: NetSource, { restPositions, faceStart, faceVertices }: OpenedNet): DocumentNet {
+  if (!('obj' in source)) return source;
+  const { obj: _, ...traits } = source;
+  return { ...traits, mesh: { positions: restPositions, faceStart, faceVertices } };
 }

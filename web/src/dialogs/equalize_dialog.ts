@@ -1,8 +1,9 @@
 /** A net being equalised: options at the side, the net in a view of its own; afterwards a slider blends between
  *  before and after. Escape or Cancel ends it at any time. */
+import type { Mesh } from '../../../wasm/chebnet';
 import { between, meanLength, stillFrame } from '../equalize/before_after';
 import type { Shape } from '../equalize/before_after';
-import type { Equalized, EqualizeNews } from '../equalize/equalize_protocol';
+import type { EqualizeNews } from '../equalize/equalize_protocol';
 import { Equalizing } from '../equalize/equalizing';
 import type { EqualizeWorkerLike } from '../equalize/equalizing';
 import type { Subject } from '../equalize/subject';
@@ -28,7 +29,7 @@ export interface EqualizeDialogParts {
 }
 
 export class EqualizeDialog implements EqualizerLike {
-  readonly result: Promise<string | null>;
+  readonly result: Promise<Mesh | null>;
   readonly #before: Shape;
   #after: Shape | null = null;
   readonly #dialog: HTMLDialogElement;
@@ -41,7 +42,7 @@ export class EqualizeDialog implements EqualizerLike {
   readonly #caption = make('p', { class: 'quiet' });
   readonly #start = makeButton(TEXT.start, () => void this.#run(), { class: 'primary' });
   readonly #stop = makeButton(TEXT.stop, () => this.#giveUp());
-  readonly #take = makeButton(TEXT.take, () => this.#finish(this.#obj), { class: 'primary' });
+  readonly #take = makeButton(TEXT.take, () => this.#finish(this.#equalized), { class: 'primary' });
   readonly #buttons = make(
     'div',
     { class: 'buttons' },
@@ -51,8 +52,9 @@ export class EqualizeDialog implements EqualizerLike {
     makeButton(TEXT.cancel, () => this.close()),
   );
   #equalizing: Equalizing | null = null;
-  #obj: string | null = null;
-  #finish!: (obj: string | null) => void;
+  /** Null until its edges have become equal. */
+  #equalized: Mesh | null = null;
+  #finish!: (mesh: Mesh | null) => void;
   readonly #subject: Subject;
   readonly #parts: EqualizeDialogParts;
 
@@ -91,8 +93,8 @@ export class EqualizeDialog implements EqualizerLike {
     this.#finish(null);
   }
 
-  async #untilFinished(): Promise<string | null> {
-    const obj = await new Promise<string | null>((resolve) => {
+  async #untilFinished(): Promise<Mesh | null> {
+    const mesh = await new Promise<Mesh | null>((resolve) => {
       this.#finish = resolve;
       this.#dialog.addEventListener('close', () => resolve(null));
     });
@@ -100,7 +102,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#view.dispose();
     this.#dialog.close();
     this.#dialog.remove();
-    return obj;
+    return mesh;
   }
 
   #openView(picture: HTMLElement): View {
@@ -116,19 +118,23 @@ export class EqualizeDialog implements EqualizerLike {
   async #run(): Promise<void> {
     const options = this.#form.read(this.#subject.handles);
     if (options === null) return;
-    const { faceStart, faceVertices } = this.#subject.net;
     this.#equalizing = new Equalizing(() => this.#parts.spawnWorker());
     this.#results.begin();
     this.#arrange('running');
     this.#stop.focus();
     try {
-      const mesh = { positions: this.#subject.positions, faceStart, faceVertices };
+      const mesh = this.#meshAt(this.#subject.positions);
       this.#onEnd(await this.#equalizing.run({ mesh, options }, (news) => this.#onProgress(news)));
     } catch (error) {
       this.#results.renderFault(messageOf(error));
       this.#arrange('waiting');
       this.#start.focus();
     }
+  }
+
+  #meshAt(positions: Float64Array): Mesh {
+    const { faceStart, faceVertices } = this.#subject.net;
+    return { positions, faceStart, faceVertices };
   }
 
   #giveUp(): void {
@@ -141,7 +147,7 @@ export class EqualizeDialog implements EqualizerLike {
   #forget(): void {
     this.#equalizing = null;
     this.#after = null;
-    this.#obj = null;
+    this.#equalized = null;
     this.#results.clear();
     this.#slider.value = '0';
     this.#arrange('waiting');
@@ -153,16 +159,16 @@ export class EqualizeDialog implements EqualizerLike {
     this.#draw({ positions, length: report.length });
   }
 
-  #onEnd({ report, positions, obj }: Equalized): void {
+  #onEnd({ report, positions }: EqualizeNews): void {
     this.#after = { positions, length: report.length };
-    this.#obj = obj;
+    this.#equalized = report.status === 'converged' ? this.#meshAt(positions) : null;
     this.#results.renderEnd(report, this.#before.length);
     this.#form.renderFittingLength(report);
-    setText(this.#farEnd, obj === null ? TEXT.attempt : TEXT.equalised);
+    setText(this.#farEnd, this.#equalized === null ? TEXT.attempt : TEXT.equalised);
     this.#arrange('ended');
     this.#slider.value = '1';
     this.#drawBetween();
-    (obj === null ? this.#slider : this.#take).focus();
+    (this.#equalized === null ? this.#slider : this.#take).focus();
   }
 
   // ------------------------------------------------------------------------------------------------------------ drawing
@@ -171,7 +177,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#form.setBusy(state === 'running');
     this.#start.hidden = state !== 'waiting';
     this.#stop.hidden = state !== 'running';
-    this.#take.hidden = this.#obj === null;
+    this.#take.hidden = this.#equalized === null;
     this.#sliderRow.hidden = state !== 'ended';
   }
 

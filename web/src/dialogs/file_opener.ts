@@ -1,5 +1,5 @@
 /** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
-import type { RestLengths } from '../../../wasm/chebnet';
+import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
@@ -32,8 +32,8 @@ export interface FileDialogLike {
 
 /** Where the user sees a net equalised. */
 export interface EqualizerLike {
-  /** OBJ text of the net that the user takes, or null. */
-  readonly result: Promise<string | null>;
+  /** The net that the user takes, or null. */
+  readonly result: Promise<Mesh | null>;
   close(): void;
 }
 
@@ -79,13 +79,13 @@ export class FileOpener {
     const report = await reading.report(file, name);
     for (;;) {
       const { repaired, restLengths } = await dialog.ask(report);
-      if (restLengths !== 'equalized') return { obj: await reading.text(repaired), name, restLengths };
-      const obj = await this.#equalized(name, await reading.net(repaired), dialog);
-      if (obj !== null) return { obj, name };
+      if (restLengths !== 'equalized') return { mesh: await reading.mesh(repaired), name, restLengths };
+      const mesh = await this.#equalized(name, await reading.net(repaired), dialog);
+      if (mesh !== null) return { mesh, name };
     }
   }
 
-  #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<string | null> {
+  #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<Mesh | null> {
     const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
     void dialog.closed.then(() => equalizer.close());
     return equalizer.result;

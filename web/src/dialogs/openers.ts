@@ -43,8 +43,8 @@ export class Openers {
     if (this.#app.opening === null) return;
     const { formats } = this.#app;
     const { document, net } = this.#app.opening;
-    const obj = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
-    if (obj !== null) await this.#app.openScene(equalizedScene(document, obj, formats));
+    const mesh = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
+    if (mesh !== null) await this.#app.openScene(equalizedScene(document, mesh, formats));
   }
 
   #createEqualizer(subject: Subject): EqualizeDialog {

@@ -2,12 +2,23 @@
  * The parts of a document as JSON and back; links, project files and what the browser keeps are made of them. A field
  * that is new needs one line here, where it is read: writing takes whatever there is. See also versions.ts.
  */
-import type { RestLengths } from '../../../wasm/chebnet';
+import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Ends } from '../fields/colour_map';
 import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
 import { LONGEST_NAME } from './document';
-import type { HandleData, HandleSeed, NetSource, Scene, SolverOptions, Symmetry, UpAxis, ViewState } from './document';
+import type {
+  FileText,
+  HandleData,
+  HandleSeed,
+  NetSource,
+  Scene,
+  SolverOptions,
+  Symmetry,
+  UpAxis,
+  ViewState,
+} from './document';
 import { DEFAULT_INITIALISATION } from './defaults';
+import { objText } from './obj_text';
 import type { Untrusted } from './untrusted';
 import { words } from '../language/language';
 import type { Snapshot } from './undo';
@@ -39,6 +50,13 @@ export function writeView(view: ViewState): object {
   };
 }
 
+/** As links and files have a net. */
+export function netAsText(net: NetSource): { recipe: string } | FileText {
+  if (!('mesh' in net)) return net;
+  const { mesh, ...traits } = net;
+  return { obj: objText(mesh), ...traits };
+}
+
 // ------------------------------------------------------------------------------------------------------------- reading
 
 /** All these throw a Failure if it is no such thing. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
@@ -68,8 +86,26 @@ export function readNumbering(state: Untrusted): { numbering?: number } {
 export function readNet(net: Untrusted): NetSource {
   const recipe = net.at('recipe').maybe((each) => each.text());
   if (recipe !== undefined) return { recipe };
+  return { obj: net.at('obj').text(), ...readFileTraits(net) };
+}
+
+/** As what the browser keeps has it. */
+export function readKeptNet(net: Untrusted): NetSource {
+  const mesh = net.at('mesh').maybe(readMesh);
+  return mesh === undefined ? readNet(net) : { mesh, ...readFileTraits(net) };
+}
+
+/** Whether it is one, the core says. */
+function readMesh(mesh: Untrusted): Mesh {
   return {
-    obj: net.at('obj').text(),
+    positions: mesh.at('positions').array(Float64Array),
+    faceStart: mesh.at('faceStart').array(Int32Array),
+    faceVertices: mesh.at('faceVertices').array(Int32Array),
+  };
+}
+
+function readFileTraits(net: Untrusted): Omit<FileText, 'obj'> {
+  return {
     name: net.at('name').text(),
     // Links made before there was a choice have none.
     ...given({

@@ -1,11 +1,29 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
-import type { Handle, RestLengths } from '../../../wasm/chebnet';
+import type { Handle, Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Colouring } from '../fields/fields';
 
 export type Vec3 = [number, number, number];
 
-/** `restLengths`: which length each edge of a file is to keep, `automatic` unless it is said. */
-export type NetSource = { recipe: string } | { obj: string; name: string; restLengths?: RestLengths };
+/** What a net is made from. */
+export type NetSource = DocumentNet | FileText;
+
+/** A file as links, projects and scripts carry it: OBJ text. Once it is open its document has it as arrays. */
+export interface FileText extends FileTraits {
+  obj: string;
+}
+
+/** As a document has it: every state of the history shares it, so it is no text, which takes twice the room. */
+export type DocumentNet = { recipe: string } | FileNet;
+
+export interface FileNet extends FileTraits {
+  mesh: Mesh;
+}
+
+interface FileTraits {
+  name: string;
+  /** Which length each edge is to keep, `automatic` unless it is said. */
+  restLengths?: RestLengths;
+}
 
 /** Of a handle, in characters. */
 export const LONGEST_NAME = 40;
@@ -74,7 +92,7 @@ export interface ExperimentPart {
 }
 
 export interface ChebnetDocument extends SolverSettings, ExperimentPart {
-  net: NetSource;
+  net: DocumentNet;
   /** By which handles and positions go; see numbering.ts. Unknown until the net is open. */
   numbering?: number | undefined;
   handles: HandleData[];

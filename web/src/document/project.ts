@@ -1,18 +1,18 @@
 /**
  * Projects: a document with its history, exact to the last bit. As a record they are what the browser keeps; as text,
- * one JSON file, where positions are the base64 of their 64-bit floats. Nets and positions that states share are
- * written once.
+ * one JSON file, where positions are the base64 of their 64-bit floats and meshes OBJ. Nets and positions that states
+ * share are written once.
  */
 import { Failure } from '../failure';
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
-import { writeState, writeView } from './codec';
+import { netAsText, writeState, writeView } from './codec';
 import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
 import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
 import type { Entry, Snapshot } from './undo';
-import { readerOf, VERSION } from './versions';
+import { readerOf, VERSION, VERSION_WITH_ARRAYS } from './versions';
 import type { Reader } from './versions';
 
 export const PROJECT_ENDING = '.chebnet.json';
@@ -29,7 +29,7 @@ export interface Project {
   view: ViewState;
 }
 
-/** A project as plain data. Its positions are not copied. */
+/** A project as plain data. Its arrays are not copied. */
 type ProjectRecord = { chebnet: number; positions: (Float64Array | string)[] } & Record<string, unknown>;
 
 // ------------------------------------------------------------------------------------------------------------- writing
@@ -46,7 +46,7 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
     positions: state.positions && positions.numberOf(state.positions),
   }));
   return {
-    chebnet: VERSION,
+    chebnet: nets.values.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION,
     view: writeView(project.view),
     present,
     states,
@@ -57,9 +57,20 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
 
 /** The text of a file. */
 export function projectText(project: Project): string {
-  const written = writeProject(project, LARGEST_STATES);
+  const written = writeProject(withTexts(project), LARGEST_STATES);
   const positions = written.positions.map((each) => (typeof each === 'string' ? each : toBase64(bytesOf(each))));
   return JSON.stringify({ ...written, positions });
+}
+
+function withTexts(project: Project): Project {
+  const texts = new Map<NetSource, NetSource>();
+  const textOf = (net: NetSource): NetSource => {
+    const text = texts.get(net) ?? netAsText(net);
+    texts.set(net, text);
+    return text;
+  };
+  const entries = project.entries.map(({ name, state }) => ({ name, state: { ...state, net: textOf(state.net) } }));
+  return { ...project, entries };
 }
 
 /** The entries around the present one that fit: first those before it, then those after it. */

@@ -6,7 +6,7 @@
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
-import { writeState, writeView } from './codec';
+import { netAsText, writeState, writeView } from './codec';
 import type { ChebnetDocument, Scene } from './document';
 import { Untrusted } from './untrusted';
 import { packPositions } from './packing';
@@ -72,7 +72,7 @@ export function linkAdvice(shared: Shared): string | null {
 // ------------------------------------------------------------------------------------------------------------- writing
 
 function header({ view, ...state }: ChebnetDocument, net: PackingNet, settled: boolean): object {
-  return { ...writeState({ ...state, settled }, net.restPositions), net: state.net, view: writeView(view) };
+  return { ...writeState({ ...state, settled }, net.restPositions), net: netAsText(state.net), view: writeView(view) };
 }
 
 function toHash(head: object, packed: Uint8Array | null): string {

@@ -3,8 +3,9 @@
 import type { ChebnetDocument, NetSource } from './document';
 import { type ChangeName, sentenceOf } from './naming';
 
-/** Nothing in it may be changed afterwards; entries share what did not change. */
-export type Snapshot = Readonly<Omit<ChebnetDocument, 'view'>>;
+/** Nothing in it may be changed afterwards; entries share what did not change. A net that came as text, in a project, is
+ *  text until an entry that has it is gone to. */
+export type Snapshot = Readonly<Omit<ChebnetDocument, 'view' | 'net'> & { net: NetSource }>;
 
 export interface Entry {
   /** What was done to get here. */
@@ -147,6 +148,11 @@ export class UndoHistory implements HistoryView {
     return state;
   }
 
+  /** In all entries, for a net that is the same: e.g. that of a file for its text. */
+  replaceNet(was: NetSource, is: NetSource): void {
+    this.#states = this.#states.map((state) => (state?.net === was ? { ...state, net: is } : state));
+  }
+
   #revised(): void {
     this.#revision += 1;
     this.#changed();
@@ -181,7 +187,7 @@ export class Measure {
 
   add({ positions, net }: Snapshot): void {
     this.#add(positions, positions?.byteLength ?? 0);
-    this.#add(net, 'obj' in net ? net.obj.length : 0);
+    this.#add(net, bytesOf(net));
   }
 
   #add(part: Float64Array | NetSource | null, bytes: number): void {
@@ -189,4 +195,11 @@ export class Measure {
     this.#seen.add(part);
     this.bytes += bytes;
   }
+}
+
+function bytesOf(net: NetSource): number {
+  if ('recipe' in net) return 0;
+  if ('obj' in net) return net.obj.length;
+  const { positions, faceStart, faceVertices } = net.mesh;
+  return positions.byteLength + faceStart.byteLength + faceVertices.byteLength;
 }

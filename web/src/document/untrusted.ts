@@ -44,6 +44,11 @@ export class Untrusted {
     return this.value.map((each: unknown, i) => this.#part(each, `${this.path}[${i}]`));
   }
 
+  /** One of numbers of one type. */
+  array<T extends Float64Array | Int32Array>(type: new () => T): T {
+    return this.value instanceof type ? this.value : this.fail(words.fields.list);
+  }
+
   text(longest = Infinity): string {
     if (typeof this.value !== 'string' || this.value.length > longest) this.fail(words.fields.text);
     return this.value;

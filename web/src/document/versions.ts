@@ -1,12 +1,12 @@
 /**
  * The versions of the format: one number for links (`#v2=…`), project files and what the browser keeps (`"chebnet": 2`). What
- * any version wrote is read for ever; the newest is written.
+ * any version wrote is read for ever; the newest that is needed is written.
  *
  * A version more is a row more, of what it reads otherwise than the one before, and golden files (tests/web/golden.test.ts).
  * It is due when a page of before would misread what is written from now on. A field that it may pass over is none: that is
  * a line in codec.ts, and a golden file.
  */
-import { readNet, readNumbering, readState, readView } from './codec';
+import { readKeptNet, readNet, readNumbering, readState, readView } from './codec';
 import type { State } from './codec';
 import type { HandleSeed, NetSource, ViewState } from './document';
 import type { Untrusted } from './untrusted';
@@ -21,14 +21,19 @@ export interface Reader {
 const first: Reader = { net: readNet, state: readState, view: readView };
 /** Says how each net is numbered. */
 const second: Reader = { ...first, state: (state) => ({ ...first.state(state), ...readNumbering(state) }) };
+/** Of what the browser keeps, which can hold the net of a file as arrays: text takes long to be made, again and again. */
+const third: Reader = { ...second, net: readKeptNet };
 
 const READERS = new Map<number, Reader>([
   [1, first],
   [2, second],
+  [3, third],
 ]);
 
-/** The newest, which is written. */
-export const VERSION = Math.max(...READERS.keys());
+/** Of links and files, and of what the browser keeps without a file. */
+export const VERSION = 2;
+/** Of what the browser keeps with a file. */
+export const VERSION_WITH_ARRAYS = 3;
 
 /** Undefined: there is no such version, or not yet. */
 export function readerOf(version: unknown): Reader | undefined {

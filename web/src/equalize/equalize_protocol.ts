@@ -15,9 +15,6 @@ export interface EqualizeNews {
 
 export type EqualizeResponse =
   | ({ type: 'news' } & EqualizeNews)
-  /** `obj`: the net as OBJ text that brings back every bit; null if its edges have not become equal. */
-  | ({ type: 'ended'; obj: string | null } & EqualizeNews)
+  | ({ type: 'ended' } & EqualizeNews)
   /** `code` as in core/base/error.h. */
   | { type: 'error'; code: string; message: string };
-
-export type Equalized = Omit<Extract<EqualizeResponse, { type: 'ended' }>, 'type'>;

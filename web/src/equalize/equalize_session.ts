@@ -1,6 +1,5 @@
 /** What the equalizing worker does, apart from being a worker. */
-import type { Chebnet, Equalizer, Mesh } from '../../../wasm/chebnet';
-import { objText } from '../files/obj_text';
+import type { Chebnet, Equalizer } from '../../../wasm/chebnet';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 import { codeOf, messageOf } from '../failure';
 
@@ -14,7 +13,7 @@ export function equalize(
 ): void {
   try {
     const equalizer = core.equalizer(mesh, options);
-    post(solveToTheEnd(equalizer, mesh, post));
+    post(solveToTheEnd(equalizer, post));
     equalizer.dispose();
   } catch (error) {
     const code = codeOf(error);
@@ -22,17 +21,11 @@ export function equalize(
   }
 }
 
-function solveToTheEnd(equalizer: Equalizer, mesh: Mesh, post: (response: EqualizeResponse) => void): EqualizeResponse {
+function solveToTheEnd(equalizer: Equalizer, post: (response: EqualizeResponse) => void): EqualizeResponse {
   for (;;) {
     const report = equalizer.solve({ milliseconds: SLICE });
     const positions = equalizer.positions();
-    if (report.status === 'running') post({ type: 'news', report, positions });
-    else
-      return {
-        type: 'ended',
-        report,
-        positions,
-        obj: report.status === 'converged' ? objText({ ...mesh, positions }) : null,
-      };
+    if (report.status !== 'running') return { type: 'ended', report, positions };
+    post({ type: 'news', report, positions });
   }
 }

@@ -1,5 +1,5 @@
 /** What is equalised, and what becomes of the net that was open. */
-import type { FormatInfo } from '../../../wasm/chebnet';
+import type { FormatInfo, Mesh } from '../../../wasm/chebnet';
 import type { ChebnetDocument, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
@@ -23,10 +23,10 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats:
   };
 }
 
-/** The scene of the net that was open, with `obj` for its net: handles stay at their vertices, where these stand now. */
-export function equalizedScene(document: ChebnetDocument, obj: string, formats: readonly FormatInfo[]): Scene {
+/** The scene of the net that was open, with `mesh` for its net: handles stay at their vertices, where these stand now. */
+export function equalizedScene(document: ChebnetDocument, mesh: Mesh, formats: readonly FormatInfo[]): Scene {
   const handles = document.handles.map((handle) => ({ ...handle, target: null }));
-  const net = { obj, name: fileNameOf(document.net, 'obj', formats) };
+  const net = { mesh, name: fileNameOf(document.net, 'obj', formats) };
   return {
     ...document,
     net,

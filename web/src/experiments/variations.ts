@@ -1,11 +1,11 @@
 /** All variants of a figure, to be run one after another. */
 import type { RunRequest } from '../compare/run';
-import type { ChebnetDocument } from '../document/document';
+import type { Scene } from '../document/document';
 import { editScene } from './edits';
 import { type Figure, isOfNet, settingsOf, textOf, type Variant } from './figures';
 
 /** On the edit that is open, as far as a variant is not for a net of its own. */
-export function variationsOf(figure: Figure, { net }: ChebnetDocument): Promise<RunRequest[]> {
+export function variationsOf(figure: Figure, { net }: Pick<Scene, 'net'>): Promise<RunRequest[]> {
   // What is open may be the net of a single variant.
   const usual = figure.variants.some(({ edit }) => edit !== undefined && isOfNet(edit, net))
     ? figure.edits[0]

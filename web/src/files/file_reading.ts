@@ -1,4 +1,5 @@
 /** The page's side of the file worker. */
+import type { Mesh } from '../../../wasm/chebnet';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { OpenedNet } from '../worker/protocol';
@@ -42,11 +43,11 @@ export class FileReading {
     return response.report;
   }
 
-  /** After `report`: OBJ text of the mesh as it was read, or repaired. */
-  async text(repaired: boolean): Promise<string> {
+  /** After `report`: the mesh as it was read, or repaired. */
+  async mesh(repaired: boolean): Promise<Mesh> {
     const response = await this.#ask({ type: 'take', repaired });
-    if (response.type !== 'text') throw unexpected(response);
-    return response.obj;
+    if (response.type !== 'mesh') throw unexpected(response);
+    return response.mesh;
   }
 
   /** Likewise, as a net to be shown. */

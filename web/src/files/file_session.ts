@@ -1,10 +1,9 @@
-/** The file worker's part without the worker: reads one file, reports on it, and gives it as OBJ text or as a net. */
+/** The file worker's part without the worker: reads one file, reports on it, and gives it as a mesh or as a net. */
 import type { Chebnet, Mesh } from '../../../wasm/chebnet';
 import { describe } from '../worker/opened_net';
 import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
 import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
-import { objText } from './obj_text';
 import { Failure, codeOf, messageOf } from '../failure';
 
 export class FileSession {
@@ -20,7 +19,7 @@ export class FileSession {
   async handle(request: FileRequest): Promise<void> {
     try {
       if (request.type === 'read') this.#post({ type: 'report', report: await this.#read(request.file, request.name) });
-      else if (request.type === 'take') this.#post({ type: 'text', obj: objText(this.#take(request.repaired)) });
+      else if (request.type === 'take') this.#post({ type: 'mesh', mesh: this.#take(request.repaired) });
       else this.#post({ type: 'net', net: withEditor(this.#core, this.#take(request.repaired), describe) });
     } catch (error) {
       const code = codeOf(error);

@@ -382,7 +382,9 @@ export class Session {
 
 /** Only traps of the module have no code; see wasm/chebnet.d.ts. */
 function openNet(core: Editors, net: OpenScene['net']): Editor {
-  return 'recipe' in net ? core.openRecipe(net.recipe) : core.openObj(net.obj, net.name, net.restLengths);
+  if ('recipe' in net) return core.openRecipe(net.recipe);
+  if ('obj' in net) return core.openObj(net.obj, net.name, net.restLengths);
+  return core.openMesh(net.mesh, net.restLengths);
 }
 
 function checkNumbering(editor: Editor, { numbering }: OpenScene): void {

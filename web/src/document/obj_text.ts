@@ -1,4 +1,4 @@
-/** The OBJ text that a document stores of a mesh. */
+/** Meshes as text, for links and project files. */
 import type { Mesh } from '../../../wasm/chebnet';
 
 /** OBJ text with the fewest digits that restore every coordinate, since links carry it; the core's writer always uses 17. */
