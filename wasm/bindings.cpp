@@ -9,6 +9,7 @@
 #include "border.h"
 #include "edit/editor.h"
 #include "edit/field.h"
+#include "fabricate/edge_table.h"
 #include "io/format.h"
 #include "io/obj.h"
 #include "mesh_border.h"
@@ -313,6 +314,10 @@ std::string to_obj(const Session& session, int digits) {
     return write_obj(session.editor.positions(), session.editor.net().faces(), digits);
 }
 
+std::string edges_to_csv(const Session& session) {
+    return edge_table(session.editor.net(), session.editor.positions());
+}
+
 /// `name`: of a format; `ply_text` is the PLY that is text, another name for a way to write rather than for a format.
 val to_file(const Session& session, std::string name) {
     WriteMesh* const write = name == "ply_text" ? find_format("ply").write_text : find_format(name).write;
@@ -360,6 +365,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("handleError", guarded<&handle_error>)
         .function("unreachablePairs", guarded<&unreachable_pairs>)
         .function("toObj", guarded<&to_obj>)
+        .function("edgeTable", guarded<&edges_to_csv>)
         .function("toFile", guarded<&to_file>);
 }
 

@@ -295,6 +295,8 @@ export interface Editor {
 
   /** The present positions as OBJ text; 17 digits return every coordinate exactly. */
   toObj(digits?: number): string;
+  /** The edges with their present lengths as CSV; see core/fabricate/edge_table.h. */
+  edgeTable(): string;
   /** The present positions as the bytes of a file. `format`: a name from `formats()`, or `ply_text`, where `ply` is binary. */
   toFile(format: string): Uint8Array<ArrayBuffer>;
   /** Frees the memory on the other side; the editor must not be used again. */

@@ -83,6 +83,7 @@ export interface Session {
   handleError(): number;
   unreachablePairs(): UnreachablePair[];
   toObj(digits: number): string;
+  edgeTable(): string;
   toFile(format: string): Uint8Array<ArrayBuffer>;
   delete(): void;
 }

@@ -335,6 +335,10 @@ class WasmEditor {
     return this.#open.toObj(integer(digits, 'the number of digits', 1, 17));
   }
 
+  edgeTable() {
+    return this.#open.edgeTable();
+  }
+
   /** @param {string} format */
   toFile(format) {
     return this.#open.toFile(text(format, 'a format', 'bad_option'));

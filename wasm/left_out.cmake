@@ -11,6 +11,6 @@ file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
 foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation solve/parts/corner_limit
                solve/parts/neighbour_system solve/parts/tangent_newton solve/terms/bending_term solve/terms/load_terms
-               solve/terms/shear_term edit/equalize fabricate/flat_pattern)
+               solve/terms/shear_term edit/equalize fabricate/edge_table fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

@@ -1,10 +1,11 @@
-// What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, flat patterns, and shapes
-// that are relaxed. Called, they throw the code "left_out".
+// What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
+// and shapes that are relaxed. Called, they throw the code "left_out".
 
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "fabricate/edge_table.h"
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "shapes/smooth_figure.h"
@@ -25,6 +26,7 @@ Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Ve
 
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
+std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core(); }
 val flat_pattern_out(const Net&, const Topology&) { leave_to_the_whole_core(); }
 
 }  // namespace chebnet

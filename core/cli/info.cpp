@@ -1,6 +1,8 @@
 #include <memory>
 
 #include "command.h"
+#include "fabricate/edge_table.h"
+#include "io/file.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "net_argument.h"
@@ -8,6 +10,11 @@
 
 namespace chebnet {
 namespace {
+
+struct InfoArguments {
+    NetArgument net;
+    std::string edges;  ///< file to write; empty: none
+};
 
 /// Against the mean length, whatever rest lengths the net has.
 double max_deviation_from_mean(const Net& net) {
@@ -21,10 +28,11 @@ Json singular_report(const Topology& topology) {
     return counts;
 }
 
-int run_info(const NetArgument& argument) {
-    const Net net = load_net(argument);
+int run_info(const InfoArguments& arguments) {
+    const Net net = load_net(arguments.net);
     const Topology topology(net);
-    print({{"net", argument.name},
+    if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(net, net.rest_positions()));
+    print({{"net", arguments.net.name},
            {"vertices", net.vertex_count()},
            {"edges", net.edge_count()},
            {"faces", net.face_count()},
@@ -41,9 +49,11 @@ int run_info(const NetArgument& argument) {
 
 Command add_info(CLI::App& program) {
     CLI::App& command = *program.add_subcommand("info", "Describe a net, as JSON");
-    const auto argument = std::make_shared<NetArgument>();
-    add_net_argument(command, *argument);
-    return {&command, [argument] { return run_info(*argument); }};
+    const auto arguments = std::make_shared<InfoArguments>();
+    add_net_argument(command, arguments->net);
+    command.add_option("--edges", arguments->edges, "Write one line for each edge with its length, as CSV")
+        ->type_name("EDGES.csv");
+    return {&command, [arguments] { return run_info(*arguments); }};
 }
 
 }  // namespace chebnet

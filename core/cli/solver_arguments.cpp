@@ -1,5 +1,6 @@
 #include "solver_arguments.h"
 
+#include "fabricate/edge_table.h"
 #include "io/file.h"
 #include "text_table.h"
 
@@ -62,6 +63,8 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->type_name("KEY=VALUE");
     add_net_output(command, "-o,--output", arguments.output)->type_name("OUT");
     command.add_option("--trace", arguments.trace, "Write one line for each iteration, as CSV")->type_name("TRACE.csv");
+    command.add_option("--edges", arguments.edges, "Write one line for each edge with its length, as CSV")
+        ->type_name("EDGES.csv");
     command.footer([] { return method_list() + '\n' + option_list(); });
 }
 
@@ -78,6 +81,7 @@ Editor open_editor(const SolverArguments& arguments) {
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {
     write_net(arguments.output, editor.positions(), editor.net().faces());
     if (!arguments.trace.empty()) write_file(arguments.trace, trace_csv);
+    if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(editor.net(), editor.positions()));
 }
 
 }  // namespace chebnet

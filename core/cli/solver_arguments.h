@@ -21,6 +21,7 @@ struct SolverArguments {
     std::vector<std::string> settings;      ///< each "key=value"
     NetOutput output;
     std::string trace;  ///< file to write; empty: none
+    std::string edges;  ///< likewise
 };
 
 /// Declares the arguments and lists methods and options in the command's help.

@@ -144,6 +144,16 @@ TEST_CASE("info describes a recipe, and the same for the file made from it") {
     }
 }
 
+TEST_CASE("info writes the edges and their lengths") {
+    const Sandbox box;
+    box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
+    CHECK(box.run("info kite.obj --edges edges.csv").json().at("edges") == 4);
+    CHECK_THAT(box.read("edges.csv"),
+               Catch::Matchers::StartsWith("edge,vertex_a,vertex_b,length,rest_length,deviation\n"
+                                           "0,0,1,1,1,0\n1,0,3,3,3,0\n"));
+    check_refused(box.run("info kite.obj --edges no/such/folder.csv"), "no/such/folder.csv");
+}
+
 TEST_CASE("info measures lengths against their mean") {
     const Sandbox box;
     box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
@@ -154,11 +164,11 @@ TEST_CASE("info measures lengths against their mean") {
     CHECK(info.at("boundary_loops") == 1);
 }
 
-TEST_CASE("solve reports, and writes the net and the trace") {
+TEST_CASE("solve reports, and writes the net, its edges and the trace") {
     const Sandbox box;
     const json edit = pull_edit(0.2);
     box.write("pull.json", edit.dump());
-    const Run run = box.run("solve " + k_recipe + " --edit pull.json -o out.obj --trace trace.csv");
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json -o out.obj --trace trace.csv --edges edges.csv");
     INFO(run.err);
     CHECK(run.exit_code == 0);
 
@@ -176,6 +186,7 @@ TEST_CASE("solve reports, and writes the net and the trace") {
     CHECK(max_deviation_of_file(box, "out.obj") == report.at("max_dL"));
     CHECK(handle_distance(read_obj(box.read("out.obj"), "out.obj").positions, edit) == 0);
     CHECK(line_count(box.read("trace.csv")) == report.at("iterations").get<int>() + 1);
+    CHECK(line_count(box.read("edges.csv")) == box.run("info out.obj").json().at("edges").get<int>() + 1);
 }
 
 TEST_CASE("every method solves by its name") {

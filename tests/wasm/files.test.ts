@@ -184,6 +184,15 @@ describe('writing', () => {
   const editor = chebnet.openRecipe('vault:vertices=300');
   editor.setPositions(editor.restPositions.map((x, i) => x + Math.sin(i) / 7));
 
+  test('the edges with their lengths', () => {
+    const [header, ...lines] = editor.edgeTable().trimEnd().split('\n');
+    expect(header).toBe('edge,vertex_a,vertex_b,length,rest_length,deviation');
+    const rows = lines.map((line) => line.split(',').map(Number));
+    expect(rows.flatMap(([, a, b]) => [a, b])).toEqual([...editor.edges]);
+    expect(rows.map(([, , , , rest]) => rest)).toEqual([...editor.restLengths]);
+    expect(rows.map(([, , , , , deviation]) => Math.fround(deviation!))).toEqual([...editor.fields().deviation]);
+  });
+
   test.each<[string, string]>([
     ['obj', 'a.obj'],
     ['ply', 'a.ply'],

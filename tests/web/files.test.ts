@@ -3,7 +3,6 @@ import { describe, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
 import type { NetSource } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
-import { edgesCsv } from '../../web/src/net/edges_csv';
 import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
 import { kindsFor, typeOf } from '../../web/src/export/kinds';
@@ -33,13 +32,6 @@ describe('lengths', () => {
     const lengths = edgeLengths(Float64Array.of(0, 0, 0, 3, 4, 0, 3, 4, 1), Int32Array.of(0, 1, 1, 2));
     expect(lengths).toEqual(Float64Array.of(5, 1));
     expect(spreadOf(lengths)).toEqual({ smallest: 1, mean: 3, largest: 5, largestDeviation: 2 / 3 });
-  });
-
-  test('become a table, one line an edge', () => {
-    const edges = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(5, 2) };
-    expect(edgesCsv(edges, Float64Array.of(0, 0, 0, 3, 4, 0, 3, 4, 1))).toBe(
-      'edge,vertex_a,vertex_b,length,rest_length,deviation\n0,0,1,5,5,0\n1,1,2,1,2,0.5\n',
-    );
   });
 });
 

@@ -413,9 +413,7 @@ describe('by hand', () => {
       expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: reference.toFile(format) });
     }
     ask({ type: 'export', format: 'csv' });
-    const last = said.at(-1);
-    const lines = new TextDecoder().decode(last?.type === 'exported' ? last.bytes : undefined).split('\n');
-    expect(lines).toHaveLength(reference.info.edges + 2);
+    expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: new TextEncoder().encode(reference.edgeTable()) });
   });
 
   test('export and thumbnail do not touch the net', () => {

@@ -4,7 +4,6 @@ import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { HandleSeed } from '../document/document';
-import { edgesCsv } from '../net/edges_csv';
 import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
@@ -396,7 +395,7 @@ function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
 }
 
 function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
-  return format === 'csv' ? new TextEncoder().encode(edgesCsv(editor, editor.positions())) : editor.toFile(format);
+  return format === 'csv' ? new TextEncoder().encode(editor.edgeTable()) : editor.toFile(format);
 }
 
 /** The editor's state for a scene. */

@@ -1,0 +1,33 @@
+#include "fabricate/edge_table.h"
+
+#include "base/number.h"
+#include "net/measures.h"
+
+namespace chebnet {
+
+namespace {
+
+std::string exact_text(double number) {
+    for (int digits = 15; digits < 17; ++digits) {
+        std::string text = number_text(number, digits);
+        if (parse_number(text) == number) return text;
+    }
+    return number_text(number, 17);
+}
+
+}  // namespace
+
+std::string edge_table(const Net& net, const Positions& positions) {
+    std::string table = "edge,vertex_a,vertex_b,length,rest_length,deviation\n";
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const int a = net.edges()(0, e), b = net.edges()(1, e);
+        table += std::to_string(e) + ',' + std::to_string(a) + ',' + std::to_string(b);
+        const double length = (positions.col(a) - positions.col(b)).stableNorm(), rest_length = net.rest_lengths()(e);
+        for (const double number : {length, rest_length, deviation(length / rest_length)})
+            table += ',' + exact_text(number);
+        table += '\n';
+    }
+    return table;
+}
+
+}  // namespace chebnet
