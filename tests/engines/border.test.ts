@@ -72,6 +72,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     setState: () => editor.setState({ ...editor.state(), ...spoilt[turn++ % spoilt.length] }),
     flatPattern: () => editor.flatPattern(),
     toObj: () => editor.toObj(),
+    edgeTable: () => editor.edgeTable(),
     toFile: () => editor.toFile(whole ? ('nonsense' as 'obj') : 'obj'),
     readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
     repairMesh: () => core.repairMesh(broken),
@@ -109,6 +110,7 @@ const LEFT_OUT = {
   openRecipe: ['bad_option', 'left_out'],
   openObj: ['left_out'],
   toObj: ['left_out'],
+  edgeTable: ['left_out'],
   toFile: ['left_out'],
 };
 const WHOLE = {
