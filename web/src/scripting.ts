@@ -7,26 +7,18 @@
  *     await chebnet.settled();
  *     chebnet.stats().maxDeviation; // below 1e-6
  *
- * Vertices count from 0. Every failure is a rejected promise: an `Error` whose `code` is a name from core/base/error.h,
- * e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits for the page to be ready.
+ * Vertices count from 0. Every failure is a rejected promise: an `Error` whose `code` is "bad_arguments" or a name from
+ * core/base/error.h, e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits
+ * for the page to be ready.
  */
 import type { ChebnetError, Status } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
-import { type HandleData, LONGEST_NAME, type NetSource, type Vec3 } from './document/document';
+import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
+import { Untrusted } from './document/untrusted';
 import { linking } from './projects/linking';
+import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from './script_arguments';
+import type { ScriptHandle, ScriptNet, ScriptOptions } from './script_arguments';
 import { Failure } from './failure';
-
-export interface ScriptHandle {
-  vertex: number;
-  /** Without it, where the vertex stands. */
-  target?: Vec3;
-  /** Locked: drawn apart, and no hand moves it. Without it, a handle without a target is locked. */
-  anchor?: boolean;
-  /** See HandleData. */
-  name?: string;
-  hidden?: boolean;
-  weight?: number;
-}
 
 export interface Stats {
   vertices: number;
@@ -48,7 +40,7 @@ export interface Stats {
 
 export interface Scripting {
   /** Opens a net of a recipe, with the handles it suggests, or of OBJ text, without handles. */
-  open(net: { recipe: string } | { obj: string; name?: string }): Promise<void>;
+  open(net: ScriptNet): Promise<void>;
   /** Replaces the handles; the net is solved for their targets. */
   setHandles(handles: readonly ScriptHandle[]): Promise<void>;
   /** Moves a handle. Resolves when the solver has taken the target, or a newer one for the same vertex. */
@@ -63,10 +55,9 @@ export interface Scripting {
   edges(): Int32Array;
   handles(): HandleData[];
   stats(): Stats;
-  /** Chooses method and initialisation (`naive`, `arap:N`, `local_global:N`) and sets the solver's options by the names in core/solve/options.h; others stay as they are. */
-  setOptions(
-    options: { method?: string; initialisation?: string } & Record<string, number | boolean | string | undefined>,
-  ): Promise<void>;
+  /** Chooses method and initialisation (`naive`, `arap:N`, `local_global:N`) and sets the solver's options; others stay as
+   *  they are. */
+  setOptions(options: ScriptOptions): Promise<void>;
   /** `listener` is called for each new frame, whenever the net has settled, or with each error shown to the user.
    *  Returns what ends this. */
   on(event: 'frame' | 'settled', listener: () => void): () => void;
@@ -87,23 +78,24 @@ declare global {
 export function createScripting(app: App, ready: Promise<void>): Scripting {
   return {
     open: async (net) => {
+      const given = readNet(argument('net', net));
       await ready;
-      await app.openNet(readNet(net));
+      await app.openNet('recipe' in given ? given : { name: 'net.obj', ...given });
     },
     setHandles: async (handles) => {
+      const given = readHandles(argument('handles', handles));
       await ready;
-      if (!Array.isArray(handles)) throw new Failure('bad_syntax', 'handles must be given as a list');
-      await app.handles.set(handles.map((handle: ScriptHandle) => readHandle(app, handle)));
+      await app.handles.set(given.map((handle) => handleOf(app, handle)));
     },
     move: async (vertex, target) => {
+      const given = { vertex: readVertex(argument('vertex', vertex)), target: argument('target', target).point() };
       await ready;
-      await app.handles.move([{ vertex, target }], `move ${vertex}`);
+      await app.handles.move([given], `move ${vertex}`);
     },
     setLocality: async (radius) => {
+      const given = readLocality(argument('radius', radius));
       await ready;
-      if (radius !== null && !(radius > 0 && radius < Infinity))
-        throw new Failure('bad_option', 'a locality must be a number above 0, or null');
-      app.handles.setLocality(radius ?? undefined);
+      app.handles.setLocality(given ?? undefined);
     },
     settled: async () => {
       await ready;
@@ -114,12 +106,15 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     handles: () => structuredClone(app.opening?.document.handles ?? []),
     stats: () => stats(app),
     setOptions: async (options) => {
+      const given = readOptions(argument('options', options));
       await ready;
-      await setOptions(app, options);
+      await setOptions(app, given);
     },
-    on: (event: AppEvent, listener: (error: ChebnetError) => void) =>
-      app.on(event, (error) => listener(error as ChebnetError)),
-    screenPosition: (vertex) => app.screenPosition(vertex),
+    on: (event: AppEvent, listener: (error: ChebnetError) => void) => {
+      const call = argument('listener', listener).function<typeof listener>();
+      return app.on(readEvent(argument('event', event)), (error) => call(error as ChebnetError));
+    },
+    screenPosition: (vertex) => app.screenPosition(readVertex(argument('vertex', vertex))),
     link: async () => {
       await ready;
       const { hashOf } = await linking();
@@ -130,36 +125,27 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
   };
 }
 
-function readNet(net: Parameters<Scripting['open']>[0]): NetSource {
-  if ('recipe' in net) return { recipe: net.recipe };
-  return { obj: net.obj, name: net.name ?? 'net.obj' };
+/** What a script gave as the argument that messages call `name`. */
+function argument(name: string, value: unknown): Untrusted {
+  return new Untrusted(value, name, 'bad_arguments');
 }
 
-function readHandle(app: App, { vertex, target, anchor, name, hidden, weight }: ScriptHandle): HandleData {
+function handleOf(app: App, { vertex, target, anchor, name, hidden, weight }: ScriptHandle): HandleData {
   return {
     vertex,
     target: target ?? app.handles.positionOf(vertex),
     anchor: anchor ?? target === undefined,
-    ...(name ? { name: String(name).slice(0, LONGEST_NAME) } : {}),
-    ...(hidden ? { hidden: true } : {}),
-    ...(weight === undefined ? {} : { weight: readWeight(weight, vertex) }),
+    ...(name ? { name: name.slice(0, LONGEST_NAME) } : {}),
+    ...(hidden ? { hidden } : {}),
+    ...(weight === undefined ? {} : { weight }),
   };
 }
 
-function readWeight(weight: unknown, vertex: number): number {
-  if (typeof weight === 'number' && Number.isFinite(weight) && weight > 0) return weight;
-  throw new Failure('bad_option', `the weight of the handle at vertex ${vertex} must be a number above 0`);
-}
-
-async function setOptions(app: App, wished: Parameters<Scripting['setOptions']>[0]): Promise<void> {
+async function setOptions(app: App, given: ScriptOptions): Promise<void> {
   const present = app.opening?.document;
   if (present === undefined) throw new Failure('no_net', 'No net is open.');
-  const { method = present.method, initialisation = present.initialisation, ...options } = wished;
-  const given = Object.entries(options).map(([name, value]): [string, number | boolean] => {
-    if (typeof value === 'number' || typeof value === 'boolean') return [name, value];
-    throw new Failure('bad_option', `option ${name} must be a number or true or false`);
-  });
-  await app.setOptions({ method, initialisation, options: { ...present.options, ...Object.fromEntries(given) } });
+  const { method = present.method, initialisation = present.initialisation, ...options } = given;
+  await app.setOptions({ method, initialisation, options: { ...present.options, ...(options as SolverOptions) } });
 }
 
 function stats(app: App): Stats {

@@ -70,7 +70,7 @@ export function readState(state: Untrusted): State<HandleSeed> {
     settled: state.at('settled').flag(),
     ...given({
       symmetry: state.at('symmetry').maybe(readSymmetry),
-      locality: state.at('locality').maybe(readPositive),
+      locality: state.at('locality').maybe((each) => each.positive()),
       experiment: state.at('experiment').maybe((each) => each.text()),
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
     }),
@@ -132,12 +132,8 @@ function readMore(more: Untrusted): Partial<HandleSeed> {
   return given({
     name: more.at('name').maybe((each) => each.text(LONGEST_NAME)),
     hidden: more.at('hidden').maybe((each) => each.flag()),
-    weight: more.at('weight').maybe(readPositive),
+    weight: more.at('weight').maybe((each) => each.positive()),
   });
-}
-
-function readPositive(size: Untrusted): number {
-  return size.number() > 0 ? size.number() : size.fail(words.fields.positive);
 }
 
 function readSymmetry(symmetry: Untrusted): Symmetry {

@@ -64,6 +64,10 @@ export class Untrusted {
     return this.value;
   }
 
+  positive(): number {
+    return this.number() > 0 ? this.number() : this.fail(words.fields.positive);
+  }
+
   /** A whole number from 0 up to below `end`. */
   index(end: number): number {
     const value = this.number();
@@ -75,6 +79,11 @@ export class Untrusted {
     const [x, y, z, ...more] = this.list();
     if (x === undefined || y === undefined || z === undefined || more.length > 0) this.fail(words.fields.point);
     return [x.number(), y.number(), z.number()];
+  }
+
+  /** To be called later. */
+  function<T extends (...given: never[]) => unknown>(): T {
+    return typeof this.value === 'function' ? (this.value as T) : this.fail(words.fields.function);
   }
 
   oneOf<T extends string>(choices: readonly T[]): T {

@@ -2,12 +2,14 @@
 import { Untrusted } from '../document/untrusted';
 import { codeOf, Failure, messageOf } from '../failure';
 import type { Scripting } from '../scripting';
-import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from './arguments';
+import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from '../script_arguments';
 import type { Answer, CallName, EmbedEvent, HostCall, HostFailure, News } from './protocol';
 
 /** Calls of a host that have no answer yet. */
 const MOST_UNANSWERED = 100;
 const LONGEST_ID = 64;
+const LONGEST_OBJ = 20e6;
+const MOST_HANDLES = 10_000;
 const BAD_ARGUMENTS = 'bad_arguments';
 
 type Post = (message: Answer | News) => void;
@@ -21,8 +23,8 @@ export class Host {
   constructor(script: Scripting, post: Post) {
     this.#post = post;
     this.#calls = {
-      open: (net) => script.open(readNet(net)),
-      setHandles: (handles) => script.setHandles(readHandles(handles)),
+      open: (net) => script.open(readNet(net, LONGEST_OBJ)),
+      setHandles: (handles) => script.setHandles(readHandles(handles, MOST_HANDLES)),
       move: (vertex, target) => script.move(readVertex(vertex), target.point()),
       setLocality: (radius) => script.setLocality(readLocality(radius)),
       settled: () => script.settled(),

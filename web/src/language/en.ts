@@ -437,6 +437,7 @@ export const en = {
     flag: 'true or false',
     number: 'a number',
     positive: 'a number above 0',
+    function: 'a function',
     index: (end: number) => `a whole number from 0 to ${end - 1}`,
     point: 'a point: three numbers',
     camera: 'two points: six numbers',

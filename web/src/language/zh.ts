@@ -410,6 +410,7 @@ export const zh: Words = {
     flag: ' true 或 false',
     number: '数值',
     positive: '大于 0 的数值',
+    function: '函数',
     index: (end) => ` 0 到 ${end - 1} 之间的整数`,
     point: '一个点：三个数值',
     camera: '两个点：六个数值',

@@ -1,0 +1,98 @@
+/** What scripts may give to `window.chebnet`: anything else is refused, with what and where. */
+import { expect, test } from 'vitest';
+import { createScripting } from '../../web/src/scripting';
+import type { Scripting } from '../../web/src/scripting';
+import { load } from '../wasm/load';
+import { uneven } from './nets';
+import { openPage } from './page_without_pictures';
+import type { Page } from './page_without_pictures';
+
+const core = await load();
+
+/** A script that nobody checks types for. */
+type Loose = { [Name in keyof Scripting]: (...given: unknown[]) => unknown };
+
+async function pageWithDome(): Promise<Page & { script: Loose }> {
+  const page = await openPage(core);
+  const script = createScripting(page.app, Promise.resolve());
+  await script.open({ recipe: 'dome:vertices=100' });
+  await page.solve();
+  return { ...page, script: script as Loose };
+}
+
+async function refusal(doing: () => unknown): Promise<unknown> {
+  try {
+    await doing();
+  } catch (error) {
+    return error;
+  }
+  return expect.fail('it was not refused');
+}
+
+test.each<[call: keyof Scripting, given: unknown[], said: string]>([
+  ['open', [], 'net must be a record with named fields'],
+  ['open', ['dome'], 'net must be a record with named fields'],
+  ['open', [{}], 'net.obj must be a text, not too long'],
+  ['open', [{ recipe: 5 }], 'net.recipe must be a text, not too long'],
+  ['open', [{ recipe: null }], 'net.recipe must be a text, not too long'],
+  ['open', [{ recipe: ['dome'] }], 'net.recipe must be a text, not too long'],
+  ['open', [{ obj: new Uint8Array(3) }], 'net.obj must be a text, not too long'],
+  ['open', [{ obj: '', name: 7 }], 'net.name must be a text, not too long'],
+  ['setHandles', [], 'handles must be a list'],
+  ['setHandles', [{ vertex: 0 }], 'handles must be a list'],
+  ['setHandles', [[0]], 'handles[0] must be a record with named fields'],
+  ['setHandles', [[{ vertex: 0 }, {}]], 'handles[1].vertex must be a number'],
+  ['setHandles', [[{ vertex: 0.5 }]], 'handles[0].vertex must be a whole number from 0 to 2147483647'],
+  ['setHandles', [[{ vertex: 0, target: [0, 0] }]], 'handles[0].target must be a point: three numbers'],
+  ['setHandles', [[{ vertex: 0, target: [0, 0, '1'] }]], 'handles[0].target[2] must be a number'],
+  ['setHandles', [[{ vertex: 0, anchor: 1 }]], 'handles[0].anchor must be true or false'],
+  ['setHandles', [[{ vertex: 0, name: {} }]], 'handles[0].name must be a text, not too long'],
+  ['setHandles', [[{ vertex: 0, hidden: 'no' }]], 'handles[0].hidden must be true or false'],
+  ['setHandles', [[{ vertex: 0, weight: 0 }]], 'handles[0].weight must be a number above 0'],
+  ['setHandles', [[{ vertex: 0, weight: Infinity }]], 'handles[0].weight must be a number'],
+  ['move', ['0', [0, 0, 0]], 'vertex must be a number'],
+  ['move', [0], 'target must be a list'],
+  ['move', [0, [0, 0, NaN]], 'target[2] must be a number'],
+  ['setLocality', ['far'], 'radius must be a number'],
+  ['setLocality', [-1], 'radius must be a number above 0'],
+  ['setOptions', [null], 'options must be a record with named fields'],
+  ['setOptions', [{ method: 5 }], 'options.method must be a text, not too long'],
+  ['setOptions', [{ threshold: '1e-8' }], 'options.threshold must be a number'],
+  ['on', ['click', () => {}], 'event must be one of frame, settled, error'],
+  ['on', ['frame'], 'listener must be a function'],
+  ['screenPosition', [-1], 'vertex must be a whole number from 0 to 2147483647'],
+])('%s(%j) is refused: %s', async (call, given, said) => {
+  const { script, app } = await pageWithDome();
+  const before = app.opening;
+  expect(await refusal(() => script[call](...given))).toMatchObject({ code: 'bad_arguments', message: said });
+  expect(app.opening).toBe(before);
+});
+
+test.each<[call: keyof Scripting, given: unknown[], code: string]>([
+  ['open', [{ recipe: 'no such shape' }], 'bad_option'],
+  ['open', [{ obj: 'v 0 0 0\nf 1 2 3\n' }], 'index_out_of_range'],
+  ['setHandles', [[{ vertex: 1e6 }]], 'index_out_of_range'],
+  ['move', [1e6, [0, 0, 0]], 'index_out_of_range'],
+  ['setOptions', [{ no_such_option: 1 }], 'bad_option'],
+])('what only the core can judge it refuses: %s(%j)', async (call, given, code) => {
+  const { script } = await pageWithDome();
+  expect(await refusal(() => script[call](...given))).toMatchObject({ code });
+});
+
+test('what is left out, or given as undefined, is as if nobody had spoken of it', async () => {
+  const { script, app, solve } = await pageWithDome();
+  await script.open({ obj: uneven(4, 4) });
+  await solve();
+  expect(app.opening!.document.net).toMatchObject({ name: 'net.obj' });
+  await script.setHandles([{ vertex: 0 }, { vertex: 5, name: undefined, anchor: undefined, weight: undefined }]);
+  const { positions } = app.opening!.frame;
+  expect(script.handles()).toEqual([
+    { vertex: 0, target: [...positions.subarray(0, 3)], anchor: true },
+    { vertex: 5, target: [...positions.subarray(15, 18)], anchor: true },
+  ]);
+  await script.setOptions({ method: undefined, threshold: undefined, max_iterations: 7 });
+  expect(app.opening!.document).toMatchObject({ method: 'projection', options: { max_iterations: 7 } });
+  await script.setLocality(3);
+  await script.setLocality(null);
+  expect(app.opening!.document.locality).toBeUndefined();
+});

@@ -1,0 +1,88 @@
+/** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
+ *  of its type or throws a Failure that says which argument must be what. */
+import type { Vec3 } from './document/document';
+import type { Untrusted } from './document/untrusted';
+
+export type ScriptNet = { recipe: string } | { obj: string; name?: string };
+
+export interface ScriptHandle {
+  vertex: number;
+  /** Without it, where the vertex stands. */
+  target?: Vec3;
+  /** Locked: drawn apart, and no hand moves it. Without it, a handle without a target is locked. */
+  anchor?: boolean;
+  /** See HandleData. */
+  name?: string;
+  hidden?: boolean;
+  weight?: number;
+}
+
+/** By the names in core/solve/options.h. */
+export type ScriptOptions = { method?: string; initialisation?: string } & Record<
+  string,
+  number | boolean | string | undefined
+>;
+
+const LONGEST_TEXT = 1000;
+
+/** @param longest characters of an OBJ. */
+export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
+  const recipe = net.at('recipe').maybe(readText);
+  if (recipe !== undefined) return { recipe };
+  const obj = net.at('obj').text(longest);
+  const name = net.at('name').maybe(readText);
+  return name === undefined ? { obj } : { obj, name };
+}
+
+/** @param most handles in the list. */
+export function readHandles(handles: Untrusted, most = Infinity): ScriptHandle[] {
+  return handles.list(most).map(readHandle);
+}
+
+function readHandle(handle: Untrusted): ScriptHandle {
+  const target = handle.at('target').maybe((each) => each.point());
+  const anchor = handle.at('anchor').maybe((each) => each.flag());
+  const name = handle.at('name').maybe(readText);
+  const hidden = handle.at('hidden').maybe((each) => each.flag());
+  const weight = handle.at('weight').maybe((each) => each.positive());
+  return {
+    vertex: readVertex(handle.at('vertex')),
+    ...(target === undefined ? {} : { target }),
+    ...(anchor === undefined ? {} : { anchor }),
+    ...(name === undefined ? {} : { name }),
+    ...(hidden === undefined ? {} : { hidden }),
+    ...(weight === undefined ? {} : { weight }),
+  };
+}
+
+/** Whether the net has it, the core says. */
+export function readVertex(vertex: Untrusted): number {
+  return vertex.index(2 ** 31);
+}
+
+export function readLocality(radius: Untrusted): number | null {
+  return radius.value === null ? null : radius.positive();
+}
+
+/** Whether there are such, the core says. */
+export function readOptions(options: Untrusted): ScriptOptions {
+  const given = options.fields().filter(([, each]) => each.value !== undefined);
+  return Object.fromEntries(
+    given.map(([name, each]) => [
+      name,
+      name === 'method' || name === 'initialisation' ? readText(each) : readSetting(each),
+    ]),
+  );
+}
+
+function readSetting(setting: Untrusted): number | boolean {
+  return typeof setting.value === 'boolean' ? setting.value : setting.number();
+}
+
+export function readEvent(event: Untrusted): 'frame' | 'settled' | 'error' {
+  return event.oneOf(['frame', 'settled', 'error']);
+}
+
+function readText(text: Untrusted): string {
+  return text.text(LONGEST_TEXT);
+}
