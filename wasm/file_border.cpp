@@ -79,7 +79,7 @@ val fault_out(const PatternFault& fault, const Topology& topology) {
 val flat_pattern_out(const Net& net, const Topology& topology) {
     const std::variant<FlatPattern, PatternFault> result = flat_pattern(net, topology);
     if (const auto* fault = std::get_if<PatternFault>(&result)) return fault_out(*fault, topology);
-    const FlatPattern& pattern = std::get<FlatPattern>(result);
+    const auto& pattern = std::get<FlatPattern>(result);
     val object = val::object();
     object.set("places", copy_out(pattern.places));
     object.set("columns", pattern.columns);

@@ -57,6 +57,7 @@ std::string to_csv(const std::vector<SolveReport>& frames) {
 
 std::vector<double> sorted_milliseconds(const std::vector<SolveReport>& frames) {
     std::vector<double> times;
+    times.reserve(frames.size());
     for (const SolveReport& frame : frames) times.push_back(frame.milliseconds);
     std::ranges::sort(times);
     return times;

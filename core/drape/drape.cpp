@@ -78,7 +78,7 @@ public:
 
 private:
     std::array<std::int64_t, 3> cube_of(const Eigen::Vector3d& position) const {
-        std::array<std::int64_t, 3> cube;
+        std::array<std::int64_t, 3> cube{};
         for (int k = 0; k < 3; ++k) cube[k] = static_cast<std::int64_t>(std::floor(position[k] / m_size));
         return cube;
     }

@@ -27,8 +27,8 @@ struct EqualizeOptions {
 
 /// How edge lengths differ, as parts of their mean.
 struct LengthSpread {
-    double shortest, longest;
-    double standard_deviation;
+    double shortest = 0, longest = 0;
+    double standard_deviation = 0;
 };
 
 struct EqualizeReport {

@@ -22,6 +22,7 @@ struct Bound {
 /// (distance from rest, handle), ascending.
 std::vector<std::pair<double, int>> by_distance_moved(const Eigen::Matrix3Xd& targets, const Eigen::Matrix3Xd& rest) {
     std::vector<std::pair<double, int>> moved;
+    moved.reserve(static_cast<std::size_t>(targets.cols()));
     for (int i = 0; i < targets.cols(); ++i) moved.emplace_back((targets.col(i) - rest.col(i)).stableNorm(), i);
     std::sort(moved.begin(), moved.end());
     return moved;

@@ -4,7 +4,7 @@
 
 namespace chebnet {
 
-Curvature CompositePowerEnergy::curvature(double r) const {
+EdgeCurvature CompositePowerEnergy::curvature(double r) const {
     if (r >= 1) return hessian(r);
     return {2 * m_p * m_p * std::pow(r, -m_p - 2), 0};
 }

@@ -13,7 +13,7 @@ public:
 
     /// r ≥ 1: (1 − 1/g²) ∇²g + (2/g³) ∇g ∇gᵀ, which is the true Hessian; r < 1: (2/g³) ∇g ∇gᵀ alone. A compressed edge
     /// has no tangential stiffness, and one at r = 1 neither.
-    Curvature curvature(double r) const override;
+    EdgeCurvature curvature(double r) const override;
 };
 
 }  // namespace chebnet

@@ -15,7 +15,7 @@ public:
     double slope(double r) const override;
     double second_derivative(double r) const override;
     /// As for LengthPowerEnergy: f is convex in r, falls for r < 1 and rises from there.
-    Curvature curvature(double r) const override { return positive_part(hessian(r)); }
+    EdgeCurvature curvature(double r) const override { return positive_part(hessian(r)); }
 
 private:
     double m_p;

@@ -15,7 +15,7 @@ public:
     double second_derivative(double r) const override;
     /// The Hessian of the majorizer h⁺(r(x)) + h⁻(r₀ + ∇r₀·(x − x₀)), where h⁺ and h⁻ are f for r ≥ 1 and for r < 1
     /// (the split of eq. 13). Since f is convex in r, it is the positive part of the true Hessian.
-    Curvature curvature(double r) const override { return positive_part(hessian(r)); }
+    EdgeCurvature curvature(double r) const override { return positive_part(hessian(r)); }
 
 private:
     double m_p;

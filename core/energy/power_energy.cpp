@@ -19,7 +19,7 @@ double PowerEnergy::second_derivative(double r) const {
     return m_p / (r * r) * ((m_p - 1) * g + (m_p + 1) / g);
 }
 
-Curvature PowerEnergy::curvature(double r) const {
+EdgeCurvature PowerEnergy::curvature(double r) const {
     const double g = std::pow(r, m_p);
     return {m_p / (r * r) * ((m_p - 1) * g + 2 * m_p / g), m_p / (r * r) * g};
 }

@@ -18,7 +18,7 @@ public:
     double second_derivative(double r) const override;
     /// The Hessian at r of the convex majorizer f̂(x) = g(x) + 1 / (g₀ + ∇g₀·(x − x₀)) with g = r^p (section 3.2.1):
     /// ∇²g + (2/g³) ∇g ∇gᵀ. Positive definite.
-    Curvature curvature(double r) const override;
+    EdgeCurvature curvature(double r) const override;
 
 protected:
     double m_p;

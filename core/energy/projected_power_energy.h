@@ -10,7 +10,7 @@ class ProjectedPowerEnergy : public PowerEnergy {
 public:
     using PowerEnergy::PowerEnergy;
 
-    Curvature curvature(double r) const override { return positive_part(hessian(r)); }
+    EdgeCurvature curvature(double r) const override { return positive_part(hessian(r)); }
 };
 
 }  // namespace chebnet

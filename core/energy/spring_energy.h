@@ -12,7 +12,7 @@ public:
     double value(double r) const override { return (r - 1) * (r - 1); }
     double slope(double r) const override { return 2 * (r - 1); }
     double second_derivative(double) const override { return 2; }
-    Curvature curvature(double) const override { return {2, 2 * k_smoothness}; }
+    EdgeCurvature curvature(double) const override { return {2, 2 * k_smoothness}; }
 
 private:
     static constexpr double k_smoothness = 1e-4;

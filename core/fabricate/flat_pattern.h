@@ -10,8 +10,8 @@ namespace chebnet {
 
 /// A net laid flat: where no vertex is singular, a Chebyshev net is a piece of the square grid.
 struct FlatPattern {
-    Eigen::Matrix2Xi places;  ///< 2×V, column and row of each vertex, from 0
-    int columns, rows;        ///< of squares
+    Eigen::Matrix2Xi places;    ///< 2×V, column and row of each vertex, from 0
+    int columns = 0, rows = 0;  ///< of squares
 };
 
 /// Why a net has no flat pattern.
@@ -24,7 +24,7 @@ struct PatternFault {
         overlap,    ///< `face` would lie upon another one
         pieces,     ///< the net is not in one piece
     };
-    Reason reason;
+    Reason reason = Reason::not_quads;
     int vertex = -1, face = -1;
 };
 const char* to_string(PatternFault::Reason reason);

@@ -41,14 +41,14 @@ const FormatInfo& find_format(std::string_view name) {
 std::string titles_read(std::string_view conjunction) {
     std::vector<std::string> titles;
     for (const FormatInfo& format : k_formats)
-        if (format.unread == nullptr) titles.push_back(format.title);
+        if (format.unread == nullptr) titles.emplace_back(format.title);
     return listed(titles, conjunction);
 }
 
 std::string titles_binary_or_text(std::string_view conjunction) {
     std::vector<std::string> titles;
     for (const FormatInfo& format : k_formats)
-        if (format.write_text != nullptr && format.write_text != format.write) titles.push_back(format.title);
+        if (format.write_text != nullptr && format.write_text != format.write) titles.emplace_back(format.title);
     return listed(titles, conjunction);
 }
 

@@ -54,7 +54,7 @@ std::string_view kind_of_markup(std::string_view text) {
     std::transform(front.begin(), front.end(), front.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     for (const auto& [mark, name] : k_elements)
-        if (front.find(mark) != front.npos) return name;
+        if (front.find(mark) != std::string::npos) return name;
     return "an XML document";
 }
 

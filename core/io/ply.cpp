@@ -212,7 +212,7 @@ private:
     }
 
     void read_vertex(const Element& element) {
-        std::array<double, 3> position;
+        std::array<double, 3> position{};
         for (std::size_t place = 0; place < element.properties.size(); ++place) {
             const Property& property = element.properties[place];
             const auto axis = std::find(m_coordinate_places.begin(), m_coordinate_places.end(), place);

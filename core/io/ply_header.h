@@ -31,7 +31,7 @@ struct Element {
 
 /// What a file holds, in order; names of elements, and of the properties of one, differ.
 struct Header {
-    Encoding encoding;
+    Encoding encoding{};
     std::vector<Element> elements;
 
     /// Nothing if there is none of that name.

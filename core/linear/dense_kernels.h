@@ -11,7 +11,7 @@ namespace chebnet::dense {
 
 template <typename Scalar, int count>
 struct VectorOf {
-    typedef Scalar type __attribute__((vector_size(count * sizeof(Scalar))));
+    using type __attribute__((vector_size(count * sizeof(Scalar)))) = Scalar;
 };
 template <typename Scalar>
 inline constexpr int k_lanes = 16 / static_cast<int>(sizeof(Scalar));

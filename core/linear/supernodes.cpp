@@ -245,6 +245,7 @@ Supernodes find_supernodes(int node_count, const Eigen::Matrix2Xi& links, const 
             kept.push_back(static_cast<int>(p));
         }
     std::vector<int> kept_parent;
+    kept_parent.reserve(kept.size());
     for (int p : kept)
         kept_parent.push_back(panels[p].parent < 0 ? -1 : kept_index[final_panel(panels, panels[p].parent)]);
     const std::vector<int> number = postorder(kept_parent);

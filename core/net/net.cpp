@@ -75,7 +75,7 @@ void Net::build_edges() {
 
     m_edges.resize(2, static_cast<Eigen::Index>(sides.size()));
     int count = 0;
-    for (std::size_t first = 0, next; first < sides.size(); first = next) {
+    for (std::size_t first = 0, next = 0; first < sides.size(); first = next) {
         next = first + 1;
         while (next < sides.size() && sides[next] == sides[first]) ++next;
         const auto [a, b] = sides[first];

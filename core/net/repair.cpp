@@ -156,6 +156,7 @@ std::vector<int> canonical(std::span<const int> face) {
 
 std::vector<bool> duplicate_faces(const Faces& faces) {
     std::vector<bool> found;
+    found.reserve(static_cast<std::size_t>(faces.size()));
     std::set<std::vector<int>> seen;
     for (int f = 0; f < faces.size(); ++f) found.push_back(!seen.insert(canonical(faces[f])).second);
     return found;

@@ -43,9 +43,9 @@ std::vector<Triangle> triangulated(const Positions& positions, const Faces& face
     return triangles;
 }
 
-Eigen::Vector3d area_vector(const Positions& x, const Triangle& t) {
-    const Eigen::Vector3d corner = x.col(t[0]);
-    return (x.col(t[1]) - corner).cross(x.col(t[2]) - corner);
+Eigen::Vector3d area_vector(const Positions& positions, const Triangle& triangle) {
+    const Eigen::Vector3d corner = positions.col(triangle[0]);
+    return (positions.col(triangle[1]) - corner).cross(positions.col(triangle[2]) - corner);
 }
 
 }  // namespace chebnet

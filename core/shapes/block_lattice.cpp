@@ -10,7 +10,7 @@ namespace {
 using Point = Eigen::Vector3i;
 
 /// Leaves out vertices without a face and numbers the others in the order of the faces.
-Surface tidied(const Positions& positions, Faces faces) {
+Mesh tidied(const Positions& positions, Faces faces) {
     std::vector<int> number(static_cast<std::size_t>(positions.cols()), -1), kept;
     for (int& vertex : faces.vertices) {
         if (number[vertex] < 0) {
@@ -86,8 +86,8 @@ double BlockLattice::vertex_count() const {
     return count;
 }
 
-Surface BlockLattice::surface() const {
-    Surface all = boundary_surface(union_of(m_boxes));
+Mesh BlockLattice::surface() const {
+    Mesh all = boundary_surface(union_of(m_boxes));
     const auto corner = [&all](int vertex) -> Point { return all.positions.col(vertex).cast<int>(); };
     Faces closed;
     for (int f = 0; f < all.faces.size(); ++f) {

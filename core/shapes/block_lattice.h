@@ -25,7 +25,7 @@ public:
     /// How many vertices the boundary has when it is cut into unit squares, but for a few, without making them.
     double vertex_count() const;
     /// The boundary, one oblong face for each face of a block.
-    Surface surface() const;
+    Mesh surface() const;
 
 private:
     std::vector<CellBox> places_of(std::span<const CellBox> boxes) const;

@@ -52,7 +52,7 @@ private:
 
     /// In the middle of two vertices, or on the lattice point below: likewise in all sides between the same planes.
     int add_between(int a, int b) {
-        int axis;
+        int axis = 0;
         (point(b) - point(a)).cwiseAbs().maxCoeff(&axis);
         if (point(a)[axis] > point(b)[axis]) std::swap(a, b);
         const double length = point(b)[axis] - point(a)[axis], step = static_cast<int>(length / 2), t = step / length;

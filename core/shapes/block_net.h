@@ -6,7 +6,7 @@ namespace chebnet {
 
 /// A net of oblong faces with their sides along the axes, and a place in space for each of its vertices.
 struct BlockNet {
-    Surface blocks;       ///< its positions are lattice points
+    Mesh blocks;          ///< its positions are lattice points
     Positions positions;  ///< where they are now
 };
 

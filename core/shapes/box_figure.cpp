@@ -11,7 +11,7 @@ namespace chebnet {
 
 Shape make_box_figure(std::span<const Box> boxes, double vertices, std::span<const Eigen::Vector3d> handles) {
     const Placement placement = place_for(boxes, {}, vertices);
-    Surface surface = boundary_surface(union_of(cells_of(boxes, placement)));
+    Mesh surface = boundary_surface(union_of(cells_of(boxes, placement)));
     const std::vector<int> handle_vertices = nearest_vertices(surface.positions, handles, placement);
     return {place_net(std::move(surface)), handle_vertices};
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "net/mesh.h"
 #include "net/net.h"
 #include "shapes/shapes.h"
 
@@ -27,7 +28,7 @@ private:
 /// One kind of shape: its line of the gallery, and how it is made.
 struct Family {
     ShapeInfo info;
-    Shape (*make)(const Values& values);
+    Shape (*make)(const Values& values) = nullptr;
 };
 
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
@@ -48,13 +49,8 @@ constexpr ShapeParameter smooth_parameter() {
 }
 constexpr bool is_on(double value) { return value >= 0.5; }
 
-/// A surface whose edges all have one length, before it has its size and place.
-struct Surface {
-    Positions positions;
-    Faces faces;
-};
-
-/// The net of `surface`, 10 units across, centred over the origin and standing on the ground z = 0.
-Net place_net(Surface surface);
+/// The net of `surface`, whose edges all have one length, 10 units across, centred over the origin and standing on the
+/// ground z = 0.
+Net place_net(Mesh surface);
 
 }  // namespace chebnet

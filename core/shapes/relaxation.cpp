@@ -56,7 +56,7 @@ struct Entry {
 
 class Gridshell {
 public:
-    Gridshell(const Surface& blocks, const Loads& loads)
+    Gridshell(const Mesh& blocks, const Loads& loads)
         : m_net(blocks.positions, blocks.faces, RestLengths::own),
           m_topology(m_net),
           m_loads(loads),
@@ -203,11 +203,11 @@ private:
 
 }  // namespace
 
-void relax(const Surface& blocks, const Loads& loads, int iterations, Positions& positions) {
+void relax(const Mesh& blocks, const Loads& loads, int iterations, Positions& positions) {
     Gridshell(blocks, loads).relax(iterations, positions);
 }
 
-void restore_lengths(const Surface& blocks, Positions& positions) {
+void restore_lengths(const Mesh& blocks, Positions& positions) {
     constexpr int most_projections = 40;
     constexpr double precision = 1e-14;  // of an edge, root mean square
     const Net net(blocks.positions, blocks.faces, RestLengths::own);

@@ -24,10 +24,10 @@ struct Loads {
 ///
 /// Uses no function of the C library but the square root, and no sum whose order is left to the compiler, so the same
 /// bits come out natively and in WebAssembly.
-void relax(const Surface& blocks, const Loads& loads, int iterations, Positions& positions);
+void relax(const Mesh& blocks, const Loads& loads, int iterations, Positions& positions);
 
 /// Moves vertices as little as may be until the edges have the lengths that they have in the blocks, to the last
 /// digits.
-void restore_lengths(const Surface& blocks, Positions& positions);
+void restore_lengths(const Mesh& blocks, Positions& positions);
 
 }  // namespace chebnet

@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> items;
-    for (std::size_t end = text.find(separator); end != text.npos; end = text.find(separator)) {
+    for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
         items.push_back(trimmed(text.substr(0, end)));
         text.remove_prefix(end + 1);
     }
@@ -93,7 +93,7 @@ std::size_t Values::index(std::string_view name) const {
     return std::find_if(m_parameters.begin(), m_parameters.end(), named) - m_parameters.begin();
 }
 
-Net place_net(Surface surface) {
+Net place_net(Mesh surface) {
     const Eigen::Vector3d low = surface.positions.rowwise().minCoeff();
     const Eigen::Vector3d high = surface.positions.rowwise().maxCoeff();
     const Eigen::Vector3d foot((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, low.z());
@@ -117,7 +117,7 @@ Shape make_shape(std::string_view recipe) {
         fail_syntax("the recipe is longer than " + std::to_string(k_longest_recipe) + " characters");
     const std::size_t colon = recipe.find(':');
     const Family& family = find_family(trimmed(recipe.substr(0, colon)));
-    if (colon == recipe.npos) return family.make(Values(family.info.parameters));
+    if (colon == std::string_view::npos) return family.make(Values(family.info.parameters));
     return family.make(read_values(family.info, recipe.substr(colon + 1)));
 }
 

@@ -24,9 +24,9 @@ struct ShapeParameter {
 
 /// One line of the gallery.
 struct ShapeInfo {
-    const char* name;      ///< as in a recipe
-    const char* title;     ///< for people
-    const char* sentence;  ///< what it is
+    const char* name = "";      ///< as in a recipe
+    const char* title = "";     ///< for people
+    const char* sentence = "";  ///< what it is
     std::span<const ShapeParameter> parameters;
 };
 std::span<const ShapeInfo> shape_table();

@@ -37,7 +37,7 @@ class BoundaryBuilder {
 public:
     explicit BoundaryBuilder(const VoxelSolid& solid) : m_solid(solid) {}
 
-    Surface build() {
+    Mesh build() {
         for_each_face(m_solid, [this](const Point& cell, int axis, int side) { add_face(cell, axis, side); });
         return {Eigen::Map<const Positions>(m_coordinates.data(), 3, vertex_count()), std::move(m_faces)};
     }
@@ -149,6 +149,6 @@ std::size_t VoxelSolid::index(const Eigen::Vector3i& cell) const {
     return (static_cast<std::size_t>(place.z()) * size.y() + place.y()) * size.x() + place.x();
 }
 
-Surface boundary_surface(const VoxelSolid& solid) { return BoundaryBuilder(solid).build(); }
+Mesh boundary_surface(const VoxelSolid& solid) { return BoundaryBuilder(solid).build(); }
 
 }  // namespace chebnet

@@ -47,6 +47,6 @@ void for_each_face(const VoxelSolid& solid, Visit visit) {
 /// closed manifold: a lattice point becomes one vertex for each fan of squares about it, so that cubes which touch in
 /// an edge or a vertex alone are parted there. The one exception: an edge in which two cubes touch joins them if at
 /// both its ends other cubes join them already, because parted it would be the same edge twice.
-Surface boundary_surface(const VoxelSolid& solid);
+Mesh boundary_surface(const VoxelSolid& solid);
 
 }  // namespace chebnet

@@ -35,7 +35,7 @@ struct RandomEdge {
     Eigen::Vector3d u, d;
 };
 
-Eigen::Matrix3d block(const Curvature& c, const Eigen::Vector3d& u, double L) {
+Eigen::Matrix3d block(const EdgeCurvature& c, const Eigen::Vector3d& u, double L) {
     const Eigen::Matrix3d radial = u * u.transpose();
     return (c.radial * radial + c.tangential * (Eigen::Matrix3d::Identity() - radial)) / (L * L);
 }
@@ -181,7 +181,7 @@ TEST_CASE("No curvature is indefinite, none of a majorizer is below the true one
     const double r = GENERATE(0.3, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 2.0, 10.0);
     for (const auto& [name, p, energy, majorizer] : samples()) {
         INFO(name << " p = " << p);
-        const Curvature used = energy->curvature(r), real = energy->hessian(r);
+        const EdgeCurvature used = energy->curvature(r), real = energy->hessian(r);
         CHECK(used.radial >= 0);
         CHECK(used.tangential >= 0);
         CHECK(used.radial >= real.radial * (1 - 1e-12));
@@ -202,8 +202,8 @@ TEST_CASE("Proposition 3: neither composite majorization's majorizer nor its Hes
             const Eigen::Vector3d elsewhere = other.d / other.L * edge.L;
             CHECK(composite_bound(edge.L, edge.d, elsewhere) <=
                   paper_bound(edge.L, edge.d, elsewhere) * (1 + 1e-9) + 1e-9);
-            const Curvature composite = CompositePowerEnergy(p).curvature(edge.r);
-            const Curvature paper = PowerEnergy(p).curvature(edge.r);
+            const EdgeCurvature composite = CompositePowerEnergy(p).curvature(edge.r);
+            const EdgeCurvature paper = PowerEnergy(p).curvature(edge.r);
             CHECK(composite.radial <= paper.radial * (1 + 1e-12));
             CHECK(composite.tangential <= paper.tangential * (1 + 1e-12));
         }
@@ -222,7 +222,7 @@ TEST_CASE("Under composite majorization and projected Newton only stretched edge
         }
         // Both are the true Hessian where that is positive semi-definite.
         for (const double r : {1.0, 1.001, 1.3, 3.0})
-            for (const Curvature& c : {composite.curvature(r), projected.curvature(r)}) {
+            for (const EdgeCurvature& c : {composite.curvature(r), projected.curvature(r)}) {
                 CHECK(c.radial == composite.hessian(r).radial);
                 CHECK(c.tangential == composite.hessian(r).tangential);
                 CHECK((c.tangential > 0) == (r > 1));

@@ -24,7 +24,7 @@ struct DenseNewton {
             const double L = net.rest_lengths()[edge.index], r = ratios[edge.index];
             const Eigen::Vector3d u =
                 (x.col(net.edges()(0, edge.index)) - x.col(net.edges()(1, edge.index))).normalized();
-            const Curvature c = energy.hessian(r);
+            const EdgeCurvature c = energy.hessian(r);
             const Eigen::Matrix3d B =
                 (c.tangential * Eigen::Matrix3d::Identity() + (c.radial - c.tangential) * u * u.transpose()) / (L * L);
             const int ends[] = {edge.node_a, edge.node_b};

@@ -214,7 +214,7 @@ int filled_count(const VoxelSolid& solid) {
 }
 
 Net boundary_net(const VoxelSolid& solid) {
-    Surface surface = boundary_surface(solid);
+    Mesh surface = boundary_surface(solid);
     return Net(std::move(surface.positions), std::move(surface.faces));
 }
 

@@ -8,7 +8,7 @@ namespace chebnet {
 
 namespace {
 
-void fill(BlockSystem& system, const DescentPoint& point, std::vector<Curvature>& curvatures) {
+void fill(BlockSystem& system, const DescentPoint& point, std::vector<EdgeCurvature>& curvatures) {
     curvatures.clear();
     double mean_radial = 0;
     for (const FreePart::Edge& edge : point.part.edges()) {

@@ -24,8 +24,8 @@ public:
 
 private:
     const FreePart* m_whole = nullptr;
-    std::unique_ptr<BlockSystem> m_system;  // of the whole
-    std::vector<Curvature> m_curvatures;    // of the part's edges
+    std::unique_ptr<BlockSystem> m_system;    // of the whole
+    std::vector<EdgeCurvature> m_curvatures;  // of the part's edges
 };
 
 }  // namespace chebnet
