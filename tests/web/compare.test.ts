@@ -6,7 +6,7 @@ import { type Comparison, type RunPlan, startLength } from '../../web/src/compar
 import { freshScene } from '../../web/src/document/defaults';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
-import { Session } from '../../web/src/worker/session';
+import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
 const core = await load();
@@ -32,7 +32,7 @@ class FakeWorker implements WorkerLike {
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
   terminated = false;
-  readonly #session = new Session(core, {
+  readonly #server = new Server(core, {
     post: (response) => this.#later(() => this.onmessage?.({ data: response } as MessageEvent<Response>)),
     soon: (task) => this.#later(task),
     now: () => performance.now(),
@@ -40,7 +40,7 @@ class FakeWorker implements WorkerLike {
   });
 
   postMessage(request: Request): void {
-    this.#later(() => this.#session.handle(request));
+    this.#later(() => this.#server.handle(request));
   }
 
   terminate(): void {

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import type { EqualizeOptions, Mesh } from '../../wasm/chebnet';
 import { between, meanLength, stillFrame } from '../../web/src/equalize/before_after';
 import type { EqualizeResponse } from '../../web/src/equalize/equalize_protocol';
-import { equalize } from '../../web/src/equalize/equalize_session';
+import { equalize } from '../../web/src/equalize/equalize';
 import { Equalizing } from '../../web/src/equalize/equalizing';
 import { equalizedScene, subjectOfNet } from '../../web/src/equalize/subject';
 import { freshScene } from '../../web/src/document/defaults';

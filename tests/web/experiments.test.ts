@@ -7,7 +7,7 @@ import { experimentLink, experimentScene, isExperimentLink } from '../../web/src
 import { variationsOf } from '../../web/src/experiments/variations';
 import type { Scene } from '../../web/src/document/document';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
-import { Session } from '../../web/src/worker/session';
+import { Server } from '../../web/src/worker/server';
 import { load } from '../wasm/load';
 
 /** All links that versions before the figures made: how many variants each experiment had. */
@@ -51,7 +51,7 @@ function open(scene: Omit<Scene, 'view'>): FrameData {
     now: () => 0,
     wholeCore: () => Promise.resolve(core),
   };
-  new Session(core, host).handle({ id: 1, type: 'open', scene } satisfies Request);
+  new Server(core, host).handle({ id: 1, type: 'open', scene } satisfies Request);
   const opened = said.find((each) => each.type === 'opened');
   if (opened) return opened.frame;
   throw new Error(JSON.stringify(said));

@@ -9,7 +9,7 @@ import { kindsFor, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, ReadStep } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
-import { FileSession } from '../../web/src/files/file_session';
+import { FileImporter } from '../../web/src/files/file_importer';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
 import type { EqualizerLike, FileChoice, FileDialogLike } from '../../web/src/dialogs/file_opener';
 import { objText } from '../../web/src/document/obj_text';
@@ -96,15 +96,15 @@ describe('words', () => {
   });
 });
 
-/** A worker in name only: the session answers in this thread. */
+/** A worker in name only: the importer answers in this thread. */
 class LocalWorker implements FileWorkerLike {
   onmessage: FileWorkerLike['onmessage'] = null;
   onerror: FileWorkerLike['onerror'] = null;
   terminated = false;
-  readonly #session = new FileSession(core, (data) => this.#say(data));
+  readonly #importer = new FileImporter(core, (data) => this.#say(data));
 
   postMessage(request: FileRequest): void {
-    void this.#session.handle(request);
+    void this.#importer.handle(request);
   }
 
   terminate(): void {

@@ -1,11 +1,11 @@
-/** The page without its pictures: the app, its client and a session over the real core, all in this process. A net is solved
+/** The page without its pictures: the app, its client and a server over the real core, all in this process. A net is solved
  *  when a test says so. */
 import type { Editors } from '../../wasm/chebnet';
 import { App } from '../../web/src/app/app';
 import type { AppParts, AppServices } from '../../web/src/app/app';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
-import { Session } from '../../web/src/worker/session';
+import { Server } from '../../web/src/worker/server';
 
 export interface Page {
   app: App;
@@ -45,7 +45,7 @@ class WorkerHere implements WorkerLike {
   onmessage: WorkerLike['onmessage'] = null;
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
-  readonly #session: Session;
+  readonly #server: Server;
 
   constructor(core: Editors, whole: Editors, tasks: (() => void)[]) {
     const post = (response: Response): void => {
@@ -53,11 +53,11 @@ class WorkerHere implements WorkerLike {
       queueMicrotask(() => this.onmessage?.({ data } as MessageEvent<Response>));
     };
     const soon = (task: () => void) => tasks.push(task);
-    this.#session = new Session(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(whole) });
+    this.#server = new Server(core, { post, soon, now: () => 0, wholeCore: () => Promise.resolve(whole) });
   }
 
   postMessage(request: Request): void {
-    this.#session.handle(structuredClone(request));
+    this.#server.handle(structuredClone(request));
   }
 
   terminate(): void {}

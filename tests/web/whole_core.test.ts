@@ -1,9 +1,9 @@
-/** The session over the core for a first net, and what it does when that is not enough. */
+/** The server over the core for a first net, and what it does when that is not enough. */
 import { beforeEach, expect, test } from 'vitest';
 import type { Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { Request, Response } from '../../web/src/worker/protocol';
-import { Session } from '../../web/src/worker/session';
+import { Server } from '../../web/src/worker/server';
 import { load, loadFirst } from '../wasm/load';
 
 type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
@@ -19,7 +19,7 @@ const li2022: Body = {
   settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } },
 };
 
-let session: Session;
+let server: Server;
 let said: Response[];
 let tasks: (() => void)[];
 let lastId: number;
@@ -39,7 +39,7 @@ beforeEach(() => {
       fail = reject;
     });
   };
-  session = new Session(first, {
+  server = new Server(first, {
     post: (response) => said.push(response),
     soon: (task) => tasks.push(task),
     now: () => 0,
@@ -49,7 +49,7 @@ beforeEach(() => {
 });
 
 function ask(body: Body): number {
-  session.handle({ id: ++lastId, ...body } as Request);
+  server.handle({ id: ++lastId, ...body } as Request);
   return lastId;
 }
 

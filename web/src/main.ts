@@ -1,4 +1,4 @@
-/** The page: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
+/** Entry point: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app/app';
 import type { AppServices } from './app/app';
 import { copyText } from './files/clipboard';
@@ -56,7 +56,7 @@ const app = new App(
   },
   services,
 );
-// What is done inside of another page is no work of the visitor's own.
+// In a frame of another page nothing is stored: it is not the visitor's own work.
 const projects = new Projects(app, !embedded);
 const openers = lazy(async () => new (await import('./dialogs/openers')).Openers(app, element('panels')));
 const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(app));
@@ -67,9 +67,9 @@ const embedding = lazy(() => import('./embed/embed'));
 const hints = embedded ? null : new Hints(app, element('panels'));
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
-// Before keys are listened to here: Escape lets go of the picture, whatever else it does.
+// Before the listener for keys below: Escape also gives wheel and touch back to the host.
 if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(error));
-// Once the first net is there: until then the network is busy enough.
+// After the first net has been opened, so as not to compete for the network.
 else void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
 
 addEventListener('hashchange', () => attempt(followLink));
@@ -84,7 +84,7 @@ async function embed(script: Scripting): Promise<void> {
   (await embedding()).embed(element('view'), app, script);
 }
 
-/** Its end, of which browsers say nothing, is an error like others. */
+/** Browsers do not report the end of a worker: it is dispatched as an error here. */
 function spawnSolver(): Worker {
   const name = newName();
   const worker = new Worker(new URL('./worker/worker.ts', import.meta.url), { type: 'module', name });
@@ -135,7 +135,7 @@ function linkOf(hash: string, query = ''): string {
   return new URL(`${location.pathname}${query}${hash}`, location.href).href;
 }
 
-/** Says how it went. */
+/** Resolves with a message about the result. */
 async function copyLink(link: string, advice: string): Promise<string> {
   if (await copyText(link)) return words.link.copied(advice);
   history.replaceState(null, '', link);
@@ -152,7 +152,7 @@ async function saveAs(request: SaveRequest): Promise<void> {
   });
 }
 
-/** Of what happens in the view, until it is stopped. */
+/** Records the view as a video until it is stopped. */
 async function record(): Promise<void> {
   const net = app.opening?.document.net;
   const type = filmType();

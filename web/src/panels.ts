@@ -9,29 +9,29 @@ import type { Choice, HandleCommands, LineName } from './handles/commands';
 import type { Tables } from './net/tables';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
-/** What the net shows on request. */
+/** Lessons that the net can demonstrate. */
 export const LESSONS = ['net', 'deviation', 'energy', 'stages'] as const;
 export type Lesson = (typeof LESSONS)[number];
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;
-  /** Give up the net on its way. */
+  /** Cancel the opening of a net. */
   cancelOpening(): void;
   /** The user wants to pick a file, a net or a project. */
   pickFile(): void;
   showKeys(): void;
-  /** Let the net show what a paragraph says. */
+  /** Demonstrate a lesson on the net. */
   showLesson(lesson: Lesson): void;
   /** Give all edges of the net that is open one length. */
   equalize(): void;
-  /** The first net in place of the present one. */
+  /** Open the default net in place of the present one. */
   newNet(): void;
   saveProject(): void;
-  /** What was kept before the present net. */
+  /** Open the project stored before the present one. */
   restoreLast(): void;
   chooseLanguage(language: Language): void;
   handles: HandleCommands;
-  /** Show what a button would take; null: no longer. */
+  /** Preview the vertices that a button would select; null: no longer. */
   previewLine(name: LineName | null): void;
   setOptions(settings: SolverSettings): void;
   /** As setOptions, and the net comes to rest by them at once. */
@@ -51,20 +51,20 @@ export interface PanelEvents {
   /** Run these from rest, those without an edit of their own on the present one. */
   runAll(requests: readonly RunRequest[]): void;
   cancelComparison(): void;
-  /** Show the net of a run in place of one's own; null: one's own again. */
+  /** Show the net of a run in place of the user's; null: the user's again. */
   showRun(run: Run | null): void;
-  /** Show the nets of these runs, two at most, beside the other, and no more. */
+  /** Show the nets of these runs, two at most, in views beside it. */
   showBeside(runs: readonly Run[]): void;
-  /** Pass on a link to what is seen. */
+  /** Make a link to the present scene and offer it. */
   share(): void;
   /** Save the net as a file. */
   save(request: SaveRequest): void;
-  /** Record what is seen. */
+  /** Record the view as a video. */
   record(): void;
   frameAll(): void;
 }
 
-/** What a message offers to do. */
+/** A button beside a message. */
 export interface Action {
   label: string;
   run(): void;
@@ -88,17 +88,17 @@ export interface Panels {
   /** After anything was done, undone or redone. */
   setHistory(history: HistoryView): void;
   setNet(net: OpenedNet): void;
-  /** While another net is on its way for long. */
+  /** When opening another net takes long, and when that is over. */
   setOpening(isUnderWay: boolean, canCancel: boolean): void;
   /** Live numbers and the plot. `solving`: the worker is busy. */
   setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void;
   setHandles(handles: readonly HandleData[], choice: Choice): void;
-  /** Whenever there is news of it. */
+  /** After every change of a comparison. */
   setComparison(comparison: Comparison): void;
-  /** The run whose net is in the view (null: one's own is), and those beside it. */
+  /** The run whose net is in the view (null: the user's own is), and those beside it. */
   setRuns(run: Run | null, beside: readonly Run[]): void;
-  /** A passing line for the user; `error` stays until dismissed. Read out by screen readers. */
+  /** A toast for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error', action?: Action): void;
-  /** A line with a button; it stays until that is pressed or the line is dismissed. */
+  /** A message with a button; it stays until that is pressed or the message is dismissed. */
   offer(message: string, button: string, accept: () => void): void;
 }

@@ -1,4 +1,4 @@
-/** Which length all edges are to have, and whether handles hold. */
+/** Options of equalising: the length of all edges, and whether handles are fixed. */
 import type { EqualizeOptions, EqualizeReport } from '../../../wasm/chebnet';
 import { dialogWords } from '../language/dialogs';
 import { make, makeSwitch, setText } from '../elements/dom';
@@ -47,7 +47,7 @@ export class EqualizeForm {
     );
   }
 
-  /** null: the number is none; the browser says so. */
+  /** null: the number is invalid, as the browser shows. */
   read(handles: readonly number[]): EqualizeOptions | null {
     const length = this.#choice === 'given' ? this.#number.valueAsNumber : this.#choice;
     if (length === 'mean' || length === 'fitting') return { length, handles: this.#hold.box.checked ? handles : [] };
@@ -70,7 +70,7 @@ export class EqualizeForm {
     this.#changed();
   }
 
-  /** Handles fix the size of the net: none is left to fit. */
+  /** Fixed handles determine the size of the net: a length cannot be fitted. */
   #holdChanged(): void {
     this.#radios.fitting.disabled = this.#hold.box.checked;
     this.#choose(this.#hold.box.checked && this.#choice === 'fitting' ? 'mean' : this.#choice);

@@ -1,4 +1,4 @@
-/** How equalising goes on, and what came of it. */
+/** Progress and results of equalising. */
 import type { EqualizeReport } from '../../../wasm/chebnet';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
@@ -15,7 +15,7 @@ export class EqualizeResults {
   readonly #progressWords = make('label', { for: 'equalize-progress' });
   readonly #progress = make('progress', { id: 'equalize-progress', max: 1 });
   readonly #progressRow = make('p', { class: 'progress' }, this.#progressWords, this.#progress);
-  // In the page before anything is said, or screen readers miss it.
+  // In the page from the start: screen readers announce changes of what is there.
   readonly #end = make('div', { role: 'status' });
   #start = NaN;
 
@@ -50,7 +50,7 @@ export class EqualizeResults {
     const equal = report.status === 'converged';
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
     this.#end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
-    // A hundredth is below what the eye sees.
+    // A smaller change would not be seen.
     if (equal && report.fittingLength > 1.01 * report.length)
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
@@ -81,7 +81,7 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
   );
 }
 
-/** Why there is no such net, as far as the core can tell. */
+/** The likely reason why no such net was found. */
 function refusal({ status, unreachablePairs: [pair], worstEdges: [edge], length, iterations }: EqualizeReport): string {
   if (status === 'unreachable' && pair) {
     return TEXT.unreachable(pair.vertexA, pair.vertexB, lengthWords(pair.distance), lengthWords(pair.reach));

@@ -1,5 +1,5 @@
-/** A file on its way in: how far its reading is, then what it holds, what is wrong with it, and how to open it. Escape or
- *  Cancel ends it at any time before the net is opened. */
+/** The dialog of a file: progress of reading, then its contents and defects, and options for opening it. Escape or Cancel
+ *  ends it at any time before the net is opened. */
 import { READ_STEPS } from '../files/file_protocol';
 import type { ReadStep } from '../files/file_protocol';
 import type { FileReport } from '../files/file_report';
@@ -98,7 +98,7 @@ function makeDefects({ findings, refusal }: FileReport): HTMLElement {
   );
 }
 
-/** The first is what Enter does. */
+/** The first button is the default. */
 function openButtons(
   { findings, refusal }: FileReport,
   open: (repaired: boolean) => void,
@@ -130,7 +130,7 @@ const LENGTH_CHOICES: readonly {
   { value: 'equalized', text: () => dialogWords.equalize.choice, hint: dialogWords.equalize.choiceHint },
 ];
 
-/** Which length edges are to keep that differ in length. */
+/** The choice of rest lengths for edges of different length. */
 class LengthChoice {
   readonly element: HTMLElement;
   chosen: FileChoice['restLengths'] = 'own';

@@ -1,4 +1,4 @@
-/** Nets from files: reads one aside, asks the user how to open it, and hands it on. */
+/** Opens nets from files: reads one in a worker, asks the user how to open it, and passes it on. */
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
@@ -20,17 +20,17 @@ export interface FileChoice {
   restLengths: RestLengths | 'equalized';
 }
 
-/** Where the user sees what is going on and is asked. */
+/** The dialog with progress and questions. */
 export interface FileDialogLike {
   setStep(step: ReadStep): void;
   /** Resolves when the user has chosen; may be asked again. */
   ask(report: FileReport): Promise<FileChoice>;
-  /** Resolves as soon as the user wants no more of it, or `close` is called. */
+  /** Resolves when the user cancels, or `close` is called. */
   readonly closed: Promise<null>;
   close(): void;
 }
 
-/** Where the user sees a net equalised. */
+/** The dialog that equalises a net. */
 export interface EqualizerLike {
   /** The net that the user takes, or null. */
   readonly result: Promise<Mesh | null>;

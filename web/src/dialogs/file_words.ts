@@ -1,4 +1,4 @@
-/** What a file holds, in words. */
+/** Texts for the contents of a file. */
 import type { FileReport } from '../files/file_report';
 import { dialogWords } from '../language/dialogs';
 import { count } from '../language/numbers';

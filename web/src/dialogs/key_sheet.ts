@@ -1,4 +1,4 @@
-/** The sheet of keys. */
+/** The dialog that lists all keyboard shortcuts. */
 import type { KeyRow } from '../elements/keys';
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';

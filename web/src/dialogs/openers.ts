@@ -1,4 +1,4 @@
-/** Dialogs that lead to another net, from a file or by equalising, put together. They come when they are first wanted. */
+/** The dialogs that open another net, from a file or by equalising. Loaded on demand. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import type { NetSource, Scene } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
@@ -9,7 +9,7 @@ import { createView } from '../view/scene';
 import type { Opening } from '../worker/opening';
 import { FileOpener } from './file_opener';
 
-/** Where the nets go. */
+/** The part of the app that they use. */
 export interface OpenNet {
   readonly opening: Opening | null;
   /** The core's. */
@@ -23,7 +23,7 @@ export class Openers {
   readonly #app: OpenNet;
   readonly #root: HTMLElement;
 
-  /** @param root where the dialogs stand. */
+  /** @param root parent of the dialogs. */
   constructor(app: OpenNet, root: HTMLElement) {
     this.#app = app;
     this.#root = root;

@@ -58,7 +58,7 @@ export class ShareDialog {
         makeButton(words.share.close, () => this.#dialog.close()),
       ),
     );
-    // Keys are for the dialog alone while it is open.
+    // The page's shortcuts are off while the dialog is open.
     this.#dialog.addEventListener('keydown', (event) => event.stopPropagation());
     this.#dialog.addEventListener('close', () => this.#dialog.remove());
     root.append(this.#dialog);
@@ -76,7 +76,7 @@ export class ShareDialog {
   }
 }
 
-/** Dark on light in any theme: not every reader takes the reverse. */
+/** Dark on light in any theme: not every reader accepts inverted codes. */
 function drawn({ size, path }: QrCode): SVGSVGElement {
   const paper = makeSvg('path', { d: `M0 0h${size}v${size}H0z`, class: 'paper' });
   const picture = {

@@ -1,4 +1,5 @@
-/** Comes when it is wanted: the editor inside of another page, at `?embed`: the net alone, which leaves wheel and touch to that page until a click. */
+/** The editor inside of another page, at `?embed`, loaded on demand: the net alone, which leaves wheel and touch to that page
+ *  until a click. */
 import type { App } from '../app/app';
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
@@ -11,7 +12,7 @@ import './embed.css';
 /** @param view the element that holds the picture. */
 export function embed(view: HTMLElement, app: App, script: Scripting): void {
   view.append(makeShield(view), makeWayOut(app));
-  // Without an origin there is no worker to solve anything; the host knows from public/no_origin.js.
+  // Without an origin there are no workers, and nothing can be solved; public/no_origin.js tells the host.
   if (parent !== window && origin !== 'null') listenToHost(script);
 }
 
@@ -52,7 +53,7 @@ function listenToHost(script: Scripting): void {
   const host = new Host(script, post);
   addEventListener('message', (event) => {
     if (event.source !== parent) return;
-    // A frame without an origin, as from a file, can be reached by the star only.
+    // A host without an origin, e.g. a file, can only be addressed by `*`.
     origin = event.origin === 'null' ? '*' : event.origin;
     void host.receive(event.data);
   });

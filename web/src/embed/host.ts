@@ -40,7 +40,7 @@ export class Host {
     };
   }
 
-  /** What is no call is none of our business: other parts of the page may send messages, too. */
+  /** Messages that are no calls are ignored: other parts of the host may send some, too. */
   async receive(data: unknown): Promise<void> {
     const call = readCall(data);
     if (call === null) return;

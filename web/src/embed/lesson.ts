@@ -27,7 +27,7 @@ element('again').addEventListener('click', () => void call('open', NET));
 addEventListener('message', ({ source, data }: MessageEvent<Answer | News>) => {
   if (source === frame.contentWindow && data?.chebnet === 1) receive(data);
 });
-// Only now, for the editor says once that it is ready.
+// Only now is the frame loaded: the editor sends `ready` only once.
 frame.src = './index.html?embed';
 
 function element(id: string): HTMLElement {

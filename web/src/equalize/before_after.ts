@@ -1,4 +1,4 @@
-/** A net on its way from one shape to another, as a view shows it. */
+/** Blends of two shapes of a net, as frames for a view. */
 import { edgeLengths } from '../net/edge_lengths';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
@@ -24,7 +24,7 @@ export function meanLength(positions: Float64Array, { edges }: Pick<OpenedNet, '
   return lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
 }
 
-/** A frame that nobody solves. */
+/** A frame that is not from the solver. */
 export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedNet, 'edges'>): FrameData {
   const deviation = Float32Array.from(
     edgeLengths(positions, edges),

@@ -1,5 +1,4 @@
-/** What page and equalizing worker say to each other: one request, then news until the end. Whoever wants no more of it ends
- *  the worker. */
+/** Messages between page and equalizing worker: one request, then news until the end. To cancel is to terminate the worker. */
 import type { EqualizeOptions, EqualizeReport, Mesh } from '../../../wasm/chebnet';
 
 export interface EqualizeRequest {
@@ -7,7 +6,7 @@ export interface EqualizeRequest {
   options: EqualizeOptions;
 }
 
-/** How far it is, and the net held at the moment. */
+/** Progress, and the present net. */
 export interface EqualizeNews {
   report: EqualizeReport;
   positions: Float64Array;

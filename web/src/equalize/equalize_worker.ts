@@ -2,7 +2,7 @@
 import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
 import { loadChebnet } from '../../../wasm/chebnet.js';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
-import { equalize } from './equalize_session';
+import { equalize } from './equalize';
 
 function post(response: EqualizeResponse): void {
   self.postMessage(response);

@@ -11,7 +11,7 @@ export interface EqualizeWorkerLike {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** One mesh being equalised, in a worker of its own: giving up ends the worker, in the middle of whatever it does. */
+/** One mesh being equalised, in a worker of its own: to cancel is to terminate the worker. */
 export class Equalizing {
   readonly #worker: EqualizeWorkerLike;
 
@@ -33,7 +33,7 @@ export class Equalizing {
     return ended.finally(() => this.close());
   }
 
-  /** At any time; what is waited for then never comes. */
+  /** At any time; pending promises then never settle. */
   close(): void {
     this.#worker.onmessage = null; // some may be on their way
     this.#worker.terminate();

@@ -1,15 +1,15 @@
-/** What is equalised, and what becomes of the net that was open. */
+/** The net to be equalised, and the scene with the result. */
 import type { FormatInfo, Mesh } from '../../../wasm/chebnet';
 import type { ChebnetDocument, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface Subject {
-  /** How the user knows it. */
+  /** Its name for the user. */
   name: string;
   net: OpenedNet;
   positions: Float64Array;
-  /** Vertices that the user may want to hold. */
+  /** Vertices that the user may want to fix. */
   handles: number[];
 }
 
@@ -18,7 +18,7 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats:
     name: fileNameOf(document.net, 'obj', formats),
     net,
     positions: document.positions ?? net.restPositions,
-    // Soft ones hold nothing.
+    // Soft handles fix nothing.
     handles: document.handles.filter(({ weight }) => !weight).map(({ vertex }) => vertex),
   };
 }

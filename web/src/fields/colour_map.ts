@@ -1,4 +1,4 @@
-/** Colour maps: what number gets what colour, for the view and for the legend alike. */
+/** Colour maps from numbers to colours, for view and legend. */
 import { PLASMA } from 'virtual:plasma';
 
 /** Ends of a map, in the unit of its numbers. */
@@ -16,7 +16,7 @@ export interface MapColours {
   narrow: Rgb;
   right: Rgb;
   wide: Rgb;
-  /** Edges longer than they are to be; others take the colour of a right angle. */
+  /** Edges longer than their rest length; others have the colour of a right angle. */
   longer: Rgb;
   dark: boolean;
 }
@@ -26,7 +26,7 @@ export interface Scale {
   low: number;
   high: number;
   logarithmic: boolean;
-  /** What a legend shows; it may reach farther than the map tells apart. */
+  /** Range of the legend, which may be wider than that of the map. */
   shown: Ends;
   ticks: { value: number; label: string }[];
   /** `t` in 0…1 from one end to the other. */
@@ -39,7 +39,7 @@ export function endText(value: number): string {
   return power.length < plain.length ? power : plain;
 }
 
-/** Ends of the plasma map fade into a light or a dark page: cut them off. */
+/** The ends of the plasma map, which fade into a light or a dark page, are cut off. */
 const PLASMA_LIGHT = [0, 0.78] as const;
 const PLASMA_DARK = [0.36, 1] as const;
 
@@ -81,19 +81,19 @@ export function mix(a: Rgb, b: Rgb, t: number): Rgb {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 }
 
-/** From one colour to another, by decades. */
+/** A logarithmic map from one colour to another. */
 export function blend(from: Rgb, to: Rgb, [low, high]: Ends): Scale {
   return { ...between([low, high]), logarithmic: true, colour: (t) => mix(from, to, t) };
 }
 
-/** Plasma, by decades. */
+/** Plasma, logarithmic. */
 export function plasma({ dark }: MapColours, ends: Ends): Scale {
   const [from, to] = dark ? PLASMA_DARK : PLASMA_LIGHT;
   const colour = (t: number) => parseColour(PLASMA[Math.round((from + (to - from) * t) * (PLASMA.length - 1))]!);
   return { ...between(ends), logarithmic: true, colour };
 }
 
-/** Leans to either side of a middle, which keeps its colour wherever the ends are. */
+/** A diverging map: the middle keeps its colour wherever the ends are. */
 export function diverging(
   [below, at, above]: readonly [Rgb, Rgb, Rgb],
   middle: number,
@@ -117,7 +117,7 @@ export function diverging(
   };
 }
 
-/** No and yes, which are 0 and 1: two colours and nothing between them. */
+/** Two colours for 0 and 1, without a transition. */
 export function noOrYes([no, yes]: readonly [Rgb, Rgb], labels: readonly [string, string]): Scale {
   return {
     low: 0,

@@ -19,17 +19,17 @@ export interface Placed {
 export interface ColourField {
   /** Faces have colours from numbers at vertices only. */
   place: 'vertex' | 'edge';
-  /** What stands for all edges that meet at a vertex: the number farthest from 0, or the mean. */
+  /** How edges that meet at a vertex are combined: the number farthest from 0, or the mean. */
   atVertex?: 'farthest' | 'mean';
   /** The maps to choose from, if there are several. */
   maps?: readonly ColourMap[];
-  /** Whether ends of the map can be set by hand; above 0 only, if it goes by decades. */
+  /** Whether ends of the map can be set by hand; above 0 only, if it is logarithmic. */
   ends?: 'any' | 'above 0';
   /** Its numbers in the unit that is shown, written in place: this is done for each frame. */
   write(numbers: Float32Array, placed: Placed, net: Edges): void;
   /** @param ends in place of the map's own. */
   scale(colours: MapColours, map: ColourMap, ends?: Ends): Scale;
-  /** What the legend says of all its numbers. */
+  /** A summary of all its numbers for the legend. */
   summary(numbers: Float32Array): string;
 }
 
@@ -55,7 +55,7 @@ export const FIELDS = {
       return words.legend.net(range);
     },
   },
-  /** At each vertex the corner angle farthest from a right one. */
+  /** At each vertex the corner angle farthest from 90°. */
   angle: {
     place: 'vertex',
     ends: 'any',
@@ -68,7 +68,7 @@ export const FIELDS = {
       return words.legend.net(words.legend.range(low!, high!));
     },
   },
-  /** Edges that are longer than they are to be, 1, against all others, 0. */
+  /** 1 for edges longer than their rest length, 0 for others. */
   longer: {
     place: 'edge',
     atVertex: 'mean',
@@ -82,7 +82,7 @@ export const FIELDS = {
 
 export type FieldName = keyof typeof FIELDS;
 
-/** Those whose colours have ends. */
+/** Fields whose ends can be set. */
 export type ScaledName = {
   [Name in FieldName]: (typeof FIELDS)[Name] extends { ends: string } ? Name : never;
 }[FieldName];
@@ -93,11 +93,11 @@ export function fieldOf(name: FieldName): ColourField {
   return FIELDS[name];
 }
 
-/** What is shown, and in which colours. */
+/** The field that is shown, and its colours. */
 export interface Colouring {
   field: FieldName;
   colourMap: ColourMap;
-  /** Set by hand; a field without takes those of its map. */
+  /** Ends set by hand; other fields have the automatic ones. */
   ends?: { [Each in ScaledName]?: Ends | undefined };
 }
 
@@ -123,7 +123,7 @@ export function numbersOf({ place, write }: ColourField, placed: Placed, net: Ed
   return numbers;
 }
 
-/** Smallest and largest. What is not a number shows in both. */
+/** Smallest and largest; both NaN if one is. */
 export function rangeOf(numbers: Float32Array): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const each of numbers) {
@@ -137,7 +137,7 @@ function meanOf(numbers: Float32Array): number {
   return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
 }
 
-/** The legend shows more than the narrow band between its ends. */
+/** The legend's range is wider than the narrow band between the ends. */
 function paperScale({ good, bad }: MapColours, ends?: Ends): Scale {
   if (ends) return blend(good, bad, ends);
   const ticks = [

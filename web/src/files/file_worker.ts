@@ -1,10 +1,10 @@
-/** The module worker for one file: loads a core of its own and lets a session answer. */
+/** The module worker for one file: loads a core of its own and passes requests to a FileImporter. */
 import wasmUrl from '../../../build/wasm/chebnet_core.wasm?url';
 import { loadChebnet } from '../../../wasm/chebnet.js';
 import type { FileRequest, FileResponse } from './file_protocol';
-import { FileSession } from './file_session';
+import { FileImporter } from './file_importer';
 
-const session = loadChebnet({ wasmUrl }).then((core) => new FileSession(core, post));
+const importer = loadChebnet({ wasmUrl }).then((core) => new FileImporter(core, post));
 
 function post(response: FileResponse): void {
   self.postMessage(response);
@@ -12,7 +12,7 @@ function post(response: FileResponse): void {
 
 self.onmessage = async ({ data }: MessageEvent<FileRequest>) => {
   try {
-    await (await session).handle(data);
+    await (await importer).handle(data);
   } catch (error) {
     post({ type: 'error', code: 'internal', message: `The file could not be read: ${String(error)}` });
   }

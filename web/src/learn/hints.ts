@@ -1,4 +1,4 @@
-/** Three hints for newcomers, one after another, each where the action is; gone once it is done or dismissed, for good. */
+/** Three hints for newcomers, one after another, each beside what it is about; gone for good once followed or dismissed. */
 import type { App } from '../app/app';
 import { words } from '../language/language';
 import type { Opening } from '../worker/opening';
@@ -8,11 +8,11 @@ import './hints.css';
 const HINTS = ['drag', 'add', 'share'] as const;
 type Hint = (typeof HINTS)[number];
 const KEY = 'chebnet.hints';
-/** Between a hint and what it speaks of; to the edges of the page; for title and tools at its top. */
+/** Margins in pixels: to the target of a hint, to the edges of the page, for title and tools at its top. */
 const GAP = 18;
 const ROOM = 8;
 const HEAD = 72;
-/** So many vertices are looked at for one in the middle of the picture. */
+/** Number of vertices examined to find one in the middle of the view. */
 const LOOKS = 80;
 
 interface Box {
@@ -30,7 +30,7 @@ export class Hints {
   readonly #root: HTMLElement;
   #shown: Hint | null = null;
   #before: Opening | null = null;
-  /** What the hint that is shown speaks of. */
+  /** The target of the hint that is shown. */
   #vertex = 0;
 
   constructor(app: App, root: HTMLElement) {
@@ -45,7 +45,7 @@ export class Hints {
     });
   }
 
-  /** It is not given any more. */
+  /** The hint is not shown again. */
   done(hint: Hint): void {
     if (this.#done.has(hint)) return;
     this.#done.add(hint);
@@ -60,7 +60,7 @@ export class Hints {
     this.#show();
   }
 
-  /** Sees a handle moved or added by what it comes to. */
+  /** Detects from the document that a handle was moved or added. */
   #watch(): void {
     const [before, now] = [this.#before, this.#app.opening];
     this.#before = now;
@@ -80,7 +80,7 @@ export class Hints {
     this.#follow();
   }
 
-  /** Whether there is anything to speak of. */
+  /** Whether its target exists. */
   #findVertex(hint: Hint): boolean {
     const { opening } = this.#app;
     if (opening === null) return false;
@@ -104,7 +104,7 @@ export class Hints {
     return best.vertex;
   }
 
-  /** While it is shown, it stays with what it speaks of. */
+  /** Keeps the hint beside its target, in every animation frame. */
   #follow(): void {
     if (this.#shown === null) return;
     const { width, height } = this.#element.getBoundingClientRect();
@@ -130,7 +130,7 @@ function remembered(): Hint[] {
     const names = localStorage.getItem(KEY)?.split(' ') ?? [];
     return HINTS.filter((hint) => names.includes(hint));
   } catch {
-    return []; // Storage is switched off.
+    return []; // Storage is disabled.
   }
 }
 
@@ -138,6 +138,6 @@ function remember(done: ReadonlySet<Hint>): void {
   try {
     localStorage.setItem(KEY, [...done].join(' '));
   } catch {
-    // Storage is switched off: it is given again on the next visit, which does no harm.
+    // Storage is disabled: it is shown again on the next visit, which does no harm.
   }
 }

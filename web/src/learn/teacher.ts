@@ -1,4 +1,4 @@
-/** Lets the net that is open show what a paragraph says. A hand on the page ends a lesson and has the net as it was. */
+/** Demonstrates lessons on the open net. Any input of the user ends a lesson and restores the net. */
 import type { App } from '../app/app';
 import type { HandleData, Vec3 } from '../document/document';
 import { learnWords } from '../language/learn';
@@ -8,23 +8,23 @@ import type { Lesson } from '../panels';
 const LITTLE = 3;
 const MUCH = 6;
 const PULL_MS = 1800;
-/** Between two steps, to be seen one by one. */
+/** Pause between two steps, in milliseconds. */
 const STEP_MS = 160;
 /** The method with the stages that are taught. */
 const TAUGHT = 'li2022';
-/** Its stages are over long before. */
+/** Most iterations; its stages take far fewer. */
 const MOST_STEPS = 60;
 
 export class Teacher {
   readonly #app: App;
   #lesson = new AbortController();
-  /** The method to go back to when the taught one has come to its end. */
+  /** The method to return to after the lesson. */
   #usualMethod: string | null = null;
   #stepping = false;
 
   constructor(app: App) {
     this.#app = app;
-    // Before the view takes hold of anything.
+    // In the capture phase: before the view handles the event.
     for (const touch of ['pointerdown', 'keydown'])
       addEventListener(touch, () => this.#lesson.abort(), { capture: true });
     app.on('settled', () => this.#lookAtEnd());
@@ -65,7 +65,7 @@ export class Teacher {
   /** The handle far ahead of the net, which has made one step after it. */
   async #stepAhead({ vertex, target }: HandleData): Promise<void> {
     await this.#useTaughtMethod();
-    // The step is asked for before the solver has begun by itself.
+    // The step is requested before the solver starts by itself.
     const moved = this.#app.handles.move([{ vertex, target: this.#inwards(target, MUCH) }], 'lesson');
     await Promise.all([moved, this.#app.step()]);
     await this.#app.settled();
@@ -94,7 +94,7 @@ export class Teacher {
     await this.#setMethod(TAUGHT);
   }
 
-  /** When the solve has come to its end, here or by the user's hand, the usual method is back. */
+  /** After the solve has ended, in the lesson or by the user, sets the usual method again. */
   #lookAtEnd(): void {
     if (this.#stepping || this.#usualMethod === null || this.#frame()?.status === 'running') return;
     void this.#setMethod(this.#usualMethod).catch((error: unknown) => this.#app.report(error));

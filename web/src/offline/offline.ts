@@ -1,4 +1,4 @@
-/** Has the browser keep the page for when there is no network; see service_worker.ts. */
+/** Registers the service worker, by which the page works without a network. */
 
 /** @param offer tells the visitor that another version is there; its argument goes over to it.
  *  @param reload loads the page again without a loss. */
@@ -8,8 +8,8 @@ export async function keepOffline(offer: (accept: () => void) => void, reload: (
   if (registration === undefined) return;
   const known = new Set<ServiceWorker>();
   const offerWhenReady = (worker: ServiceWorker | null): void => {
-    // The first version of all is no news. Whether one was there before it is asked while it is young: in Firefox the first
-    // may have taken the page over by the time it says that it is ready.
+    // The very first version is not announced. Whether there was one before is asked early: in Firefox the first may control
+    // the page by the time it reports that it is installed.
     if (worker === null || registration.active === null || known.has(worker)) return;
     known.add(worker);
     const look = (): void => {
@@ -23,7 +23,7 @@ export async function keepOffline(offer: (accept: () => void) => void, reload: (
   registration.addEventListener('updatefound', () => offerWhenReady(registration.installing));
 }
 
-/** A browser may refuse, in a private window for one; where it keeps nothing, asking alone may fail. The page works without. */
+/** A browser may refuse, e.g. in a private window, or throw when storage is disabled. The page works without. */
 async function register(): Promise<ServiceWorkerRegistration | undefined> {
   try {
     return await navigator.serviceWorker.register('./service_worker.js');

@@ -10,12 +10,12 @@ declare const __CONTENTS__: { version: string; now: Record<string, string>; late
 const { version, now, later } = __CONTENTS__;
 
 const { scope } = self.registration;
-/** The site may hold other pages, even others of this kind. */
+/** Prefix of caches: the site may hold other pages, even other copies of this one. */
 const MINE = `chebnet ${scope} `;
 const CACHE = MINE + version;
 const INTEGRITIES = new Map(Object.entries(now).map(([path, integrity]) => [addressOf(path), integrity]));
 const LATER = new Set(later.map(addressOf));
-/** Kept after all else: a browser that ends in the middle of a download leaves a cache without it. */
+/** Stored last: a cache without it is an interrupted download. */
 const WHOLE = `${scope}?whole`;
 
 self.addEventListener('install', (event) => event.waitUntil(download()));
@@ -28,7 +28,7 @@ self.addEventListener('fetch', (event) => {
   if (method === 'GET' && url.startsWith(scope)) event.respondWith(answer(event.request));
 });
 
-/** The page itself goes by the name of its folder: some hosts lead there from index.html. */
+/** The page itself is stored under its folder: some hosts redirect index.html there. */
 function addressOf(path: string): string {
   return path === 'index.html' ? scope : scope + path;
 }
@@ -47,21 +47,21 @@ async function download(): Promise<void> {
 async function keep(cache: Cache, address: string, integrity: string): Promise<void> {
   const response = await fetch(address, { integrity, cache: 'no-cache' });
   if (!response.ok) throw new Error(`${address}: ${response.status}`);
-  // A browser does not open a page by a response that came by a redirection.
+  // For navigation, browsers refuse a response that was redirected.
   await cache.put(address, response.redirected ? new Response(response.body, response) : response);
 }
 
-/** The version before stays for pages that are still open with it. */
+/** Previous versions stay for pages that are still open with them. */
 async function takeOver(): Promise<void> {
   const others = (await caches.keys()).filter((name) => name.startsWith(MINE) && name !== CACHE);
   const areWhole = await Promise.all(others.map(async (name) => (await caches.open(name)).match(WHOLE)));
-  // Versions of long ago say of none that it is whole.
+  // Caches of early versions lack the mark of completeness.
   const before = others.filter((_, i) => areWhole[i]).at(-1) ?? others.at(-1);
   await Promise.all(others.filter((name) => name !== before).map((name) => caches.delete(name)));
   await self.clients.claim();
 }
 
-/** What a disk has spoilt would keep the page from starting, and so from ever being mended. */
+/** A corrupt file in the cache would keep the page from starting, and so from ever being updated. */
 async function isWhole(response: Response, integrity: string): Promise<boolean> {
   try {
     const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.clone().arrayBuffer()));

@@ -1,5 +1,5 @@
 /** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, and how narrow its corners may get. In
- *  words of designers; the numbers behind them are options of the method `equilibrium`. */
+ *  terms of designers, for options of the method `equilibrium`. */
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import { make, makeSection, makeSelect, setValue } from '../elements/dom';
 import { words } from '../language/language';
@@ -10,7 +10,7 @@ import type { OpenedNet } from '../worker/protocol';
 const METHOD = 'equilibrium';
 const WITHOUT_MATERIAL = 'projection';
 
-/** Bending and shear count only against each other, and against weight. */
+/** Only ratios of bending, shear and weight matter. */
 const MATERIALS = {
   shape: { straight_rods: false, bending_weight: 1, shear_weight: 0.05 },
   rods: { straight_rods: true, bending_weight: 1, shear_weight: 0.05 },
@@ -19,9 +19,9 @@ const MATERIALS = {
 type Material = keyof typeof MATERIALS;
 const isMaterial = (name: string): name is Material => name in MATERIALS;
 
-/** Degrees between two places of the slider. */
+/** Degrees in a step of the slider. */
 const DEGREES = 5;
-/** Steps in which weight grows tenfold, and all of them. */
+/** Steps for a factor of ten in weight, and number of steps. */
 const TENFOLD = 3;
 const HEAVIEST = 9;
 
@@ -134,7 +134,7 @@ export class BehaviourPanel implements Panel {
   }
 }
 
-/** A slider of whole steps with its value in words; `chosen` when it is let go. */
+/** A slider of whole steps with its value in words; `chosen` is called when it is released. */
 function makeSlider(label: string, steps: number, chosen: () => void) {
   const input = make('input', { type: 'range', min: 0, max: steps, step: 1, value: 0 });
   const output = make('output');

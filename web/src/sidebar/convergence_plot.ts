@@ -17,7 +17,7 @@ import {
 const HEIGHT = 168;
 /** Labels of stages closer than this, in pixels, would run into each other. */
 const LABEL_ROOM = 6;
-/** So long after the last iteration the record is at rest. */
+/** Milliseconds after the last iteration when the record is complete. */
 const REST_MS = 1000;
 
 export class ConvergencePlot {
@@ -70,7 +70,7 @@ export class ConvergencePlot {
     this.#draw();
   }
 
-  /** Draws what has been added since, if anyone can see it. */
+  /** Draws what has been added since, if the plot is visible. */
   refresh(): void {
     if (this.#stale && this.#host.clientWidth > 0) this.#draw();
   }
@@ -133,7 +133,7 @@ export class ConvergencePlot {
     for (const start of this.#curve.stageStarts) {
       const x = plot.valToPos(start.x, 'x', true);
       if (x < bbox.left || x > bbox.left + bbox.width) continue;
-      // Many of them, in the course of a drag, must not drown the curve.
+      // Fainter if there are many, as during a drag.
       ctx.strokeStyle = plotColour(this.element, this.#curve.stageStarts.length < 8 ? '--line-strong' : '--line');
       ctx.setLineDash([]);
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);

@@ -1,4 +1,4 @@
-/** How a drag shapes the net: how far from the hand it moves, and whether the hand is held to where the net can follow. */
+/** Settings of a drag: how far from the dragged handles the net moves, and whether they are kept to where it can follow. */
 import type { ChebnetDocument } from '../document/document';
 import type { HandleCommands } from '../handles/commands';
 import { words } from '../language/language';
@@ -47,7 +47,7 @@ export class DragPanel implements Panel {
     this.#write(undefined);
   }
 
-  /** The far end of the slider is about half as far as such a net is wide. */
+  /** The largest radius is about half the width of such a net. */
   setNet({ info }: OpenedNet): void {
     this.#farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
     this.#update(this.#shown);

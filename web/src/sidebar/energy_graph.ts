@@ -28,7 +28,7 @@ export class EnergyGraph {
 
   update(p: number, ratio: number): void {
     this.#curve.setAttribute('d', path(p));
-    // Inside of a wide curve, beside a narrow one, near where it leaves the picture.
+    // The label: inside a wide curve, beside a narrow one, near the top of the graph.
     const r = Math.min(1.8, Math.exp(Math.acosh(HIGHEST / 2) / p));
     this.#name.setAttribute('text-anchor', r > 1.4 ? 'end' : 'start');
     place(this.#name, x(r) + (r > 1.4 ? -8 : 8), Math.max(y(energy(r, p)), TOP + 8));
@@ -48,7 +48,7 @@ function y(value: number): number {
   return HEIGHT - BOTTOM - ((value - LOWEST) / (HIGHEST - LOWEST)) * (HEIGHT - BOTTOM - TOP);
 }
 
-/** As far as it is in the picture. */
+/** The part of the curve within the graph. */
 function path(p: number): string {
   const end = Math.min(Math.LN2, Math.acosh(HIGHEST / 2) / p);
   const points = Array.from({ length: 81 }, (_, i) => Math.exp(end * (i / 40 - 1)));

@@ -21,10 +21,10 @@ import type { PanelEvents } from '../panels';
 import { count } from '../language/numbers';
 import './experiment_guide.css';
 
-/** With less room, a note begins folded. */
+/** On a smaller screen a note is folded at first. */
 const ROOMY = '(min-width: 721px)';
 
-/** A link to something that a document can be. */
+/** A link, and whether a document is what it opens. */
 interface Offer {
   link: HTMLAnchorElement;
   hash(document: ChebnetDocument): string;
@@ -42,7 +42,7 @@ export class ExperimentGuide {
   readonly #events: PanelEvents;
   readonly #failed: (error: unknown) => void;
 
-  /** @param failed is told why something did not come. */
+  /** @param failed is called if something cannot be loaded. */
   constructor(note: HTMLElement, events: PanelEvents, failed: (error: unknown) => void) {
     this.#note = note;
     this.#events = events;
@@ -169,12 +169,12 @@ function titleOf(edit: string): string {
   return texts.edit(words.core.shape(shape), vertices === undefined ? '' : count(Number(vertices)));
 }
 
-/** A choice of one is none. */
+/** Nothing if there is only one to choose. */
 function makeOffers(title: string, links: HTMLElement[]): HTMLElement {
   return make('nav', { 'aria-label': title, hidden: links.length < 2 }, make('span', {}, title), ...links);
 }
 
-/** A link to the address that is open already begins it again; of itself it would do nothing. */
+/** Makes a link to the present address open it again; by default nothing would happen. */
 function makeLink(text: string): HTMLAnchorElement {
   const link = make('a', {}, text);
   link.addEventListener('click', () => {

@@ -1,5 +1,5 @@
-/** The places of the experiments, which come when they are first wanted: their list in the sidebar, and over the picture the
- *  note on the one that is open. */
+/** Placeholders for the experiments, which are loaded on demand: their list in the sidebar, and over the view the note on the
+ *  one that is open. */
 import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
@@ -18,7 +18,7 @@ export class ExperimentsPlace implements Panel {
   readonly #events: PanelEvents;
   readonly #failed: (error: unknown) => void;
 
-  /** @param failed is told why they did not come. */
+  /** @param failed is called if they cannot be loaded. */
   constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
     this.#failed = failed;
@@ -29,7 +29,7 @@ export class ExperimentsPlace implements Panel {
     this.#document = document;
     if (this.#guide) return this.#guide.setDocument(document);
     if (document.experiment === undefined) return;
-    // At once, for the picture leaves room for it.
+    // At once: the view leaves space for it when it fits the net.
     this.note.hidden = false;
     this.#load();
   }

@@ -1,4 +1,4 @@
-/** The shapes to begin with, each with a picture that is drawn when it comes into sight and nothing else is going on. */
+/** The gallery of shapes, each with a thumbnail that is drawn when it is scrolled into view and the page is idle. */
 import type { ShapeInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
@@ -7,7 +7,7 @@ import type { Idle } from './idle';
 import { drawThumbnail, type Wireframe } from './thumbnail';
 import './gallery.css';
 
-/** Enough to tell the shape, few enough to see the net. */
+/** Size of the nets in thumbnails. */
 const THUMBNAIL_VERTICES = 300;
 
 const FOLDER = 'M2 12.5v-9h4l1.5 2H14v7z';
@@ -54,7 +54,7 @@ export class Gallery {
       const pressed = String(shape.name === name);
       if (button.getAttribute('aria-pressed') === pressed) continue;
       button.setAttribute('aria-pressed', pressed);
-      // In its new colour.
+      // Redrawn in its new colour.
       if (net) drawThumbnail(canvas, net);
     }
   }
@@ -90,7 +90,7 @@ export class Gallery {
         item.net = await this.#thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
         drawThumbnail(item.canvas, item.net);
       } catch {
-        // A picture less; the name still opens the shape.
+        // Without a picture the name still opens the shape.
       }
     }
     this.#drawing = false;

@@ -11,8 +11,7 @@ import { SelectionForm } from './selection_form';
 import { SymmetryChoice } from './symmetry_choice';
 import './handle_list.css';
 
-/** So many rows are made at first, and more with each press of the button below them: thousands of handles, of which nobody
- *  reads the list, must not hold the page up. */
+/** Number of rows made at first, and added with each press of the button below them: thousands of rows would block the page. */
 const ROWS_AT_A_TIME = 100;
 
 export class HandleList implements Panel {
@@ -107,7 +106,7 @@ export class HandleList implements Panel {
     return [...first, ...beyond];
   }
 
-  /** The keyboard goes on at the first of the new rows. */
+  /** Moves the focus to the first new row. */
   #showMore(): void {
     const next = this.#handles[this.#mostRows];
     this.#mostRows += ROWS_AT_A_TIME;

@@ -129,7 +129,7 @@ export function makeCoordinates(inputs: readonly HTMLInputElement[]): HTMLDivEle
   return make('div', { class: 'coordinates' }, ...labels);
 }
 
-/** A button with two faces. */
+/** A toggle button with two icons. */
 class Toggle {
   readonly button: HTMLButtonElement;
   readonly #faces: [SVGSVGElement, SVGSVGElement];

@@ -1,4 +1,4 @@
-/** What was done, as a list: the present entry is marked, and a click on another goes there. */
+/** The history as a list: the present entry is highlighted, and a click on another goes there. */
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
@@ -29,7 +29,7 @@ export class HistoryPanel implements Panel {
     this.#refresh();
   }
 
-  /** Only what is seen is kept up to date, and only what is new is made. */
+  /** Updates only while unfolded, and makes only new entries. */
   #refresh(): void {
     if (!this.element.open || this.#history === null) return;
     const { names, present } = this.#history;

@@ -1,11 +1,11 @@
-/** Waits for a pause in which odd jobs disturb nobody: thumbnails must never get in the way of a drag. */
+/** Waits until the page is idle: drawing thumbnails must not slow down a drag. */
 
 const QUIET_MS = 400;
 
 export class Idle {
   #last = 0;
 
-  /** Something is going on. */
+  /** Called at any activity. */
   touch(): void {
     this.#last = performance.now();
   }

@@ -1,4 +1,4 @@
-/** The place of the lessons, which come when they are first wanted. */
+/** The section of the lessons, which are loaded on demand. */
 import { makeSection } from '../elements/dom';
 import { words } from '../language/language';
 import type { Panel, PanelEvents } from '../panels';
@@ -14,10 +14,10 @@ export class LearnPanel implements Panel {
   #lessons: Lessons | null = null;
   #net: OpenedNet | null = null;
   #frame: FrameData | null = null;
-  /** Of the last iteration that had one. */
+  /** The exponent of the last iteration that had one. */
   #p = 2;
 
-  /** @param failed is told why they did not come. */
+  /** @param failed is called if they cannot be loaded. */
   constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
     this.element.addEventListener('toggle', () => this.element.open && this.#unfolded().catch(failed));

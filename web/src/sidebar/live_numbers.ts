@@ -1,4 +1,4 @@
-/** The numbers of the moment. */
+/** The table of current numbers of net and solver. */
 import { words } from '../language/language';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';

@@ -47,7 +47,7 @@ export function fromSlider(parameter: ShapeParameter, at: number): number {
   return Math.min(largest, Math.max(smallest, rounded));
 }
 
-/** The table does not say so, but default and ends of a count are whole. */
+/** Whether a parameter is a whole number: its default and its range are. */
 function isWhole({ value, smallest, largest }: ShapeParameter): boolean {
   return [value, smallest, largest].every(Number.isInteger) && largest - smallest > 2;
 }

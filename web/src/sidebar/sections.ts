@@ -12,17 +12,17 @@ import { ShapePanel } from './shape_panel';
 import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
 
-/** What panels may want of the sidebar. */
+/** Services of the sidebar for panels. */
 export interface SidebarServices {
   events: PanelEvents;
   say(message: string): void;
-  /** A part of a panel did not come. */
+  /** A part of a panel could not be loaded. */
   failed(error: unknown): void;
   /** Makes room on a phone for what is behind the sidebar. */
   fold(): void;
 }
 
-/** From top to bottom. @param experiments made already, for a part of it stands elsewhere. */
+/** From top to bottom. @param experiments exists already, since its note is placed elsewhere. */
 export function createSections({ events, say, failed, fold }: SidebarServices, experiments: Panel): Panel[] {
   return [
     new ShapePanel(events),

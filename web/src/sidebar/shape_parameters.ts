@@ -1,4 +1,4 @@
-/** Sliders for what the recipe of the present shape can vary. */
+/** Sliders for the parameters of the present shape. */
 import type { ShapeInfo, ShapeParameter } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { make } from '../elements/dom';
@@ -22,7 +22,7 @@ export class ShapeParameters {
     const key = shape ? text! : '';
     if (key === this.#shown) return;
     this.#shown = key;
-    // Whoever works a slider by keys keeps it.
+    // Keeps the slider that has the focus: it is being moved by keys.
     const focused = (document.activeElement as HTMLElement | null)?.dataset.parameter;
     this.element.replaceChildren(
       ...(recipe && shape ? shape.parameters.map((parameter) => this.#slider(parameter, recipe, shape)) : []),

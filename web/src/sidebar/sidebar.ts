@@ -26,7 +26,7 @@ import { messageOf } from '../failure';
 import '../overlay/overlay.css';
 import './sidebar.css';
 
-/** Numbers that change more often cannot be read. */
+/** Interval between updates of numbers, in milliseconds: faster ones cannot be read. */
 const REFRESH_MS = 120;
 
 export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
@@ -37,7 +37,7 @@ class Sidebar implements Panels {
   readonly #messages = new Messages();
   readonly #fold = makeButton(words.page.controls, () => this.#unfold(!this.#sections.classList.contains('open')));
   readonly #sections: HTMLElement;
-  /** All that are shown anything. */
+  /** All panels, which get every update. */
   readonly #panels: readonly Panel[];
   #pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
   #timer = 0;

@@ -1,4 +1,4 @@
-/** The method and its settings, and the buttons that set it going. */
+/** The method and its settings, and buttons to solve, stop and reset. */
 import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import type { HistoryView } from '../document/undo';
@@ -9,7 +9,7 @@ import type { FrameData } from '../worker/protocol';
 import { InitialisationChoice, MethodChoice } from './method_choice';
 import type { Panel, PanelEvents } from '../panels';
 
-/** Shown at once; the rest of the table is a click away. */
+/** Options shown at once; the others are folded away. */
 const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 'adaptive_reduction'];
 
 interface Setting {
@@ -113,7 +113,7 @@ export class SolverPanel implements Panel {
   }
 
   #set(options: SolverOptions): void {
-    // Sent whole: what is left out goes back to its default.
+    // All options are sent: those left out would go back to their defaults.
     const all = Object.fromEntries(this.#settings.map(({ option }) => [option.name, usualValue(option)]));
     const [method, initialisation] = [this.#method.value, this.#initialisation.value];
     this.#events.setOptions({ method, initialisation, options: { ...all, ...options } });

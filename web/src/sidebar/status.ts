@@ -1,4 +1,4 @@
-/** How the solver stands, in words. */
+/** Texts for the status of the solver. */
 import type { Status, TraceRow } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { count } from '../language/numbers';

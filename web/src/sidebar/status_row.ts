@@ -1,4 +1,4 @@
-/** Over the sections: how the solver stands, and two buttons. */
+/** The row above the sections: status of the solver, and two buttons. */
 import { make, makeButton, setText } from '../elements/dom';
 import { words } from '../language/language';
 import type { Panel, PanelEvents } from '../panels';

@@ -1,4 +1,4 @@
-/** What is drawn over the picture: what a click would take, where to begin, who is out of reach. */
+/** Annotations over the view: the hovered vertex, the handle to begin with, pairs of handles out of reach. */
 import type { Vector2, Vector3 } from 'three';
 import { words } from '../language/language';
 import type { FrameData } from '../worker/protocol';
@@ -6,12 +6,12 @@ import type { Found } from './gestures';
 import type { HandleMarkers } from './handles';
 import { Overlay, type Place, type Strain } from './overlay';
 
-/** A label keeps so far from the edges of the canvas, in pixels. */
+/** Margin of labels to the edges of the canvas, in pixels. */
 const LABEL_ROOM = { side: 140, top: 120, bottom: 120 };
-/** So many unreachable pairs are drawn, the worst first. */
+/** Most unreachable pairs drawn, the worst first. */
 const SHOWN_STRAINS = 3;
 
-/** Where things are. */
+/** Positions in scene and canvas. */
 export interface Picture {
   readonly size: Vector2;
   readonly markers: HandleMarkers;
@@ -21,15 +21,15 @@ export interface Picture {
   place(point: Vector3): Place;
 }
 
-/** What there is to be said. */
+/** What is annotated. */
 export interface Annotated {
-  /** Under the pointer. */
+  /** The hovered vertex. */
   found: Found | null;
   /** Whether the handle to begin with is pointed out. */
   isFirstVisit: boolean;
-  /** That leads the handles being dragged. */
+  /** The handle that leads a drag. */
   dragged: number | undefined;
-  /** Vertices that a button would take. */
+  /** Vertices that a button would select. */
   preview: readonly number[];
   unreachable: FrameData['unreachable'];
 }

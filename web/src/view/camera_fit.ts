@@ -1,4 +1,4 @@
-/** Where to stand to see the whole net. */
+/** Where to place the camera to see the whole net. */
 import { Matrix4, type PerspectiveCamera, Vector3 } from 'three';
 
 /** From the front, a little to the right and from above. */
@@ -10,7 +10,7 @@ export interface Stand {
   target: Vector3;
 }
 
-/** Room to leave free at each side of the picture, as a share of its height or width. */
+/** Margins at each side of the view, as a fraction of its height or width. */
 export interface Margins {
   top: number;
   right: number;
@@ -63,7 +63,7 @@ class Span {
     return (this.#below + this.#above) / (this.#low + this.#high);
   }
 
-  /** In the middle of what is free at a greater distance. */
+  /** At a greater distance than needed, in the middle of the free range. */
   centre(distance: number): number {
     return (this.#above - this.#high * distance + this.#low * distance - this.#below) / 2;
   }

@@ -1,17 +1,17 @@
-/** The camera and what moves it: hands through three's OrbitControls, and glides to a given stand. */
+/** The camera and its motion: three's OrbitControls, and animations to a given place. */
 import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Stand } from './camera_fit';
 
 const FIELD_OF_VIEW = 32;
 const GLIDE_MS = 280;
-/** Share of the camera's momentum that a sixtieth of a second takes. */
+/** Damping: fraction of the camera's momentum lost in 1/60 s. */
 const DAMPING = 0.16;
 /** After a longer pause than this it is the first frame of a motion. */
 const LONG_FRAME_MS = 300;
 
 export interface RigEvents {
-  /** The picture must be drawn again. */
+  /** The view must be redrawn. */
   moved(): void;
   /** After orbit, pan, zoom or glide. */
   rested(): void;
@@ -20,7 +20,7 @@ export interface RigEvents {
 export class CameraRig {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
   readonly orbit: OrbitControls;
-  /** No hand has moved the camera since it was put to show the whole net. */
+  /** The camera has not been moved by hand since it was fitted to the whole net. */
   framed = true;
   readonly #calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   #steering = false;
@@ -31,7 +31,7 @@ export class CameraRig {
 
   constructor(canvas: HTMLCanvasElement, events: RigEvents) {
     this.#events = events;
-    // OrbitControls reads it once, when made.
+    // OrbitControls reads it only in its constructor.
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = !this.#calm;
@@ -118,7 +118,7 @@ export class CameraRig {
     this.#changed();
   }
 
-  /** Near and far planes as the distance wants them: both the whole net and a single edge can be looked at. */
+  /** Sets near and far planes by the distance, so that both the whole net and a single edge can be viewed. */
   #fitDepth(): void {
     const { camera, distance } = this;
     camera.near = Math.max(1e-3, 0.02 * distance);

@@ -1,4 +1,4 @@
-/** Pictures and films of what a renderer draws. */
+/** Pictures and videos of what a renderer draws. */
 import { Color, type Scene, SRGBColorSpace, type Vector2, type WebGLRenderer } from 'three';
 import { words } from '../language/language';
 import type { Theme } from './theme';
@@ -30,7 +30,7 @@ export function takePicture(
   return picture;
 }
 
-/** Before a plain background until its end. */
+/** A video on a plain background. */
 export function takeFilm(renderer: WebGLRenderer, scene: Scene, theme: Theme, requestDraw: () => void): Film {
   const stream = renderer.domElement.captureStream(FILM_RATE);
   scene.background = new Color().setRGB(...theme.fade, SRGBColorSpace);

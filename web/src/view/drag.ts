@@ -1,11 +1,11 @@
-/** One drag of handles, whoever moves them: a pointer in the view plane, the gizmo or the arrow keys. */
+/** A drag of handles, by a pointer in the view plane, the gizmo or the arrow keys. */
 import { type Camera, Plane, Raycaster, type Vector2, Vector3 } from 'three';
 import type { Handle } from '../../../wasm/chebnet';
 import type { ViewEvents } from './view';
 
 export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 
-/** Reports a drag in good order: a start, at most one move a frame, an end. */
+/** Reports a drag as events: a start, at most one move a frame, an end. */
 export class DragReport {
   #held: readonly number[] = [];
   #pending: Handle[] | null = null;
@@ -15,7 +15,7 @@ export class DragReport {
     this.#events = events;
   }
 
-  /** The handles in hand, the one that leads first; empty: no drag is under way. */
+  /** The dragged handles, the leading one first; empty: no drag is under way. */
   get vertices(): readonly number[] {
     return this.#held;
   }
@@ -51,13 +51,13 @@ export class DragReport {
   }
 }
 
-/** Carries a point along under the pointer, in the plane through it that faces the camera. */
+/** Moves a point with the pointer, in the plane through it that faces the camera. */
 export class ViewPlane {
   readonly #plane = new Plane();
   readonly #grip = new Vector3();
   readonly #ray = new Raycaster();
 
-  /** `pointer` in −1…1. The point keeps its distance from where it was gripped. */
+  /** `pointer` in −1…1. The offset at the start of the drag is kept. */
   grab(camera: Camera, point: Vector3, pointer: Vector2): void {
     camera.getWorldDirection(this.#plane.normal);
     this.#plane.setFromNormalAndCoplanarPoint(this.#plane.normal, point);

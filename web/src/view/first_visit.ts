@@ -1,11 +1,11 @@
-/** Whether this visitor has ever dragged a handle here; until then one handle beckons. */
+/** Whether this visitor has ever dragged a handle here; until then one handle is pointed out. */
 const KEY = 'chebnet.dragged';
 
 export function isFirstVisit(): boolean {
   try {
     return localStorage.getItem(KEY) === null;
   } catch {
-    return true; // Storage is switched off.
+    return true; // Storage is disabled.
   }
 }
 
@@ -13,6 +13,6 @@ export function endFirstVisit(): void {
   try {
     localStorage.setItem(KEY, '1');
   } catch {
-    // Storage is switched off: it will beckon again, which does no harm.
+    // Storage is disabled: it is pointed out again on the next visit, which does no harm.
   }
 }

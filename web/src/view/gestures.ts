@@ -1,7 +1,7 @@
-/** What hands mean: a click picks, with Shift it adds; a drag on a handle moves it and what is selected with it, with Shift it
- *  draws a box around handles; a drag elsewhere is the camera's. A long touch on a handle does what Shift and a click do.
- *  While several are being selected, each click adds, and a drag beside what is selected draws a lasso. Two fingers are the
- *  camera's, also if the first has just taken hold of something. */
+/** Pointer and key gestures in the view: a click picks, with Shift it adds; a drag on a handle moves it and what is selected with it, with Shift it
+ *  draws a box around handles; a drag elsewhere moves the camera. A long touch on a handle does what Shift and a click do.
+ *  While several are being selected, each click adds, and a drag beside what is selected draws a lasso. Two fingers move
+ *  the camera, even if the first has just begun a drag. */
 import { Matrix4, TOUCH, Vector2, Vector3, type PerspectiveCamera } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
@@ -16,7 +16,7 @@ import type { Place } from './overlay';
 import { nearestVertex, type Projection } from './picking';
 import type { ViewEvents } from './view';
 
-/** What the scene lends to the hands. */
+/** The part of the scene that gestures use. */
 export interface GestureContext {
   canvas: HTMLCanvasElement;
   camera: PerspectiveCamera;
@@ -32,12 +32,12 @@ export interface GestureContext {
   /** Those that move with a handle, itself first; without one, those of the selection. */
   moving(handle?: number): readonly number[];
   projection(): Projection;
-  /** Takes handles in hand. */
+  /** Starts a drag of handles. */
   grab(vertices: readonly number[]): void;
   /** Where those in hand are now, from where they were taken. */
   carry(motion: Matrix4): void;
   outline(corners: readonly Place[] | null): void;
-  /** What lies under a resting pointer; null: nothing. */
+  /** What is hovered; null: nothing. */
   hovered(found: Found | null): void;
   frameAll(): void;
 }
@@ -56,11 +56,11 @@ interface Press {
   onGizmo: boolean;
   /** How far it has been from where it went down, in pixels. */
   gone: number;
-  /** It is no click any more. */
+  /** It has moved too far to be a click. */
   moved: boolean;
 }
 
-/** A fingertip hides what it points at: it may miss by more, and trembles more. */
+/** Tolerances in pixels: a fingertip hides its target and moves more than a mouse. */
 const REACH = { mouse: 12, touch: 24 };
 const HANDLE_SLACK = { mouse: 4, touch: 16 };
 const STILL = { mouse: 3, touch: 8 };
@@ -108,13 +108,13 @@ export class Gestures {
     this.#context = context;
     const { canvas } = context;
     const { signal } = this.#listeners;
-    // In the capture phase of the parent: decided before the camera's and the arrows' own listeners hear of it.
+    // In the capture phase of the parent: before the listeners of the camera and the gizmo.
     const above = canvas.parentElement!;
     above.addEventListener('pointerdown', (event) => this.#down(event), { signal, capture: true });
     above.addEventListener('pointermove', (event) => this.#move(event), { signal, capture: true });
     above.addEventListener('pointerup', (event) => this.#up(event), { signal, capture: true });
     above.addEventListener('pointercancel', (event) => this.#lost(event), { signal, capture: true });
-    // With text selected all over the page, browsers would carry that text away instead of the handle.
+    // If text of the page is selected, browsers would drag that text instead of the handle.
     above.addEventListener('dragstart', (event) => event.preventDefault(), { signal });
     canvas.addEventListener('pointerleave', () => this.#leave(), { signal });
     canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
@@ -144,7 +144,7 @@ export class Gestures {
     const outline = handle || onGizmo ? null : this.#outlineFrom(at, event);
     this.#press = { pointer: event.pointerId, at, handle, outline, onGizmo, gone: 0, moved: false };
     const isCameras = !handle && !onGizmo && !outline;
-    // One finger is kept from turning the view, yet counted: with another it is a pinch.
+    // One finger does not turn the view, but OrbitControls must know of it: with another it is a pinch.
     orbit.touches.ONE = isCameras ? TOUCH.ROTATE : null;
     orbit.enabled = isCameras || isTouch;
     if (isCameras || onGizmo) return;
@@ -153,7 +153,7 @@ export class Gestures {
     if (handle) this.#plane.grab(this.#context.camera, handle.from, this.#toDevice(at));
   }
 
-  /** Another finger: the camera's business, unless something is well under way; then it goes unheard. */
+  /** Another finger: a gesture of the camera, unless a drag is well under way; then it is ignored. */
   #downToo(event: PointerEvent, press: Press): void {
     if (isUnderWay(press)) return event.stopPropagation();
     clearTimeout(this.#longTouch);
@@ -206,7 +206,7 @@ export class Gestures {
     else if (!press.moved && !press.onGizmo) this.#click(press.at, event);
   }
 
-  /** The system took the pointer away, for a gesture of its own. */
+  /** pointercancel: the system uses the pointer for a gesture of its own. */
   #lost(event: PointerEvent): void {
     if (event.pointerId !== this.#press?.pointer) return;
     this.#letGo();
@@ -223,7 +223,7 @@ export class Gestures {
     this.#context.outline(null);
   }
 
-  /** Whatever the pointer was about to do, it does not. */
+  /** Forgets what the pointer was about to do. */
   #giveUp(): void {
     if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
     this.#context.outline(null);
@@ -253,7 +253,7 @@ export class Gestures {
   }
 
   #awaitLongTouch(pointer: number, vertex: number): void {
-    // A frame later, for moves that a busy page has not heard of yet come before it.
+    // A frame later: a busy page may still have moves to process that come before it.
     this.#longTouch = setTimeout(
       () => requestAnimationFrame(() => this.#takeLongTouch(pointer, vertex)),
       LONG_TOUCH_MS,
@@ -262,12 +262,12 @@ export class Gestures {
 
   #takeLongTouch(pointer: number, vertex: number): void {
     if (this.#press?.pointer !== pointer || this.#press.moved) return;
-    // The finger has had its say: nothing follows from where it goes, or lifts.
+    // The long touch is over: moving or lifting the finger does nothing more.
     this.#press = { ...this.#press, moved: true, handle: null };
     this.#context.events.select(toggled(this.#context.selection(), vertex));
   }
 
-  /** A handle as a hand takes it; null: there is none, or it is locked, or still to be selected. */
+  /** A handle that can be dragged; null: there is none, or it is locked, or not selected yet. */
   #grip(vertex: number | null): Press['handle'] {
     const { markers } = this.#context;
     if (this.#context.selecting() && !this.#context.selection().includes(vertex ?? -1)) return null;
@@ -315,7 +315,7 @@ export class Gestures {
     this.#context.hovered(found);
   }
 
-  /** Takes part before anyone else hears of the key: Esc in a gesture means this gesture, nothing else. */
+  /** Before all other listeners: Esc in a gesture cancels this gesture, and does nothing else. */
   #escape(event: KeyboardEvent): void {
     const isDrawing = this.#press?.outline && this.#press.moved;
     if (event.key !== 'Escape' || (!this.#context.report.isUnderWay && !isDrawing)) return;
@@ -382,7 +382,7 @@ export class Gestures {
   }
 }
 
-/** It would be a loss to end it for the camera. */
+/** Whether it is too far advanced to be given up for the camera. */
 function isUnderWay({ handle, onGizmo, gone }: Press): boolean {
   return (handle !== null || onGizmo) && gone > FAR;
 }

@@ -1,5 +1,5 @@
 /** Arrows, rings and boxes along x, y, z at the selected handles: three's TransformControls, bound to this page's way of
- *  dragging. They come when there is something to be moved by them. */
+ *  dragging. Loaded when the first handle is selected. */
 import {
   Color,
   Group,
@@ -22,15 +22,15 @@ export interface GizmoEvents {
   /** From where they stood at the start, in the scene. */
   move(motion: Matrix4): void;
   end(): void;
-  /** Something looks different. */
+  /** It must be redrawn. */
   changed(): void;
-  /** It could not come. */
+  /** It could not be loaded. */
   failed(error: unknown): void;
 }
 
 const loadControls = lazy(() => import('three/addons/controls/TransformControls.js'));
 
-/** A fingertip needs more to take hold of. */
+/** Larger for touch. */
 const SIZE = matchMedia('(pointer: coarse)').matches ? 1 : 0.75;
 
 export class Gizmo {
@@ -74,7 +74,7 @@ export class Gizmo {
     const controls = new TransformControls(this.#camera, this.#canvas);
     // A handle itself drags in the view plane; squares for two axes at a time would only cover the net.
     controls.showXY = controls.showYZ = controls.showXZ = false;
-    // Free turning follows no axis and ends nowhere in particular.
+    // No free rotation, which follows no axis.
     controls.showXYZE = false;
     controls.size = SIZE;
     for (const child of controls.getHelper().children) {
@@ -126,7 +126,7 @@ export class Gizmo {
     return this.#controls.axis !== null;
   }
 
-  /** Deaf while a handle itself is dragged. */
+  /** Disabled while a handle itself is dragged. */
   setEnabled(enabled: boolean): void {
     this.#enabled = enabled;
     if (!this.#controls) return;
@@ -134,7 +134,7 @@ export class Gizmo {
     if (!enabled) this.#controls.axis = null;
   }
 
-  /** Lets go of it. */
+  /** Ends its drag. */
   release(): void {
     if (!this.#controls) return;
     this.#controls.dragging = false;

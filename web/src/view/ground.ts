@@ -1,5 +1,5 @@
-/** A floor under the net: a faint grid, and the net's soft shadow as if from an overcast sky. The shadow is the plan of the
- *  faces, drawn small and blurred twice; it is redrawn only when the net moves, not when the camera does. */
+/** A floor under the net: a faint grid, and the net's soft shadow. The shadow is the faces projected onto the floor, rendered
+ *  at low resolution and blurred twice; it is redrawn when the net moves, not when the camera does. */
 import {
   type BufferGeometry,
   Color,
@@ -81,7 +81,7 @@ out vec4 colour;
 float lines(vec2 p) {
   vec2 width = fwidth(p);
   vec2 near = abs(fract(p - 0.5) - 0.5) / max(width, vec2(1e-6));
-  // Cells of a few pixels melt into grey noise: fade them instead.
+  // Fade cells of a few pixels, which would alias.
   float room = 1.0 - smoothstep(0.12, 0.35, max(width.x, width.y));
   return (1.0 - min(min(near.x, near.y), 1.0)) * room;
 }
@@ -150,7 +150,7 @@ export class Ground {
   setNet({ space }: NetData, faces: BufferGeometry): void {
     this.#faces = faces;
     this.#planMaterial.uniforms.floorHeight!.value = space.floor;
-    // A little below, or a flat net would flicker through it.
+    // A little below, to avoid z-fighting with a flat net.
     this.object.position.z = space.floor - 0.02;
   }
 

@@ -1,4 +1,4 @@
-/** The handles in the user's hand: which ones move together, and where they are carried. */
+/** The handles being dragged: which ones move together, and where to. */
 import { type Matrix4, Vector3 } from 'three';
 import type { Selection } from '../handles/selection';
 import type { DragReport } from './drag';
@@ -6,7 +6,7 @@ import type { HandleMarkers } from './handles';
 import type { Space } from './space';
 
 export class Hand {
-  /** Where those that are being carried were taken. */
+  /** Positions of the dragged handles at the start. */
   #taken: { vertex: number; from: Vector3 }[] = [];
   readonly #markers: HandleMarkers;
   readonly #report: DragReport;
@@ -19,7 +19,7 @@ export class Hand {
     this.#selection = selection;
   }
 
-  /** Those of the selection that are not locked, the leading one first; all by itself a handle that is not selected. */
+  /** Those of the selection that are not locked, the leading one first; a handle that is not selected moves alone. */
   moving(handle?: number): readonly number[] {
     const selection = this.#selection();
     if (handle !== undefined && !selection.includes(handle)) return [handle];
@@ -27,7 +27,7 @@ export class Hand {
     return handle === undefined ? free : [handle, ...free.filter((vertex) => vertex !== handle)];
   }
 
-  /** The centre of what would move; null: nothing would. */
+  /** The centre of the handles that would move; null: there are none. */
   centre(): Vector3 | null {
     const points = this.moving().flatMap((vertex) => this.#markers.point(vertex) ?? []);
     if (points.length === 0) return null;
@@ -42,7 +42,7 @@ export class Hand {
     this.#report.begin(vertices);
   }
 
-  /** They are drawn where the hand is, ahead of document and net. */
+  /** They are drawn at the pointer, ahead of document and net. */
   carry(motion: Matrix4, space: Space): void {
     const targets = this.#taken.map(({ vertex, from }) => {
       const point = from.clone().applyMatrix4(motion);

@@ -1,5 +1,5 @@
-/** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. All keep
- *  a handy size on the screen however near the camera is, and shine faintly through what covers them. */
+/** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. Their
+ *  size on the screen does not depend on the camera's distance, and they shine faintly through what covers them. */
 import {
   BoxGeometry,
   type BufferGeometry,
@@ -30,7 +30,7 @@ const SMALLEST = 9;
 const LARGEST = 14;
 const PER_EDGE = 0.3;
 const CUBE = 0.7;
-/** So many spheres are drawn coarser: thousands of round ones would be millions of triangles. */
+/** From this number on spheres are drawn coarser: thousands of fine ones would be millions of triangles. */
 const MANY = 500;
 
 interface Marker {
@@ -46,7 +46,7 @@ export class HandleMarkers {
   readonly object = new Group();
   #markers = new Map<number, Marker>();
   #radius = SMALLEST;
-  // Round enough at their size: there may be hundreds, and not everybody has a graphics card.
+  // Few triangles: there may be hundreds of them, and some visitors have no graphics card.
   readonly #spheres = new Shape(new SphereGeometry(1, 20, 12));
   readonly #manySpheres = new Shape(new SphereGeometry(1, 8, 5));
   readonly #cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
@@ -57,7 +57,7 @@ export class HandleMarkers {
     for (const { group } of this.#shapes) this.object.add(group);
   }
 
-  /** `held`: the handles in a hand at the moment; they stay where the hand has them. */
+  /** `held`: the handles being dragged; they stay where the drag has put them. */
   update(handles: readonly HandleData[], space: Space, selection: Selection, held: readonly number[]): void {
     const inHand = new Map(held.map((vertex) => [vertex, this.point(vertex)]));
     const selected = new Set(selection);
@@ -88,7 +88,7 @@ export class HandleMarkers {
     return this.#markers.get(vertex)?.hidden ?? false;
   }
 
-  /** The one a newcomer is to drag: the last that is not locked. */
+  /** The handle that a newcomer is shown to drag: the last one that is not locked. */
   get suggested(): number | null {
     return this.#visible.filter(({ locked }) => !locked).at(-1)?.vertex ?? null;
   }
@@ -105,7 +105,7 @@ export class HandleMarkers {
     return hit === null ? null : visible[hit]!.vertex;
   }
 
-  /** Those in an outline on the canvas. */
+  /** The handles within an outline on the canvas. */
   inside(projection: Projection, outline: readonly Place[]): number[] {
     const hits = this.#visible.filter(({ point }) => {
       const { x, y, depth } = toScreen(projection, point);
@@ -167,7 +167,7 @@ export function toScreen(projection: Projection, { x, y, z }: Vector3): ScreenPo
 
 const UPRIGHT = new Quaternion();
 
-/** Many copies of one solid, each drawn twice: plainly, and as a ghost where something is in front. */
+/** Instances of one solid, each drawn twice: opaque, and translucent where something is in front. */
 class Shape {
   readonly group = new Group();
   readonly #solid = new MeshLambertMaterial();
@@ -185,7 +185,7 @@ class Shape {
   readonly #geometry: BufferGeometry;
   readonly #facing: boolean;
 
-  /** `facing`: flat, and turned to the camera. */
+  /** `facing`: a flat shape that is turned to the camera. */
   constructor(geometry: BufferGeometry, facing = false) {
     this.#geometry = geometry;
     this.#facing = facing;

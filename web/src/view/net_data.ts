@@ -1,5 +1,4 @@
-/** The moving numbers of the net, on the graphics card once: lines, faces and shadow all read the same textures, so a frame
- *  costs one upload however many things are drawn. */
+/** Positions and field values of the net as textures, which lines, faces and shadow share: a frame costs one upload. */
 import {
   DataTexture,
   FloatType,
@@ -35,8 +34,8 @@ float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(m
 float readNumber(int i) { return texelFetch(numbers, place(i, textureSize(numbers, 0).x), 0).r; }
 `;
 
-/** Where shaders find the net of the moment. All materials of a view share it and outlive the net: to compile them anew for
- *  each net would hold the page up. */
+/** Uniforms with the textures of the present net. All materials of a view share them and outlive the net: recompiling them
+ *  for each net would block the page. */
 export interface NetUniforms {
   vertices: { value: Texture | null };
   numbers: { value: Texture | null };
@@ -49,7 +48,7 @@ export function netUniforms(): NetUniforms {
 }
 
 export class NetData {
-  /** Scene position, 4 numbers a vertex, since cards have no texels of three; the fourth is unused. Picking reads them too. */
+  /** Scene position, 4 numbers a vertex, since there are no textures of three channels; the fourth is unused. Picking reads them too. */
   readonly points: Float32Array<ArrayBuffer>;
   readonly vertexCount: number;
   /** Mean length of an edge, in the scene. */
@@ -120,7 +119,7 @@ export class NetData {
   }
 }
 
-/** Shaders that include this find the place of a number on the map, and its colour from that. */
+/** Shaders that include this map a value of the field to its position on the colour map. */
 export const PLACE_ON_MAP = /* glsl */ `
 uniform bool atVertices, byDecade;
 float placeOnMap(float number) { return byDecade ? log(max(number, 1e-30)) / log(10.0) : number; }

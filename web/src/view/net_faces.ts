@@ -1,4 +1,4 @@
-/** The faces as fans of triangles in a quiet material, pushed back a little so that the lines lie on them. */
+/** The faces as fans of triangles, offset in depth so that the lines lie on them. */
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial } from 'three';
 import { type ColourTexture, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';

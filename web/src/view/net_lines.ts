@@ -28,7 +28,7 @@ out float mobility;
 ${READ_NET}
 ${PLACE_ON_MAP}
 
-/** A line that leaves through the camera is cut at the near plane. */
+/** Clips a line at the near plane. */
 vec3 cut(vec3 p, vec3 q) { return p.z > -near ? mix(p, q, (p.z + near) / (p.z - q.z)) : p; }
 
 /** A little nearer on the line of sight: in front of faces that are not quite flat. */
@@ -46,7 +46,7 @@ void main() {
   vec4 c = projectionMatrix * vec4(lifted(cut(p, q)), 1.0), d = projectionMatrix * vec4(lifted(cut(q, p)), 1.0);
   vec2 along = (d.xy / d.w - c.xy / c.w) * viewport;
   along = dot(along, along) > 1e-8 ? normalize(along) : vec2(1.0, 0.0);
-  // One pixel more than the line is wide leaves room for its soft rim.
+  // One pixel wider than the line, for antialiasing.
   float reach = 0.5 * (width + 2.0);
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
@@ -93,7 +93,7 @@ export class NetLines {
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       transparent: true,
-      // What hides lines are faces and handles. If lines hid lines, their soft rims would cut gaps at every crossing.
+      // Only faces and handles occlude lines. If lines wrote depth, their antialiased rims would cut gaps at every crossing.
       depthWrite: false,
       uniforms: {
         ...net,
@@ -130,7 +130,7 @@ export class NetLines {
     fade!.value = theme.fadeShare;
   }
 
-  /** Over faces that carry the colours, lines turn towards ink to be told from them. */
+  /** On coloured faces lines are darkened towards ink, to stand out. */
   setOverColours(over: boolean): void {
     this.object.material.uniforms.inkShare!.value = over ? INK_SHARE : 0;
   }

@@ -1,10 +1,10 @@
-/** A line in the place of the picture when there can be none. */
+/** A message in place of the view where nothing can be drawn. */
 import { words } from '../language/language';
 import { makeButton } from '../elements/dom';
 import type { View } from './view';
 import { Failure } from '../failure';
 
-/** @param wayOut what may help, under its name. */
+/** @param wayOut a button with a remedy. */
 export function createNotice(container: HTMLElement): {
   show(text: string, wayOut?: { label: string; run(): void }): void;
   hide(): void;
@@ -26,7 +26,7 @@ export function createNotice(container: HTMLElement): {
   };
 }
 
-/** What draws here. Without a graphics card smoothing by samples would halve the frame rate; lines are smooth by themselves. */
+/** What kind of WebGL there is. In software, multisampling would halve the frame rate; lines are antialiased by their shader. */
 export function probeGraphics(): 'none' | 'software' | 'card' {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (!gl) return 'none';
@@ -36,7 +36,7 @@ export function probeGraphics(): 'none' | 'software' | 'card' {
   return /swiftshader|llvmpipe|software|basic render/i.test(name) ? 'software' : 'card';
 }
 
-/** Stands in where there is no WebGL: says so, and lets the rest of the page work. */
+/** A substitute where there is no WebGL: shows a message, and lets the rest of the page work. */
 export function createBlankView(container: HTMLElement): View {
   const notice = createNotice(container);
   notice.show(words.view.noGraphics);

@@ -1,11 +1,11 @@
-/** What a hand draws around handles: a box from corner to corner, or with the lasso the way of the pointer itself. */
+/** The outline drawn around handles: a box from corner to corner, or with the lasso the path of the pointer. */
 import type { Place } from './overlay';
 
-/** The lasso takes no notice of a pointer that moves by less, in pixels. */
+/** Shortest segment of a lasso, in pixels. */
 const FINEST = 3;
 
 export class Outline {
-  /** The corners, to be joined in a circle. */
+  /** The corners of the closed outline. */
   corners: readonly Place[];
   readonly #kind: 'box' | 'lasso';
   readonly #start: Place;
@@ -16,7 +16,7 @@ export class Outline {
     this.corners = [start];
   }
 
-  /** The pointer is there now. */
+  /** Extends it to the pointer. */
   extend(to: Place): void {
     const start = this.#start;
     const last = this.corners.at(-1)!;

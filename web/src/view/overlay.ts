@@ -1,4 +1,4 @@
-/** Marks drawn over the picture as SVG: crisp at any size, animated by the style sheet, and free of charge for the graphics
+/** Annotations drawn over the view as SVG: crisp at any size, animated by the style sheet, without cost for the graphics
  *  card. Places are CSS pixels on the canvas. */
 
 export type Place = { x: number; y: number };
@@ -34,7 +34,7 @@ export class Overlay {
     this.setOutline(null);
   }
 
-  /** What a click would take; `adds`: it would become a handle. */
+  /** The hovered vertex; `adds`: a click would make it a handle. */
   setHover(place: Place | null, radius: number, adds: boolean): void {
     if (!show(this.#hover, place)) return;
     this.#hover.classList.toggle('adds', adds);
@@ -48,27 +48,27 @@ export class Overlay {
     put(this.#pulse, { cx: place!.x, cy: place!.y, r: radius });
   }
 
-  /** From the vertex to the hand that pulls it, while the net has not come along. */
+  /** A line from the vertex to its target, while the net has not followed yet. */
   setTether(ends: { from: Place; to: Place } | null): void {
     if (!show(this.#tether, ends)) return;
     putLine(this.#tether, ends!);
   }
 
-  /** What a hand draws around handles. */
+  /** The outline being drawn around handles. */
   setOutline(corners: readonly Place[] | null): void {
     if (!show(this.#outline, corners)) return;
     const path = corners!.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L');
     this.#outline.setAttribute('d', `M${path}Z`);
   }
 
-  /** Dots on vertices that a button would take. */
+  /** Dots on vertices that a button would select. */
   setPreview(places: readonly Place[]): void {
-    // A line of no length has round ends, and these are all it has.
+    // Lines of zero length with round caps are dots.
     const path = places.map(({ x, y }) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join('');
     if (this.#preview.getAttribute('d') !== path) this.#preview.setAttribute('d', path);
   }
 
-  /** Pairs of handles that are pulled farther apart than the net is long. */
+  /** Pairs of handles whose targets are farther apart than the net between them is long. */
   setStrains(strains: Strain[]): void {
     if (strains.length === 0 && !this.#strains.hasChildNodes()) return;
     this.#strains.replaceChildren(

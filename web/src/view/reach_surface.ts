@@ -1,5 +1,5 @@
-/** Where a handle may be moved, as the faint surface of what limits have in common: of the surface of each only what lies within
- *  all the others. */
+/** Where a handle may be moved: the surface of the intersection of all limits, drawn as the part of each limit's surface that
+ *  lies within all others. */
 import {
   BackSide,
   Color,
@@ -16,7 +16,7 @@ import type { Limit } from '../handles/reach';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
-/** The smallest limits bound the region; of many more nothing would be seen. */
+/** Most limits drawn: the smallest ones bound the region. */
 const MOST_LIMITS = 16;
 
 const VERTEX = /* glsl */ `
@@ -55,7 +55,7 @@ void main() {
     if (i == own) continue;
     float inside = balls[i].w - length(counts[i] * (place - balls[i].xyz));
     if (inside < 0.0) discard;
-    // Where two surfaces cut each other there is an edge.
+    // Highlights the edge where two surfaces intersect.
     rim = min(rim, inside / max(fwidth(inside), 1e-6) / 1.5);
   }
   float grazing = 1.0 - abs(dot(normalize(outward), normalize(seen)));
@@ -77,7 +77,7 @@ export class ReachSurface {
       transparent: true,
       blending: NormalBlending,
       depthWrite: false,
-      // The far side: the near one would lie over the net.
+      // Back faces only: the front would cover the net.
       side: BackSide,
       uniforms: {
         balls: { value: Array.from({ length: MOST_LIMITS }, () => new Vector4()) },

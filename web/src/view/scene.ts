@@ -1,4 +1,4 @@
-/** The 3D view: puts net, handles, ground and camera together, and draws when something has changed, never otherwise. */
+/** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
 import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
@@ -33,7 +33,7 @@ import './view.css';
 type CameraPlace = { position: Vec3; target: Vec3 };
 type Appearance = Omit<ViewState, 'camera'>;
 
-/** More pixels than these cost much and show little; without a graphics card every one is dear. */
+/** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
@@ -78,7 +78,7 @@ class SceneView implements View {
   #firstVisit = isFirstVisit();
   #frame = 0;
   #netMoved = false;
-  /** The camera is being put where that of another view is. */
+  /** The camera is being set to that of another view. */
   #following = false;
   #drawTimes: number[] = [];
   readonly #container: HTMLElement;
@@ -303,7 +303,7 @@ class SceneView implements View {
     });
   }
 
-  /** Light comes along with the camera, so a handle looks the same from every side. */
+  /** Light moves with the camera, so a handle looks the same from every side. */
   #addLights(): void {
     const lamp = new DirectionalLight(0xffffff, 2.2);
     lamp.position.set(-1, 2, 2);
@@ -342,7 +342,7 @@ class SceneView implements View {
     this.#reach.object.visible = false;
   }
 
-  /** Another axis is up: everything stands elsewhere in the scene. */
+  /** Another axis is up: all scene positions change. */
   #turn(): void {
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
@@ -370,7 +370,7 @@ class SceneView implements View {
     this.setAppearance(this.#appearance);
   }
 
-  /** Browsers bring it back, if not always. What was done is kept over a reload. */
+  /** Browsers restore a lost context, but not always. A reload keeps the document. */
   #lost(): void {
     this.#notice.show(words.view.pictureLost, { label: words.offline.reload, run: () => location.reload() });
   }
@@ -426,7 +426,7 @@ class SceneView implements View {
     this.#ground.object.visible = camera.position.z > this.#ground.object.position.z;
   }
 
-  /** It stands in nobody's way while handles are being selected. */
+  /** Hidden while handles are being selected, so as not to cover them. */
   #gizmoPlace(): Vector3 | null {
     return this.#choice.selecting ? null : this.#hand.centre();
   }
@@ -443,7 +443,7 @@ class SceneView implements View {
     return fitCamera(points, vertexCount, this.#rig.camera, this.#margins());
   }
 
-  /** What title, tools and legend cover is up to the style sheet: pixels at top, right, bottom, left. */
+  /** The pixels that title, tools and legend cover at top, right, bottom, left, from the style sheet. */
   #margins(): Margins {
     const text = getComputedStyle(this.#container).getPropertyValue('--view-margins');
     const [top = 0, right = 0, bottom = 0, left = 0] = text.trim().split(/\s+/).map(Number);

@@ -18,7 +18,7 @@ import type { Theme } from './theme';
 
 /** In larger nets every second vertex has an arrow, or every third …; more could not be told apart. */
 const MOST_ARROWS = 5000;
-/** The longest arrow, in edges. Moves are mostly too small to be seen, so only how they compare is drawn true. */
+/** The longest arrow, in edges. Moves are mostly too small to be seen, so arrows are scaled to this. */
 const LONGEST = 4;
 
 const VERTEX = /* glsl */ `
@@ -67,7 +67,7 @@ export class StepArrows {
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
       transparent: true,
-      // Where a vertex stood is often behind the net of now.
+      // The previous position of a vertex is often behind the present net.
       depthTest: false,
       depthWrite: false,
       uniforms: { viewport: { value: new Vector2(1, 1) }, pixel: { value: 1 }, ink: { value: new Color() } },

@@ -18,7 +18,7 @@ import { AXES } from '../handles/transform';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
-/** It stands out beyond the net by this share of the net's half diagonal. */
+/** Margin beyond the net, as a fraction of the net's half diagonal. */
 const MARGIN = 0.12;
 
 export class SymmetrySheet {

@@ -5,7 +5,7 @@ export interface Theme extends MapColours {
   accent: Rgb;
   anchor: Rgb;
   ink: Rgb;
-  /** What far lines fade towards, and how much. */
+  /** Colour that far lines fade towards, and how much. */
   fade: Rgb;
   fadeShare: number;
   faceLight: Rgb;
@@ -18,7 +18,7 @@ export interface Theme extends MapColours {
 
 const DARK = '(prefers-color-scheme: dark)';
 
-/** Whatever way of writing a colour the build has found shortest, a canvas gives it back as #rrggbb. */
+/** Normalises a CSS colour to #rrggbb by way of a canvas: the build shortens colours in different ways. */
 const speller = document.createElement('canvas').getContext('2d')!;
 
 export function readTheme(element: Element): Theme {

@@ -1,5 +1,5 @@
-/** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports what hands do;
- *  it never changes the document itself. */
+/** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports gestures; it
+ *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import type { Limit } from '../handles/reach';
@@ -7,9 +7,9 @@ import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/commands';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
-/** What a hand did in the view. */
+/** Gestures in the view. */
 export interface ViewEvents {
-  /** A click on a vertex that is no handle; `also`: what is to stay selected beside it. */
+  /** A click on a vertex that is no handle; `also`: handles that stay selected. */
   addHandle(vertex: number, also: Selection): void;
   /** A click on a handle or on nothing, or an outline drawn around handles. */
   select(selection: Selection): void;
@@ -27,7 +27,7 @@ export interface ViewEvents {
 }
 
 const nothing = (): void => {};
-/** For a net that is only looked at. */
+/** For a view in which nothing can be edited. */
 export const LOOKING_ONLY: ViewEvents = {
   addHandle: nothing,
   select: nothing,
@@ -39,10 +39,10 @@ export const LOOKING_ONLY: ViewEvents = {
   failed: nothing,
 };
 
-/** What the view shows of a choice. */
+/** The part of a choice that the view shows. */
 export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting'>;
 
-/** The picture as it goes on. */
+/** A video stream of the view. */
 export interface Film {
   stream: MediaStream;
   end(): void;
@@ -56,11 +56,11 @@ export interface View {
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void;
   /** The plane of symmetry, if there is one. */
   setSymmetry(symmetry: Symmetry | undefined): void;
-  /** Shades what moves less or not at all, 1 … 0 for each vertex; null: nothing. */
+  /** Shades vertices by how freely they move, 1 … 0; null: nothing. */
   setRegion(mobility: Float32Array | null): void;
   /** The points within all these limits, as a surface; null: none. */
   setReach(limits: readonly Limit[] | null): void;
-  /** Marks vertices that a button would take. */
+  /** Highlights the vertices that a button would select. */
   setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
@@ -68,11 +68,11 @@ export interface View {
   /** Back to a view of the whole net. */
   frameAll(): void;
   camera(): { position: Vec3; target: Vec3 };
-  /** Looks from there at once, as another view does. */
+  /** Moves the camera there without animation. */
   setCamera(camera: { position: Vec3; target: Vec3 }): void;
-  /** What is seen, as PNG, with so many times the pixels of the screen; where there is nothing it is transparent. */
+  /** The view as PNG with a transparent background, at a multiple of the screen's resolution. */
   picture(magnification: number): Promise<Blob>;
-  /** What is seen from now on until its end, before a plain background. */
+  /** A stream of the view on a plain background, until its end() is called. */
   film(): Film;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;

@@ -1,18 +1,18 @@
-/** The module worker: loads the core for a first net and lets a session answer the page. */
+/** The module worker: loads the core for a first net and starts the server (server.ts). */
 import wasmUrl from '../../../build/wasm/chebnet_editor.wasm?url';
 import { loadEditors } from '../../../wasm/editors.js';
 import type { Editors } from '../../../wasm/chebnet';
 import { holdOwnLock } from './life';
 import { CRASHED } from './protocol';
 import type { Request, Response } from './protocol';
-import { Session } from './session';
+import { Server } from './server';
 import { warmUp } from './warm_up';
 import { messageOf } from '../failure';
 
 const WARM_UP_DELAY = 100;
 
 const queue: Request[] = [];
-let session: Session | null = null;
+let server: Server | null = null;
 
 function post(response: Response, transfer: Transferable[]): void {
   self.postMessage(response, { transfer });
@@ -33,13 +33,13 @@ function soon(task: () => void): void {
 }
 
 self.onmessage = ({ data }: MessageEvent<Request>) => {
-  if (session) session.handle(data);
+  if (server) server.handle(data);
   else queue.push(data);
 };
 
 function start(core: Editors): void {
-  session = new Session(core, { post, soon, now: () => performance.now(), wholeCore });
-  for (const request of queue.splice(0)) session.handle(request);
+  server = new Server(core, { post, soon, now: () => performance.now(), wholeCore });
+  for (const request of queue.splice(0)) server.handle(request);
   // After the first net is shown; it is over before a user finds a handle.
   setTimeout(() => warmUp(core), WARM_UP_DELAY);
 }

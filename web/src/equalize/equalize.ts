@@ -1,4 +1,4 @@
-/** What the equalizing worker does, apart from being a worker. */
+/** Equalises one mesh and reports progress: the equalizing worker's part without the worker. */
 import type { Chebnet, Equalizer } from '../../../wasm/chebnet';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 import { codeOf, messageOf } from '../failure';

@@ -1,4 +1,4 @@
-/** The session over the real core, its time in the hands of the test. */
+/** The server over the real core, its time in the hands of the test. */
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Chebnet, Editor, Handle } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
@@ -7,7 +7,7 @@ import { packPositions } from '../../web/src/document/packing';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
 import type { FrameData, Request, Response } from '../../web/src/worker/protocol';
-import { Session } from '../../web/src/worker/session';
+import { Server } from '../../web/src/worker/server';
 import { largestDistance, load } from '../wasm/load';
 
 type Body<T = Request> = T extends unknown ? Omit<T, 'id'> : never;
@@ -21,7 +21,7 @@ const dragged = reference.suggestedHandles.at(-1) ?? -1;
 const home = at(reference.restPositions, dragged);
 const away: [number, number, number] = [home[0] + 0.5, home[1], home[2] - 1];
 
-let session: Session;
+let server: Server;
 let said: Response[];
 let tasks: (() => void)[];
 let time: number;
@@ -33,7 +33,7 @@ beforeEach(() => {
   tasks = [];
   time = 0;
   lastId = 0;
-  session = new Session(patientCore, { post: (response) => said.push(response), ...host });
+  server = new Server(patientCore, { post: (response) => said.push(response), ...host });
 });
 
 function patientEditor(from: string): Editor {
@@ -55,7 +55,7 @@ function lengthsOf(positions: Float64Array, face: number[]): number[] {
 }
 
 function ask(body: Body): number {
-  session.handle({ id: ++lastId, ...body } as Request);
+  server.handle({ id: ++lastId, ...body } as Request);
   return lastId;
 }
 
@@ -125,7 +125,7 @@ describe('a scene', () => {
       moved.push(transfer);
       said.push(structuredClone(response, { transfer }));
     };
-    session = new Session(patientCore, { post, ...host });
+    server = new Server(patientCore, { post, ...host });
     open();
     run();
     const { edges, faceStart, faceVertices, restPositions } = reference;
@@ -390,10 +390,7 @@ describe('by hand', () => {
       if (room) return solve(budget);
       throw Object.assign(new Error('too many vertices'), { code: 'too_large' });
     };
-    session = new Session(
-      { ...core, openRecipe: () => refusing },
-      { post: (response) => said.push(response), ...host },
-    );
+    server = new Server({ ...core, openRecipe: () => refusing }, { post: (response) => said.push(response), ...host });
     ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
     said = [];
     ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });

@@ -1,4 +1,4 @@
-/** What the worker does, apart from being a worker: answers requests and solves in slices between them. */
+/** The other side of client.ts, in the worker: answers requests, and solves in slices between them. */
 import type { EditState, Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
@@ -22,8 +22,8 @@ type Drag = Extract<Request, { type: 'drag' }>;
 type OpenScene = Extract<Request, { type: 'open' }>['scene'];
 type Answer = Response extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
 
-/** Surroundings of a session; a test gives its own. */
-export interface SessionHost {
+/** What the server needs of the worker around it; tests have their own. */
+export interface ServerHost {
   post(response: Response, transfer: Transferable[]): void;
   /** Runs `task` after the messages that wait already. */
   soon(task: () => void): void;
@@ -37,9 +37,9 @@ export interface SessionHost {
  * solve between two iterations and the solve begins anew from where the net stands. What the core at hand has left out
  * waits, with all requests after it, until the whole core is there and the net has moved over.
  */
-export class Session {
+export class Server {
   #core: Editors;
-  readonly #host: SessionHost;
+  readonly #host: ServerHost;
   /** Requests that wait for the whole core; null: it is not being loaded. */
   #late: Request[] | null = null;
   #editor: Editor | null = null;
@@ -60,7 +60,7 @@ export class Session {
   #stepFrom: Float64Array | null = null;
   #frameSeen = true;
 
-  constructor(core: Editors, host: SessionHost) {
+  constructor(core: Editors, host: ServerHost) {
     this.#core = core;
     this.#host = host;
   }

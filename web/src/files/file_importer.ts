@@ -6,7 +6,7 @@ import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
 import { Failure, codeOf, messageOf } from '../failure';
 
-export class FileSession {
+export class FileImporter {
   readonly #core: Chebnet;
   readonly #post: (response: FileResponse) => void;
   #mesh: CheckedMesh | null = null;
