@@ -23,14 +23,17 @@ namespace {
 
 // Where handles move by more than so many edge lengths, the net follows in several steps.
 constexpr double k_longest_step = 1;
+// A step repeats no more than so many times the one before.
+constexpr double k_most_repeated = 2;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // Nets are projected until no length errs by more than this part, whatever the threshold: dL < 1e-10.
 constexpr double k_exact_error = 1e-5;
 constexpr int k_most_projections = 15, k_patience = 4;  // in all, and without coming closer
-// Iterations within a Newton step: few while handles may still be moving, more as it settles.
+// Iterations within a Newton step: few while handles may still be moving, more as it settles. With fewer than this the
+// steps of a drag are so rough that what the next one repeats of them grows.
 constexpr double k_inner_tolerance = 0.05;
-constexpr int k_least_inner_iterations = 10, k_most_inner_iterations = 60;
+constexpr int k_least_inner_iterations = 8, k_most_inner_iterations = 60;
 // So many steps of a solve do without a factor of the Hessian: as many as a frame of a drag has time for. Later steps
 // have one, which is renewed when it has become so old that more iterations are needed than this.
 constexpr int k_cheap_steps = 2, k_old_factor_iterations = 12, k_most_iterations_with_factor = 100;
@@ -78,6 +81,7 @@ private:
     Status follow_handles(Positions& positions, TraceRow& row);
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
+    void predict(Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
@@ -120,6 +124,7 @@ private:
     Positions m_result;                 // where the method last left the net; empty: nowhere
     Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
     double m_walked = 0, m_stride = 1;  // parts of the way: done, and of the next step
+    Eigen::Matrix3Xd m_last_move;       // of the net, in the last step of stage 2
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
     Eigen::Matrix3Xd m_gradient;
@@ -143,6 +148,7 @@ void Equilibrium::prepare(const Problem& problem) {
     m_projection = k_projection.make();
     m_projection->prepare(problem);
     m_newton.reset();
+    m_last_move.setZero(3, of.vertex_count());
     m_has_metric = m_is_still = m_is_linearised = false;
 }
 
@@ -280,6 +286,7 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     if (m_walked == before) return find_another_net(positions);
     enter_rest(x);
     take_step(x, row);
+    m_last_move = x - m_result;
     m_result = x;
     for (int v : m_part->vertices()) positions.col(v) = x.col(v);
     m_max_deviation = max_deviation(*m_net, positions);
@@ -311,13 +318,27 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     const std::vector<double> held = m_limit.held();
     Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
     for (int v : m_fixed) moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
-    m_newton->extend(moves);
+    predict(moves);
     x += moves;
     if (part == 1)
         for (int v : m_fixed) x.col(v) = m_walk_to.col(v);
     if (project(x)) return true;
     hold(held);
     return false;
+}
+
+/// How free vertices follow the moves of fixed ones: as they did in the last step, as far as this one is like it, and for
+/// the rest as smoothly as the energy's bound allows.
+void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
+    double along = 0, before = 0;
+    for (int v : m_fixed) {
+        along += moves.col(v).dot(m_last_move.col(v));
+        before += m_last_move.col(v).squaredNorm();
+    }
+    const double part = before > 0 ? std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
+    for (int v : m_fixed) moves.col(v) -= part * m_last_move.col(v);
+    m_newton->extend(moves);
+    moves += part * m_last_move;
 }
 
 Status Equilibrium::find_another_net(Positions& positions) {
