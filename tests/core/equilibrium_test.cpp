@@ -89,10 +89,11 @@ double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
 Eigen::Matrix3Xd gradient_of(const Net& net, const Options& options, const Positions& x) {
     const Topology topology(net);
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
-    BendingTerm(net, topology, options.bending_weight,
+    BendingTerm(net, topology, net.rest_positions(), options.bending_weight,
                 options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest)
         .evaluate(x, gradient);
-    ShearTerm(net, options.shear_weight, ShearTerm::Reference::rest, options.shear_limit * k_degree)
+    ShearTerm(net, net.rest_positions(), options.shear_weight, ShearTerm::Reference::rest,
+              options.shear_limit * k_degree)
         .evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
     return gradient;

@@ -39,9 +39,9 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     const std::vector<Hold> holds{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
     std::vector<std::unique_ptr<Term>> terms;
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
-        terms.push_back(std::make_unique<BendingTerm>(net, topology, 1.5, reference));
+        terms.push_back(std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
-        terms.push_back(std::make_unique<ShearTerm>(net, 0.3, reference, 0.3));
+        terms.push_back(std::make_unique<ShearTerm>(net, net.rest_positions(), 0.3, reference, 0.3));
     terms.push_back(std::make_unique<PullTerm>(net, holds));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
     return terms;
@@ -180,8 +180,8 @@ TEST_CASE("Where nothing is strained both curvatures are one") {
     const Positions rest = rigidly_moved(net.rest_positions(), random.engine);
     const Eigen::Matrix3Xd d = samples::shaken(Positions::Zero(3, rest.cols()), 1, random.engine);
     const Topology topology(net);
-    BendingTerm bending(net, topology, 1.5, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 0.3, ShearTerm::Reference::rest, 0.3);
+    BendingTerm bending(net, topology, net.rest_positions(), 1.5, BendingTerm::Reference::rest);
+    ShearTerm shear(net, net.rest_positions(), 0.3, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CAPTURE(term->name());
         gradient(*term, rest);
@@ -196,13 +196,13 @@ TEST_CASE("A rigid motion costs neither bending nor shear; straight rods turn fr
     const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
     const Topology topology(net);
     const Positions moved = rigidly_moved(net.rest_positions(), random.engine);
-    BendingTerm bending(net, topology, 1, BendingTerm::Reference::rest);
-    ShearTerm shear(net, 1, ShearTerm::Reference::rest, 0.3);
+    BendingTerm bending(net, topology, net.rest_positions(), 1, BendingTerm::Reference::rest);
+    ShearTerm shear(net, net.rest_positions(), 1, ShearTerm::Reference::rest, 0.3);
     for (Term* term : std::initializer_list<Term*>{&bending, &shear}) {
         CHECK(std::abs(energy(*term, moved)) < 1e-15);
         CHECK(gradient(*term, moved).norm() < 1e-7);
     }
-    BendingTerm rods(net, topology, 1, BendingTerm::Reference::straight);
+    BendingTerm rods(net, topology, net.rest_positions(), 1, BendingTerm::Reference::straight);
     CHECK(energy(rods, moved) == Approx(energy(rods, net.rest_positions())).margin(1e-12));
 }
 
@@ -217,7 +217,7 @@ TEST_CASE("Rods: a line on a circle has the bending energy of its turning angles
             if (j + 1 < rows) faces.add({j * n + i, j * n + (i + 1) % n, (j + 1) * n + (i + 1) % n, (j + 1) * n + i});
         }
     const Net net(x, faces, RestLengths::own);
-    BendingTerm rods(net, Topology(net), 2, BendingTerm::Reference::straight);
+    BendingTerm rods(net, Topology(net), net.rest_positions(), 2, BendingTerm::Reference::straight);
     const double turn = 2 * std::sin(EIGEN_PI / n);  // ‖t_i + t_j‖ of unit tangents that turn by 2π/n
     CHECK(energy(rods, x) == Approx(2 * n * rows * turn * turn));
 }

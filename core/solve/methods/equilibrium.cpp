@@ -47,6 +47,8 @@ constexpr double k_limit_margin = 0.02;  // degrees
 constexpr double k_least_open_angle = 15;  // degrees
 // How often corners may join those that are held, or leave them, in one step.
 constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
+// After so many the rest shape is taken as far as it has come.
+constexpr int k_most_steps_of_opening = 100;
 // At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
 
@@ -60,6 +62,10 @@ bool ask_for_the_same(const Options& a, const Options& b) {
 
 class Equilibrium : public Method {
 public:
+    /// What costs no energy: the net's rest shape, or that once it is a net within the limit.
+    enum class RestShape { as_it_is, opened };
+
+    explicit Equilibrium(RestShape rest_shape) : m_opens(rest_shape == RestShape::opened) {}
     void prepare(const Problem& problem) override;
     bool knows_holds() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
@@ -67,10 +73,14 @@ public:
     std::span<const double> edge_forces() const override;
 
 private:
-    enum Stage { net = 1, follow = 2, rest = 3 };
+    enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
 
     Problem problem() const { return {*m_net, *m_topology, m_fixed, m_holds, m_reachable}; }
     void take_holds(std::span<const Hold> holds);
+    CornerLimit limit() const;
+    bool begin_opening();
+    Status open_rest_shape(Positions& positions, TraceRow& row);
+    Status begin(Positions& positions, bool same_energy);
     void choose_energy();
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
@@ -105,6 +115,9 @@ private:
     std::vector<bool> m_is_free;
     std::vector<Hold> m_holds;
     bool m_holds_changed = true, m_holds_moved = true;  // in number, place or weight; in their targets
+    const bool m_opens;
+    std::unique_ptr<Equilibrium> m_opening;  // while it is under way
+    Positions m_rest_shape;                  // empty: not known
     std::unique_ptr<FreePart> m_part;
     std::unique_ptr<Method> m_projection;
     std::unique_ptr<LengthProjection> m_lengths;  // for the net and the corners watched, whatever the handles
@@ -139,6 +152,8 @@ void Equilibrium::prepare(const Problem& problem) {
         m_lengths.reset();
         m_terms.clear();
         m_result.resize(3, 0);
+        m_rest_shape.resize(3, 0);
+        m_opening.reset();
     }
     m_net = &of;
     m_topology = &problem.topology;
@@ -163,15 +178,52 @@ void Equilibrium::take_holds(std::span<const Hold> holds) {
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_holds(problem.holds);
     const bool same_energy = !m_terms.empty() && !m_holds_changed && ask_for_the_same(m_options, options);
+    if (m_options.shear_limit != options.shear_limit) m_rest_shape.resize(3, 0);
     m_options = options;
     m_reachable = problem.reachable;
     m_max_deviation = max_deviation(*m_net, positions);
     m_steps = 0;
     if (m_reachable && same_energy && !m_holds_moved && m_result == positions && is_at_rest()) return Status::converged;
+    if (m_reachable && m_rest_shape.cols() == 0 && begin_opening()) return Status::running;
+    return begin(positions, same_energy);
+}
+
+CornerLimit Equilibrium::limit() const {
+    if (m_options.shear_limit == 0) return CornerLimit();
+    return CornerLimit(*m_net, radians(m_options.shear_limit + k_limit_margin));
+}
+
+/// False if the rest shape is a net within the limit, or shall stay as it is.
+bool Equilibrium::begin_opening() {
+    m_rest_shape = m_net->rest_positions();
+    if (!m_opens || (max_deviation(*m_net, m_rest_shape) < m_options.threshold &&
+                     limit().largest_lack(m_rest_shape) <= CornerLimit::k_tolerance))
+        return false;
+    m_stage = open;
+    m_opening = std::make_unique<Equilibrium>(RestShape::as_it_is);
+    m_opening->prepare({*m_net, *m_topology, {}});
+    Options options;
+    options.threshold = m_options.threshold;
+    options.shear_limit = m_options.shear_limit;
+    return m_opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) == Status::running;
+}
+
+/// One step of it. Where no such net is found, the rest shape is what it was.
+Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
+    const Status status = m_opening->iterate(m_rest_shape, row);
+    row.max_deviation = m_max_deviation;
+    if (status == Status::running && ++m_steps < k_most_steps_of_opening) return Status::running;
+    if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) m_rest_shape = m_net->rest_positions();
+    m_opening.reset();
+    m_steps = 0;
+    return begin(positions, false);
+}
+
+Status Equilibrium::begin(Positions& positions, bool same_energy) {
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net) {
-        const Status status = m_projection->start(problem, positions, options);
+        const Status status = m_projection->start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
         if (m_stage == net) return status;
     }
@@ -198,13 +250,15 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
 }
 
 Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
-    if (m_max_deviation < m_options.threshold) return rest;
-    if (was_left(m_result, positions)) return follow;
-    if (!was_left(m_net->rest_positions(), positions) ||
-        max_deviation(*m_net, m_net->rest_positions()) >= m_options.threshold)
-        return net;
-    m_result = m_net->rest_positions();
-    return follow;
+    const bool is_net = m_max_deviation < m_options.threshold;
+    if (was_left(m_result, positions)) return is_net ? rest : follow;
+    const bool has_opened = m_rest_shape != m_net->rest_positions();
+    if (was_left(m_net->rest_positions(), positions) && (has_opened || !is_net) &&
+        max_deviation(*m_net, m_rest_shape) < m_options.threshold) {
+        m_result = m_rest_shape;
+        return follow;
+    }
+    return is_net ? rest : net;
 }
 
 /// Whether the free vertices stand where they were in a state of before.
@@ -219,7 +273,8 @@ bool Equilibrium::was_left(const Positions& before, const Positions& positions) 
 void Equilibrium::begin_walk(const Positions& positions) {
     m_walk_from = m_result;
     m_walk_to = positions;
-    const double longest = (m_walk_to - m_walk_from).colwise().norm().maxCoeff();
+    double longest = 0;
+    for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - m_walk_from.col(v)).norm());
     m_stride = std::min(1.0, k_longest_step * m_net->mean_length() / longest);
     m_walked = 0;
 }
@@ -227,14 +282,15 @@ void Equilibrium::begin_walk(const Positions& positions) {
 void Equilibrium::choose_energy() {
     const auto bending = m_options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
     m_terms.clear();
-    m_terms.push_back(std::make_unique<BendingTerm>(*m_net, *m_topology, m_options.bending_weight, bending));
-    m_terms.push_back(std::make_unique<ShearTerm>(*m_net, m_options.shear_weight, ShearTerm::Reference::rest,
+    m_terms.push_back(
+        std::make_unique<BendingTerm>(*m_net, *m_topology, m_rest_shape, m_options.bending_weight, bending));
+    m_terms.push_back(std::make_unique<ShearTerm>(*m_net, m_rest_shape, m_options.shear_weight,
+                                                  ShearTerm::Reference::rest,
                                                   radians(std::max(m_options.shear_limit, k_least_open_angle))));
     if (m_options.gravity > 0)
         m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
     if (!m_holds.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_holds));
-    m_limit = m_options.shear_limit > 0 ? CornerLimit(*m_net, radians(m_options.shear_limit + k_limit_margin))
-                                        : CornerLimit();
+    m_limit = limit();
     m_lengths.reset();
     m_has_metric = m_holds_changed = false;
 }
@@ -251,6 +307,7 @@ Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
     const Stage stage = m_stage;
     Status status = Status::running;
     row.free_vertices = m_part->size();
+    if (stage == open) return open_rest_shape(positions, row);
     if (stage == net) status = find_net(positions, row);
     if (stage == follow) status = follow_handles(positions, row);
     if (stage == rest) status = relax(positions, row);
@@ -327,8 +384,8 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     return false;
 }
 
-/// How free vertices follow the moves of fixed ones: as they did in the last step, as far as this one is like it, and for
-/// the rest as smoothly as the energy's bound allows.
+/// How free vertices follow the moves of fixed ones: as they did in the last step, as far as this one is like it, and
+/// for the rest as smoothly as the energy's bound allows.
 void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
     double along = 0, before = 0;
     for (int v : m_fixed) {
@@ -513,7 +570,7 @@ std::span<const double> Equilibrium::edge_forces() const {
     return {multipliers.data(), static_cast<std::size_t>(m_net->edge_count())};
 }
 
-std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(); }
+std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }
 
 }  // namespace
 
@@ -521,7 +578,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(); }
 /// quad sharper than Options::shear_limit. Equal lengths leave the shear free (Li et al. 2022, figure 4); here bending
 /// of net lines (BendingTerm), shear (ShearTerm), soft handles (PullTerm) and weight (GravityTerm) decide it, so that
 /// an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one is kept that the
-/// present shape leads to. In stages:
+/// present shape leads to. The energy counts from the net's rest shape; where that is no net within the limit, it is
+/// first made one, at rest without handles. In stages:
 ///
 ///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
 ///      fails;

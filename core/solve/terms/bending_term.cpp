@@ -57,7 +57,8 @@ std::vector<int> find_partners(const Net& net, const Topology& topology, const s
 
 }  // namespace
 
-BendingTerm::BendingTerm(const Net& net, const Topology& topology, double weight, Reference reference)
+BendingTerm::BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight,
+                         Reference reference)
     : m_weight(weight),
       m_cell_weight(reference == Reference::rest ? k_cell_stiffness * weight : 0),
       m_turns(reference == Reference::rest) {
@@ -70,20 +71,20 @@ BendingTerm::BendingTerm(const Net& net, const Topology& topology, double weight
             m_spokes.push_back({neighbours[k], 1 / net.rest_lengths()[edges[k]], partners[m_spokes.size()]});
     }
     m_tangents.resize(3, static_cast<Eigen::Index>(m_spokes.size()));
-    if (m_turns) remember_rest_shape(net);
+    if (m_turns) remember_rest_shape(rest);
 }
 
-void BendingTerm::remember_rest_shape(const Net& net) {
+void BendingTerm::remember_rest_shape(const Positions& rest) {
     m_rest = m_rest_formed = m_levers = m_tangents;
-    const auto cells = static_cast<std::size_t>(net.vertex_count());
+    const auto cells = m_start.size() - 1;
     m_rest_compliance.resize(cells);
     m_compliance.resize(cells);
     m_quaternions.assign(cells, Eigen::Quaterniond::Identity());
     m_rotations.assign(cells, Eigen::Matrix3d::Identity());
     m_covariances.resize(cells);
-    for (int b = 0; b < net.vertex_count(); ++b)
-        for (int i = m_start[b]; i < m_start[b + 1]; ++i) m_rest.col(i) = tangent(net.rest_positions(), b, i);
-    for (int b = 0; b < net.vertex_count(); ++b) {
+    for (int b = 0; b < static_cast<int>(cells); ++b)
+        for (int i = m_start[b]; i < m_start[b + 1]; ++i) m_rest.col(i) = tangent(rest, b, i);
+    for (int b = 0; b < static_cast<int>(cells); ++b) {
         Eigen::Matrix3d inertia = k_inertia * m_weight * Eigen::Matrix3d::Identity();
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
             m_rest_formed.col(i) = formed(m_rest, i);

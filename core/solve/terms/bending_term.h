@@ -31,8 +31,8 @@ public:
         straight,  ///< rods that are straight when free: E = w Σ ‖t_i + t_j‖²
     };
 
-    /// `weight`: w. Keeps nothing of net and topology.
-    BendingTerm(const Net& net, const Topology& topology, double weight, Reference reference);
+    /// `rest`: 3×V, the shape of t_i⁰. `weight`: w. Keeps nothing of the arguments.
+    BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight, Reference reference);
 
     const char* name() const override { return "bending"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
@@ -49,7 +49,7 @@ private:
         int partner;  // the spoke by which the net line goes on; −1: it ends
     };
 
-    void remember_rest_shape(const Net& net);
+    void remember_rest_shape(const Positions& rest);
     void turn_cells();
     void find_compliances();
     Eigen::Matrix3d turned_compliance(int b) const {

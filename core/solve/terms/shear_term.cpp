@@ -7,11 +7,12 @@
 
 namespace chebnet {
 
-ShearTerm::ShearTerm(const Net& net, double weight, Reference reference, double opened) : m_weight(weight) {
+ShearTerm::ShearTerm(const Net& net, const Positions& rest, double weight, Reference reference, double opened)
+    : m_weight(weight) {
     const double least = reference == Reference::rest ? opened : std::numbers::pi / 2;
     const DistanceConstraint shortest = shear_limit(net, least);
     for (const auto& [a, b, distance, unit] : shortest.distances()) {
-        const double at_rest = (net.rest_positions().col(a) - net.rest_positions().col(b)).norm();
+        const double at_rest = (rest.col(a) - rest.col(b)).norm();
         m_diagonals.push_back({a, b, reference == Reference::rest ? std::max(at_rest, distance) : distance});
     }
     m_directions.resize(3, static_cast<Eigen::Index>(m_diagonals.size()));

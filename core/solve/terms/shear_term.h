@@ -14,8 +14,8 @@ class ShearTerm : public Term {
 public:
     enum class Reference { rest, right_angles };
 
-    /// `opened`: radians, above 0.
-    ShearTerm(const Net& net, double weight, Reference reference, double opened);
+    /// `rest`: 3×V, the shape of d⁰, with corners below `opened` (radians, above 0) as open as that.
+    ShearTerm(const Net& net, const Positions& rest, double weight, Reference reference, double opened);
 
     const char* name() const override { return "shear"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
