@@ -27,7 +27,7 @@ struct Options {
     double shear_weight = 0.05;         ///< equilibrium: of ShearTerm
     bool straight_rods = false;         ///< equilibrium: net lines want to be straight rather than as at rest
     double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
-    double rest_tolerance = 1e-3;       ///< equilibrium: at rest when the gradient that constraints leave is below
+    double rest_tolerance = 1e-4;       ///< equilibrium: at rest when the gradient that constraints leave is below
 
     bool operator==(const Options&) const = default;
 };

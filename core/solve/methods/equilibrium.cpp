@@ -21,8 +21,10 @@ namespace chebnet {
 
 namespace {
 
-// Where handles move by more than so many edge lengths, the net follows in several steps.
-constexpr double k_longest_step = 1;
+// Where handles move by more edge lengths than one step takes, the net follows in several: in few up to what a hand
+// does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
+// that would.
+constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.5, k_careful_step = 0.125;
 // A step repeats no more than so many times the one before.
 constexpr double k_most_repeated = 2;
 // Tries of such a step, at once or in shorter ones.
@@ -275,7 +277,8 @@ void Equilibrium::begin_walk(const Positions& positions) {
     m_walk_to = positions;
     double longest = 0;
     for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - m_walk_from.col(v)).norm());
-    m_stride = std::min(1.0, k_longest_step * m_net->mean_length() / longest);
+    const double lengths = longest / m_net->mean_length();
+    m_stride = lengths <= k_one_step ? 1 : (lengths <= k_fast_drag ? k_fast_step : k_careful_step) / lengths;
     m_walked = 0;
 }
 
@@ -473,13 +476,16 @@ double Equilibrium::find_move_beside_corners(const Positions& positions) {
     }
 }
 
-/// By the exact Hessian, or if that is indefinite by a convex one. Returns the slope of m_direction.
+/// By the exact Hessian, or if that is indefinite, and while handles may still be moving, by a convex one. Returns the
+/// slope of m_direction.
 double Equilibrium::find_move() {
     const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
                                              : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
-    const double slope =
-        m_newton->find_move(m_terms, Curvature::exact, inner, k_inner_tolerance, m_radius, m_direction);
-    if (!m_newton->met_negative_curvature()) return slope;
+    if (m_steps > 1) {
+        const double slope =
+            m_newton->find_move(m_terms, Curvature::exact, inner, k_inner_tolerance, m_radius, m_direction);
+        if (!m_newton->met_negative_curvature()) return slope;
+    }
     return m_newton->find_move(m_terms, Curvature::convex, inner, k_inner_tolerance, m_radius, m_direction);
 }
 
