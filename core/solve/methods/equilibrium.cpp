@@ -25,8 +25,9 @@ namespace {
 // does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
 // that would.
 constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.5, k_careful_step = 0.125;
-// A step repeats no more than so many times the one before.
-constexpr double k_most_repeated = 2;
+// A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
+// rough in one does not grow from step to step.
+constexpr double k_repeated = 0.95, k_most_repeated = 2;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // Nets are projected until no length errs by more than this part, whatever the threshold: dL < 1e-10.
@@ -395,7 +396,7 @@ void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
         along += moves.col(v).dot(m_last_move.col(v));
         before += m_last_move.col(v).squaredNorm();
     }
-    const double part = before > 0 ? std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
+    const double part = before > 0 ? k_repeated * std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
     for (int v : m_fixed) moves.col(v) -= part * m_last_move.col(v);
     m_newton->extend(moves);
     moves += part * m_last_move;
