@@ -136,6 +136,7 @@ private:
     double m_radius = 0;                // no vertex moves farther in the next step
     bool m_is_linearised = false;       // at m_result, as m_newton is
     bool m_is_still = false;            // the last step was a whole one, and short
+    bool m_is_careful = false;          // corners are let go one by one: together they led nowhere
     double m_lack = 0;                  // of the limit, at m_result
     Positions m_result;                 // where the method last left the net; empty: nowhere
     Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
@@ -415,7 +416,7 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_max_deviation = max_deviation(*m_net, positions);
     linearise(positions);
     m_radius = k_most_move * m_net->mean_length();
-    m_is_still = false;
+    m_is_still = m_is_careful = false;
 }
 
 /// Per unit of length.
@@ -430,8 +431,11 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (!m_is_linearised && !linearise(positions)) return Status::stalled;
     if (is_at_rest()) return Status::converged;
     take_step(positions, row);
-    if (row.step == 0)
-        return m_is_linearised && gradient_norm() < m_options.rest_tolerance ? Status::converged : Status::stalled;
+    if (row.step == 0) {
+        if (m_is_linearised && gradient_norm() < m_options.rest_tolerance) return Status::converged;
+        if (m_is_careful) return Status::stalled;
+        m_is_careful = true;
+    }
     if (!linearise(positions)) return Status::stalled;
     row.factorisation_ms += m_newton->factorisation_ms();
     return is_at_rest() ? Status::converged : Status::running;
@@ -497,7 +501,7 @@ double Equilibrium::step_along(Positions& positions, double slope, double whole)
     const std::vector<double> held = m_limit.held();
     const double before = m_energy + m_newton->error_cost();
     double step = whole;
-    for (int trial = 0; slope < 0 && trial <= k_most_halvings; ++trial, step /= 2) {
+    for (int trial = 0; (slope < 0 || opens) && trial <= k_most_halvings; ++trial, step /= 2) {
         m_limit.set_held(held);
         m_limit.approach(held, step);
         m_limit.apply(m_lengths->system());
@@ -564,7 +568,8 @@ bool Equilibrium::linearise(const Positions& positions) {
     m_lack = m_limit.largest_lack(positions);
     m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
     for (int round = 0; m_is_linearised && round < k_most_rounds; ++round) {
-        if (m_limit.release(m_newton->multipliers()) == 0) break;
+        const Eigen::VectorXd& multipliers = m_newton->multipliers();
+        if ((m_is_careful ? m_limit.release_one(multipliers) : m_limit.release(multipliers)) == 0) break;
         m_limit.apply(m_lengths->system());
         m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
     }

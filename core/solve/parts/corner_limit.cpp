@@ -78,7 +78,8 @@ int CornerLimit::hold_blocking_ones(const Positions& positions, const Eigen::Mat
         if (m_held[i] > 0) continue;
         const double room = -lack(positions, m_limits[i]);
         if (room > k_near || room > k_early_part * shortening(positions, moves, m_limits[i]) - k_tolerance) continue;
-        m_held[i] = m_limits[i].distance + std::max(0.0, room) * m_limits[i].unit;
+        const double above = room < -k_tolerance ? -std::max(0.0, -room - k_opening) : room;
+        m_held[i] = m_limits[i].distance + above * m_limits[i].unit;
         ++changed;
     }
     return changed;
@@ -99,7 +100,7 @@ void CornerLimit::approach(const std::vector<double>& from, double part) {
 double CornerLimit::part_until_short(const Positions& positions, const Eigen::Matrix3Xd& moves) const {
     double part = 1;
     for (std::size_t i = 0; i < m_limits.size(); ++i) {
-        const double room = -lack(positions, m_limits[i]);
+        const double room = k_tolerance - lack(positions, m_limits[i]);
         if (m_held[i] == 0 && room > 0) {
             const double closing = shortening(positions, moves, m_limits[i]);
             if (room < part * closing) part = room / closing;
@@ -118,6 +119,20 @@ int CornerLimit::release(const Eigen::VectorXd& multipliers) {
         ++released;
     }
     return released;
+}
+
+int CornerLimit::release_one(const Eigen::VectorXd& multipliers) {
+    Eigen::Index row = multipliers.size() - static_cast<Eigen::Index>(m_watched.size());
+    int most = -1;
+    double pull = 0;
+    for (int i : m_watched) {
+        const double multiplier = multipliers[row++];
+        if (m_held[i] == 0 || multiplier <= pull) continue;
+        most = i;
+        pull = multiplier;
+    }
+    if (most >= 0) m_held[most] = 0;
+    return most >= 0 ? 1 : 0;
 }
 
 double CornerLimit::largest_lack(const Positions& positions) const {

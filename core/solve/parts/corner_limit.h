@@ -35,7 +35,8 @@ public:
     /// Holds the diagonals that would be short early on such a move, and are nearly so, as long as they are. Returns
     /// how many that changes.
     int hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves);
-    /// The part of a move, 1 at most, by which none that is not held becomes short, to first order.
+    /// The part of a move, 1 at most, by which none that is not held becomes short by more than the tolerance, to first
+    /// order.
     double part_until_short(const Positions& positions, const Eigen::Matrix3Xd& moves) const;
     /// For each row of the system by how much what is held exceeds its limit, in edge lengths; 0 for the others.
     Eigen::VectorXd excess(const LengthSystem& system) const;
@@ -43,6 +44,8 @@ public:
     void approach(const std::vector<double>& from, double part);
     /// Lets go of those whose multipliers pull. Returns how many.
     int release(const Eigen::VectorXd& multipliers);
+    /// Lets go of the one that pulls most: where diagonals depend on each other, those that pull need not all be free.
+    int release_one(const Eigen::VectorXd& multipliers);
     /// For each diagonal the distance at which it is held, 0 if it is not.
     const std::vector<double>& held() const { return m_held; }
     void set_held(const std::vector<double>& held) { m_held = held; }

@@ -21,7 +21,7 @@ constexpr double k_shift = 1e-6;
 // for what is between.
 constexpr double k_penalty = 20;
 constexpr double k_block_shift = 1e-4;
-constexpr double k_multiplier_tolerance = 1e-5;
+constexpr double k_multiplier_tolerance = 1e-7;
 
 /// In an order that does not depend on the compiler, as Eigen's do.
 template <typename Matrix>
