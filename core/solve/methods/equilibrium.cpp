@@ -469,12 +469,13 @@ void Equilibrium::renew_factor(TraceRow& row) {
     row.factorisation_ms = m_newton->factorisation_ms();
 }
 
-/// A move that corners at their limit do not stop early: those that would are held. Returns its slope.
+/// A move that corners at their limit do not stop early: those that would are held. While handles may still be moving,
+/// what they leave of the first move is good enough. Returns its slope.
 double Equilibrium::find_move_beside_corners(const Positions& positions) {
     for (int round = 0;; ++round) {
         const Eigen::VectorXd excess = m_limit.excess(m_lengths->system());
         if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) return 0;
-        const double slope = find_move();
+        const double slope = round > 0 && m_steps == 1 ? m_newton->restrict(m_direction) : find_move();
         if (round == k_most_joins || m_limit.hold_blocking_ones(positions, m_direction) == 0) return slope;
         m_limit.apply(m_lengths->system());
         if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return 0;

@@ -19,7 +19,7 @@ constexpr double k_length_stiffness = 2;
 constexpr double k_shift = 1e-6;
 // What the factored Hessian adds for lengths, in the unit of energies, and to its diagonal. Single precision has room
 // for what is between.
-constexpr double k_penalty = 20;
+constexpr double k_penalty = 500;
 constexpr double k_block_shift = 1e-4;
 constexpr double k_multiplier_tolerance = 1e-7;
 
@@ -214,6 +214,12 @@ double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Cu
         const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
         m_search = m_preconditioned + product / previous * m_search;
     }
+    return m_normal_slope - dot(m_descent, move);
+}
+
+double TangentNewton::restrict(Eigen::Matrix3Xd& move) {
+    project(move);
+    move += m_normal;
     return m_normal_slope - dot(m_descent, move);
 }
 

@@ -66,6 +66,8 @@ public:
     /// its slope ∇E·d, negative unless there is none.
     double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature curvature, int most_iterations,
                      double tolerance, double radius, Eigen::Matrix3Xd& move);
+    /// What is left of a move beside the rows as they are now. Returns its slope.
+    double restrict(Eigen::Matrix3Xd& move);
     bool ended_at_radius() const { return m_ended_at_radius; }                ///< whether the last move did
     bool met_negative_curvature() const { return m_met_negative_curvature; }  ///< likewise
     int inner_iterations() const { return m_inner_iterations; }               ///< of the last move
