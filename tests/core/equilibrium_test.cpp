@@ -245,6 +245,35 @@ TEST_CASE("Equilibrium: what is at rest stays to the last bit") {
     CHECK(editor.positions() == before);
 }
 
+TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests there, and comes back to it") {
+    const Edit sheared = pulled_diagonal();
+    Editor without_limit = at_rest(sheared);
+    without_limit.set_option("shear_limit", "0");
+    drag(without_limit, sheared, 1);
+    const Edit edit{"sharp", Net(without_limit.positions(), sheared.net.faces()), {0, 40}, {}};
+    REQUIRE(corner_angle_range(edit.net, edit.net.rest_positions()).smallest < 54 * k_degree);
+
+    Editor editor(edit.net);
+    editor.set_method("equilibrium");
+    editor.set_option("shear_limit", "58");
+    editor.set_handles(samples::handles_at_rest(edit.net, {0}));
+    const SolveReport opened = editor.solve();
+    CHECK(opened.status == Status::converged);
+    CHECK(opened.max_deviation < 1e-9);
+    CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 57.99 * k_degree);
+    REQUIRE(!opened.trace.empty());
+    CHECK(opened.trace.back().energy < 1e-9);
+
+    const Positions before = editor.positions();
+    const Eigen::Vector3d inwards = 0.2 * (before.col(0) - before.col(40));
+    editor.set_handles({{0, before.col(0)}, {8, before.col(8)}, {40, before.col(40) + inwards}});
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(rms_distance(edit, editor.positions(), before) > 0.1);
+    editor.move_handle(40, before.col(40));
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(rms_distance(edit, editor.positions(), before) < 1e-3);
+}
+
 TEST_CASE("Equilibrium: a symmetric edit gives a symmetric net") {
     const int n = 9;
     const Edit edit = lifted_sheet(n, 2);
