@@ -24,7 +24,7 @@ namespace {
 // Where handles move by more edge lengths than one step takes, the net follows in several: in few up to what a hand
 // does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
 // that would.
-constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.5, k_careful_step = 0.125;
+constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.25, k_careful_step = 0.125;
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
 // rough in one does not grow from step to step.
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
