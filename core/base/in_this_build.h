@@ -2,8 +2,8 @@
 
 namespace chebnet {
 
-/// `function`, for a row of a table; or null in sources compiled for the words of their rows only, which then hold none
-/// of the code (wasm/left_out.cmake).
+/// `function`, for a row of a table; or null in sources compiled for the texts of their rows only, without the code
+/// (wasm/left_out.cmake).
 template <typename Function>
 static consteval Function* in_this_build([[maybe_unused]] Function* function) {
 #ifdef CHEBNET_WORDS_ONLY

@@ -21,7 +21,7 @@ std::string number_text(double number, int digits) {
     std::array<char, 32> buffer{};
     const int size = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, number);
     const std::string_view spelled(buffer.data(), static_cast<std::size_t>(size));
-    // What is neither digit nor sign nor letter is the decimal point of the locale.
+    // Any character but digits, signs and letters is the decimal point of the locale.
     constexpr std::string_view others = "+-0123456789einfa";
     const std::size_t point = spelled.find_first_not_of(others);
     std::string text(spelled.substr(0, point));

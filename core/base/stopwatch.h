@@ -15,8 +15,8 @@ public:
     void restart() { m_start = now(); }
 
 private:
-    /// By JavaScript in WebAssembly, where the clock of the standard library brings with it what it would say of
-    /// errors.
+    /// By JavaScript in WebAssembly, where the clock of the standard library would add its error messages to the
+    /// module.
     static double now() {
 #ifdef __EMSCRIPTEN__
         return emscripten_get_now();

@@ -9,7 +9,7 @@ namespace chebnet {
 /// are ASCII.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 
-/// A number as people write it: 4000, 1e-06, 0.25.
+/// A number in short form: 4000, 1e-06, 0.25.
 std::string to_text(double value);
 
 }  // namespace chebnet

@@ -42,7 +42,7 @@ struct Place {
 constexpr std::array<Place, 4> k_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 constexpr std::array<Place, 4> k_diagonals = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// Whole numbers as one key.
+/// A hash of integers.
 std::uint64_t key_of(std::int64_t a, std::int64_t b, std::int64_t c = 0) {
     std::uint64_t key = 0;
     for (const std::int64_t number : {a, b, c}) {

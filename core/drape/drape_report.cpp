@@ -10,7 +10,7 @@ namespace chebnet {
 
 namespace {
 
-// The surface is looked at in pieces no wider than this part of an edge, so that none slips through.
+// The surface is sampled in pieces no wider than this fraction of an edge.
 constexpr double k_sample = 0.25;
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 

@@ -31,7 +31,7 @@ struct Locality {
     bool operator==(const Locality&) const = default;
 };
 
-/// What a person has made of a net, and all that another editor of the same net needs to go on from there: editors that
+/// The state of an edit, with all that another editor of the same net needs to go on from there: editors that
 /// were set to the same state (Editor::set_state()) solve to the same positions, bit for bit. What is not in it: what a
 /// method keeps of the frames before, such as factors and the rigid shape of `projection`, so that a first editor that
 /// goes on warm may find other positions, as good; a solve under way, which begins anew, as does its count of

@@ -67,7 +67,7 @@ void snap(const std::vector<Handle>& handles, Positions& positions) {
         if (handle.is_exact()) positions.col(handle.vertex) = handle.target;
 }
 
-/// As Editor::state() says it: exact handles at their targets, no locality where everything may move.
+/// The state in the form of Editor::state(): exact handles at their targets, no locality where everything may move.
 void normalise(EditState& state) {
     snap(state.handles, state.positions);
     if (!state.locality) return;
@@ -178,7 +178,7 @@ EditState Editor::state() const {
 }
 
 void Editor::set_state(EditState next) {
-    // Whatever can be refused comes before the first change.
+    // All checks come before the first change.
     const EditState present = state();
     std::unique_ptr<Method> other_method = next.method == m_method_name ? nullptr : make_method(next.method);
     Initialisation other_initialisation(next.initialisation);
@@ -341,7 +341,7 @@ SolveReport Editor::solve(const Budget& budget) {
     }
 }
 
-/// The method begins anew when it is asked again.
+/// The method starts a new solve at the next call.
 void Editor::refuse_size(const std::string& reason) {
     m_prepared = false;
     m_running = false;
@@ -422,7 +422,7 @@ void Editor::add_worst_of_border(std::vector<UnreachablePair>& pairs) const {
 }
 
 bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
-    // A path pulled straight has the same ratio in all its edges, so this is the deviation nothing can avoid.
+    // At best a path pulled straight has the same ratio in all its edges: no net has a smaller deviation.
     const bool off = !(deviation(pair.distance / pair.reach) < m_options.threshold);
     return off && (pair.distance > pair.reach || are_joined(pair.vertex_a, pair.vertex_b));
 }

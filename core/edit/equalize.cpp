@@ -17,7 +17,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr const char* k_threshold = "1e-9";  // k_equal_deviation, as the editor wants to hear it
+constexpr const char* k_threshold = "1e-9";  // k_equal_deviation as the text of an option
 // The first attempt may use up all rounds of springs and some steps of the method's last resort, which is slow on large
 // nets; from there, shaking succeeds in a fraction of the time if anything does.
 constexpr const char* k_first_iterations = "150";
@@ -136,7 +136,7 @@ EqualizeReport Equalizer::solve(const Budget& budget) {
     while (m_status == Status::running && m_iterations - iterations_before < budget.iterations &&
            watch.milliseconds() < budget.milliseconds);
     place(m_status == Status::running ? m_editor.positions() : m_best);
-    // What the solver's unit can express, coordinates far from the origin may not.
+    // Coordinates far from the origin have fewer digits than those in the solver's unit.
     if (m_status == Status::converged && !(deviation_from_length() < k_equal_deviation)) m_status = Status::stalled;
     m_elapsed_ms += watch.milliseconds();
     return report();

@@ -50,8 +50,8 @@ struct EqualizeReport {
 /// open or closed, of any valences.
 ///
 /// The original is scaled, so that its mean edge has the length L, about the centre of the handles if there are any;
-/// from there the default method (see solve/projection.h) gives all edges this length. Springs do the most of it, and
-/// their steps are smooth: a net becomes another shape rather than a wrinkled copy of the old. A net, or a part of it,
+/// from there the default method (see solve/projection.h) gives all edges this length. Springs do most of it, and
+/// their steps are smooth: the net changes its shape rather than wrinkles. A net, or a part of it,
 /// without handles is then put where it lies nearest to the original, by least squares (Horn 1987).
 ///
 /// Where that fails, a second attempt starts from vertices shaken along their normals: forces in a flat mesh keep it

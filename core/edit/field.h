@@ -7,7 +7,7 @@
 
 namespace chebnet {
 
-/// One line of the table of fields: numbers that people see as colours on the net. Each has one number for every edge
+/// One line of the table of fields: values that are shown as colours on the net. Each has one number for every edge
 /// or one for every vertex, at the positions held now.
 struct FieldInfo {
     const char* name;

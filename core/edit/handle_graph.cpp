@@ -74,9 +74,9 @@ public:
     }
 
 private:
-    /// What the search under way knows of a vertex.
+    /// The state of a vertex in the present search.
     struct Label {
-        int search = -1;  // the one that wrote it
+        int search = -1;  // number of the search that wrote it
         bool settled = false;
         bool covered = false;  // a handle lies on a shortest path to it
         double distance = 0;

@@ -11,7 +11,7 @@ namespace chebnet {
 
 namespace {
 
-/// The handle `to` is to stand within a distance of `from`, which it wants to exceed by so many times.
+/// The handle `to` has to be within `distance` of `from`; its target is `strain` times as far.
 struct Bound {
     double strain;
     int from, to;

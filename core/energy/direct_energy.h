@@ -4,7 +4,7 @@
 
 namespace chebnet {
 
-/// E_p itself, f(r) = dL^p with dL = r + 1/r − 2 (Li et al. 2022, eq. 2), for which the paper's energy (3) stands in.
+/// E_p itself, f(r) = dL^p with dL = r + 1/r − 2 (Li et al. 2022, eq. 2), which the paper replaces by energy (3).
 /// It vanishes to order 2p at r = 1: there is next to no gradient and curvature left near the solution.
 class DirectEnergy : public EdgeEnergy {
 public:

@@ -50,7 +50,7 @@ std::vector<int> edges_of_corners(const Net& net, const Topology& topology) {
     return edges;
 }
 
-/// Corner k of a face counts round and round.
+/// Corner k of a face, modulo their number.
 class Layout {
 public:
     Layout(const Net& net, const Topology& topology)

@@ -40,7 +40,7 @@ constexpr Kind k_elements[] = {
     {"<collada"sv, "a COLLADA model"},
 };
 
-/// So far into it the element is sought: comments and a document type may stand before.
+/// Length of the front that is searched for the element: comments and a document type may precede it.
 constexpr std::size_t k_longest_prologue = 2000;
 
 std::string_view without_blank_front(std::string_view bytes) {

@@ -197,7 +197,7 @@ private:
             fail_header(ErrorCode::too_large, "more than " + std::to_string(k_max_file_elements) + " " + what);
     }
 
-    // What is read grows with the file, never with the counts it declares.
+    // Memory grows with the data read, not with the counts that the header declares.
     void read_element(const Element& element) {
         for (std::int64_t row = 0; row < element.count; ++row) {
             m_values->begin_row(element, row);

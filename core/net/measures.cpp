@@ -14,13 +14,13 @@ bool is_in_range(double number) {
     return number >= std::numeric_limits<double>::min() && number <= std::numeric_limits<double>::max();
 }
 
-/// Also of a vector whose square leaves the range of numbers.
+/// Also for a vector whose square would overflow or underflow.
 double length(const Eigen::Vector3d& d) {
     const double square = d.squaredNorm();
     return is_in_range(square) ? std::sqrt(square) : d.stableNorm();
 }
 
-/// Also between vectors whose product leaves the range of numbers; 0 with one of no length.
+/// Also between vectors whose product would overflow or underflow; 0 if one has no length.
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const auto angle = [](const auto& u, const auto& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); };
     return is_in_range(a.squaredNorm() * b.squaredNorm())

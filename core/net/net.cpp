@@ -40,7 +40,7 @@ Net::Net(Positions rest_positions, Faces faces, RestLengths rest_lengths)
 
 void Net::check_faces() const {
     if (face_count() == 0) throw Error(ErrorCode::no_faces, "the net has no faces");
-    // The face that named a vertex last: finds repetitions within a face without sorting, and unused vertices.
+    // For each vertex the last face that names it: finds repetitions within a face, and unused vertices.
     std::vector<int> last_face(static_cast<std::size_t>(vertex_count()), -1);
     for (int f = 0; f < face_count(); ++f) {
         const std::span<const int> face = m_faces[f];

@@ -38,7 +38,7 @@ enum class RestLengths {
 /// tolerance for a result (ε_3, section 3.2), so a saved result opens as what it is.
 inline constexpr double k_chebyshev_deviation = 1e-6;
 
-/// Beyond this size, and below the inverse of it, squares of lengths leave the range of numbers.
+/// Beyond this size, and below its inverse, squares of lengths may overflow or underflow.
 inline constexpr double k_largest_size = 1e150;
 
 /// A mesh and the length each of its edges keeps. Immutable and sound: the constructor refuses everything else.

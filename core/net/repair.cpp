@@ -42,8 +42,8 @@ void check(const Mesh& mesh, double merge_tolerance) {
                                                                std::to_string(mesh.positions.cols()));
 }
 
-/// `tolerance` times the mean edge length, within what can be computed with: what coincides is merged however small the
-/// product. 0 if no edge has a length.
+/// `tolerance` times the mean edge length, bounded below so that coinciding vertices are always merged. 0 if no edge
+/// has a length.
 double merge_radius(const Mesh& mesh, double tolerance) {
     double sum = 0, count = 0;
     for (int f = 0; f < mesh.faces.size(); ++f)
@@ -59,7 +59,7 @@ double merge_radius(const Mesh& mesh, double tolerance) {
 
 // ------------------------------------------------------------------------------------------------ duplicate vertices
 
-/// Points by the cube of space in which they lie, to find those near a place without looking at all.
+/// A spatial hash of points, to find those near a place.
 class PointGrid {
 public:
     PointGrid(const Positions& positions, double radius) : m_positions(positions), m_radius(radius) {}
@@ -99,7 +99,7 @@ private:
         return low == high ? std::vector{low} : std::vector{low, high};
     }
 
-    /// Two cubes of one key do no harm: distances are measured anyway.
+    /// Cubes with the same key do no harm: distances are measured anyway.
     static std::uint64_t key_of(double x, double y, double z) {
         std::uint64_t key = 0;
         for (const double slice : {x, y, z}) {
@@ -259,7 +259,7 @@ private:
 
 // ------------------------------------------------------------------------------------------------------------- repair
 
-/// The mesh on its way. Vertices keep their numbers until the end, faces carry theirs along.
+/// The mesh during repair. Vertices keep their numbers until the end, faces carry theirs along.
 class Repairer {
 public:
     Repairer(Mesh mesh, const std::vector<Defect>& chosen)
@@ -361,7 +361,7 @@ private:
         return numbers;
     }
 
-    /// Notes what was found; true if there is something, and it is to be repaired.
+    /// Records a finding; true if there is something, and it is to be repaired.
     bool report(Defect defect, std::vector<int> where) {
         constexpr std::size_t most_examples = 5;
         if (where.empty()) return false;

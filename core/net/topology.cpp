@@ -44,7 +44,7 @@ std::span<const int> Topology::incident_edges(int vertex) const {
 
 std::vector<std::vector<int>> Topology::boundary_loops() const {
     std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
-    std::vector<int> next(m_start.begin(), m_start.end() - 1);  // slots before it need no second look
+    std::vector<int> next(m_start.begin(), m_start.end() - 1);  // slots before it have been walked
     const auto next_slot = [&](int vertex) {
         for (int& slot = next[vertex]; slot < m_start[vertex + 1]; ++slot) {
             const int e = m_incident_edges[slot];
@@ -89,7 +89,7 @@ std::vector<std::vector<int>> Topology::net_lines() const {
             vertex = next;
         }
     };
-    // What no walk from an end comes by is closed.
+    // Lines that no walk from an end has reached are closed.
     for (const bool closed : {false, true})
         for (int v = 0; v < m_net.vertex_count(); ++v)
             for (int slot = m_start[v]; slot < m_start[v + 1]; ++slot)
@@ -118,7 +118,7 @@ std::vector<int> Topology::slots_across() const {
             add(b, a);
         }
     }
-    // Of more than one that shares no face, two are found at once.
+    // If there are several edges that share no face, the first two show it.
     const auto alone = [&](int vertex, int slot) {
         int found = -1;
         for (int other = m_start[vertex]; other < m_start[vertex + 1]; ++other) {
@@ -174,7 +174,7 @@ std::vector<NearestSource> Topology::nearest_sources(std::span<const int> source
     return equal_lengths ? nearest_by_steps(sources) : nearest_by_length(sources);
 }
 
-/// Breadth first. In every layer what belongs to an earlier source comes first.
+/// Breadth first. Within a layer, vertices of earlier sources come first.
 std::vector<NearestSource> Topology::nearest_by_steps(std::span<const int> sources) const {
     const double L = m_net.rest_lengths()[0];
     std::vector<NearestSource> nearest(static_cast<std::size_t>(m_net.vertex_count()));

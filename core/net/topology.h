@@ -15,7 +15,7 @@ struct NearestSource {
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Incidence of a net, built once in O(E): who is next to whom, what is boundary, how far along the net.
+/// Incidence of a net, built once in O(E): neighbours, boundary loops, net lines, distances along edges.
 /// Keeps a reference to the net, which must outlive it.
 class Topology {
 public:

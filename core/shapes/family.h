@@ -34,7 +34,7 @@ struct Family {
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
     k_shirt, k_sheet;
 
-/// In the order in which people are shown them.
+/// In the order of the gallery and help.
 inline constexpr const Family* k_families[] = {&k_vault,    &k_sheet, &k_dome,   &k_tube,  &k_torus, &k_jack, &k_steps,
                                                &k_elephant, &k_teddy, &k_rabbit, &k_horse, &k_jug,   &k_shirt};
 

@@ -22,7 +22,7 @@ constexpr double k_tolerance = 1e-6;
 constexpr int k_most_iterations = 500;
 
 double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    double sum = 0;  // in an order that does not depend on the compiler, as Eigen's do
+    double sum = 0;  // in a fixed order: that of Eigen's sums depends on the compiler
     for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
 }
@@ -109,7 +109,7 @@ int genus_of(const Surface& surface, int components, int boundary_loops) {
     return (2 * components - boundary_loops - characteristic) / 2;
 }
 
-/// The more of either sign, in the component where that is most.
+/// The larger of both signs' integrals, in the component where that is largest.
 double hardest_curvature(const Surface& surface, const std::vector<int>& components, const Eigen::VectorXd& defects) {
     std::vector<TotalCurvature> totals(components.size());
     double hardest = 0;

@@ -48,7 +48,7 @@ struct SurfaceReport {
     double area;
     TotalCurvature curvature;           ///< as the triangles have it
     TotalCurvature smoothed_curvature;  ///< of the shape without its noise
-    double hardest_curvature;           ///< the more of the latter's two, in the component where that is most
+    double hardest_curvature;           ///< the larger of the latter's two, in the component where that is largest
     Prospect prospect;
     std::string sentence;  ///< the prospect, for a person
 };

@@ -7,7 +7,7 @@ namespace chebnet {
 
 namespace {
 
-/// What of a triangle is nearest: its inside, a side or a corner.
+/// The part of a triangle that is nearest: its interior, a side or a corner.
 struct Feature {
     Eigen::Vector3d normal;
     bool is_boundary;

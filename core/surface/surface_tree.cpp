@@ -72,7 +72,7 @@ int SurfaceTree::build(int first, int last, const Positions& centres) {
     if (last - first <= k_leaf_size) {
         Node& leaf = m_nodes.back();
         leaf.count = last - first;
-        std::sort(m_faces.begin() + first, m_faces.begin() + last);  // whatever the cuts made of their order
+        std::sort(m_faces.begin() + first, m_faces.begin() + last);  // an order that does not depend on the cuts
         for (int i = first; i < last; ++i)
             for (const int vertex : m_surface.triangles().col(m_faces[i])) {
                 leaf.low = leaf.low.cwiseMin(m_surface.positions().col(vertex));

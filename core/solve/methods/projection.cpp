@@ -22,7 +22,7 @@ namespace {
 // for each edge length that a handle has jumped.
 constexpr int k_least_rigid_iterations = 2, k_most_rigid_iterations = 8;
 // Part of its way to the rigid shape that the net goes in each of them. Without it, the shear and the small folds that
-// a drag has left on its way would stay for ever.
+// a drag has left on its path would never go away.
 constexpr double k_forgetting = 0.05;
 // Projection takes over below this max dL. Each time that it fails, the net is made smoother, to a part of this max dL:
 // by the springs of stage 2, which go on where they were until they have made so many iterations, then by stage 4.
@@ -148,7 +148,7 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
     return Status::running;
 }
 
-/// The copy goes on from where it was, unless somebody else has moved the net meanwhile.
+/// The copy goes on from where it was, unless the net was changed from outside meanwhile.
 void Projection::take_over_shape(const Positions& positions) {
     bool moved = m_shape.cols() == 0;
     for (int v = 0; v < m_net->vertex_count() && !moved; ++v)

@@ -17,7 +17,7 @@ constexpr double k_last_step = 1e-3;
 // Jacobi's method converges quadratically too.
 constexpr int k_most_sweeps = 8;
 
-/// Two cells side by side: whatever follows is done for both at once.
+/// Values of two cells, which are computed at once.
 using Pair = dense::Vector<double>;
 constexpr int k_cells = dense::k_lanes<double>;
 

@@ -8,7 +8,7 @@
 namespace chebnet {
 
 /// When no net exists there is nothing to be exact about: the shape is even enough when the energy falls by less than
-/// this part of it. Going on to the minimum takes hundreds of iterations that nobody can see.
+/// this part of it. Going on to the minimum would take hundreds of iterations without a visible change.
 inline constexpr double k_unreachable_progress = 1e-3;
 
 /// Whether an iteration has brought the energy to rest, by the paper's first two rules (ε_1 and ε_2, section 3.2).
