@@ -39,7 +39,7 @@ PairOfMatrices matrices(const PairOfQuaternions& q) {
 
 /// RᵀA
 PairOfMatrices transposed_product(const PairOfMatrices& R, const PairOfMatrices& A) {
-    PairOfMatrices B;
+    PairOfMatrices B{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             B.at[i][j] = R.at[0][i] * A.at[0][j] + R.at[1][i] * A.at[1][j] + R.at[2][i] * A.at[2][j];
@@ -98,7 +98,7 @@ Eigen::Vector4d largest_eigenvector(Eigen::Matrix4d N) {
                 N.applyOnTheRight(i, j, turn);
                 axes.applyOnTheRight(i, j, turn);
             }
-    int largest;
+    int largest = 0;
     N.diagonal().maxCoeff(&largest);
     return axes.col(largest).normalized();
 }
@@ -116,7 +116,7 @@ Eigen::Quaterniond by_largest_eigenvector(const Eigen::Matrix3d& A) {
 
 /// Turns two cells from their guesses to the nearest rotations.
 void find_nearest(const Eigen::Matrix3d* const (&A)[k_cells], Eigen::Quaterniond* const (&cells)[k_cells]) {
-    PairOfMatrices pair;
+    PairOfMatrices pair{};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) pair.at[i][j] = Pair{(*A[0])(i, j), (*A[1])(i, j)};
     PairOfQuaternions q{{cells[0]->w(), cells[1]->w()},
