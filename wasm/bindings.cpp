@@ -1,6 +1,6 @@
 // The editor and its tables, seen from JavaScript. wasm/facade.js gives them the shape of wasm/chebnet.d.ts.
 
-#include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -131,28 +131,28 @@ Session* open_mesh(val mesh, std::string rest_lengths) { return open(mesh_in(mes
 
 // ----------------------------------------------------------------------------------------------------------- the net
 
-double max_deviation_from_mean(const Net& net) {
-    double largest = 0;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const auto a = net.rest_positions().col(net.edges()(0, e)), b = net.rest_positions().col(net.edges()(1, e));
-        largest = std::max(largest, deviation((a - b).norm() / net.mean_length()));
-    }
-    return largest;
+/// An object of counts by their size.
+val counts_out(const std::map<int, int>& counts) {
+    val object = val::object();
+    for (const auto& [size, count] : counts) object.set(size, count);
+    return object;
 }
 
 val info(const Session& session) {
     const Net& net = session.editor.net();
     const Topology& topology = session.editor.topology();
-    val singular = val::object();
-    for (const auto& [valence, count] : topology.singular_vertices()) singular.set(valence, count);
+    const LengthRange lengths = edge_length_range(net, net.rest_positions());
     val info = val::object();
     info.set("vertices", net.vertex_count());
     info.set("edges", net.edge_count());
     info.set("faces", net.face_count());
     info.set("boundaryLoops", static_cast<int>(topology.boundary_loops().size()));
     info.set("components", topology.component_count());
-    info.set("singularVertices", singular);
+    info.set("facesByArity", counts_out(faces_by_arity(net.faces())));
+    info.set("singularVertices", counts_out(topology.singular_vertices()));
+    info.set("shortestLength", lengths.shortest);
     info.set("meanLength", net.mean_length());
+    info.set("longestLength", lengths.longest);
     info.set("maxDeviationFromMean", max_deviation_from_mean(net));
     info.set("isChebyshev", net.is_chebyshev());
     return info;

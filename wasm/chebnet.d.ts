@@ -80,9 +80,14 @@ export interface NetInfo {
   faces: number;
   boundaryLoops: number;
   components: number;
+  /** Number of corners → how many faces. */
+  facesByArity: Record<string, number>;
   /** Inner vertices of valence other than 4: valence → how many. */
   singularVertices: Record<string, number>;
+  /** Of the edges at rest. */
+  shortestLength: number;
   meanLength: number;
+  longestLength: number;
   /** Largest dL of the rest positions against the mean length. */
   maxDeviationFromMean: number;
   isChebyshev: boolean;

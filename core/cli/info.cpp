@@ -1,3 +1,4 @@
+#include <map>
 #include <memory>
 
 #include "command.h"
@@ -16,30 +17,28 @@ struct InfoArguments {
     std::string edges;  ///< file to write; empty: none
 };
 
-/// Against the mean length, whatever rest lengths the net has.
-double max_deviation_from_mean(const Net& net) {
-    const Net equal(net.rest_positions(), net.faces(), RestLengths::equal);
-    return max_deviation(equal, equal.rest_positions());
-}
-
-Json singular_report(const Topology& topology) {
-    Json counts = Json::object();
-    for (const auto& [valence, count] : topology.singular_vertices()) counts[std::to_string(valence)] = count;
-    return counts;
+Json counts_report(const std::map<int, int>& counts) {
+    Json report = Json::object();
+    for (const auto& [size, count] : counts) report[std::to_string(size)] = count;
+    return report;
 }
 
 int run_info(const InfoArguments& arguments) {
     const Net net = load_net(arguments.net);
     const Topology topology(net);
+    const LengthRange lengths = edge_length_range(net, net.rest_positions());
     if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(net, net.rest_positions()));
     print({{"net", arguments.net.name},
            {"vertices", net.vertex_count()},
            {"edges", net.edge_count()},
            {"faces", net.face_count()},
+           {"faces_by_arity", counts_report(faces_by_arity(net.faces()))},
            {"boundary_loops", topology.boundary_loops().size()},
            {"components", topology.component_count()},
-           {"singular_vertices_by_valence", singular_report(topology)},
+           {"singular_vertices_by_valence", counts_report(topology.singular_vertices())},
+           {"shortest_length", lengths.shortest},
            {"mean_length", net.mean_length()},
+           {"longest_length", lengths.longest},
            {"max_dL", max_deviation_from_mean(net)},
            {"chebyshev", net.is_chebyshev()}});
     return k_success;

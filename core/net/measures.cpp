@@ -99,6 +99,27 @@ double max_deviation(const Net& net, const Positions& positions) {
     return std::max(deviation_of(shortest), deviation_of(longest));
 }
 
+LengthRange edge_length_range(const Net& net, const Positions& positions) {
+    LengthRange range{std::numeric_limits<double>::infinity(), 0};
+    for (const auto& ends : net.edges().colwise()) {
+        const double edge = length(positions.col(ends(0)) - positions.col(ends(1)));
+        range = {std::min(range.shortest, edge), std::max(range.longest, edge)};
+    }
+    return range;
+}
+
+double max_deviation_from_mean(const Net& net) {
+    // dL grows away from the mean on both sides.
+    const auto [shortest, longest] = edge_length_range(net, net.rest_positions());
+    return std::max(deviation(shortest / net.mean_length()), deviation(longest / net.mean_length()));
+}
+
+std::map<int, int> faces_by_arity(const Faces& faces) {
+    std::map<int, int> counts;
+    for (int f = 0; f < faces.size(); ++f) ++counts[static_cast<int>(faces[f].size())];
+    return counts;
+}
+
 AngleRange corner_angle_range(const Net& net, const Positions& positions) {
     AngleRange range{std::numbers::pi, 0};
     for_each_corner(net, positions, [&](int, double angle) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 
 #include "net/net.h"
 #include "net/topology.h"
@@ -19,6 +20,18 @@ Eigen::VectorXd edge_ratios(const Net& net, const Positions& positions);
 double max_deviation(const Eigen::VectorXd& ratios);
 /// The largest dL over all edges of a net at `positions`; infinity if one has no length or is not finite.
 double max_deviation(const Net& net, const Positions& positions);
+
+/// The shortest and the longest edge at `positions` (3×V).
+struct LengthRange {
+    double shortest, longest;
+};
+LengthRange edge_length_range(const Net& net, const Positions& positions);
+
+/// The largest dL at rest against the mean length, whatever lengths the edges keep.
+double max_deviation_from_mean(const Net& net);
+
+/// Number of corners → how many faces have so many.
+std::map<int, int> faces_by_arity(const Faces& faces);
 
 /// Smallest and largest angle at a face corner, radians in [0, π].
 struct AngleRange {

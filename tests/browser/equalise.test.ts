@@ -1,7 +1,7 @@
 /** Equalising: a mesh with unequal edges is dropped, equalised in sight, and opened as a net whose edges have one length. */
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
-import { edgeLengths, spreadOf } from '../../web/src/net/edge_lengths';
+import { meanLength } from '../../web/src/equalize/before_after';
 import { load } from '../wasm/load';
 import { uneven } from '../web/nets';
 import { largestDeviation, largestError } from './geometry';
@@ -11,7 +11,7 @@ import { OUTPUT, dropFile, visits } from './page';
 const chebnet = await load();
 const SHEET = uneven(14, 11);
 const sheet = chebnet.openObj(SHEET);
-const mean = spreadOf(edgeLengths(sheet.restPositions, sheet.edges)).mean;
+const mean = meanLength(sheet.restPositions, sheet);
 /** All ten pairs of five vertices joined: space has no five points at one distance from each other. */
 const FIVE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 
@@ -44,7 +44,7 @@ async function waitForVertices(count: number) {
 async function measured() {
   const around = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
   const positions = await script.positions();
-  const length = spreadOf(edgeLengths(positions, around)).mean;
+  const length = meanLength(positions, { edges: around });
   return { positions, length, deviation: largestDeviation(positions, around, length) };
 }
 

@@ -159,6 +159,9 @@ TEST_CASE("info measures lengths against their mean") {
     box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
     const json info = box.run("info kite.obj").json();
     CHECK(info.at("mean_length") == 2);
+    CHECK(info.at("shortest_length") == 1);
+    CHECK(info.at("longest_length") == 3);
+    CHECK(info.at("faces_by_arity") == json{{"4", 1}});
     CHECK(info.at("max_dL").get<double>() == Approx(0.5 + 1 / 0.5 - 2));
     CHECK(info.at("chebyshev") == false);
     CHECK(info.at("boundary_loops") == 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -286,4 +287,26 @@ TEST_CASE("The corner angle of a vertex is the one farthest from a right angle")
     const Eigen::VectorXd angles = vertex_corner_angles(rhombus, x);
     CHECK(angles[0] == Approx(shear));
     CHECK(angles[1] == Approx(EIGEN_PI - shear));
+}
+
+TEST_CASE("A net tells its shortest and longest edge, and how far they are from the mean") {
+    Positions kite = unit_square();
+    kite.row(1) *= 3;
+    const Net net(kite, one_face({0, 1, 2, 3}), RestLengths::own);
+    const LengthRange range = edge_length_range(net, net.rest_positions());
+    CHECK(range.shortest == 1);
+    CHECK(range.longest == 3);
+    CHECK(max_deviation_from_mean(net) == deviation(0.5));
+    CHECK(max_deviation(net, net.rest_positions()) == 0);
+    CHECK(max_deviation_from_mean(Net(unit_square(), one_face({0, 1, 2, 3}))) == 0);
+    const LengthRange grown = edge_length_range(net, net.rest_positions() * 1e145);
+    CHECK(grown.longest == Approx(3e145));
+}
+
+TEST_CASE("Faces are counted by their corners") {
+    Faces faces = one_face({0, 1, 2, 3});
+    CHECK(faces_by_arity(Faces{}).empty());
+    faces.add({4, 3, 2});
+    faces.add({4, 5, 6});
+    CHECK(faces_by_arity(faces) == std::map<int, int>{{3, 2}, {4, 1}});
 }

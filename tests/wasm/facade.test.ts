@@ -98,8 +98,11 @@ describe('an editor', () => {
       faces: 1,
       boundaryLoops: 1,
       components: 1,
+      facesByArity: { 4: 1 },
       singularVertices: {},
+      shortestLength: 1,
       meanLength: 1,
+      longestLength: 1,
       maxDeviationFromMean: 0,
       isChebyshev: true,
     });

@@ -7,7 +7,7 @@ import type { FileChoice, FileDialogLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
-import { faceWords, lengthWords, percentWords, singularWords } from './file_words';
+import { faceWords, largestDifference, lengthWords, percentWords, singularWords } from './file_words';
 import { count } from '../language/numbers';
 import './dialog.css';
 import './file_dialog.css';
@@ -60,7 +60,7 @@ export class FileDialog implements FileDialogLike {
 }
 
 function makeFacts(report: FileReport): HTMLElement {
-  const { vertices, edges, boundaryLoops, components, singularVertices, lengths } = report;
+  const { vertices, edges, boundaryLoops, components, singularVertices } = report;
   const terms = dialogWords.file.facts;
   const facts: [string, string][] = [
     [terms.vertices, count(vertices)],
@@ -69,10 +69,10 @@ function makeFacts(report: FileReport): HTMLElement {
     [terms.pieces, count(components)],
     [terms.boundaryLoops, count(boundaryLoops)],
     [terms.singularVertices, singularWords(singularVertices)],
-    [terms.shortest, lengthWords(lengths.smallest)],
-    [terms.mean, lengthWords(lengths.mean)],
-    [terms.longest, lengthWords(lengths.largest)],
-    [terms.deviation, percentWords(lengths.largestDeviation)],
+    [terms.shortest, lengthWords(report.shortestLength)],
+    [terms.mean, lengthWords(report.meanLength)],
+    [terms.longest, lengthWords(report.longestLength)],
+    [terms.deviation, percentWords(largestDifference(report))],
   ];
   return make(
     'dl',
@@ -124,7 +124,7 @@ const LENGTH_CHOICES: readonly {
   { value: 'own', text: () => dialogWords.file.own.text, hint: dialogWords.file.own.hint },
   {
     value: 'equal',
-    text: ({ lengths }) => dialogWords.file.equal.text(lengthWords(lengths.mean)),
+    text: ({ meanLength }) => dialogWords.file.equal.text(lengthWords(meanLength)),
     hint: dialogWords.file.equal.hint,
   },
   { value: 'equalized', text: () => dialogWords.equalize.choice, hint: dialogWords.equalize.choiceHint },
@@ -137,7 +137,7 @@ class LengthChoice {
   changed: () => void = () => {};
 
   constructor(report: FileReport) {
-    const legend = dialogWords.file.lengths(percentWords(report.lengths.largestDeviation));
+    const legend = dialogWords.file.lengths(percentWords(largestDifference(report)));
     const rows = LENGTH_CHOICES.map(({ value, text, hint }) => {
       const radio = make('input', { type: 'radio', name: 'file-lengths', value, checked: value === this.chosen });
       radio.addEventListener('change', () => {

@@ -19,6 +19,15 @@ export function singularWords(singularVertices: Record<string, number>): string 
   return kinds.length > 0 ? dialogWords.file.list(kinds) : dialogWords.file.none;
 }
 
+/** Of the length of an edge from the mean, as a fraction of the mean. */
+export function largestDifference({
+  shortestLength,
+  meanLength,
+  longestLength,
+}: Pick<FileReport, 'shortestLength' | 'meanLength' | 'longestLength'>): number {
+  return Math.max(meanLength - shortestLength, longestLength - meanLength) / meanLength;
+}
+
 /** Five digits: an edge of a finished net is off its length by a thousandth at most. */
 export function lengthWords(length: number): string {
   return String(Number(length.toPrecision(5)));

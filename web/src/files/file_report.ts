@@ -1,15 +1,7 @@
 /** The report on a file that is shown before it is opened. */
 import type { Chebnet, Editor, Finding, Mesh, NetInfo } from '../../../wasm/chebnet';
-import { edgeLengths, spreadOf } from '../net/edge_lengths';
-import type { LengthSpread } from '../net/edge_lengths';
 
-export interface FileReport
-  extends Pick<NetInfo, 'vertices' | 'edges' | 'faces' | 'boundaryLoops' | 'components' | 'singularVertices'> {
-  /** Number of corners → how many faces. */
-  facesByArity: Record<string, number>;
-  lengths: LengthSpread;
-  /** All edges have the same length, up to rounding. */
-  isChebyshev: boolean;
+export interface FileReport extends NetInfo {
   /** What repair changes; the numbers above are those of the repaired mesh. Empty: it is sound as it is. */
   findings: Finding[];
   /** Why the core refuses the mesh without repair, with its code; null: it does not. */
@@ -30,28 +22,8 @@ export function checkMesh(core: Chebnet, given: Mesh): CheckedMesh {
 
 /** Throws ChebnetError if even the repaired mesh is no net. */
 export function reportOf(core: Chebnet, { given, repaired, findings }: CheckedMesh): FileReport {
-  const measured = withEditor(core, repaired, measure);
-  return {
-    ...measured,
-    facesByArity: countArities(repaired),
-    findings,
-    refusal: findings.length > 0 ? refusalOf(core, given) : null,
-  };
-}
-
-function measure({ info, edges, restPositions }: Editor): Omit<FileReport, 'facesByArity' | 'findings' | 'refusal'> {
-  const { vertices, edges: edgeCount, faces, boundaryLoops, components, singularVertices, isChebyshev } = info;
-  const lengths = spreadOf(edgeLengths(restPositions, edges));
-  return { vertices, edges: edgeCount, faces, boundaryLoops, components, singularVertices, isChebyshev, lengths };
-}
-
-function countArities({ faceStart }: Mesh): Record<string, number> {
-  const counts: Record<string, number> = {};
-  for (let f = 0; f + 1 < faceStart.length; ++f) {
-    const arity = (faceStart[f + 1] ?? NaN) - (faceStart[f] ?? NaN);
-    counts[arity] = (counts[arity] ?? 0) + 1;
-  }
-  return counts;
+  const info = withEditor(core, repaired, (editor) => editor.info);
+  return { ...info, findings, refusal: findings.length > 0 ? refusalOf(core, given) : null };
 }
 
 function refusalOf(core: Chebnet, mesh: Mesh): FileReport['refusal'] {

@@ -13,18 +13,3 @@ export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64
 export function deviation(ratio: number): number {
   return (ratio - 1) * ((ratio - 1) / ratio);
 }
-
-export interface LengthSpread {
-  smallest: number;
-  mean: number;
-  largest: number;
-  /** Largest difference of a length from the mean, as a fraction of the mean. */
-  largestDeviation: number;
-}
-
-export function spreadOf(lengths: Float64Array): LengthSpread {
-  const mean = lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
-  const smallest = lengths.reduce((least, length) => Math.min(least, length), Infinity);
-  const largest = lengths.reduce((most, length) => Math.max(most, length), 0);
-  return { smallest, mean, largest, largestDeviation: Math.max(mean - smallest, largest - mean) / mean };
-}
