@@ -71,6 +71,9 @@ export interface CoreFields {
   deviation: Float32Array;
   /** At each vertex the corner angle farthest from a right angle, in radians. */
   angle: Float32Array;
+  /** Of every edge, what holds it at its length, in energy for a part of its length: above 0 it pulls, below it pushes.
+   *  All 0 unless the method is `equilibrium`. */
+  force: Float32Array;
   [name: string]: Float32Array;
 }
 

@@ -330,6 +330,12 @@ Status Editor::iterate(TraceRow& row) {
     return Status::non_finite;
 }
 
+Eigen::VectorXd Editor::edge_forces() const {
+    const std::span<const double> forces = m_method->edge_forces();
+    if (forces.empty()) return Eigen::VectorXd::Zero(m_net->edge_count());
+    return Eigen::Map<const Eigen::VectorXd>(forces.data(), m_net->edge_count());
+}
+
 SolveReport Editor::solve(const Budget& budget) {
     try {
         return go_on(budget);

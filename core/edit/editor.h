@@ -55,6 +55,8 @@ public:
     const std::vector<Handle>& handles() const { return m_handles; }
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
+    /// E, Method::edge_forces() of the last solve; zeros where the method does not know them.
+    Eigen::VectorXd edge_forces() const;
     const std::string& initialisation() const { return m_initialisation.name(); }
     /// All of the above that can change, and the locality, as one value.
     EditState state() const;

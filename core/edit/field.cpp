@@ -14,7 +14,10 @@ Eigen::VectorXd deviations(const Editor& editor) {
 /// V (see vertex_corner_angles()).
 Eigen::VectorXd corner_angles(const Editor& editor) { return vertex_corner_angles(editor.net(), editor.positions()); }
 
-constexpr FieldInfo k_fields[] = {{"deviation", deviations}, {"angle", corner_angles}};
+/// E (see Method::edge_forces()).
+Eigen::VectorXd edge_forces(const Editor& editor) { return editor.edge_forces(); }
+
+constexpr FieldInfo k_fields[] = {{"deviation", deviations}, {"angle", corner_angles}, {"force", edge_forces}};
 
 }  // namespace
 

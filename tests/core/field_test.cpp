@@ -15,7 +15,7 @@ TEST_CASE("The numbers of a field follow the positions held now") {
     editor.set_positions(2 * net.rest_positions());
     std::vector<std::string> names;
     for (const FieldInfo& field : field_table()) names.push_back(field.name);
-    CHECK(names == std::vector<std::string>{"deviation", "angle"});
+    CHECK(names == std::vector<std::string>{"deviation", "angle", "force"});
     const Eigen::VectorXd deviations = field_table()[0].numbers(editor);
     REQUIRE(deviations.size() == net.edge_count());
     CHECK(deviations.isApproxToConstant(0.5));

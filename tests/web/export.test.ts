@@ -144,12 +144,17 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
     narrow: [0, 1, 0],
     right: [0, 0, 0],
     wide: [1, 1, 0],
+    warn: [1, 1, 0],
     longer: [1, 0, 1],
     dark: false,
   } as const;
   const frame = {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0),
-    fields: { deviation: Float32Array.of(1e-9, 1), angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI) },
+    fields: {
+      deviation: Float32Array.of(1e-9, 1),
+      angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
+      force: Float32Array.of(-1, 1),
+    },
   };
   const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1) };
   const coloursBy = (name: FieldName) => {

@@ -55,7 +55,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
     camera: CAMERA,
     field: 'angle',
     colourMap: 'log',
-    ends: { deviation: [1e-9, 2.5e-4], angle: [60, 120.5] },
+    ends: { deviation: [1e-9, 2.5e-4], angle: [60, 120.5], shear: [10, 45], force: [-2, 1.5] },
     showFaces: false,
     upAxis: 'y',
   },
@@ -85,6 +85,8 @@ function seen(change: Partial<ViewState>): GoldenLink {
 const FIELDS: Record<FieldName, GoldenLink> = {
   deviation: seen({ field: 'deviation' }),
   angle: seen({ field: 'angle' }),
+  shear: seen({ field: 'shear', ends: { shear: [10, 45] } }),
+  force: seen({ field: 'force', ends: { force: [-2, 1.5] } }),
   longer: seen({ field: 'longer' }),
 };
 const COLOUR_MAPS: Record<ColourMap, GoldenLink> = {

@@ -86,7 +86,7 @@ describe('a scene comes back', () => {
     expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toMatchObject({ restLengths: 'equal' });
   });
 
-  test.each(['deviation', 'angle', 'longer'] as const)('in its colours, by %s', (field) => {
+  test.each(['deviation', 'angle', 'shear', 'force', 'longer'] as const)('in its colours, by %s', (field) => {
     const document = documentAt(null);
     expect(decodeScene(hashOf({ ...document, view: { ...document.view, field } })).view.field).toBe(field);
   });

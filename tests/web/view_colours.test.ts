@@ -6,6 +6,7 @@ import { FIELD_NAMES, fieldOf } from '../../web/src/fields/fields';
 const COLOURS: MapColours = {
   good: [0, 0, 1],
   bad: [1, 0, 0],
+  warn: [1, 1, 0],
   narrow: [0, 1, 1],
   right: [0.5, 0.5, 0.5],
   wide: [1, 0.5, 0],
@@ -50,6 +51,18 @@ test('a right angle has the middle colour, others lean to either side', () => {
   expect(colourOf(angle, 90)).toEqual(COLOURS.right);
   expect(colourOf(angle, 10)).toEqual(COLOURS.narrow);
   expect(colourOf(angle, 170)).toEqual(COLOURS.wide);
+});
+
+test('shear is the further from blue, by yellow, to red the sharper a corner', () => {
+  const shear = fieldOf('shear').scale(COLOURS, 'paper');
+  expect([0, 40, 60, 80].map((degrees) => colourOf(shear, degrees))).toEqual(
+    [COLOURS.good, COLOURS.warn, COLOURS.bad, COLOURS.bad].map(([r, g, b]) => [r, g, b].map((c) => expect.closeTo(c))),
+  );
+});
+
+test('an edge pulls or pushes', () => {
+  const force = fieldOf('force').scale(COLOURS, 'paper');
+  expect([-1, 0, 1].map((value) => colourOf(force, value))).toEqual([COLOURS.bad, COLOURS.right, COLOURS.good]);
 });
 
 test('an edge is longer than it is to be, or not', () => {

@@ -578,7 +578,7 @@ bool Equilibrium::linearise(const Positions& positions) {
 }
 
 std::span<const double> Equilibrium::edge_forces() const {
-    if (m_stage != rest || !m_is_linearised) return {};
+    if (m_stage != rest || m_newton->multipliers().size() == 0) return {};
     const Eigen::VectorXd& multipliers = m_newton->multipliers();
     return {multipliers.data(), static_cast<std::size_t>(m_net->edge_count())};
 }

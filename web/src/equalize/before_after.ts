@@ -32,7 +32,7 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
   );
   return {
     positions,
-    fields: { deviation, angle: new Float32Array(positions.length / 3) },
+    fields: { deviation, angle: new Float32Array(positions.length / 3), force: new Float32Array(deviation.length) },
     maxDeviation: deviation.reduce((most, dL) => Math.max(most, dL), 0),
     handles: [],
     status: 'running',

@@ -12,6 +12,8 @@ export interface MapColours {
   /** The paper's blue and red. */
   good: Rgb;
   bad: Rgb;
+  /** Between good and bad. */
+  warn: Rgb;
   /** Corner angles: narrower than a right angle, right, wider. */
   narrow: Rgb;
   right: Rgb;

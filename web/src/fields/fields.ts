@@ -68,6 +68,31 @@ export const FIELDS = {
       return words.legend.net(words.legend.range(low!, high!));
     },
   },
+  /** At each vertex how far the corner farthest from 90° is from that. */
+  shear: {
+    place: 'vertex',
+    ends: 'any',
+    write: (numbers, { fields: { angle } }) => {
+      for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = Math.abs(angle[vertex]! * DEGREES - 90);
+    },
+    scale: ({ good, warn, bad }, _, ends = [0, 60]) =>
+      diverging([good, warn, bad], (ends[0] + 2 * ends[1]) / 3, ends, '°'),
+    summary: (numbers) => words.legend.net(words.legend.upTo(`${rangeOf(numbers)[1].toFixed(0)}°`)),
+  },
+  /** Tension of each edge, below 0 compression. */
+  force: {
+    place: 'edge',
+    atVertex: 'farthest',
+    ends: 'any',
+    write: (numbers, { fields }) => numbers.set(fields.force),
+    scale: ({ bad, right, good }, _, ends = [-0.5, 0.5]) => diverging([bad, right, good], 0, ends, ''),
+    summary: (numbers) => {
+      const [low, high] = rangeOf(numbers);
+      return low === 0 && high === 0
+        ? words.legend.noForces
+        : words.legend.net(words.legend.range(low.toFixed(2), high.toFixed(2)));
+    },
+  },
   /** 1 for edges longer than their rest length, 0 for others. */
   longer: {
     place: 'edge',

@@ -64,12 +64,15 @@ export const en = {
   colourFields: {
     deviation: { choice: 'Deviation of edges', title: 'Deviation dL of an edge' },
     angle: { choice: 'Corner angles', title: 'Corner angle farthest from 90°' },
+    shear: { choice: 'Shear', title: 'Shear: 90° less the sharpest corner' },
+    force: { choice: 'Forces in edges', title: 'Force in an edge: pushes < 0 < pulls' },
     longer: { choice: 'Longer than L', title: 'Edges by their length L' },
   },
   legend: {
     label: 'Legend',
     notLonger: 'not longer than L',
     isLonger: 'longer',
+    noForces: 'Known where the net keeps its shape',
     share: (percent: string) => `Net: ${percent} % longer than L`,
     net: (range: string) => `Net: ${range}`,
     range: (low: string, high: string) => `${low} to ${high}`,

@@ -60,12 +60,15 @@ export const zh: Words = {
   colourFields: {
     deviation: { choice: '边的偏差', title: '边的偏差 dL' },
     angle: { choice: '面的角', title: '偏离 90° 最远的角' },
+    shear: { choice: '剪切', title: '剪切：90° 减去最尖的角' },
+    force: { choice: '边的受力', title: '边的受力：压 < 0 < 拉' },
     longer: { choice: '是否长于 L', title: '边长与 L 相比' },
   },
   legend: {
     label: '图例',
     notLonger: '不长于 L',
     isLonger: '长于 L',
+    noForces: '仅在“保持形状”等行为下可知',
     share: (percent) => `当前网：${percent}% 的边长于 L`,
     net: (range) => `当前网：${range}`,
     range: (low, high) => `${low} 至 ${high}`,

@@ -32,6 +32,7 @@ export function readTheme(element: Element): Theme {
     dark: matchMedia(DARK).matches,
     good: colour('map-good'),
     bad: colour('map-bad'),
+    warn: colour('map-warn'),
     narrow: colour('map-narrow'),
     right: colour('map-right'),
     wide: colour('map-wide'),
