@@ -226,6 +226,9 @@ describe('on a vault', () => {
 });
 
 test.runIf(process.env['CHEBNET_SCREENSHOT'])('the picture for the README', async () => {
+  const behaviour = visit.page.locator('label', { hasText: 'The net' }).getByRole('combobox');
+  await behaviour.selectOption({ label: 'keeps its shape' });
+  await script.settled();
   const handles = await visit.page.evaluate(() => window.chebnet.handles());
   await dragBy(script, handles.at(-1)!.vertex, [-120, -15]);
   await script.settled();

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -311,6 +312,13 @@ Editor hung(const Net& net, double span, double edge) {
     return editor;
 }
 
+/// The edge between two vertices.
+std::optional<int> edge_between(const Net& net, int a, int b) {
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edges()(0, e) == std::min(a, b) && net.edges()(1, e) == std::max(a, b)) return e;
+    return std::nullopt;
+}
+
 /// t with f(t) = 0 between a and b, where f has different signs.
 double root(const std::function<double(double)>& f, double a, double b) {
     const bool rises = f(b) > 0;
@@ -335,6 +343,11 @@ TEST_CASE("Equilibrium: a heavy strip that hardly resists bending hangs as a cat
         const double z = a * (std::cosh((x.x() - span / 2) / a) - std::cosh(span / (2 * a)));
         CHECK(x.z() == Approx(z).margin(2e-3));
     }
+    // Where the chain is level its tension is a times the weight of a unit of length. An edge of length L weighs 1 / L;
+    // each line carries its own and half of those across.
+    const int lowest = *edge_between(net, count, count + 2);
+    CHECK(editor.edge_forces()[lowest] == Approx(1.5 * a / edge).epsilon(0.02));
+    CHECK(editor.edge_forces()[*edge_between(net, 0, 2)] > editor.edge_forces()[lowest]);
 }
 
 TEST_CASE("Equilibrium: straight rods between two supports that have come nearer bend into the elastica") {

@@ -71,6 +71,7 @@ describe('an editor', () => {
     expect(editor.fields().deviation).toBeInstanceOf(Float32Array);
     expect(editor.fields().deviation).toHaveLength(edges);
     expect(editor.fields().angle).toHaveLength(vertices);
+    expect(editor.fields().force).toEqual(new Float32Array(edges));
     expect(Math.max(...editor.edges, ...editor.faceVertices)).toBe(vertices - 1);
     expect(editor.bend()).toBe(0);
   });
