@@ -12,7 +12,7 @@
 namespace chebnet {
 
 /// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
-/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Hold).
+/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Pull).
 struct Handle {
     int vertex;
     Eigen::Vector3d target;

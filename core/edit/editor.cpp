@@ -42,7 +42,7 @@ void check_handles(const Net& net, const std::vector<Handle>& handles) {
 
 void check_softness(const std::vector<Handle>& handles, const Method& method, const std::string& name) {
     const auto soft = std::find_if(handles.begin(), handles.end(), [](const Handle& h) { return !h.is_exact(); });
-    if (soft != handles.end() && !method.knows_holds())
+    if (soft != handles.end() && !method.knows_pulls())
         throw Error(ErrorCode::bad_option, "method " + name + " keeps every handle exactly, but handle " +
                                                std::to_string(soft->vertex) + " is soft; projection can do that");
 }
@@ -172,7 +172,7 @@ EditState Editor::state() const {
     EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_positions};
     if (m_region) {
         state.locality = Locality{m_region->radius, m_region->origins, m_positions};
-        for (const Hold& hold : m_region->holds) state.locality->held_at.col(hold.vertex) = hold.target;
+        for (const Pull& pull : m_region->pulls) state.locality->held_at.col(pull.vertex) = pull.target;
     }
     return state;
 }
@@ -245,23 +245,23 @@ std::vector<int> Editor::fixed_vertices() const {
 }
 
 /// In the solver's unit. Pulls at one vertex are joined into one; a fixed vertex cannot be pulled.
-void Editor::collect_holds() {
-    m_holds.clear();
+void Editor::collect_pulls() {
+    m_pulls.clear();
     if (m_region)
-        for (const Hold& hold : m_region->holds) {
-            const Handle* handle = find_handle(hold.vertex);
+        for (const Pull& pull : m_region->pulls) {
+            const Handle* handle = find_handle(pull.vertex);
             if (handle == nullptr || !handle->is_exact())
-                m_holds.push_back({hold.vertex, hold.target / m_unit, hold.weight});
+                m_pulls.push_back({pull.vertex, pull.target / m_unit, pull.weight});
         }
-    const auto of_region = static_cast<std::ptrdiff_t>(m_holds.size());  // ascending by vertex
+    const auto of_region = static_cast<std::ptrdiff_t>(m_pulls.size());  // ascending by vertex
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const Handle& handle = m_handles[i];
         const Eigen::Vector3d target = m_near_targets.col(static_cast<Eigen::Index>(i));
         if (handle.is_exact() || (m_region && m_region->is_outside(handle.vertex))) continue;
-        const auto other = std::lower_bound(m_holds.begin(), m_holds.begin() + of_region, handle.vertex,
-                                            [](const Hold& hold, int vertex) { return hold.vertex < vertex; });
-        if (other == m_holds.begin() + of_region || other->vertex != handle.vertex) {
-            m_holds.push_back({handle.vertex, target, handle.weight});
+        const auto other = std::lower_bound(m_pulls.begin(), m_pulls.begin() + of_region, handle.vertex,
+                                            [](const Pull& pull, int vertex) { return pull.vertex < vertex; });
+        if (other == m_pulls.begin() + of_region || other->vertex != handle.vertex) {
+            m_pulls.push_back({handle.vertex, target, handle.weight});
             continue;
         }
         other->weight += handle.weight;
@@ -311,7 +311,7 @@ Status Editor::begin_solve(Trace& trace) {
     const Stopwatch watch;
     if (!m_prepared) prepare();
     draw_targets_near();
-    collect_holds();
+    collect_pulls();
     m_iterations = 0;
     m_elapsed_ms = 0;
     load_positions();

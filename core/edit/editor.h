@@ -72,7 +72,7 @@ public:
     /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
     /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and
-    /// the harder the closer to that border (see Region; methods that know no holds have the border only). All else
+    /// the harder the closer to that border (see Region; methods that know no pulls have the border only). All else
     /// stays exactly where it stands, until the next call, or until other handles are moved or all set, positions are
     /// replaced or reset. Infinity, or no origins: everything may move. Throws Error bad_option unless radius > 0,
     /// index_out_of_range.
@@ -133,8 +133,8 @@ private:
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     std::vector<int> fixed_vertices() const;
-    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_holds, m_reachable}; }
-    void collect_holds();
+    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    void collect_pulls();
     void prepare();
     void draw_targets_near();
     void load_positions();
@@ -161,7 +161,7 @@ private:
     Positions m_unit_positions;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
     std::vector<int> m_fixed;
-    std::vector<Hold> m_holds;  // of soft handles and of the region
+    std::vector<Pull> m_pulls;  // of soft handles and of the region
     Options m_options;
     std::string m_method_name;
     std::unique_ptr<Method> m_method;

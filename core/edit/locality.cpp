@@ -6,7 +6,7 @@ namespace chebnet {
 
 namespace {
 
-// The weight of an edge: there a hold's influence ends about one edge away from it.
+// The weight of an edge: there a pull's influence ends about one edge away from it.
 constexpr double k_most_weight = 1;
 constexpr double k_rounding = 1e-9;
 
@@ -18,7 +18,7 @@ double firmness(double edges_away, double radius) {
     return std::max(0.0, (edges_away - zone) / zone);
 }
 
-/// Where the influence of a hold ends 1/√w edges away, this one's ends (1 − s)/s parts of the zone's width from it.
+/// Where the influence of a pull ends 1/√w edges away, this one's ends (1 − s)/s parts of the zone's width from it.
 double falloff_weight(double s, double radius) {
     const double zone = radius / 2;
     const double steepness = s / ((1 - s) * zone);
@@ -47,7 +47,7 @@ Region region_around(const Net& net, const Topology& topology, const Positions& 
     for (int v = 0; v < net.vertex_count(); ++v) {
         if (may_move(v)) {
             const double s = firmness_at(v);
-            if (s > 0) region.holds.push_back({v, positions.col(v), falloff_weight(s, radius)});
+            if (s > 0) region.pulls.push_back({v, positions.col(v), falloff_weight(s, radius)});
             continue;
         }
         region.outside.push_back(v);

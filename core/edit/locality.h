@@ -7,7 +7,7 @@
 
 #include "net/net.h"
 #include "net/topology.h"
-#include "solve/hold.h"
+#include "solve/pull.h"
 
 namespace chebnet {
 
@@ -26,13 +26,13 @@ struct Region {
     std::vector<int> origins;  ///< the vertices it moves with
     std::vector<int> outside;  ///< the fixed vertices, ascending
     std::vector<BorderVertex> border;
-    std::vector<Hold> holds;
+    std::vector<Pull> pulls;
 
     bool is_outside(int vertex) const { return std::binary_search(outside.begin(), outside.end(), vertex); }
 };
 
 /// V, how freely each vertex would move in such a region: 1 up to half the radius, falling evenly to 0 where all is
-/// fixed. Where the hold of a vertex has the weight w < 1, it is 1 / (1 + √w R/2): the reach 1/√w of the hold's
+/// fixed. Where the pull of a vertex has the weight w < 1, it is 1 / (1 + √w R/2): the reach 1/√w of the pull's
 /// influence, as part of itself and the zone.
 Eigen::VectorXf mobility(const Net& net, const Topology& topology, std::span<const int> origins, double radius);
 

@@ -24,10 +24,10 @@ public:
     /// that is made late.
     virtual void prepare(const Problem& problem) = 0;
 
-    /// Whether the holds of a problem are heeded. Edges come first: holds give way.
-    virtual bool knows_holds() const { return false; }
+    /// Whether the pulls of a problem are heeded. Edges come first: pulls give way.
+    virtual bool knows_pulls() const { return false; }
 
-    /// Begins a solve of the problem that was prepared, with the holds of the moment, at `positions` (3×V), where the
+    /// Begins a solve of the problem that was prepared, with the pulls of the moment, at `positions` (3×V), where the
     /// fixed vertices already stand. May move free vertices off degenerate places. Returns `running`, or `converged` if
     /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`.
     virtual Status start(const Problem& problem, Positions& positions, const Options& options) = 0;

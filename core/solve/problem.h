@@ -4,17 +4,17 @@
 
 #include "net/net.h"
 #include "net/topology.h"
-#include "solve/hold.h"
+#include "solve/pull.h"
 
 namespace chebnet {
 
 /// What a method is to solve: positions in which every edge has its length, fixed vertices stay where they are, and
-/// holds pull as far as the edges let them. Keeps references.
+/// pulls draw as far as the edges let them. Keeps references.
 struct Problem {
     const Net& net;
     const Topology& topology;
     std::span<const int> fixed;        ///< distinct: exact handles, and what lies outside the region that may move
-    std::span<const Hold> holds = {};  ///< of free vertices, distinct: soft handles, and the region's border
+    std::span<const Pull> pulls = {};  ///< of free vertices, distinct: soft handles, and the region's border
     bool reachable = true;             ///< false: no such positions exist, as far as the handles' distances tell
 };
 

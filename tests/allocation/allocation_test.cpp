@@ -53,7 +53,7 @@ struct Frames {
     bool converged = true;
 };
 
-/// Drags the last of a shape's handles to and fro on a circle that ends where it began; a hold stays where it is.
+/// Drags the last of a shape's handles to and fro on a circle that ends where it began; a pull stays where it is.
 Frames drag(Method& method, const Problem& problem, const Shape& shape, Positions& positions, int count) {
     Frames frames;
     const int dragged = shape.suggested_handles.back();
@@ -100,13 +100,13 @@ int main() {
     check(again.allocations == 0, "its " + std::to_string(again.iterations) + " iterations allocate nothing (counted " +
                                       std::to_string(again.allocations) + ")");
 
-    // Pulled to where the drag cannot let it stay, the hold gives way in each frame.
+    // Pulled to where the drag cannot let it stay, the pull gives way in each frame.
     const int held = shape.net.vertex_count() / 2;
-    const Hold hold{held, positions.col(held) + 5 * shape.net.mean_length() * Eigen::Vector3d::UnitX(), 1};
-    problem.holds = {&hold, 1};
+    const Pull pull{held, positions.col(held) + 5 * shape.net.mean_length() * Eigen::Vector3d::UnitX(), 1};
+    problem.pulls = {&pull, 1};
     drag(*method, problem, shape, positions, 20);
     const Frames soft = drag(*method, problem, shape, positions, 40);
-    check(soft.converged, "every frame of a drag against a hold converges");
+    check(soft.converged, "every frame of a drag against a pull converges");
     check(soft.allocations == 0, "its " + std::to_string(soft.iterations) + " iterations allocate nothing (counted " +
                                      std::to_string(soft.allocations) + ")");
     return failures == 0 ? 0 : 1;

@@ -65,9 +65,9 @@ TEST_CASE("A region is what lies within its radius, held the more the closer to 
     }
 
     std::vector<double> weight_at(8, 0);
-    for (const Hold& hold : region.holds) {
-        CHECK(hold.target == net.rest_positions().col(hold.vertex));
-        weight_at[std::lround(distance[hold.vertex])] = hold.weight;
+    for (const Pull& pull : region.pulls) {
+        CHECK(pull.target == net.rest_positions().col(pull.vertex));
+        weight_at[std::lround(distance[pull.vertex])] = pull.weight;
     }
     for (int d = 0; d <= 4; ++d) CHECK(weight_at[d] == 0);
     for (int d = 5; d < 8; ++d) CHECK(weight_at[d] > weight_at[d - 1]);

@@ -174,15 +174,15 @@ TEST_CASE("Weights out of range, and methods that know none, are refused by name
     CHECK(exact.handles().back().is_exact());
 }
 
-TEST_CASE("The gradients of holds are those of their energies, and a fit is the minimum") {
+TEST_CASE("The gradients of pulls are those of their energies, and a fit is the minimum") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
     const Net net = samples::patch(5, 4);
     const bool floating = GENERATE(false, true);
     LaplacianPart part(net, free_vertices(net.vertex_count(), floating ? std::vector<int>{} : std::vector<int>{0, 4}));
-    const std::vector<Hold> holds{{7, {1, 2, 3}, 0.5}, {12, {0, -1, 2}, 20}};
-    part.set_holds(holds);
+    const std::vector<Pull> pulls{{7, {1, 2, 3}, 0.5}, {12, {0, -1, 2}, 20}};
+    part.set_pulls(pulls);
     Positions x = samples::shaken(net.rest_positions(), 0.2, random);
     const Positions centres = samples::shaken(x, 1, random);
 
@@ -200,7 +200,7 @@ TEST_CASE("The gradients of holds are those of their energies, and a fit is the 
         double sum = 0;
         for (int e = 0; e < net.edge_count(); ++e)
             sum += (at.col(net.edges()(0, e)) - at.col(net.edges()(1, e)) - vectors.col(e)).squaredNorm();
-        for (const Hold& hold : holds) sum += hold.weight * (at.col(hold.vertex) - hold.target).squaredNorm();
+        for (const Pull& pull : pulls) sum += pull.weight * (at.col(pull.vertex) - pull.target).squaredNorm();
         return sum;
     };
     const double slope = differentiated(fit_energy, x, part.part().vertices());

@@ -36,13 +36,13 @@ Net sample_net(int which, std::mt19937& random) {
 
 std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     const Topology topology(net);
-    const std::vector<Hold> holds{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
+    const std::vector<Pull> pulls{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
     std::vector<std::unique_ptr<Term>> terms;
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
         terms.push_back(std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
         terms.push_back(std::make_unique<ShearTerm>(net, net.rest_positions(), 0.3, reference, 0.3));
-    terms.push_back(std::make_unique<PullTerm>(net, holds));
+    terms.push_back(std::make_unique<PullTerm>(net, pulls));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
     return terms;
 }

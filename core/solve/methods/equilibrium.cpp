@@ -70,7 +70,7 @@ public:
 
     explicit Equilibrium(RestShape rest_shape) : m_opens(rest_shape == RestShape::opened) {}
     void prepare(const Problem& problem) override;
-    bool knows_holds() const override { return true; }
+    bool knows_pulls() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
     std::span<const double> edge_forces() const override;
@@ -78,8 +78,8 @@ public:
 private:
     enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
 
-    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_holds, m_reachable}; }
-    void take_holds(std::span<const Hold> holds);
+    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    void take_pulls(std::span<const Pull> pulls);
     CornerLimit limit() const;
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
@@ -116,8 +116,8 @@ private:
     const Topology* m_topology = nullptr;
     std::vector<int> m_fixed;
     std::vector<bool> m_is_free;
-    std::vector<Hold> m_holds;
-    bool m_holds_changed = true, m_holds_moved = true;  // in number, place or weight; in their targets
+    std::vector<Pull> m_pulls;
+    bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     const bool m_opens;
     std::unique_ptr<Equilibrium> m_opening;  // while it is under way
     Positions m_rest_shape;                  // empty: not known
@@ -171,23 +171,23 @@ void Equilibrium::prepare(const Problem& problem) {
     m_has_metric = m_is_still = m_is_linearised = false;
 }
 
-void Equilibrium::take_holds(std::span<const Hold> holds) {
-    const auto same_pull = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
-    const auto same_target = [](const Hold& a, const Hold& b) { return a.target == b.target; };
-    m_holds_moved = !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_target);
-    m_holds_changed |= !std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(), same_pull);
-    m_holds.assign(holds.begin(), holds.end());
+void Equilibrium::take_pulls(std::span<const Pull> pulls) {
+    const auto same_pull = [](const Pull& a, const Pull& b) { return a.vertex == b.vertex && a.weight == b.weight; };
+    const auto same_target = [](const Pull& a, const Pull& b) { return a.target == b.target; };
+    m_pulls_moved = !std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(), same_target);
+    m_pulls_changed |= !std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(), same_pull);
+    m_pulls.assign(pulls.begin(), pulls.end());
 }
 
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
-    take_holds(problem.holds);
-    const bool same_energy = !m_terms.empty() && !m_holds_changed && ask_for_the_same(m_options, options);
+    take_pulls(problem.pulls);
+    const bool same_energy = !m_terms.empty() && !m_pulls_changed && ask_for_the_same(m_options, options);
     if (m_options.shear_limit != options.shear_limit) m_rest_shape.resize(3, 0);
     m_options = options;
     m_reachable = problem.reachable;
     m_max_deviation = max_deviation(*m_net, positions);
     m_steps = 0;
-    if (m_reachable && same_energy && !m_holds_moved && m_result == positions && is_at_rest()) return Status::converged;
+    if (m_reachable && same_energy && !m_pulls_moved && m_result == positions && is_at_rest()) return Status::converged;
     if (m_reachable && m_rest_shape.cols() == 0 && begin_opening()) return Status::running;
     return begin(positions, same_energy);
 }
@@ -240,7 +240,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
 bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
         if (!same_energy) choose_energy();
-        if (!m_holds.empty()) m_terms.back() = std::make_unique<PullTerm>(*m_net, m_holds);
+        if (!m_pulls.empty()) m_terms.back() = std::make_unique<PullTerm>(*m_net, m_pulls);
         if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part);
         if (!m_lengths) watch_corners(positions);
     } catch (const Error& error) {
@@ -294,10 +294,10 @@ void Equilibrium::choose_energy() {
                                                   radians(std::max(m_options.shear_limit, k_least_open_angle))));
     if (m_options.gravity > 0)
         m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
-    if (!m_holds.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_holds));
+    if (!m_pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_pulls));
     m_limit = limit();
     m_lengths.reset();
-    m_has_metric = m_holds_changed = false;
+    m_has_metric = m_pulls_changed = false;
 }
 
 double Equilibrium::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {

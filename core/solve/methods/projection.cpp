@@ -29,7 +29,7 @@ constexpr double k_forgetting = 0.05;
 constexpr double k_projection_deviation = 1e-4;
 constexpr double k_round_part = 0.01;
 constexpr int k_most_spring_iterations = 150;
-// Where holds resist, they give way until they pull no more than a part of an edge's strength, each time by this
+// Where pulls resist, they give way until they are no more than a part of an edge's strength, each time by this
 // factor.
 constexpr double k_yielding = 0.1;
 constexpr double k_least_pull = 1e-4;
@@ -41,15 +41,15 @@ constexpr double k_unknown = std::numeric_limits<double>::infinity();
 class Projection : public Method {
 public:
     void prepare(const Problem& problem) override;
-    bool knows_holds() const override { return true; }
+    bool knows_pulls() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:
     enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
-    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_holds, m_reachable}; }
-    void take_holds(std::span<const Hold> holds);
+    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    void take_pulls(std::span<const Pull> pulls);
     int rigid_iterations(const Positions& positions) const;
     double largest_pull() const;
     void take_over_shape(const Positions& positions);
@@ -71,7 +71,7 @@ private:
     const Topology* m_topology = nullptr;
     std::vector<int> m_fixed;
     std::vector<bool> m_is_free;
-    std::vector<Hold> m_holds;
+    std::vector<Pull> m_pulls;
     std::unique_ptr<LaplacianPart> m_part;
     std::unique_ptr<ArapStep> m_arap;
     std::unique_ptr<SpringDescent> m_springs;
@@ -79,8 +79,8 @@ private:
     bool m_lengths_too_large = false;
     std::unique_ptr<Method> m_newton;
     bool m_newton_prepared = false;
-    double m_yield = 1;   // part of their weights with which the holds pull in stages 2 and 3
-    double m_pulled = 0;  // how far the targets of holds have moved since stage 1 has heeded them
+    double m_yield = 1;   // part of their weights with which the pulls act in stages 2 and 3
+    double m_pulled = 0;  // how far the targets of pulls have moved since stage 1 has heeded them
 
     Options m_options;
     bool m_reachable = true;
@@ -116,19 +116,19 @@ void Projection::prepare(const Problem& problem) {
     m_shape.resize(3, 0);
 }
 
-void Projection::take_holds(std::span<const Hold> holds) {
-    const auto same = [](const Hold& a, const Hold& b) { return a.vertex == b.vertex && a.weight == b.weight; };
-    const std::span<const Hold> before = m_holds;
-    if (!std::equal(before.begin(), before.end(), holds.begin(), holds.end(), same))
+void Projection::take_pulls(std::span<const Pull> pulls) {
+    const auto same = [](const Pull& a, const Pull& b) { return a.vertex == b.vertex && a.weight == b.weight; };
+    const std::span<const Pull> before = m_pulls;
+    if (!std::equal(before.begin(), before.end(), pulls.begin(), pulls.end(), same))
         m_pulled = k_unknown;
     else
-        for (std::size_t i = 0; i < holds.size(); ++i)
-            m_pulled = std::max(m_pulled, (holds[i].target - before[i].target).norm());
-    m_holds.assign(holds.begin(), holds.end());
+        for (std::size_t i = 0; i < pulls.size(); ++i)
+            m_pulled = std::max(m_pulled, (pulls[i].target - before[i].target).norm());
+    m_pulls.assign(pulls.begin(), pulls.end());
 }
 
 Status Projection::start(const Problem& problem, Positions& positions, const Options& options) {
-    take_holds(problem.holds);
+    take_pulls(problem.pulls);
     m_options = options;
     m_reachable = problem.reachable;
     open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
@@ -142,8 +142,8 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
     m_near = k_projection_deviation;
     m_springs_left = k_most_spring_iterations;
     m_yield = 1;
-    m_part->scale_holds(1);
-    m_part->set_holds(m_holds);
+    m_part->scale_pulls(1);
+    m_part->set_pulls(m_pulls);
     enter(rigid, positions);
     return Status::running;
 }
@@ -164,8 +164,8 @@ void Projection::take_over_shape(const Positions& positions) {
 
 double Projection::largest_pull() const {
     double largest = 0;
-    for (const Hold& hold : m_holds)
-        largest = std::max(largest, (hold.target - m_shape_before.col(hold.vertex)).norm());
+    for (const Pull& pull : m_pulls)
+        largest = std::max(largest, (pull.target - m_shape_before.col(pull.vertex)).norm());
     return largest;
 }
 
@@ -202,14 +202,14 @@ void Projection::enter(Stage stage, Positions& positions) {
 
 double Projection::strongest_pull() const {
     double strongest = 0;
-    for (const Hold& hold : m_part->holds()) strongest = std::max(strongest, hold.weight);
+    for (const Pull& pull : m_part->pulls()) strongest = std::max(strongest, pull.weight);
     return strongest;
 }
 
-/// Lets the holds pull less: what is left of them decides among nets with exact lengths, which is all they may.
+/// Lets the pulls weaken: what is left of them decides among nets with exact lengths, which is all they may.
 void Projection::yield(const Positions& positions) {
     m_yield *= k_yielding / std::max(1.0, strongest_pull());
-    m_part->scale_holds(m_yield);
+    m_part->scale_pulls(m_yield);
     m_springs_left = k_most_spring_iterations;
     m_springs->start(positions, m_shape);
 }
@@ -226,10 +226,10 @@ bool Projection::has_lengths() {
     return !m_lengths_too_large;
 }
 
-/// Moves of stage 3 are measured in the metric 1 + w, so that holds give way last.
+/// Moves of stage 3 are measured in the metric 1 + w, so that pulls give way last.
 void Projection::loosen_lengths() {
     m_lengths->set_free(m_is_free);
-    for (const Hold& hold : m_part->holds()) m_lengths->set_mobility(hold.vertex, 1 / (1 + hold.weight));
+    for (const Pull& pull : m_part->pulls()) m_lengths->set_mobility(pull.vertex, 1 / (1 + pull.weight));
 }
 
 Status Projection::iterate(Positions& positions, TraceRow& row) {
@@ -348,10 +348,10 @@ std::unique_ptr<Method> make() { return std::make_unique<Projection>(); }
 /// Where so many edges meet at a vertex that the system of stage 3 would be too large, stage 4 takes its place at once.
 ///
 /// Holds pull the copy in stage 1, which so decides where they are to be; the net's are drawn there by springs of their
-/// own, which become weaker where lengths and holds cannot agree, and give way last in stage 3. Stage 4 ignores them.
+/// own, which become weaker where lengths and pulls cannot agree, and give way last in stage 3. Stage 4 ignores them.
 ///
 /// Stages 1 to 3 use two systems of fixed pattern: the net's Laplacian, factored once for a set of handles and weights
-/// of holds, and the projection's, analysed once for a net. They allocate nothing once they have run.
+/// of pulls, and the projection's, analysed once for a net. They allocate nothing once they have run.
 constinit const MethodInfo k_projection = {
     "projection",
     "A rigid start, springs, then projection onto the exact lengths: our own way to go fast and bend little.",

@@ -6,9 +6,9 @@ namespace chebnet {
 
 namespace {
 
-// Heavier holds stand as good as still, and single precision has room for them.
+// Heavier pulls stand as good as still, and single precision has room for them.
 constexpr double k_most_weight = 1e6;
-// Lighter holds do not keep a piece of the net in place as far as single precision can tell. Then all of the piece
+// Lighter pulls do not keep a piece of the net in place as far as single precision can tell. Then all of the piece
 // resists its moves as much, which spoils no symmetry, and takes several calls of fit().
 constexpr double k_least_piece_weight = 1e-2;
 
@@ -23,21 +23,21 @@ LaplacianPart::LaplacianPart(const Net& net, const std::vector<bool>& is_free)
     factorize();
 }
 
-void LaplacianPart::set_holds(std::span<const Hold> holds) {
-    const auto scaled = [&](const Hold& hold) { return m_scale * std::min(hold.weight, k_most_weight); };
+void LaplacianPart::set_pulls(std::span<const Pull> pulls) {
+    const auto scaled = [&](const Pull& pull) { return m_scale * std::min(pull.weight, k_most_weight); };
     const bool same =
-        std::equal(m_holds.begin(), m_holds.end(), holds.begin(), holds.end(),
+        std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(),
                    [&](auto& now, auto& next) { return now.vertex == next.vertex && now.weight == scaled(next); });
-    m_holds.assign(holds.begin(), holds.end());
-    for (Hold& hold : m_holds) hold.weight = scaled(hold);
+    m_pulls.assign(pulls.begin(), pulls.end());
+    for (Pull& pull : m_pulls) pull.weight = scaled(pull);
     if (!same) factorize();
 }
 
-void LaplacianPart::scale_holds(double scale) {
+void LaplacianPart::scale_pulls(double scale) {
     if (scale == m_scale) return;
-    for (Hold& hold : m_holds) hold.weight *= scale / m_scale;
+    for (Pull& pull : m_pulls) pull.weight *= scale / m_scale;
     m_scale = scale;
-    if (!m_holds.empty()) factorize();
+    if (!m_pulls.empty()) factorize();
 }
 
 void LaplacianPart::factorize() {
@@ -49,10 +49,10 @@ void LaplacianPart::factorize() {
         else
             m_system.add_at_node(std::max(edge.node_a, edge.node_b), one);
     std::fill(m_piece_weight.begin(), m_piece_weight.end(), 0);
-    for (const Hold& hold : m_holds) {
-        const int node = m_part.node_of(hold.vertex);
-        m_system.add_at_node(node, LaplacianSystem::Block(hold.weight));
-        m_piece_weight[m_part.piece_of(node)] += hold.weight;
+    for (const Pull& pull : m_pulls) {
+        const int node = m_part.node_of(pull.vertex);
+        m_system.add_at_node(node, LaplacianSystem::Block(pull.weight));
+        m_piece_weight[m_part.piece_of(node)] += pull.weight;
     }
     for (int root : m_part.floating_nodes()) {
         if (m_piece_weight[root] == 0)
@@ -76,8 +76,8 @@ double LaplacianPart::fit(const Eigen::Matrix3Xd& vectors, Positions& positions)
         if (edge.node_a >= 0) m_residual.col(edge.node_a) += missing;
         if (edge.node_b >= 0) m_residual.col(edge.node_b) -= missing;
     }
-    for (const Hold& hold : m_holds)
-        m_residual.col(m_part.node_of(hold.vertex)) += hold.weight * (hold.target - positions.col(hold.vertex));
+    for (const Pull& pull : m_pulls)
+        m_residual.col(m_part.node_of(pull.vertex)) += pull.weight * (pull.target - positions.col(pull.vertex));
     const double gradient_norm = 2 * m_residual.norm();
     m_system.solve_in_place(m_residual);
     for (int i = 0; i < m_part.size(); ++i) positions.col(m_part.vertices()[i]) += m_residual.col(i);

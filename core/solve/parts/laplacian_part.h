@@ -6,8 +6,8 @@
 
 #include "linear/graph_system.h"
 #include "net/net.h"
-#include "solve/hold.h"
 #include "solve/parts/free_part.h"
+#include "solve/pull.h"
 
 namespace chebnet {
 
@@ -23,18 +23,18 @@ public:
 
     /// The free vertices that are pulled, in place of those before. Weights may be anything above 0, but above 1e6 more
     /// makes no difference. Factors anew if vertices or weights differ; moving targets costs nothing.
-    void set_holds(std::span<const Hold> holds);
+    void set_pulls(std::span<const Pull> pulls);
     /// Makes all pulls weaker alike, 0 < scale ≤ 1, until the next call. Factors anew if the scale differs.
-    void scale_holds(double scale);
+    void scale_pulls(double scale);
     /// With their weights as scaled.
-    std::span<const Hold> holds() const { return m_holds; }
+    std::span<const Pull> pulls() const { return m_pulls; }
 
     /// Moves the free vertices of `positions` (3×V) towards the minimum of
     ///
     ///     F = Σ_e ‖(x_a − x_b) − t_e‖² + Σ_h w_h ‖x_h − t_h‖²,
     ///
-    /// where t_e is column e of `vectors` (3×E), (a, b) are the ends of edge e, and h are the holds. One call takes
-    /// them there, but for a piece of the net that no fixed vertex keeps in place: without a hold it leaves one vertex
+    /// where t_e is column e of `vectors` (3×E), (a, b) are the ends of edge e, and h are the pulls. One call takes
+    /// them there, but for a piece of the net that no fixed vertex keeps in place: without a pull it leaves one vertex
     /// where it is, and with weak ones it goes there in small steps. Returns ‖∇F‖ over the free vertices before the
     /// move.
     double fit(const Eigen::Matrix3Xd& vectors, Positions& positions);
@@ -48,9 +48,9 @@ private:
 
     const Net& m_net;
     FreePart m_part;
-    std::vector<Hold> m_holds;  // weights scaled
+    std::vector<Pull> m_pulls;  // weights scaled
     double m_scale = 1;
-    std::vector<double> m_piece_weight;  // nodes: at a node that stands for its piece, the sum of the holds in it
+    std::vector<double> m_piece_weight;  // nodes: at a node that stands for its piece, the sum of the pulls in it
     LaplacianSystem m_system;
     Eigen::Matrix3Xd m_residual;  // 3×nodes, −∇F / 2, then the moves
 };

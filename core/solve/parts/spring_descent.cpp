@@ -65,10 +65,10 @@ double SpringDescent::evaluate(const Positions& positions, Eigen::Matrix4Xd& gra
         if (edge.node_a >= 0) gradient.col(edge.node_a).head<3>() += force;
         if (edge.node_b >= 0) gradient.col(edge.node_b).head<3>() -= force;
     }
-    for (const Hold& hold : m_part.holds()) {
-        const Eigen::Vector3d off = positions.col(hold.vertex) - m_centres->col(hold.vertex);
-        energy += hold.weight * off.squaredNorm();
-        gradient.col(m_part.part().node_of(hold.vertex)).head<3>() += 2 * hold.weight * off;
+    for (const Pull& pull : m_part.pulls()) {
+        const Eigen::Vector3d off = positions.col(pull.vertex) - m_centres->col(pull.vertex);
+        energy += pull.weight * off.squaredNorm();
+        gradient.col(m_part.part().node_of(pull.vertex)).head<3>() += 2 * pull.weight * off;
     }
     return energy;
 }

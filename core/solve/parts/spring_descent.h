@@ -14,13 +14,13 @@ namespace chebnet {
 ///
 /// with the uniform Laplacian as the first guess of its Hessian (Liu, Bouaziz, Kavan 2017): the local–global iteration
 /// is its first step, and what the steps teach about the curvature makes the following ones many times longer. Steps
-/// are as smooth as the Laplacian's. h are the part's holds, which pull to where the solve has brought them rather than
+/// are as smooth as the Laplacian's. h are the part's pulls, which draw to where the solve has brought them rather than
 /// to their targets. Nothing is allocated once the history is full. Keeps a reference to the part.
 class SpringDescent {
 public:
     explicit SpringDescent(LaplacianPart& part);
 
-    /// Begins at `positions` (3×V). `centres` (3×V, kept by reference): c_h is the column of the hold's vertex.
+    /// Begins at `positions` (3×V). `centres` (3×V, kept by reference): c_h is the column of the pull's vertex.
     void start(const Positions& positions, const Positions& centres);
     /// One iteration with Armijo backtracking. False if no step lowers the energy; then the positions stay.
     bool iterate(Positions& positions);

@@ -4,30 +4,30 @@
 
 namespace chebnet {
 
-PullTerm::PullTerm(const Net& net, std::span<const Hold> holds)
-    : m_scale(1 / (net.mean_length() * net.mean_length())), m_holds(holds.begin(), holds.end()) {}
+PullTerm::PullTerm(const Net& net, std::span<const Pull> pulls)
+    : m_scale(1 / (net.mean_length() * net.mean_length())), m_pulls(pulls.begin(), pulls.end()) {}
 
 double PullTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
     double energy = 0;
-    for (const Hold& hold : m_holds) {
-        const Eigen::Vector3d off = x.col(hold.vertex) - hold.target;
-        energy += m_scale * hold.weight * off.squaredNorm();
-        gradient.col(hold.vertex) += 2 * m_scale * hold.weight * off;
+    for (const Pull& pull : m_pulls) {
+        const Eigen::Vector3d off = x.col(pull.vertex) - pull.target;
+        energy += m_scale * pull.weight * off.squaredNorm();
+        gradient.col(pull.vertex) += 2 * m_scale * pull.weight * off;
     }
     return energy;
 }
 
 void PullTerm::add_curvature(Curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
-    for (const Hold& hold : m_holds) product.col(hold.vertex) += 2 * m_scale * hold.weight * d.col(hold.vertex);
+    for (const Pull& pull : m_pulls) product.col(pull.vertex) += 2 * m_scale * pull.weight * d.col(pull.vertex);
 }
 
 void PullTerm::add_blocks(BlockForm& form) const {
-    for (const Hold& hold : m_holds)
-        form.add_vertex(hold.vertex, 2 * m_scale * hold.weight * Eigen::Matrix3d::Identity());
+    for (const Pull& pull : m_pulls)
+        form.add_vertex(pull.vertex, 2 * m_scale * pull.weight * Eigen::Matrix3d::Identity());
 }
 
 void PullTerm::add_bound(QuadraticForm& form) const {
-    for (const Hold& hold : m_holds) form.add_vertex(hold.vertex, 2 * m_scale * hold.weight);
+    for (const Pull& pull : m_pulls) form.add_vertex(pull.vertex, 2 * m_scale * pull.weight);
 }
 
 GravityTerm::GravityTerm(const Net& net, double g, const Eigen::Vector3d& down)

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "net/net.h"
-#include "solve/hold.h"
+#include "solve/pull.h"
 #include "solve/terms/term.h"
 
 namespace chebnet {
@@ -12,7 +12,7 @@ namespace chebnet {
 /// The pull of soft handles and of the border of a locality: E = Σ_h w_h ‖x_h − c_h‖² / L², L the net's mean length.
 class PullTerm : public Term {
 public:
-    PullTerm(const Net& net, std::span<const Hold> holds);
+    PullTerm(const Net& net, std::span<const Pull> pulls);
 
     const char* name() const override { return "pull"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
@@ -22,7 +22,7 @@ public:
 
 private:
     double m_scale;  // 1 / L²
-    std::vector<Hold> m_holds;
+    std::vector<Pull> m_pulls;
 };
 
 /// The net's own weight, E = −g Σ_e L_e / L · down · (x_a + x_b) / 2L: edges are heavy, each by its length, and `g` is
