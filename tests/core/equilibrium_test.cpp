@@ -265,6 +265,14 @@ TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests
     REQUIRE(!opened.trace.empty());
     CHECK(opened.trace.back().energy < 1e-9);
 
+    Editor interrupted(edit.net);
+    interrupted.set_method("equilibrium");
+    interrupted.set_option("shear_limit", "58");
+    interrupted.set_handles(samples::handles_at_rest(edit.net, {0}));
+    CHECK(interrupted.solve({.iterations = 1}).status == Status::running);
+    interrupted.move_handle(0, edit.net.rest_positions().col(0) + Eigen::Vector3d(0, 0, 0.1));
+    CHECK(interrupted.solve().trace.back().energy < 1e-9);
+
     const Positions before = editor.positions();
     const Eigen::Vector3d inwards = 0.2 * (before.col(0) - before.col(40));
     editor.set_handles({{0, before.col(0)}, {8, before.col(8)}, {40, before.col(40) + inwards}});

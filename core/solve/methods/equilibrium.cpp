@@ -81,6 +81,7 @@ private:
     Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     CornerLimit limit() const;
+    void forget_rest_shape();
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy);
@@ -120,7 +121,8 @@ private:
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     const bool m_opens;
     std::unique_ptr<Equilibrium> m_opening;  // while it is under way
-    Positions m_rest_shape;                  // empty: not known
+    int m_opening_steps = 0;
+    Positions m_rest_shape;  // empty: not known
     std::unique_ptr<FreePart> m_part;
     std::unique_ptr<Method> m_projection;
     std::unique_ptr<LengthProjection> m_lengths;  // for the net and the corners watched, whatever the handles
@@ -156,8 +158,7 @@ void Equilibrium::prepare(const Problem& problem) {
         m_lengths.reset();
         m_terms.clear();
         m_result.resize(3, 0);
-        m_rest_shape.resize(3, 0);
-        m_opening.reset();
+        forget_rest_shape();
     }
     m_net = &of;
     m_topology = &problem.topology;
@@ -182,14 +183,21 @@ void Equilibrium::take_pulls(std::span<const Pull> pulls) {
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_pulls(problem.pulls);
     const bool same_energy = !m_terms.empty() && !m_pulls_changed && ask_for_the_same(m_options, options);
-    if (m_options.shear_limit != options.shear_limit) m_rest_shape.resize(3, 0);
+    if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
     m_options = options;
     m_reachable = problem.reachable;
     m_max_deviation = max_deviation(*m_net, positions);
-    m_steps = 0;
     if (m_reachable && same_energy && !m_pulls_moved && m_result == positions && is_at_rest()) return Status::converged;
-    if (m_reachable && m_rest_shape.cols() == 0 && begin_opening()) return Status::running;
+    if (m_reachable && (m_opening || (m_rest_shape.cols() == 0 && begin_opening()))) {
+        m_stage = open;
+        return Status::running;
+    }
     return begin(positions, same_energy);
+}
+
+void Equilibrium::forget_rest_shape() {
+    m_rest_shape.resize(3, 0);
+    m_opening.reset();
 }
 
 CornerLimit Equilibrium::limit() const {
@@ -203,27 +211,29 @@ bool Equilibrium::begin_opening() {
     if (!m_opens || (max_deviation(*m_net, m_rest_shape) < m_options.threshold &&
                      limit().largest_lack(m_rest_shape) <= CornerLimit::k_tolerance))
         return false;
-    m_stage = open;
     m_opening = std::make_unique<Equilibrium>(RestShape::as_it_is);
     m_opening->prepare({*m_net, *m_topology, {}});
+    m_opening_steps = 0;
     Options options;
     options.threshold = m_options.threshold;
     options.shear_limit = m_options.shear_limit;
-    return m_opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) == Status::running;
+    if (m_opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) == Status::running) return true;
+    m_opening.reset();
+    return false;
 }
 
 /// One step of it. Where no such net is found, the rest shape is what it was.
 Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
     const Status status = m_opening->iterate(m_rest_shape, row);
     row.max_deviation = m_max_deviation;
-    if (status == Status::running && ++m_steps < k_most_steps_of_opening) return Status::running;
+    if (status == Status::running && ++m_opening_steps < k_most_steps_of_opening) return Status::running;
     if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) m_rest_shape = m_net->rest_positions();
     m_opening.reset();
-    m_steps = 0;
     return begin(positions, false);
 }
 
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
+    m_steps = 0;
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net) {
@@ -233,6 +243,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     }
     if (m_stage == follow) begin_walk(positions);
     if (m_stage == rest) enter_rest(positions);
+    if (m_stage != follow) m_last_move.setZero();
     return Status::running;
 }
 
@@ -596,8 +607,10 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///
 ///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
 ///      fails;
-///   2  after handles have moved: in steps of an edge length at most, free vertices follow as smoothly as the energy's
-///      bound allows, are projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
+///   2  after handles have moved: in steps of an edge length at most, free vertices go on as they did in the step
+///   before
+///      as far as the handles do, and for the rest follow as smoothly as the energy's bound allows; they are projected
+///      onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
 ///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///
