@@ -65,7 +65,7 @@ export const en = {
     deviation: { choice: 'Deviation of edges', title: 'Deviation dL of an edge' },
     angle: { choice: 'Corner angles', title: 'Corner angle farthest from 90°' },
     shear: { choice: 'Shear', title: 'Shear: 90° less the sharpest corner' },
-    force: { choice: 'Forces in edges', title: 'Force in an edge: pushes < 0 < pulls' },
+    force: { choice: 'Forces in edges', title: 'Force: pushes < 0 < pulls' },
     longer: { choice: 'Longer than L', title: 'Edges by their length L' },
   },
   legend: {
