@@ -607,10 +607,9 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///
 ///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
 ///      fails;
-///   2  after handles have moved: in steps of an edge length at most, free vertices go on as they did in the step
-///   before
-///      as far as the handles do, and for the rest follow as smoothly as the energy's bound allows; they are projected
-///      onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
+///   2  after handles have moved: in steps of an edge length at most, free vertices go on as in the step before, as far
+///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
+///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
 ///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///
