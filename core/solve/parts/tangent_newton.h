@@ -64,7 +64,7 @@ public:
     /// the residual to this part. No vertex moves farther than `radius`: where the minimum is farther, or where there
     /// is none since the curvature along the way is negative, the move ends at that distance (Steihaug 1983). Returns
     /// its slope ∇E·d, negative unless there is none.
-    double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature curvature, int most_iterations,
+    double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
                      double tolerance, double radius, Eigen::Matrix3Xd& move);
     /// What is left of a move beside the rows as they are now. Returns its slope.
     double restrict(Eigen::Matrix3Xd& move);
