@@ -17,7 +17,7 @@ Feature feature_at(const Surface& surface, const SurfacePoint& at) {
     const Eigen::Vector3d face_normal = surface.face_normals().col(at.face);
     const int zeros = static_cast<int>((at.weights.array() == 0).count());
     if (zeros == 0) return {face_normal, false};
-    int corner;
+    int corner = 0;
     if (zeros == 2) {
         at.weights.maxCoeff(&corner);
         const int vertex = surface.triangles()(corner, at.face);

@@ -96,7 +96,7 @@ int SurfaceTree::split(int first, int last, const Positions& centres) {
         low = low.cwiseMin(centres.col(m_faces[i]));
         high = high.cwiseMax(centres.col(m_faces[i]));
     }
-    int axis;
+    int axis = 0;
     (high - low).maxCoeff(&axis);
     const double cut = low[axis] + (high[axis] - low[axis]) / 2;
     const auto begin = m_faces.begin() + first, end = m_faces.begin() + last;

@@ -44,8 +44,8 @@ private:
 
     int build(int first, int last, const Positions& centres);
     int split(int first, int last, const Positions& centres);
-    void visit_nearest(int node, const Eigen::Vector3d& point, double& least, Nearest& best) const;
-    void visit_ray(int node, const Ray& ray, std::optional<Hit>& best) const;
+    void visit_nearest(int number, const Eigen::Vector3d& point, double& least, Nearest& best) const;
+    void visit_ray(int number, const Ray& ray, std::optional<Hit>& best) const;
     void consider(int face, const Eigen::Vector3d& point, double& least, Nearest& best) const;
     void consider(int face, const Ray& ray, std::optional<Hit>& best) const;
 
