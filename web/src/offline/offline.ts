@@ -32,7 +32,14 @@ async function register(): Promise<ServiceWorkerRegistration | undefined> {
   }
 }
 
+/** Other windows may have gone over before: then the worker is active already, and no event comes. */
 function goOverTo(worker: ServiceWorker, reload: () => void): void {
-  navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
+  const reloadOnceActive = (): void => {
+    if (worker.state !== 'activated') return;
+    worker.removeEventListener('statechange', reloadOnceActive);
+    reload();
+  };
+  worker.addEventListener('statechange', reloadOnceActive);
   worker.postMessage('activate');
+  reloadOnceActive();
 }

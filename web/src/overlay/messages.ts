@@ -22,29 +22,17 @@ export class Messages implements Panel {
 
   /** A message that stays until the user accepts or dismisses it. */
   offer(message: string, button: string, accept: () => void): void {
-    const line = make(
-      'p',
-      { class: 'message' },
-      make('span', {}, message),
-      makeButton(button, accept, { class: 'plain link' }),
-    );
-    line.append(this.#makeDismiss(line));
+    const line = make('p', { class: 'message' }, make('span', {}, message));
+    line.append(makeAct(line, { label: button, run: accept }), this.#makeDismiss(line));
     this.#errors.before(make('div', { role: 'status' }, line));
   }
 
   #sayInfo(message: string, action?: Action): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
-    const end = (): void => line.remove();
-    if (action) {
-      const act = (): void => {
-        end();
-        action.run();
-      };
-      line.append(makeButton(action.label, act, { class: 'plain link' }));
-    }
+    if (action) line.append(makeAct(line, action));
     this.#infos.replaceChildren(line);
     clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(end, action ? OFFER_MS : INFO_MS);
+    this.#timer = window.setTimeout(() => line.remove(), action ? OFFER_MS : INFO_MS);
   }
 
   #sayError(message: string): void {
@@ -56,4 +44,13 @@ export class Messages implements Panel {
   #makeDismiss(line: HTMLElement): HTMLButtonElement {
     return makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss });
   }
+}
+
+/** The button of a message, which goes once its decision is made. */
+function makeAct(line: HTMLElement, { label, run }: Action): HTMLButtonElement {
+  const act = (): void => {
+    line.remove();
+    run();
+  };
+  return makeButton(label, act, { class: 'plain link' });
 }
