@@ -16,9 +16,13 @@ const IDLE_MATERIALS = [
   'equirect',
   'sprite',
   'vsm',
+  'points',
+  'depth',
+  'distance',
+  'linedashed',
 ];
 const IDLE_CHUNKS =
-  /^(lights_(physical|phong|toon)|iridescence|transmission|clearcoat|envmap|lightprobes|shadowm|normal_fragment_maps|bumpmap|normalmap|displacementmap|metalnessmap|roughnessmap|gradientmap|skin|morph|tonemapping|map_particle)/;
+  /^(lights_(physical|phong|toon|fragment_maps)|iridescence|transmission|clearcoat|envmap|lightprobes|shadowm|normal_fragment_maps|bumpmap|normalmap|displacementmap|metalnessmap|roughnessmap|gradientmap|skin|morph|tonemapping|map_|alpha|aomap|lightmap|emissivemap|specularmap_pars|uv_|batching|clipping|fog|logdepthbuf|dithering|packing)/;
 const IDLE_MODULES: Record<string, string> = {
   'renderers/webxr/WebXRManager': `export class WebXRManager {
     enabled = false; isPresenting = false;
@@ -26,9 +30,20 @@ const IDLE_MODULES: Record<string, string> = {
     getEnvironmentBlendMode() { return 'opaque'; }
   }`,
   'renderers/webgl/WebGLShadowMap': 'export class WebGLShadowMap { enabled = false; render() {} }',
+  'renderers/webgl/WebGLMorphtargets': 'export class WebGLMorphtargets {}',
+  'renderers/webgl/WebGLUniformsGroups': 'export class WebGLUniformsGroups { dispose() {} }',
+  'renderers/webgl/WebGLOutput': 'export class WebGLOutput {}',
+  'renderers/webgl/WebGLClipping':
+    'export class WebGLClipping { numPlanes = 0; numIntersection = 0; init() { return false; } }',
+  'renderers/webgl/WebGLEnvironments': `export class WebGLEnvironments { get(texture) { return texture; } dispose() {} }`,
+  'lights/DirectionalLightShadow': 'export class DirectionalLightShadow { dispose() {} }',
+  'math/FrustumArray': 'export class FrustumArray {}',
+  'extras/ImageUtils': 'export class ImageUtils {}',
   'renderers/shaders/DFGLUTData': 'export function getDFGLUT() { return null; }',
   'extras/PMREMGenerator': 'export class PMREMGenerator {}',
 };
+/** Scenes are not written as three's own JSON. */
+const IDLE_METHODS = /\n\ttoJSON\([^)]*\) \{\n[\s\S]*?\n\t\}\n/g;
 
 /** three.js from its sources, without the idle parts. Only for building: while developing, its bundle loads faster. */
 export function leanThree(): Plugin {
@@ -41,10 +56,11 @@ export function leanThree(): Plugin {
       const name = /\/three\/src\/(.*)\.js$/.exec(id)?.[1];
       return name === undefined ? null : (IDLE_MODULES[name] ?? idleShader(name));
     },
-    transform: (code, id) =>
-      id.endsWith('.glsl.js')
-        ? code.replace(/\/\* glsl \*\/\s*`([^`]*)`/g, (_, glsl: string) => JSON.stringify(lean(glsl)))
-        : null,
+    transform(code, id) {
+      if (id.endsWith('.glsl.js'))
+        return code.replace(/\/\* glsl \*\/\s*`([^`]*)`/g, (_, glsl: string) => JSON.stringify(lean(glsl)));
+      return id.includes('/three/src/') ? code.replace(IDLE_METHODS, '') : null;
+    },
   };
 }
 
