@@ -357,6 +357,118 @@ export interface Equalizer {
   dispose(): void;
 }
 
+export type Point = [number, number, number];
+
+/** A surface of our own to make nets on; see core/surface/gallery.h. */
+export interface OwnSurfaceInfo {
+  name: string;
+  title: string;
+  sentence: string;
+}
+
+/** Integrals of Gaussian curvature by its sign, in radians. */
+export interface TotalCurvature {
+  positive: number;
+  /** 0 or below. */
+  negative: number;
+}
+
+/** What may be expected of one net; see core/surface/curvature.h. */
+export type Prospect = 'one_piece' | 'tight' | 'a_seam' | 'too_curved';
+
+export interface SurfaceReport {
+  vertices: number;
+  triangles: number;
+  trianglesWithoutArea: number;
+  components: number;
+  boundaryLoops: number;
+  /** Of all components together. */
+  genus: number;
+  area: number;
+  /** As the triangles have it. */
+  curvature: TotalCurvature;
+  /** Of the shape without its noise. */
+  smoothedCurvature: TotalCurvature;
+  /** The larger of the latter's two, in the component where that is largest; one net can take 2π. */
+  hardestCurvature: number;
+  prospect: Prospect;
+  /** The prospect, for a person. */
+  sentence: string;
+}
+
+/** A place on a surface, with the unit vector upright on it there. */
+export interface SurfacePlace {
+  position: Point;
+  normal: Point;
+}
+
+/** How a net is laid on a surface; see core/drape/drape.h. */
+export interface DrapeOptions {
+  /** The net begins at the nearest point of the surface. */
+  seed: Readonly<Point>;
+  /** Of the first family of net lines there. */
+  direction: Readonly<Point>;
+  /** Of all edges. */
+  length: number;
+  /** Between the two families at the seed, in radians; a right angle unless said otherwise. */
+  angle?: number;
+  /** No corner is sharper, in radians; 30° unless said otherwise. */
+  smallestAngle?: number;
+  /** Cells from the seed along each family; as far as it goes unless said otherwise. */
+  reach?: number;
+  /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it. */
+  border?: 'inside' | 'beyond';
+}
+
+/** A net on a surface, each vertex on it and each edge of one length. */
+export interface Drape {
+  mesh: Mesh;
+  /** Of each vertex the steps from the seed along the first and the second family. */
+  places: Int32Array;
+  /** How many vertices were refused, since corners would have been too sharp, or since the net would have met itself. */
+  locked: number;
+  met: number;
+}
+
+/** How well a net lies on a surface. */
+export interface DrapeReport {
+  /** Part of the surface's area that is within half an edge of the net. */
+  coverage: number;
+  /** Of vertices and middles of edges from the surface, in its unit. */
+  meanDistance: number;
+  largestDistance: number;
+  /** Of corners, in radians. */
+  smallestAngle: number;
+  largestAngle: number;
+  /** Parts of the cells with a corner more than 15° and more than 30° from a right angle. */
+  sheared: number;
+  muchSheared: number;
+  /** Net lines from end to end, and the length of all together. */
+  rods: number;
+  rodLength: number;
+  maxDeviation: number;
+}
+
+/** A surface of triangles on which nets are made; see core/surface/surface.h. */
+export interface Surface {
+  /** 3 numbers a vertex. */
+  readonly positions: Float64Array;
+  /** Likewise, of length 1. */
+  readonly normals: Float64Array;
+  /** 3 vertices each. */
+  readonly triangles: Int32Array;
+  describe(): SurfaceReport;
+  nearest(point: Readonly<Point>): SurfacePlace;
+  /** Where a ray first meets the surface, from either side. */
+  hit(origin: Readonly<Point>, direction: Readonly<Point>): SurfacePlace | null;
+  /** A beginning in the middle, with the length that gives about so many cells. */
+  suggest(cells: number): Pick<Required<DrapeOptions>, 'seed' | 'direction' | 'length'>;
+  drape(options: DrapeOptions): Drape;
+  measure(net: Mesh): DrapeReport;
+  /** Frees the memory on the other side; the surface must not be used again. */
+  dispose(): void;
+}
+
 /** What wasm/editors.js gives, too. */
 export interface Editors {
   shapes(): ShapeInfo[];
@@ -381,6 +493,12 @@ export interface Chebnet extends Editors {
   repairMesh(mesh: Mesh, chosen?: readonly Defect[], mergeTolerance?: number): RepairedMesh;
 
   equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
+
+  /** Polygons are cut into triangles. */
+  openSurface(mesh: Mesh): Surface;
+  ownSurfaces(): OwnSurfaceInfo[];
+  /** One of these, by its name. */
+  ownSurface(name: string): Surface;
 }
 
 /** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */

@@ -2,6 +2,9 @@
 import type {
   CoreFields,
   Defect,
+  Drape,
+  DrapeOptions,
+  DrapeReport,
   EqualizeReport,
   FlatPattern,
   FormatInfo,
@@ -10,10 +13,14 @@ import type {
   MethodInfo,
   NetInfo,
   OptionInfo,
+  OwnSurfaceInfo,
   PatternFault,
+  Point,
   RepairedMesh,
   ShapeInfo,
   Status,
+  SurfacePlace,
+  SurfaceReport,
   UnreachablePair,
   VertexLists,
 } from '../../wasm/chebnet';
@@ -94,6 +101,20 @@ export interface CoreEqualizer {
   delete(): void;
 }
 
+export interface CoreSurface {
+  positions(): Float64Array;
+  normals(): Float64Array;
+  triangles(): Int32Array;
+  describe(): SurfaceReport;
+  nearest(x: number, y: number, z: number): SurfacePlace;
+  /** Origin and direction. */
+  hit(ray: Float64Array): SurfacePlace | null;
+  suggest(cells: number): { seed: Point; direction: Point; length: number };
+  drape(options: Required<DrapeOptions>): Drape;
+  measure(net: Mesh): DrapeReport;
+  delete(): void;
+}
+
 export interface Core {
   shapes(): ShapeInfo[];
   methods(): MethodInfo[];
@@ -107,6 +128,9 @@ export interface Core {
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
   equalizer(mesh: Mesh, choice: string, length: number, handles: Int32Array): CoreEqualizer;
+  openSurface(mesh: Mesh): CoreSurface;
+  ownSurface(name: string): CoreSurface;
+  ownSurfaces(): OwnSurfaceInfo[];
   readonly mergeTolerance: number;
 }
 

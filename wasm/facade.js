@@ -2,8 +2,8 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, RestLengths, SolveReport, TraceRow } from './chebnet'
- * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, Point, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -48,13 +48,25 @@ function vertexNumber(value) {
   return value;
 }
 
-/** @param {unknown} value @param {number} vertex @returns {[number, number, number]} */
-function point(value, vertex) {
+/** @param {unknown} value @param {string} what @returns {Point} */
+function triple(value, what) {
   const [x, y, z] = Array.isArray(value) && value.length === 3 ? value : [];
   if (typeof x !== 'number' || typeof y !== 'number' || typeof z !== 'number') {
-    throw failure('non_finite', `the target of vertex ${vertex} must be 3 numbers`);
+    throw failure('non_finite', `${what} must be 3 numbers`);
   }
   return [x, y, z];
+}
+
+/** @param {unknown} value @param {number} vertex @returns {Point} */
+function point(value, vertex) {
+  return triple(value, `the target of vertex ${vertex}`);
+}
+
+/** @param {unknown} value @param {string} what @returns {Point} */
+function finite(value, what) {
+  const numbers = triple(value, what);
+  if (!numbers.every(Number.isFinite)) throw failure('non_finite', `${what} must be finite`);
+  return numbers;
 }
 
 /** @param {unknown} value @param {string} what @param {number} smallest @param {number} largest @returns {number} */
@@ -388,6 +400,67 @@ function newEqualizer(core, original, { length = 'mean', handles = [] }) {
   return new WasmEqualizer(core.equalizer(mesh(original), choice, number, vertices));
 }
 
+/** @implements {Surface} */
+class WasmSurface {
+  /** @type {CoreSurface | null} */
+  #surface;
+
+  /** @param {CoreSurface} surface */
+  constructor(surface) {
+    this.#surface = surface;
+    this.positions = surface.positions();
+    this.normals = surface.normals();
+    this.triangles = surface.triangles();
+  }
+
+  get #open() {
+    if (this.#surface === null) throw failure('disposed', 'this surface was disposed and cannot be used any more');
+    return this.#surface;
+  }
+
+  describe() {
+    return this.#open.describe();
+  }
+
+  /** @param {Readonly<Point>} near */
+  nearest(near) {
+    return this.#open.nearest(...finite(near, 'a point'));
+  }
+
+  /** @param {Readonly<Point>} origin @param {Readonly<Point>} direction */
+  hit(origin, direction) {
+    return this.#open.hit(Float64Array.of(...finite(origin, 'an origin'), ...finite(direction, 'a direction')));
+  }
+
+  /** @param {number} cells */
+  suggest(cells) {
+    return this.#open.suggest(integer(cells, 'a number of cells', 1, LARGEST_INT));
+  }
+
+  /** @param {DrapeOptions} options */
+  drape({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach = LARGEST_INT, border = 'beyond' }) {
+    return this.#open.drape({
+      seed: triple(seed, 'the seed'),
+      direction: triple(direction, 'the direction'),
+      length: size(length, 'an edge length'),
+      angle: size(angle, 'the angle at the seed'),
+      smallestAngle: size(smallestAngle, 'the shear limit'),
+      reach: integer(reach, 'the reach', 1, LARGEST_INT),
+      border: /** @type {'inside' | 'beyond'} */ (text(border, 'what happens at the border', 'bad_option')),
+    });
+  }
+
+  /** @param {Mesh} net */
+  measure(net) {
+    return this.#open.measure(mesh(net));
+  }
+
+  dispose() {
+    this.#surface?.delete();
+    this.#surface = null;
+  }
+}
+
 /** @param {Core} core @returns {Chebnet} */
 function facade(core) {
   return {
@@ -411,6 +484,9 @@ function facade(core) {
       return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
     },
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
+    openSurface: (given) => new WasmSurface(core.openSurface(mesh(given))),
+    ownSurfaces: () => core.ownSurfaces(),
+    ownSurface: (name) => new WasmSurface(core.ownSurface(text(name, 'the name of a surface', 'bad_option'))),
   };
 }
 

@@ -27,6 +27,8 @@ constexpr double k_exact = 1e-9;
 // net sheared to 30° they keep 1.03.
 constexpr double k_least_distance = 0.7;
 constexpr int k_near_steps = 2;
+// A cosine: a direction nearer than that to the normal is of no use.
+constexpr double k_upright = 0.9;
 
 /// Steps along the two families from the seed.
 struct Place {
@@ -99,6 +101,13 @@ void check(const Surface& surface, const DrapeOptions& options) {
     if (!(options.angle >= options.smallest_angle && options.angle <= std::numbers::pi - options.smallest_angle))
         refuse("the angle at the seed must keep within the shear limit");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
+}
+
+Eigen::Vector3d centre_of_mass(const Surface& surface) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int f = 0; f < surface.face_count(); ++f)
+        sum += surface.areas()[f] * surface.position_at({f, Eigen::Vector3d::Constant(1. / 3)});
+    return sum / surface.area();
 }
 
 class Draper {
@@ -362,6 +371,17 @@ private:
 };
 
 }  // namespace
+
+DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {
+    if (cells < 1) throw Error(ErrorCode::bad_option, "a net has at least one cell");
+    if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
+    const SurfaceTree::Nearest middle = tree.nearest(centre_of_mass(surface));
+    DrapeOptions options;
+    options.seed = middle.position;
+    if (std::abs(surface.normal_at(middle.at).x()) > k_upright) options.direction = Eigen::Vector3d::UnitY();
+    options.length = std::sqrt(surface.area() / cells);
+    return options;
+}
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
     check(surface, options);

@@ -27,6 +27,10 @@ struct DrapeOptions {
     Border border = Border::beyond;
 };
 
+/// A beginning for want of a better one: from the point nearest to the centre of mass, along the x axis or, where that
+/// is nearly upright, the y axis, with the length that gives about so many `cells` (≥ 1) if the whole is covered.
+DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells);
+
 /// A net on a surface, and why it is not larger: how many times a further vertex was refused.
 struct Drape {
     Net net;
@@ -50,12 +54,19 @@ Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions&
 
 inline constexpr int k_most_draped_vertices = 2'000'000;
 
+/// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
+inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
+
 /// How well a net lies on a surface.
 struct DrapeReport {
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
     double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
                                              ///< from where it would go on; in the surface's unit
     double smallest_angle, largest_angle;    ///< of corners, radians
+    double sheared, much_sheared;            ///< parts of the cells with a corner more than k_shear, k_much_shear from
+                                             ///< a right angle
+    int rods;                                ///< net lines, each from end to end
+    double rod_length;                       ///< of all of them together, in the surface's unit
     double max_deviation;                    ///< the largest dL
 };
 

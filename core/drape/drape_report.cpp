@@ -4,6 +4,7 @@
 
 #include "drape/drape.h"
 #include "net/measures.h"
+#include "net/topology.h"
 #include "surface/height.h"
 
 namespace chebnet {
@@ -49,6 +50,27 @@ double coverage(const Surface& surface, const Net& net) {
     return covered / surface.area();
 }
 
+/// The part of the faces with a corner farther than `shear` from a right angle.
+double part_sheared(const std::vector<double>& shears, double shear) {
+    return static_cast<double>(std::count_if(shears.begin(), shears.end(), [&](double s) { return s > shear; })) /
+           static_cast<double>(shears.size());
+}
+
+/// Of each face, how far from a right angle its corners are at the most.
+std::vector<double> face_shears(const Net& net) {
+    const Positions& x = net.rest_positions();
+    std::vector<double> shears(net.face_count());
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const Eigen::Vector3d a = x.col(face[(k + 1) % face.size()]) - x.col(face[k]),
+                                  b = x.col(face[(k + face.size() - 1) % face.size()]) - x.col(face[k]);
+            shears[f] = std::max(shears[f], std::asin(std::min(1.0, std::abs(a.dot(b)) / (a.norm() * b.norm()))));
+        }
+    }
+    return shears;
+}
+
 }  // namespace
 
 DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net) {
@@ -68,6 +90,11 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     const AngleRange angles = corner_angle_range(net, x);
     report.smallest_angle = angles.smallest;
     report.largest_angle = angles.largest;
+    const std::vector<double> shears = face_shears(net);
+    report.sheared = part_sheared(shears, k_shear);
+    report.much_sheared = part_sheared(shears, k_much_shear);
+    report.rods = static_cast<int>(Topology(net).net_lines().size());
+    report.rod_length = net.rest_lengths().sum();
     report.max_deviation = max_deviation(net, x);
     return report;
 }

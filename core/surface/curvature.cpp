@@ -189,6 +189,20 @@ TotalCurvature total_curvature(const Eigen::VectorXd& defects) {
     return total;
 }
 
+const char* to_string(Prospect prospect) {
+    switch (prospect) {
+        case Prospect::one_piece:
+            return "one_piece";
+        case Prospect::tight:
+            return "tight";
+        case Prospect::a_seam:
+            return "a_seam";
+        case Prospect::too_curved:
+            return "too_curved";
+    }
+    return "";
+}
+
 SurfaceReport describe(const Surface& surface) {
     SurfaceReport report{};
     report.vertices = surface.vertex_count();

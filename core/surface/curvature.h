@@ -36,6 +36,9 @@ enum class Prospect {
     too_curved  ///< it will not
 };
 
+/// The name of the enumerator.
+const char* to_string(Prospect prospect);
+
 /// A corner sharper than this, 30°, is beyond what wire mesh and draped cloth are made to bear.
 inline constexpr double k_prospect_angle = 0.52359877559829887;
 

@@ -392,13 +392,24 @@ TEST_CASE("drape lays a net on a surface, reports and writes") {
     CHECK(strict.at("net").at("refused_by_the_shear_limit") > 0);
 }
 
+TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
+    const Sandbox box;
+    const json report = box.run("drape --surface hypar --cells 500 -o net.obj").json();
+    CHECK(report.at("surface") == "hypar");
+    CHECK(report.at("net").at("cells") > 400);
+    CHECK(report.at("net").at("rods") > 40);
+    CHECK(box.run("info net.obj").json().at("chebyshev") == true);
+}
+
 TEST_CASE("what cannot be draped is refused with one line") {
     const Sandbox box;
     write_saddle(box, "saddle.obj", 5);
     const std::string drape = "drape saddle.obj --seed 0 0 0 ";
-    check_refused(box.run("drape saddle.obj --direction 1 0 0 --edge 0.1"), "--seed");
-    check_refused(box.run(drape + "--edge 0.1"), "--direction");
-    check_refused(box.run(drape + "--direction 1 0 0"), "--edge");
+    check_refused(box.run("drape"), "--surface");
+    check_refused(box.run("drape saddle.obj --surface hypar"), "--surface");
+    check_refused(box.run("drape --surface plain"), "hypar");
+    check_refused(box.run(drape + "--edge 0.1 --cells 9"), "--cells");
+    check_refused(box.run(drape + "--cells 0"), "cell");
     check_refused(box.run(drape + "--direction 1 0 --edge 0.1"), "--direction");
     check_refused(box.run(drape + "--direction 0 0 1 --edge 0.1"), "upright");
     check_refused(box.run(drape + "--direction 1 0 0 --edge 0"), "edge length");

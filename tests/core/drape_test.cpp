@@ -11,6 +11,8 @@
 #include "mesh_files.h"
 #include "net/measures.h"
 #include "sample_surfaces.h"
+#include "surface/curvature.h"
+#include "surface/gallery.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
@@ -216,6 +218,39 @@ TEST_CASE("A surface with a notch is covered behind it too") {
     const auto [drape, report] = draped(notched, options);
     CHECK(report.coverage > 0.99);
     CHECK(report.max_deviation < k_exact);
+}
+
+TEST_CASE("Every surface of our own takes a net from the middle, as its sentence says") {
+    for (const OwnSurface& own : own_surfaces()) {
+        INFO(own.name);
+        const Surface surface = own.make();
+        const SurfaceTree tree(surface);
+        const Drape result = drape(surface, tree, suggested_drape(surface, tree, 1000));
+        const DrapeReport report = measure_drape(surface, tree, result.net);
+        const Prospect prospect = describe(surface).prospect;
+        CHECK(report.max_deviation < k_exact);
+        CHECK(report.smallest_angle >= k_pi / 6 - 1e-9);
+        CHECK(report.coverage > (prospect == Prospect::too_curved ? 0.6 : 0.97));
+        CHECK(report.mean_distance < 0.03 * result.net.mean_length());
+        CHECK(result.net.face_count() > 600);
+    }
+    CHECK_THROWS_WITH(make_own_surface("plain"), Contains("no surface is called") && Contains("hypar"));
+}
+
+TEST_CASE("Shear and rods of a slanted net in a plane are those of its cells") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.reach = 5;
+    const auto report_at = [&](double degrees) {
+        options.angle = degrees * k_pi / 180;
+        return draped(samples::plane(9, 2), options).report;
+    };
+    const DrapeReport upright = report_at(90), slanted = report_at(70), steep = report_at(50);
+    CHECK(std::pair(upright.sheared, upright.much_sheared) == std::pair(0., 0.));
+    CHECK(std::pair(slanted.sheared, slanted.much_sheared) == std::pair(1., 0.));
+    CHECK(std::pair(steep.sheared, steep.much_sheared) == std::pair(1., 1.));
+    CHECK(upright.rods == 2 * 11);
+    CHECK(upright.rod_length == Approx(22 * 1.0));
 }
 
 TEST_CASE("What cannot be draped is refused with a sentence") {

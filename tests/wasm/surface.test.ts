@@ -1,0 +1,130 @@
+/** Surfaces and draping across the border: what JavaScript is told of a surface, and the net that the native program lays. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, describe, expect, test } from 'vitest';
+import type { Mesh, Point, Surface } from '../../wasm/chebnet';
+import { objText } from '../../web/src/document/obj_text';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
+import { ROOT, failure, largestDistance, load } from './load';
+
+const PROGRAM = fileURLToPath(new URL('build/native/chebnet', ROOT));
+const chebnet = await load();
+const folder = mkdtempSync(join(tmpdir(), 'chebnet-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+function withSurface<T>(surface: Surface, look: (surface: Surface) => T): T {
+  try {
+    return look(surface);
+  } finally {
+    surface.dispose();
+  }
+}
+
+/** Two triangles of the unit square. */
+const SQUARE: Mesh = {
+  positions: Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0),
+  faceStart: Int32Array.of(0, 3, 6),
+  faceVertices: Int32Array.of(0, 1, 2, 0, 2, 3),
+};
+
+const triangles = ({ positions, triangles: faceVertices }: Surface): Mesh => ({
+  positions,
+  faceStart: Int32Array.from({ length: faceVertices.length / 3 + 1 }, (_, f) => 3 * f),
+  faceVertices,
+});
+
+describe('a surface', () => {
+  test('is described', () => {
+    withSurface(chebnet.openSurface(SQUARE), (square) => {
+      expect(square.describe()).toMatchObject({
+        vertices: 4,
+        triangles: 2,
+        components: 1,
+        boundaryLoops: 1,
+        genus: 0,
+        area: 1,
+        prospect: 'one_piece',
+        sentence: 'One uncut piece will cover it.',
+      });
+      expect(square.normals).toEqual(Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1));
+    });
+  });
+
+  test('finds what is nearest, and what a ray meets', () => {
+    withSurface(chebnet.openSurface(SQUARE), (square) => {
+      expect(square.nearest([0.25, -3, 1])).toEqual({ position: [0.25, 0, 0], normal: [0, 0, 1] });
+      expect(square.hit([0.5, 0.25, 5], [0, 0, -1])?.position).toEqual([0.5, 0.25, 0]);
+      expect(square.hit([0.5, 0.25, 5], [0, 0, 1])).toBeNull();
+    });
+  });
+
+  test('of our own is made by its name; each says what it is', () => {
+    const all = chebnet.ownSurfaces();
+    expect(all.map(({ name }) => name)).toContain('hypar');
+    for (const { name, title, sentence } of all) {
+      expect([title, sentence].every((words) => words.length > 3)).toBe(true);
+      withSurface(chebnet.ownSurface(name), (surface) => expect(surface.describe().triangles).toBeGreaterThan(1000));
+    }
+  });
+});
+
+describe('a net on it', () => {
+  test.each(chebnet.ownSurfaces().map(({ name }) => name))('is the one of the native program: %s', (name) => {
+    withSurface(chebnet.ownSurface(name), (surface) => {
+      const suggested = surface.suggest(600);
+      const { mesh, places } = surface.drape(suggested);
+      const report = surface.measure(mesh);
+
+      const [file, out] = [join(folder, `${name}.obj`), join(folder, `${name}-net.obj`)];
+      writeFileSync(file, objText(triangles(surface)));
+      const wish = ['--seed', ...suggested.seed, '--direction', ...suggested.direction, '--edge', suggested.length];
+      const { net } = JSON.parse(
+        execFileSync(PROGRAM, ['drape', file, '-o', out, ...wish.map(String)], { encoding: 'utf8' }),
+      );
+      const native = chebnet.readMesh(readFileSync(out), 'net.obj');
+      expect(native.faceVertices).toEqual(mesh.faceVertices);
+      expect(largestDistance(native.positions, mesh.positions)).toBeLessThan(1e-9);
+      expect(report.coverage).toBeCloseTo(net.coverage, 6);
+      expect(report.rods).toBe(net.rods);
+      expect(report.muchSheared).toBeCloseTo(net.cells_sheared_over_30_degrees, 6);
+
+      expect(places).toHaveLength((2 * mesh.positions.length) / 3);
+      const editor = chebnet.openMesh(mesh);
+      for (const length of edgeLengths(mesh.positions, editor.edges)) expect(length).toBeCloseTo(suggested.length, 9);
+      expect(editor.info.isChebyshev).toBe(true);
+      editor.dispose();
+      expect(report.maxDeviation).toBeLessThan(1e-12);
+      expect(report.smallestAngle).toBeGreaterThan(Math.PI / 6 - 1e-9);
+    });
+  });
+
+  test('keeps to what is asked for', () => {
+    withSurface(chebnet.openSurface(SQUARE), (square) => {
+      const wish = { seed: [0.5, 0.5, 0], direction: [1, 0, 0], length: 0.1 } as const;
+      const cells = (options: object) => square.drape({ ...wish, ...options }).mesh.faceStart.length - 1;
+      expect(cells({ reach: 2 })).toBe(16);
+      expect(cells({ border: 'inside' })).toBeLessThan(cells({}));
+      expect(square.measure(square.drape({ ...wish, angle: Math.PI / 3 }).mesh)).toMatchObject({ sheared: 1 });
+    });
+  });
+});
+
+test('what makes no sense is refused with a code, and a disposed surface is of no use', () => {
+  const square = chebnet.openSurface(SQUARE);
+  const wish = { seed: [0, 0, 0] as Point, direction: [1, 0, 0] as Point, length: 0.1 };
+  expect(failure(() => square.drape({ ...wish, length: 0 }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...wish, direction: [0, 0, 1] }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...wish, seed: [NaN, 0, 0] }))).toMatchObject({ code: 'non_finite' });
+  expect(failure(() => square.drape({ ...wish, reach: 0.5 }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...wish, border: 'cut' as 'inside' }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.nearest([0, 0] as unknown as Point))).toMatchObject({ code: 'non_finite' });
+  expect(failure(() => square.hit([0, 0, Infinity], [0, 0, 1]))).toMatchObject({ code: 'non_finite' });
+  expect(failure(() => chebnet.ownSurface('plain'))).toMatchObject({ code: 'bad_option' });
+  const twisted = { ...SQUARE, faceVertices: Int32Array.of(0, 1, 2, 0, 3, 2) };
+  expect(failure(() => chebnet.openSurface(twisted))).toMatchObject({ code: 'non_manifold_edge' });
+  square.dispose();
+  expect(failure(() => square.describe())).toMatchObject({ code: 'disposed' });
+});

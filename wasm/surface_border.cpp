@@ -1,0 +1,180 @@
+// Surfaces and draping, seen from JavaScript.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drape/drape.h"
+#include "mesh_border.h"
+#include "surface/curvature.h"
+#include "surface/gallery.h"
+#include "surface/surface_tree.h"
+
+namespace chebnet {
+namespace {
+
+/// A surface with its tree, which refers to it.
+struct OpenSurface {
+    explicit OpenSurface(Surface opened) : surface(std::move(opened)), tree(surface) {}
+    OpenSurface(const OpenSurface&) = delete;
+    OpenSurface& operator=(const OpenSurface&) = delete;
+
+    Surface surface;
+    SurfaceTree tree;
+};
+
+OpenSurface* open_surface(val mesh) { return new OpenSurface(Surface(mesh_in(mesh))); }
+OpenSurface* own_surface(std::string name) { return new OpenSurface(make_own_surface(name)); }
+
+val own_surface_table() {
+    val list = val::array();
+    for (const OwnSurface& surface : own_surfaces()) {
+        val row = val::object();
+        row.set("name", std::string(surface.name));
+        row.set("title", std::string(surface.title));
+        row.set("sentence", std::string(surface.sentence));
+        list.call<void>("push", row);
+    }
+    return list;
+}
+
+val positions(const OpenSurface& open) { return copy_out(open.surface.positions()); }
+val normals(const OpenSurface& open) { return copy_out(open.surface.vertex_normals()); }
+val triangles(const OpenSurface& open) { return copy_out(open.surface.triangles()); }
+
+// ------------------------------------------------------------------------------------------------------ what it is
+// like
+
+val curvature_out(const TotalCurvature& curvature) {
+    val object = val::object();
+    object.set("positive", curvature.positive);
+    object.set("negative", curvature.negative);
+    return object;
+}
+
+val describe_surface(const OpenSurface& open) {
+    const SurfaceReport report = describe(open.surface);
+    val object = val::object();
+    object.set("vertices", report.vertices);
+    object.set("triangles", report.triangles);
+    object.set("trianglesWithoutArea", report.triangles_without_area);
+    object.set("components", report.components);
+    object.set("boundaryLoops", report.boundary_loops);
+    object.set("genus", report.genus);
+    object.set("area", report.area);
+    object.set("curvature", curvature_out(report.curvature));
+    object.set("smoothedCurvature", curvature_out(report.smoothed_curvature));
+    object.set("hardestCurvature", report.hardest_curvature);
+    object.set("prospect", std::string(to_string(report.prospect)));
+    object.set("sentence", report.sentence);
+    return object;
+}
+
+val vector_out(const Eigen::Vector3d& vector) {
+    val list = val::array();
+    for (const double coordinate : vector) list.call<void>("push", coordinate);
+    return list;
+}
+
+val place_out(const OpenSurface& open, const Eigen::Vector3d& position, const SurfacePoint& at) {
+    val object = val::object();
+    object.set("position", vector_out(position));
+    object.set("normal", vector_out(open.surface.normal_at(at)));
+    return object;
+}
+
+val nearest(const OpenSurface& open, double x, double y, double z) {
+    const SurfaceTree::Nearest nearest = open.tree.nearest({x, y, z});
+    return place_out(open, nearest.position, nearest.at);
+}
+
+/// `ray`: a Float64Array of the origin and the direction.
+val hit(const OpenSurface& open, val ray) {
+    const auto numbers = emscripten::convertJSArrayToNumberVector<double>(ray);
+    const auto hit = open.tree.hit(Eigen::Vector3d::Map(numbers.data()), Eigen::Vector3d::Map(numbers.data() + 3));
+    return hit ? place_out(open, hit->position, hit->at) : val::null();
+}
+
+// ------------------------------------------------------------------------------------------------------------- draping
+
+val suggest(const OpenSurface& open, int cells) {
+    const DrapeOptions options = suggested_drape(open.surface, open.tree, cells);
+    val object = val::object();
+    object.set("seed", vector_out(options.seed));
+    object.set("direction", vector_out(options.direction));
+    object.set("length", options.length);
+    return object;
+}
+
+Eigen::Vector3d vector_in(const val& list) {
+    return {list[0].as<double>(), list[1].as<double>(), list[2].as<double>()};
+}
+
+DrapeOptions options_in(const val& object) {
+    DrapeOptions options;
+    options.seed = vector_in(object["seed"]);
+    options.direction = vector_in(object["direction"]);
+    options.length = object["length"].as<double>();
+    options.angle = object["angle"].as<double>();
+    options.smallest_angle = object["smallestAngle"].as<double>();
+    options.reach = object["reach"].as<int>();
+    options.border = named<DrapeOptions::Border>(
+        {{"inside", DrapeOptions::Border::inside}, {"beyond", DrapeOptions::Border::beyond}},
+        object["border"].as<std::string>(), "border");
+    return options;
+}
+
+/// `options`: an object with all fields of DrapeOptions.
+val drape_surface(const OpenSurface& open, val options) {
+    const Drape draped = drape(open.surface, open.tree, options_in(options));
+    val mesh = val::object();
+    mesh.set("positions", copy_out(draped.net.rest_positions()));
+    mesh.set("faceStart", copy_out(draped.net.faces().start));
+    mesh.set("faceVertices", copy_out(draped.net.faces().vertices));
+    val object = val::object();
+    object.set("mesh", mesh);
+    object.set("places", copy_out(draped.places));
+    object.set("locked", draped.locked);
+    object.set("met", draped.met);
+    return object;
+}
+
+val measure(const OpenSurface& open, val net) {
+    Mesh mesh = mesh_in(net);
+    const DrapeReport report = measure_drape(open.surface, open.tree,
+                                             Net(std::move(mesh.positions), std::move(mesh.faces), RestLengths::equal));
+    val object = val::object();
+    object.set("coverage", report.coverage);
+    object.set("meanDistance", report.mean_distance);
+    object.set("largestDistance", report.largest_distance);
+    object.set("smallestAngle", report.smallest_angle);
+    object.set("largestAngle", report.largest_angle);
+    object.set("sheared", report.sheared);
+    object.set("muchSheared", report.much_sheared);
+    object.set("rods", report.rods);
+    object.set("rodLength", report.rod_length);
+    object.set("maxDeviation", report.max_deviation);
+    return object;
+}
+
+EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
+    emscripten::function("openSurface", guarded<&open_surface>, emscripten::allow_raw_pointers());
+    emscripten::function("ownSurface", guarded<&own_surface>, emscripten::allow_raw_pointers());
+    emscripten::function("ownSurfaces", guarded<&own_surface_table>);
+    emscripten::class_<OpenSurface>("Surface")
+        .function("positions", guarded<&positions>)
+        .function("normals", guarded<&normals>)
+        .function("triangles", guarded<&triangles>)
+        .function("describe", guarded<&describe_surface>)
+        .function("nearest", guarded<&nearest>)
+        .function("hit", guarded<&hit>)
+        .function("suggest", guarded<&suggest>)
+        .function("drape", guarded<&drape_surface>)
+        .function("measure", guarded<&measure>);
+}
+
+}  // namespace
+}  // namespace chebnet
