@@ -48,7 +48,7 @@ describe.each([
   test('the editor', async () => {
     const { page, script } = await site.arrive('', options, { hints: true });
     await script.settled();
-    await page.getByText('Drag this sphere').waitFor();
+    await page.getByText('Drag the orange sphere, and').waitFor();
     const found: Record<string, string[]> = { first: await faults(page) };
     for (let hint = 0; hint < 3; ++hint) await page.getByRole('button', { name: 'Got it' }).click();
 

@@ -72,9 +72,9 @@ test('the first net stays one that could be woven: pushed down, aside and far, a
   const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
   const home = await script.position(vertex);
   const ways: [string, [number, number]][] = [
-    ['down', [0, 120]],
-    ['aside', [180, -60]],
-    ['far', [-500, 150]],
+    ['down', [0, 110]],
+    ['aside', [166, -55]],
+    ['far', [-460, 138]],
   ];
   for (const [way, by] of ways) {
     await drag(by);

@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, visits, openForResearch } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -62,7 +62,7 @@ test('four methods run on the same edit, with curves, a table and files', async 
 
 test('no two of all methods are drawn alike', async () => {
   await edit('dome:vertices=100');
-  await visit.page.locator('summary', { hasText: /^Compare methods$/ }).click();
+  await openForResearch(visit.page, 'Compare methods');
   for (const box of await visit.page.locator('fieldset.methods input').all()) await box.check();
   await visit.page.getByRole('button', { name: 'Compare', exact: true }).click();
   const swatches = visit.page.locator('.comparison .swatch');
@@ -175,7 +175,7 @@ async function edit(recipe: string) {
 /** With the usual methods and others. */
 async function compare(...more: string[]) {
   const { page } = visit;
-  await page.locator('summary', { hasText: 'Compare methods' }).click();
+  await openForResearch(page, 'Compare methods');
   for (const name of more) await page.getByRole('checkbox', { name, exact: true }).check();
   await page.getByRole('button', { name: 'Compare', exact: true }).click();
 }

@@ -74,6 +74,21 @@ test('the first net can be looked at', async () => {
   expect(overflow).toBeLessThanOrEqual(0);
 });
 
+test('the first handle, dragged up to the tools, can be taken again: the view follows', async () => {
+  const { page } = visit;
+  const handle = async () => (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { vertex } = await handle();
+  const at = await script.screenPosition(vertex);
+  await dragBy(script, vertex, [0, 40 - at.y]);
+  await script.settled();
+  const tools = (await page.getByRole('group', { name: 'Actions' }).boundingBox())!;
+  await expect.poll(async () => (await script.screenPosition(vertex)).y).toBeGreaterThan(tools.y + tools.height + 10);
+  const before = (await handle()).target;
+  await dragBy(script, vertex, [0, 30]);
+  await script.settled();
+  expect(distance((await handle()).target, before)).toBeGreaterThan(0);
+});
+
 describe('on a vault', () => {
   beforeEach(async () => {
     await script.open({ recipe: SHAPE });

@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, visits, openForResearch } from './page';
 
 /** A picture that is drawn fast, again and again. */
 const SMALL = { viewport: { width: 800, height: 320 } };
@@ -22,7 +22,7 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
   expect(await note.innerText()).toMatch(/Computer Graphics Forum 41\(2\), 2022/);
   expect(await script.stats()).toMatchObject({ method: 'composite_majorization', iterations: 0 });
 
-  await page.locator('summary', { hasText: /^Step$/ }).click();
+  await openForResearch(page, 'Step');
   const arrows = page.getByLabel('Direction as arrows');
   await arrows.check();
   await note.getByRole('button', { name: 'One step' }).click();
@@ -54,7 +54,7 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
 
 test('the list of figures is links, and a link to the one that is open begins it again', async () => {
   const { page, script } = await arrive();
-  await page.locator('summary', { hasText: /^Experiments$/ }).click();
+  await openForResearch(page, 'Experiments');
   const link = page.getByRole('link', { name: 'General meshes' });
   for (const _ of ['first', 'again']) {
     await link.click();

@@ -3,7 +3,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy, fan } from './geometry';
 import type { Script, Visit } from './page';
-import { visits } from './page';
+import { visits, openForResearch } from './page';
 import { mainThreadTasks } from './tasks';
 
 const RECIPE = 'vault:vertices=100000';
@@ -115,7 +115,7 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   const { dragged: vertex, meanLength: length } = whatIs(recipe);
   await script.open({ recipe });
   await script.settled();
-  await page.getByText('Solver', { exact: true }).click();
+  await openForResearch(page, 'Solver');
   await page.evaluate(() =>
     window.chebnet.setOptions({
       method: 'gradient_descent',

@@ -58,6 +58,12 @@ export function visits(root = () => DIST) {
   return { browser: () => browser, address: () => site.address, served, open, arrive };
 }
 
+/** Unfolds a section among those for research. */
+export async function openForResearch(page: Page, section: string): Promise<void> {
+  await page.locator('summary', { hasText: /^For research$/ }).click();
+  await page.locator('summary', { hasText: section }).click();
+}
+
 /** Drops a file on the picture. */
 export function dropFile(page: Page, name: string, content: Uint8Array | string): Promise<void> {
   const bytes = Buffer.from(content).toString('base64');

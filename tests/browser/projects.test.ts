@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { dragBy } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, Script, visits } from './page';
+import { OUTPUT, Script, visits, openForResearch } from './page';
 
 const SHAPE = 'vault:vertices=600';
 /** Milliseconds that a busy machine may take. */
@@ -48,7 +48,7 @@ async function edit(visit: Visit): Promise<Standing[]> {
   const handles = await page.evaluate(() => window.chebnet.handles().map(({ vertex }) => vertex));
   await dragBy(script, handles.at(-1)!, [-60, -40]);
   stood.push(await standing(script));
-  await openSection(visit, 'Solver');
+  await openForResearch(page, 'Solver');
   await page.getByRole('combobox', { name: /^Method/ }).selectOption('li2022');
   stood.push(await standing(script));
   await page.locator('canvas').first().focus();

@@ -33,6 +33,7 @@ const coloursOf = (selector: string) =>
 
 test('a solve is plotted', async () => {
   await visitor.openNet({ recipe: SHAPE });
+  await visitor.clickOn('For research');
   await visitor.drag(dragged, [-40, -30]);
   await vi.waitUntil(async () => (await coloursOf('.plot canvas')) > 10, PATIENCE);
 });
@@ -86,6 +87,7 @@ test('methods are compared on the same edit, with curves and a table', async () 
   await visitor.openNet({ recipe: SHAPE });
   await visitor.run((vertex, target) => window.chebnet.move(vertex, target), dragged, TARGET);
   await visitor.settled();
+  await visitor.clickOn('For research');
   await visitor.clickOn('Compare methods');
   await visitor.clickOn('Compare');
   const text = await visitor.read('4 runs', '.comparison');

@@ -6,6 +6,7 @@ import { dialogs as dialogsInEnglish } from '../../web/src/language/en/dialogs';
 import { experiments as experimentsInEnglish } from '../../web/src/language/en/experiments';
 import { learn as learnInEnglish } from '../../web/src/language/en/learn';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
+import { panels as panelsInEnglish } from '../../web/src/language/en/panels';
 import { zh } from '../../web/src/language/zh';
 import {
   CORE_ERRORS,
@@ -21,6 +22,7 @@ import { dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { learn as learnInChinese } from '../../web/src/language/zh/learn';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
+import { panels as panelsInChinese } from '../../web/src/language/zh/panels';
 import { load, ROOT } from '../wasm/load';
 
 /** Every text and every function, by the names that lead to it. */
@@ -38,6 +40,7 @@ const english = leaves({
   dialogs: dialogsInEnglish,
   learn: learnInEnglish,
   lesson: lessonInEnglish,
+  panels: panelsInEnglish,
   experiments: experimentsInEnglish,
 });
 const chinese = leaves({
@@ -45,6 +48,7 @@ const chinese = leaves({
   dialogs: dialogsInChinese,
   learn: learnInChinese,
   lesson: lessonInChinese,
+  panels: panelsInChinese,
   experiments: experimentsInChinese,
 });
 

@@ -5,7 +5,8 @@ import { Convergence } from '../../web/src/net/convergence';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/sidebar/recipe';
 import { edgeLayers, project } from '../../web/src/sidebar/thumbnail';
 import { coordinate, milliseconds, small } from '../../web/src/language/numbers';
-import { stageWords, statusWords } from '../../web/src/sidebar/status';
+import { statusWords } from '../../web/src/sidebar/status';
+import { stageWords } from '../../web/src/sidebar/step_panel';
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,

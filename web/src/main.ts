@@ -10,9 +10,8 @@ import { pickFile } from './files/pick_file';
 import { commandOf, PAGE_KEYS } from './keys';
 import { chooseLanguage } from './language/choice';
 import { translateDocument, words } from './language/language';
-import { Hints } from './learn/hints';
+import type { Hint } from './learn/hints';
 import { keepOffline } from './offline/offline';
-import { ROW_KEYS } from './sidebar/handle_row';
 import { RecordingNotice } from './overlay/recording_notice';
 import { createPanels } from './sidebar/sidebar';
 import { lazy } from './lazy';
@@ -63,14 +62,18 @@ const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(a
 const saving = lazy(() => import('./export/save'));
 const shareDialog = lazy(() => import('./dialogs/share_dialog'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
+const handleRow = lazy(() => import('./sidebar/handle_row'));
 const embedding = lazy(() => import('./embed/embed'));
-const hints = embedded ? null : new Hints(app, element('panels'));
+const hints = lazy(async () => new (await import('./learn/hints')).Hints(app, document.querySelector('.title h1')!));
 const ready = projects.start();
 window.chebnet = createScripting(app, ready);
 // Before the listener for keys below: Escape also gives wheel and touch back to the host.
 if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(error));
 // After the first net has been opened, so as not to compete for the network.
-else void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
+else {
+  void ready.then(hints).catch(() => {}); // Nobody misses a hint that could not be loaded.
+  void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
+}
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);
@@ -114,7 +117,7 @@ async function followLink(): Promise<void> {
 }
 
 async function share(): Promise<void> {
-  hints?.done('share');
+  followed('share');
   const { hashOf, linkAdvice } = await linking();
   const shared = hashOf(app);
   const advice = linkAdvice(shared) ?? '';
@@ -142,8 +145,16 @@ async function copyLink(link: string, advice: string): Promise<string> {
   return words.link.inAddressBar(advice);
 }
 
+/** A hint is not needed any more. */
+function followed(hint: Hint): void {
+  if (!embedded)
+    void hints()
+      .then((all) => all.done(hint))
+      .catch(() => {});
+}
+
 async function saveAs(request: SaveRequest): Promise<void> {
-  hints?.done('share');
+  followed('share');
   const { save } = await saving();
   await save(request, {
     app,
@@ -188,7 +199,7 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const { showKeySheet } = await keySheet();
+  const [{ showKeySheet }, { ROW_KEYS }] = await Promise.all([keySheet(), handleRow()]);
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },

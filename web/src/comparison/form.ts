@@ -3,6 +3,7 @@ import type { MethodInfo } from '../../../wasm/chebnet';
 import type { ComparisonRequest, StartingPoint } from '../compare/run';
 import type { ChebnetDocument } from '../document/document';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, makeSelect } from '../elements/dom';
 import type { Panel } from '../panels';
@@ -12,8 +13,8 @@ import './form.css';
 const USUAL = ['li2022', 'projection', 'composite_majorization', 'local_global'];
 
 const STARTS: { value: StartingPoint; text: string }[] = [
-  { value: 'rest', text: words.comparison.rest },
-  { value: 'present', text: words.comparison.present },
+  { value: 'rest', text: panelWords.comparison.rest },
+  { value: 'present', text: panelWords.comparison.present },
 ];
 
 export class ComparisonForm implements Panel {
@@ -26,14 +27,14 @@ export class ComparisonForm implements Panel {
 
   constructor(compare: (request: ComparisonRequest) => void) {
     this.#compare = compare;
-    this.#run = makeButton(words.comparison.compare, () => this.#submit());
-    const start = makeSelect(words.comparison.startFrom, STARTS, () => {});
+    this.#run = makeButton(panelWords.comparison.compare, () => this.#submit());
+    const start = makeSelect(panelWords.comparison.startFrom, STARTS, () => {});
     this.#start = start.select;
     this.#methods.addEventListener('change', () => this.#updateButton());
     this.element = makeSection(
       words.sections.compare,
       false,
-      make('p', { class: 'quiet' }, words.comparison.about),
+      make('p', { class: 'quiet' }, panelWords.comparison.about),
       this.#methods,
       start.row,
       make('div', { class: 'buttons' }, this.#run),
@@ -48,7 +49,7 @@ export class ComparisonForm implements Panel {
         make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
         words.core.method(name),
       );
-    this.#methods.replaceChildren(make('legend', {}, words.comparison.methods), ...methods.map(choice));
+    this.#methods.replaceChildren(make('legend', {}, panelWords.comparison.methods), ...methods.map(choice));
     this.#updateButton();
   }
 

@@ -2,7 +2,7 @@
  *  initialisation; where one ends and the method begins stands a circle. */
 import type uPlot from 'uplot';
 import { type Comparison, type Run, startLength } from '../compare/run';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { decade } from '../net/convergence';
 import { make } from '../elements/dom';
 import { decadeRange, drawThreshold, loadPlots, plotAxes, plotColour, roomyRange } from '../elements/plot_parts';
@@ -34,8 +34,8 @@ export class ComparisonPlot {
   constructor(axis: 'iterations' | 'milliseconds', styleOf: (run: Run) => CurveStyle) {
     this.#axis = axis;
     this.#styleOf = styleOf;
-    const caption = words.comparison.plots[axis];
-    this.#host.setAttribute('aria-label', words.comparison.plotLabel(caption));
+    const caption = panelWords.comparison.plots[axis];
+    this.#host.setAttribute('aria-label', panelWords.comparison.plotLabel(caption));
     this.element.append(make('figcaption', {}, caption), this.#host);
     new ResizeObserver(() => this.#fit()).observe(this.#host);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());

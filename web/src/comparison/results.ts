@@ -2,7 +2,7 @@
 import { tableCsv, tracesCsv } from '../compare/csv';
 import { canShow, type Comparison, type Run } from '../compare/run';
 import { download } from '../files/download';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { savePicture } from './picture';
 import { ComparisonPlot, type CurveStyle, type LineStyle } from './plot';
 import { ComparisonTable } from './table';
@@ -25,8 +25,8 @@ export class ComparisonResults {
   readonly #stop: HTMLButtonElement;
   readonly #plots: ComparisonPlot[];
   readonly #table: ComparisonTable;
-  readonly #abreast = makeButton(words.comparison.abreast, () => this.#toggleAbreast(), {
-    title: words.comparison.abreastHint,
+  readonly #abreast = makeButton(panelWords.comparison.abreast, () => this.#toggleAbreast(), {
+    title: panelWords.comparison.abreastHint,
   });
   #comparison: Comparison | null = null;
   #current: Run | null = null;
@@ -42,17 +42,17 @@ export class ComparisonResults {
       show: (run) => events.showRun(run === this.#current ? null : run),
       showBeside: (run) => this.#toggleBeside(run),
     });
-    this.#stop = makeButton(words.comparison.cancel, () => events.cancelComparison());
+    this.#stop = makeButton(panelWords.comparison.cancel, () => events.cancelComparison());
     this.element = make(
       'section',
-      { class: 'comparison', 'aria-label': words.comparison.heading, hidden: true },
+      { class: 'comparison', 'aria-label': panelWords.comparison.heading, hidden: true },
       make(
         'header',
         {},
-        make('h2', {}, words.comparison.heading),
+        make('h2', {}, panelWords.comparison.heading),
         this.#words,
         this.#actions(),
-        makeButton('×', () => this.#close(), { 'aria-label': words.comparison.close }),
+        makeButton('×', () => this.#close(), { 'aria-label': panelWords.comparison.close }),
       ),
       make('div', { class: 'plots' }, ...this.#plots.map(({ element }) => element)),
       this.#table.element,
@@ -126,9 +126,9 @@ export class ComparisonResults {
       { class: 'actions' },
       this.#stop,
       this.#abreast,
-      makeButton(words.comparison.tableCsv, save('comparison.csv', tableCsv)),
-      makeButton(words.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
-      makeButton(words.comparison.plotsPng, () => this.#savePlots()),
+      makeButton(panelWords.comparison.tableCsv, save('comparison.csv', tableCsv)),
+      makeButton(panelWords.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
+      makeButton(panelWords.comparison.plotsPng, () => this.#savePlots()),
     );
   }
 
@@ -157,8 +157,8 @@ function mostAbreast(): number {
 function progress({ runs, running }: Comparison): string {
   const done = runs.filter(({ state }) => state === 'ended' || state === 'failed').length;
   const current = runs.find(({ state }) => state === 'running');
-  if (running && current) return words.comparison.running(current.label, done + 1, runs.length);
-  if (done < runs.length) return words.comparison.cancelled(done, runs.length);
+  if (running && current) return panelWords.comparison.running(current.label, done + 1, runs.length);
+  if (done < runs.length) return panelWords.comparison.cancelled(done, runs.length);
   const idle = runs.every(({ frame }) => frame?.iterations === 0);
-  return idle ? words.comparison.idle : words.comparison.done(done);
+  return idle ? panelWords.comparison.idle : panelWords.comparison.done(done);
 }

@@ -1,13 +1,14 @@
 /** The numbers of a comparison, one line a run. A click on a line shows its net. */
 import { canShow, type Run } from '../compare/run';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { CurveStyle } from './plot';
 import { make, makeButton, setText } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from '../language/numbers';
 
 const DEGREES = 180 / Math.PI;
 
-const { columns } = words.comparison;
+const { columns } = panelWords.comparison;
 const COLUMNS: { title: string; hint: string; text(run: Run): string | undefined }[] = [
   { ...columns.iterations, text: ({ frame }) => (frame ? count(frame.iterations) : undefined) },
   { ...columns.milliseconds, text: ({ frame }) => (frame ? milliseconds(frame.milliseconds) : undefined) },
@@ -40,7 +41,7 @@ export class ComparisonTable {
     class: 'table',
     tabindex: 0,
     role: 'region',
-    'aria-label': words.comparison.results,
+    'aria-label': panelWords.comparison.results,
   });
   #rows: Row[] = [];
   readonly #styleOf: (run: Run) => CurveStyle;
@@ -59,7 +60,11 @@ export class ComparisonTable {
       make(
         'table',
         {},
-        make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, words.comparison.run), ...heads, make('td'))),
+        make(
+          'thead',
+          {},
+          make('tr', {}, make('th', { scope: 'col' }, panelWords.comparison.run), ...heads, make('td')),
+        ),
         body,
       ),
     );
@@ -82,13 +87,13 @@ export class ComparisonTable {
     swatch.style.setProperty('color', `var(${colour})`);
     const button = makeButton(swatch, () => {}, {
       class: 'plain',
-      title: run.isOfOpenNet ? words.comparison.show : words.comparison.otherNet,
+      title: run.isOfOpenNet ? panelWords.comparison.show : panelWords.comparison.otherNet,
     });
     button.append(run.label);
-    const beside = makeButton(words.comparison.beside, () => this.#events.showBeside(run), {
+    const beside = makeButton(panelWords.comparison.beside, () => this.#events.showBeside(run), {
       class: 'plain link',
-      title: words.comparison.besideHint,
-      'aria-label': words.comparison.besideOther(run.label),
+      title: panelWords.comparison.besideHint,
+      'aria-label': panelWords.comparison.besideOther(run.label),
     });
     return { run, button, beside, cells: COLUMNS.map(() => make('td')) };
   }
@@ -104,6 +109,6 @@ export class ComparisonTable {
 
 /** The status of a run, short enough for a table. */
 function runWords({ state, frame, fault }: Run): string {
-  if (state === 'ended') return frame ? words.comparison.status[frame.status] : '';
-  return fault === null ? words.comparison.state[state] : words.core.sentence(fault);
+  if (state === 'ended') return frame ? panelWords.comparison.status[frame.status] : '';
+  return fault === null ? panelWords.comparison.state[state] : words.core.sentence(fault);
 }

@@ -1,11 +1,12 @@
 /** The dialog that lists all keyboard shortcuts. */
 import type { KeyRow } from '../elements/keys';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton } from '../elements/dom';
 import './dialog.css';
 import './key_sheet.css';
 
-const TEXT = words.keys;
+const TEXT = panelWords.keys;
 
 export interface KeyTable {
   where: keyof typeof TEXT.where;
@@ -17,7 +18,7 @@ export function showKeySheet(root: HTMLElement, tables: readonly KeyTable[]): vo
   const dialog = make(
     'dialog',
     { class: 'file keys', 'aria-labelledby': 'keys-title' },
-    make('h2', { id: 'keys-title' }, TEXT.title),
+    make('h2', { id: 'keys-title' }, words.keys.title),
     make('div', { class: 'body', tabindex: 0 }, ...tables.flatMap(makeTable)),
     make('div', { class: 'buttons' }, close),
   );

@@ -3,6 +3,7 @@ import { frameCode } from '../export/frame_code';
 import type { QrCode } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton, makeSvg, setText } from '../elements/dom';
 import './dialog.css';
 import './share_dialog.css';
@@ -27,12 +28,15 @@ export class ShareDialog {
     const copy = async (): Promise<void> => setText(this.#said, await copyLink());
     const snippet = make(
       'textarea',
-      { readonly: true, rows: 3, 'aria-label': words.share.embed, spellcheck: 'false' },
+      { readonly: true, rows: 3, 'aria-label': panelWords.share.embed, spellcheck: 'false' },
       frameCode(embedded),
     );
     snippet.addEventListener('focus', () => snippet.select());
     const copySnippet = async (): Promise<void> => {
-      setText(this.#said, (await copyText(snippet.value)) ? words.share.embedCopied : words.share.clipboardClosed);
+      setText(
+        this.#said,
+        (await copyText(snippet.value)) ? panelWords.share.embedCopied : panelWords.share.clipboardClosed,
+      );
     };
     this.#dialog = make(
       'dialog',
@@ -46,16 +50,16 @@ export class ShareDialog {
         make(
           'div',
           { class: 'embed' },
-          make('h3', {}, words.share.embed),
-          makeButton(words.share.copyEmbed, copySnippet),
+          make('h3', {}, panelWords.share.embed),
+          makeButton(panelWords.share.copyEmbed, copySnippet),
         ),
         snippet,
       ),
       make(
         'div',
         { class: 'buttons' },
-        makeButton(words.share.copy, copy, { class: 'primary', autofocus: true }),
-        makeButton(words.share.close, () => this.#dialog.close()),
+        makeButton(panelWords.share.copy, copy, { class: 'primary', autofocus: true }),
+        makeButton(panelWords.share.close, () => this.#dialog.close()),
       ),
     );
     // The page's shortcuts are off while the dialog is open.
@@ -72,7 +76,7 @@ export class ShareDialog {
     const short = linkWithin(QR_CAPACITY);
     if (short) this.#code.append(drawn(qrCode(short.link)));
     if (!short?.positions)
-      this.#code.append(make('figcaption', {}, short ? words.share.qrWithoutShape : words.share.qrTooLong));
+      this.#code.append(make('figcaption', {}, short ? panelWords.share.qrWithoutShape : panelWords.share.qrTooLong));
   }
 }
 
@@ -83,7 +87,7 @@ function drawn({ size, path }: QrCode): SVGSVGElement {
     viewBox: `0 0 ${size} ${size}`,
     'shape-rendering': 'crispEdges',
     role: 'img',
-    'aria-label': words.share.qr,
+    'aria-label': panelWords.share.qr,
   };
   return makeSvg('svg', picture, paper, makeSvg('path', { d: path }));
 }

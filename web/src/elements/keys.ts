@@ -1,11 +1,11 @@
 /** Tables of keyboard shortcuts. */
-import type { Words } from '../language/language';
+import type { panelWords } from '../language/panels';
 
 /** A command and the keys that each trigger it. Such tables stand beside the code that handles the keys. */
 export interface KeyRow {
   /** Keys held together are joined by `+`. */
   keys: readonly string[];
-  does: keyof Words['keys']['does'];
+  does: keyof (typeof panelWords)['keys']['does'];
 }
 
 /** The key of an event as the tables write it. Shift is named with letters only: other characters imply it. */

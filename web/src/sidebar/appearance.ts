@@ -2,6 +2,7 @@
 import type { ChebnetDocument, UpAxis } from '../document/document';
 import { type ColourMap, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { makeSection, makeSelect, makeSwitch, setValue } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
 
@@ -16,21 +17,21 @@ export class Appearance implements Panel {
   constructor(events: PanelEvents) {
     const fields = FIELD_NAMES.map((name) => ({ value: name, text: words.colourFields[name].choice }));
     const maps = [
-      { value: 'paper', text: words.appearance.paper },
-      { value: 'log', text: words.appearance.log },
+      { value: 'paper', text: panelWords.appearance.paper },
+      { value: 'log', text: panelWords.appearance.log },
     ];
     const axes = [
       { value: 'z', text: 'z' },
       { value: 'y', text: 'y' },
     ];
-    const field = makeSelect(words.appearance.colourBy, fields, (value) =>
+    const field = makeSelect(panelWords.appearance.colourBy, fields, (value) =>
       events.setView({ field: value as FieldName }),
     );
-    const map = makeSelect(words.appearance.colours, maps, (value) =>
+    const map = makeSelect(panelWords.appearance.colours, maps, (value) =>
       events.setView({ colourMap: value as ColourMap }),
     );
-    const faces = makeSwitch(words.appearance.faces, (showFaces) => events.setView({ showFaces }));
-    const up = makeSelect(words.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
+    const faces = makeSwitch(panelWords.appearance.faces, (showFaces) => events.setView({ showFaces }));
+    const up = makeSelect(panelWords.appearance.upAxis, axes, (value) => events.setView({ upAxis: value as UpAxis }));
     [this.#field, this.#map, this.#mapRow] = [field.select, map.select, map.row];
     [this.#faces, this.#up] = [faces.box, up.select];
     this.element = makeSection(words.sections.appearance, false, field.row, map.row, faces.row, up.row);

@@ -1,7 +1,7 @@
 /** The record of convergence as a plot: log₁₀ max dL against iterations or time, the threshold, and where stages begin. */
 import type uPlot from 'uplot';
 import type { TraceRow } from '../../../wasm/chebnet';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { Convergence, type Curve } from '../net/convergence';
 import { make, makeSelect } from '../elements/dom';
 import {
@@ -25,8 +25,8 @@ export class ConvergencePlot {
   readonly #record = new Convergence();
   readonly #host = make(
     'div',
-    { role: 'img', 'aria-label': words.plot.label },
-    make('p', { class: 'unplotted' }, words.plot.empty),
+    { role: 'img', 'aria-label': panelWords.plot.label },
+    make('p', { class: 'unplotted' }, panelWords.plot.empty),
   );
   #plot: uPlot | null = null;
   /** There has been something to plot. */
@@ -39,10 +39,10 @@ export class ConvergencePlot {
 
   constructor() {
     const choices = [
-      { value: 'iterations', text: words.plot.iterations },
-      { value: 'milliseconds', text: words.plot.milliseconds },
+      { value: 'iterations', text: panelWords.plot.iterations },
+      { value: 'milliseconds', text: panelWords.plot.milliseconds },
     ];
-    const { row } = makeSelect(words.plot.against, choices, (value) => {
+    const { row } = makeSelect(panelWords.plot.against, choices, (value) => {
       this.#byTime = value === 'milliseconds';
       this.#draw();
     });
@@ -139,7 +139,7 @@ export class ConvergencePlot {
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
       if (x < free) continue;
       ctx.fillStyle = plotColour(this.element, '--muted');
-      const label = free < 0 ? words.plot.stage(start.stage) : String(start.stage);
+      const label = free < 0 ? panelWords.plot.stage(start.stage) : String(start.stage);
       ctx.fillText(label, x, bbox.top - 7 * ratio);
       free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
     }

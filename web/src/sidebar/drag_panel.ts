@@ -2,6 +2,7 @@
 import type { ChebnetDocument } from '../document/document';
 import type { HandleCommands } from '../handles/commands';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeSection, makeSwitch } from '../elements/dom';
 import type { Panel } from '../panels';
 import type { OpenedNet } from '../worker/protocol';
@@ -18,7 +19,7 @@ export class DragPanel implements Panel {
     min: 0,
     max: STEPS,
     value: 0,
-    title: words.drag.localityHint,
+    title: panelWords.drag.localityHint,
   });
   readonly #output = make('output');
   #farthest = 50;
@@ -30,7 +31,7 @@ export class DragPanel implements Panel {
     const row = make(
       'label',
       { class: 'slider locality' },
-      make('span', {}, words.drag.locality),
+      make('span', {}, panelWords.drag.locality),
       this.#slider,
       this.#output,
     );
@@ -38,11 +39,11 @@ export class DragPanel implements Panel {
     this.#slider.addEventListener('focus', () => this.#adjust());
     this.#slider.addEventListener('blur', () => commands.previewLocality(undefined));
     this.#slider.addEventListener('change', () => this.#choose());
-    const within = makeSwitch(words.drag.within, (on) => commands.setKeepWithin(on));
-    within.row.title = words.drag.withinHint;
+    const within = makeSwitch(panelWords.drag.within, (on) => commands.setKeepWithin(on));
+    within.row.title = panelWords.drag.withinHint;
     within.box.checked = true;
-    const reach = makeSwitch(words.drag.showReach, (on) => commands.setShowReach(on));
-    reach.row.title = words.drag.showReachHint;
+    const reach = makeSwitch(panelWords.drag.showReach, (on) => commands.setShowReach(on));
+    reach.row.title = panelWords.drag.showReachHint;
     this.element = makeSection(words.sections.drag, false, row, within.row, reach.row);
     this.#write(undefined);
   }
@@ -75,7 +76,9 @@ export class DragPanel implements Panel {
 
   #write(locality: number | undefined): void {
     const text =
-      locality === undefined ? words.drag.everything : words.drag.radius(locality.toLocaleString(words.locale));
+      locality === undefined
+        ? panelWords.drag.everything
+        : panelWords.drag.radius(locality.toLocaleString(words.locale));
     this.#output.value = text;
     this.#slider.setAttribute('aria-valuetext', text);
   }

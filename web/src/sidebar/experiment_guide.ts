@@ -15,6 +15,7 @@ import { experimentLink } from '../experiments/links';
 import { texts } from '../experiments/texts';
 import { variationsOf } from '../experiments/variations';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton } from '../elements/dom';
 import { makeClaims, makePicture } from './experiment_claims';
 import type { PanelEvents } from '../panels';
@@ -76,8 +77,8 @@ export class ExperimentGuide {
     const variants = figure.variants.map((variant, place) => offerVariant(figure, variant, place));
     this.#offered = [...edits, ...variants];
     const buttons = [
-      makeButton(words.solver.solve, () => this.#events.solve(), { title: words.solver.solveHint }),
-      makeButton(words.step.step, () => this.#events.step(), { title: words.step.stepHint }),
+      makeButton(panelWords.solver.solve, () => this.#events.solve(), { title: panelWords.solver.solveHint }),
+      makeButton(panelWords.step.step, () => this.#events.step(), { title: panelWords.step.stepHint }),
       makeButton(texts.runAll, () => this.#runAll(figure), { title: texts.runAllHint, hidden: variants.length < 2 }),
     ];
     this.#note.replaceChildren(

@@ -2,7 +2,7 @@
 import type { ChebnetDocument, HandleData } from '../document/document';
 import { toggled } from '../handles/selection';
 import type { Choice } from '../handles/commands';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
 import type { OpenedNet } from '../worker/protocol';
 import { HandleRow } from './handle_row';
@@ -17,15 +17,15 @@ const ROWS_AT_A_TIME = 100;
 export class HandleList implements Panel {
   readonly #list = make('ul', { class: 'handles' });
   readonly #more = makeButton('', () => this.#showMore(), { class: 'plain', hidden: true });
-  readonly #empty = make('p', { class: 'quiet' }, words.handles.none);
-  readonly #several = make('p', { class: 'quiet' }, words.handles.several);
+  readonly #empty = make('p', { class: 'quiet' }, panelWords.handles.none);
+  readonly #several = make('p', { class: 'quiet' }, panelWords.handles.several);
   readonly #number = make('input', {
     type: 'number',
     min: 0,
     step: 1,
     required: true,
-    placeholder: words.handles.number,
-    'aria-label': words.handles.vertexNumber,
+    placeholder: panelWords.handles.number,
+    'aria-label': panelWords.handles.vertexNumber,
   });
   readonly #form: SelectionForm;
   readonly #symmetry: SymmetryChoice;
@@ -41,7 +41,7 @@ export class HandleList implements Panel {
 
   constructor(events: PanelEvents) {
     this.#events = events;
-    const add = make('form', { class: 'add-handle' }, this.#number, make('button', {}, words.handles.add));
+    const add = make('form', { class: 'add-handle' }, this.#number, make('button', {}, panelWords.handles.add));
     add.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#add(this.#number.valueAsNumber);
@@ -49,7 +49,7 @@ export class HandleList implements Panel {
     this.#form = new SelectionForm(events);
     this.#symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
     this.element = makeSection(
-      words.handles.title(0),
+      panelWords.handles.title(0),
       false,
       this.#form.element,
       this.#list,
@@ -72,7 +72,7 @@ export class HandleList implements Panel {
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {
-    setSummary(this.element, words.handles.title(handles.length));
+    setSummary(this.element, panelWords.handles.title(handles.length));
     this.#handles = handles;
     this.#choice = choice;
     this.#empty.hidden = handles.length > 0;
@@ -85,7 +85,7 @@ export class HandleList implements Panel {
     this.#more.hidden = listed.length === handles.length;
     setText(
       this.#more,
-      words.handles.more(Math.min(ROWS_AT_A_TIME, handles.length - listed.length), handles.length - listed.length),
+      panelWords.handles.more(Math.min(ROWS_AT_A_TIME, handles.length - listed.length), handles.length - listed.length),
     );
     for (const handle of listed) {
       const isSelected = selected.has(handle.vertex);

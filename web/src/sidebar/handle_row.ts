@@ -3,6 +3,7 @@ import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/commands';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
 import { ICONS } from '../elements/icons';
@@ -25,7 +26,7 @@ export class HandleRow {
   readonly #select: HTMLButtonElement;
   readonly #eye: Toggle;
   readonly #lock: Toggle;
-  readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': words.handles.name });
+  readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': panelWords.handles.name });
   readonly #inputs: HTMLInputElement[];
   readonly #softness: Softness;
   readonly #fields: HTMLDivElement;
@@ -37,7 +38,7 @@ export class HandleRow {
     this.#events = events;
     this.#select = makeButton(make('i', { class: 'mark' }), () => {}, {
       class: 'plain name',
-      title: words.handles.renameHint,
+      title: panelWords.handles.renameHint,
     });
     this.#select.append(this.#title);
     this.#select.addEventListener('click', (event) => this.#clicked(event));
@@ -45,7 +46,7 @@ export class HandleRow {
     this.#select.addEventListener('keydown', (event) => {
       if (event.key === 'F2') this.#rename();
     });
-    this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [words.handles.hide, words.handles.show], (hidden) =>
+    this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change({ hidden: hidden || undefined }),
     );
     this.#lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
@@ -53,14 +54,14 @@ export class HandleRow {
     );
     const remove = makeButton(makeIcon(ICONS.cross), () => events.remove(), {
       class: 'plain tool',
-      'aria-label': words.handles.removeAt(vertex),
-      title: words.handles.remove,
+      'aria-label': panelWords.handles.removeAt(vertex),
+      title: panelWords.handles.remove,
     });
-    this.#name.placeholder = words.handles.vertex(vertex);
+    this.#name.placeholder = panelWords.handles.vertex(vertex);
     this.#name.addEventListener('change', () => events.change({ name: this.#name.value.trim() || undefined }));
     this.#inputs = AXES.map((_, axis) => this.#makeCoordinate(axis));
     this.#softness = new Softness(events.change);
-    const nameRow = make('label', { class: 'row' }, make('span', {}, words.handles.name), this.#name);
+    const nameRow = make('label', { class: 'row' }, make('span', {}, panelWords.handles.name), this.#name);
     this.#fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.#inputs), ...this.#softness.rows);
     const line = make('div', { class: 'line' }, this.#select, this.#eye.button, this.#lock.button, remove);
     this.element = make('li', {}, line, this.#fields);
@@ -121,7 +122,7 @@ export class HandleRow {
 }
 
 export function titleOf({ vertex, name }: HandleData): string {
-  return name ?? words.handles.vertex(vertex);
+  return name ?? panelWords.handles.vertex(vertex);
 }
 
 export function makeCoordinates(inputs: readonly HTMLInputElement[]): HTMLDivElement {

@@ -1,6 +1,6 @@
 /** The history as a list: the present entry is highlighted, and a click on another goes there. */
 import type { HistoryView } from '../document/undo';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
 import type { Panel } from '../panels';
 import './history_panel.css';
@@ -15,10 +15,10 @@ export class HistoryPanel implements Panel {
   constructor(goTo: (index: number) => void) {
     this.#goTo = goTo;
     this.element = makeSection(
-      words.history.title,
+      panelWords.history.title,
       false,
       this.#list,
-      make('p', { class: 'quiet' }, words.history.hint),
+      make('p', { class: 'quiet' }, panelWords.history.hint),
     );
     this.element.addEventListener('toggle', () => this.#refresh());
     this.#list.addEventListener('keydown', (event) => this.#pressKey(event));

@@ -1,10 +1,10 @@
 /** The table of current numbers of net and solver. */
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';
 import { count, milliseconds, NOTHING, small } from '../language/numbers';
 
-const LABELS = words.numbers;
+const LABELS = panelWords.numbers;
 
 type Cells = Record<keyof typeof LABELS, HTMLElement>;
 

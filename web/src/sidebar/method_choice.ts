@@ -1,6 +1,7 @@
 /** Method and initialisation, each chosen from the core's table, with what it does and where it comes from. */
 import type { InitialisationInfo, MethodInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeSelect, setValue } from '../elements/dom';
 
 /** The paper does so many iterations of an initialisation. */
@@ -46,7 +47,7 @@ export class MethodChoice {
   readonly #choice: Choice<MethodInfo>;
 
   constructor(changed: () => void) {
-    this.#choice = new Choice(words.solver.method, changed);
+    this.#choice = new Choice(panelWords.solver.method, changed);
     this.content = [this.#choice.row, this.#choice.about];
   }
 
@@ -75,10 +76,10 @@ export class InitialisationChoice {
     value: USUAL_COUNT,
     required: true,
   });
-  readonly #countRow = make('label', { class: 'row' }, make('span', {}, words.solver.count), this.#count);
+  readonly #countRow = make('label', { class: 'row' }, make('span', {}, panelWords.solver.count), this.#count);
 
   constructor(changed: () => void) {
-    this.#choice = new Choice(words.solver.initialisation, changed);
+    this.#choice = new Choice(panelWords.solver.initialisation, changed);
     this.#count.addEventListener('change', () => this.#count.reportValidity() && changed());
     this.content = [this.#choice.row, this.#countRow, this.#choice.about];
   }

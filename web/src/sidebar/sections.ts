@@ -1,16 +1,8 @@
-/** The sections of the sidebar. Another panel is a row here, its own file, and its title in both languages. */
-import { ComparisonForm } from '../comparison/form';
+/** The sections of the sidebar. Another panel is a row here or in late_sections.ts, its own file, and its title in both
+ *  languages. */
 import type { Panel, PanelEvents } from '../panels';
-import { Appearance } from './appearance';
 import { BehaviourPanel } from './behaviour_panel';
-import { ConvergencePanel } from './convergence_panel';
-import { DragPanel } from './drag_panel';
-import { HandleList } from './handle_list';
-import { HistoryPanel } from './history_panel';
-import { LearnPanel } from './learn_panel';
 import { ShapePanel } from './shape_panel';
-import { SolverPanel } from './solver_panel';
-import { StepPanel } from './step_panel';
 
 /** Services of the sidebar for panels. */
 export interface SidebarServices {
@@ -22,23 +14,7 @@ export interface SidebarServices {
   fold(): void;
 }
 
-/** From top to bottom. @param experiments exists already, since its note is placed elsewhere. */
-export function createSections({ events, say, failed, fold }: SidebarServices, experiments: Panel): Panel[] {
-  return [
-    new ShapePanel(events),
-    new ConvergencePanel(),
-    new LearnPanel(events, failed),
-    new StepPanel(events, say),
-    new HandleList(events),
-    new BehaviourPanel(events),
-    new DragPanel(events.handles),
-    new Appearance(events),
-    new SolverPanel(events),
-    new HistoryPanel((index) => events.goTo(index)),
-    experiments,
-    new ComparisonForm((request) => {
-      fold();
-      events.compare(request);
-    }),
-  ];
+/** From top to bottom, those that the first visitor looks at; the others follow (late_sections.ts). */
+export function createSections({ events }: SidebarServices): Panel[] {
+  return [new ShapePanel(events), new BehaviourPanel(events)];
 }

@@ -4,6 +4,7 @@ import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, setText, setValue } from '../elements/dom';
 import { makeCoordinates } from './handle_row';
 import type { PanelEvents } from '../panels';
@@ -17,11 +18,11 @@ export class SelectionForm {
   readonly #by = AXES.map(() => numberField('0'));
   readonly #axis = make(
     'select',
-    { 'aria-label': words.handles.axis },
+    { 'aria-label': panelWords.handles.axis },
     ...AXES.map((axis) => make('option', { value: axis }, axis)),
   );
-  readonly #degrees = numberField('90', words.handles.degrees);
-  readonly #factor = numberField('1.1', words.handles.factor);
+  readonly #degrees = numberField('90', panelWords.handles.degrees);
+  readonly #factor = numberField('1.1', panelWords.handles.factor);
   readonly #motions: HTMLFieldSetElement;
   readonly #softness: Softness;
   #place: Vec3 = [0, 0, 0];
@@ -37,21 +38,25 @@ export class SelectionForm {
       {},
       make(
         'div',
-        { class: 'motion', role: 'group', 'aria-label': words.handles.centre },
-        make('span', {}, words.handles.centre),
+        { class: 'motion', role: 'group', 'aria-label': panelWords.handles.centre },
+        make('span', {}, panelWords.handles.centre),
         makeCoordinates(this.#centre),
       ),
       this.#motion(
-        words.handles.moveBy,
+        panelWords.handles.moveBy,
         () => ({ kind: 'move', by: this.#by.map((input) => input.valueAsNumber) as Vec3 }),
         makeCoordinates(this.#by),
       ),
       this.#motion(
-        words.handles.rotate,
+        panelWords.handles.rotate,
         () => ({ kind: 'rotate', axis: this.#axis.value as Axis, degrees: this.#degrees.valueAsNumber }),
         make('div', { class: 'pair' }, this.#axis, this.#degrees),
       ),
-      this.#motion(words.handles.scale, () => ({ kind: 'scale', factor: this.#factor.valueAsNumber }), this.#factor),
+      this.#motion(
+        panelWords.handles.scale,
+        () => ({ kind: 'scale', factor: this.#factor.valueAsNumber }),
+        this.#factor,
+      ),
     );
     this.#softness = new Softness((traits) => events.handles.change(this.#selection, traits));
     this.element = make(
@@ -89,7 +94,7 @@ export class SelectionForm {
       { class: 'motion', 'aria-label': label },
       make('span', {}, label),
       fields,
-      make('button', {}, words.handles.apply),
+      make('button', {}, panelWords.handles.apply),
     );
     form.addEventListener('submit', (event) => {
       event.preventDefault();

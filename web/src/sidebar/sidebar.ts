@@ -4,9 +4,10 @@ import type { Comparison, Run } from '../compare/run';
 import { ComparisonPlace } from '../comparison/place';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
-import { make, makeButton } from '../elements/dom';
+import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
+import { lazy } from '../lazy';
 import type { Tables } from '../net/tables';
 import { Legend } from '../overlay/legend';
 import { Messages } from '../overlay/messages';
@@ -19,7 +20,7 @@ import type { Action, Panel, PanelEvents, Panels } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { ExperimentsPlace } from './experiments_place';
 import { makeLanguageChoice } from './language_choice';
-import { createSections } from './sections';
+import { createSections, type SidebarServices } from './sections';
 import { StatusRow } from './status_row';
 import type { Wireframe } from './thumbnail';
 import { messageOf } from '../failure';
@@ -28,6 +29,15 @@ import './sidebar.css';
 
 /** Interval between updates of numbers, in milliseconds: faster ones cannot be read. */
 const REFRESH_MS = 120;
+/** How long after the first net the other sections are loaded: its picture comes first. */
+const LATE_MS = 300;
+
+const CHEVRONS = 'M3.5 3.5 8 8l-4.5 4.5M8.5 3.5 13 8l-4.5 4.5';
+
+const loadLateSections = lazy(() => import('./late_sections'));
+
+/** Those methods of panels that tell them something. */
+type Update = Exclude<keyof Panel, 'element'>;
 
 export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
   return new Sidebar(root, events);
@@ -36,18 +46,34 @@ export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
 class Sidebar implements Panels {
   readonly #messages = new Messages();
   readonly #fold = makeButton(words.page.controls, () => this.#unfold(!this.#sections.classList.contains('open')));
+  readonly #narrow = makeButton(
+    makeIcon(CHEVRONS),
+    () => this.#setNarrow(!this.#element.classList.contains('narrow')),
+    {
+      class: 'plain narrow-button',
+      'aria-label': words.page.hideControls,
+      title: words.page.hideControls,
+      'aria-pressed': 'false',
+    },
+  );
+  readonly #element: HTMLElement;
   readonly #sections: HTMLElement;
   /** All panels, which get every update. */
-  readonly #panels: readonly Panel[];
+  readonly #panels: Panel[];
+  /** The last update of each kind, for panels that come later. */
+  readonly #told = new Map<Update, unknown[]>();
+  readonly #services: SidebarServices;
+  readonly #experiments: ExperimentsPlace;
+  #lateAreWanted = false;
   #pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
   #timer = 0;
 
   constructor(root: HTMLElement, events: PanelEvents) {
     const failed = (error: unknown): void => this.say(messageOf(error), 'error');
-    const experiments = new ExperimentsPlace(events, failed);
+    this.#experiments = new ExperimentsPlace(events, failed);
     const toolbar = new Toolbar(events);
     const over: Panel[] = [
-      new Title(experiments.note),
+      new Title(this.#experiments.note),
       toolbar,
       new Legend(events),
       new SelectionBar(events),
@@ -56,70 +82,74 @@ class Sidebar implements Panels {
       new OpeningNotice(() => events.cancelOpening()),
     ];
     const results = new ComparisonPlace(events, failed);
-    const status = new StatusRow(events, this.#fold);
-    const services = {
+    const status = new StatusRow(events, [this.#narrow, this.#fold]);
+    this.#services = {
       events,
       failed,
       say: (message: string) => this.say(message, 'info'),
       fold: () => this.#unfold(false),
     };
-    const sections = createSections(services, experiments);
-    this.#panels = [...over, results, status, ...sections];
+    const sections = createSections(this.#services);
+    this.#panels = [...over, results, status, ...sections, this.#experiments];
 
     this.#sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
     this.#fold.classList.add('fold');
     this.#fold.setAttribute('aria-controls', this.#sections.id);
     this.#unfold(false);
+    this.#sections.addEventListener('click', (event) => bringIntoSight(event.target));
+    this.#element = make(
+      'aside',
+      { class: 'sidebar', 'aria-label': words.page.controls },
+      status.element,
+      this.#sections,
+      makeLanguageChoice((language) => events.chooseLanguage(language)),
+    );
     root.append(
       make('section', { class: 'over', 'aria-label': words.page.over }, ...elementsOf(over), ...toolbar.menus),
       results.element,
-      make(
-        'aside',
-        { class: 'sidebar', 'aria-label': words.page.controls },
-        status.element,
-        this.#sections,
-        makeLanguageChoice((language) => events.chooseLanguage(language)),
-      ),
+      this.#element,
     );
   }
 
   setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    for (const panel of this.#panels) panel.setTables?.(tables, thumbnail);
+    this.#tell('setTables', tables, thumbnail);
   }
 
   setDocument(document: ChebnetDocument, choice: Choice): void {
-    for (const panel of this.#panels) panel.setDocument?.(document, choice);
+    this.#tell('setDocument', document, choice);
     this.setHandles(document.handles, choice);
   }
 
   setHistory(history: HistoryView): void {
-    for (const panel of this.#panels) panel.setHistory?.(history);
+    this.#tell('setHistory', history);
   }
 
   setNet(net: OpenedNet): void {
-    for (const panel of this.#panels) panel.setNet?.(net);
+    this.#tell('setNet', net);
+    if (!this.#lateAreWanted) setTimeout(() => this.#addLateSections().catch(this.#services.failed), LATE_MS);
+    this.#lateAreWanted = true;
   }
 
   setOpening(isUnderWay: boolean, canCancel: boolean): void {
-    for (const panel of this.#panels) panel.setOpening?.(isUnderWay, canCancel);
+    this.#tell('setOpening', isUnderWay, canCancel);
   }
 
   setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
-    for (const panel of this.#panels) panel.onFrame?.(frame);
+    this.#tell('onFrame', frame);
     this.#pending = { frame, framesPerSecond, solving };
     if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), REFRESH_MS);
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {
-    for (const panel of this.#panels) panel.setHandles?.(handles, choice);
+    this.#tell('setHandles', handles, choice);
   }
 
   setComparison(comparison: Comparison): void {
-    for (const panel of this.#panels) panel.setComparison?.(comparison);
+    this.#tell('setComparison', comparison);
   }
 
   setRuns(run: Run | null, beside: readonly Run[]): void {
-    for (const panel of this.#panels) panel.setRuns?.(run, beside);
+    this.#tell('setRuns', run, beside);
   }
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
@@ -133,13 +163,42 @@ class Sidebar implements Panels {
   #refresh(): void {
     this.#timer = 0;
     const { frame, framesPerSecond, solving } = this.#pending!;
-    for (const panel of this.#panels) panel.setFrame?.(frame, framesPerSecond, solving);
+    this.#tell('setFrame', frame, framesPerSecond, solving);
+  }
+
+  #tell<Name extends Update>(name: Name, ...news: Parameters<NonNullable<Panel[Name]>>): void {
+    this.#told.set(name, news);
+    for (const panel of this.#panels) tell(panel, name, news);
+  }
+
+  async #addLateSections(): Promise<void> {
+    const { createLateSections } = await loadLateSections();
+    const { panels, elements } = createLateSections(this.#services, this.#experiments.element);
+    for (const [name, news] of this.#told) for (const panel of panels) tell(panel, name, news);
+    this.#panels.push(...panels);
+    this.#sections.append(...elements);
+  }
+
+  #setNarrow(narrow: boolean): void {
+    this.#element.classList.toggle('narrow', narrow);
+    this.#narrow.setAttribute('aria-pressed', String(narrow));
   }
 
   #unfold(open: boolean): void {
     this.#sections.classList.toggle('open', open);
     this.#fold.setAttribute('aria-expanded', String(open));
   }
+}
+
+/** A section that was opened at the lower end of the sidebar would be out of sight. */
+function bringIntoSight(clicked: EventTarget | null): void {
+  const section = (clicked as Element).closest('summary')?.parentElement as HTMLDetailsElement | null | undefined;
+  // It is unfolded after this event.
+  requestAnimationFrame(() => section?.open && section.scrollIntoView({ block: 'nearest' }));
+}
+
+function tell(panel: Panel, name: Update, news: unknown[]): void {
+  (panel[name] as ((...news: unknown[]) => void) | undefined)?.apply(panel, news);
 }
 
 function elementsOf(panels: readonly Panel[]): HTMLElement[] {

@@ -1,6 +1,6 @@
 /** Whether handles are soft, and how hard they pull then. */
 import type { HandleTraits } from '../handles/commands';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeSwitch, setText, setValue } from '../elements/dom';
 import { small } from '../language/numbers';
 
@@ -15,13 +15,13 @@ export class Softness {
   readonly #weightRow = make(
     'label',
     { class: 'slider' },
-    make('span', {}, words.handles.weight),
+    make('span', {}, panelWords.handles.weight),
     this.#weight,
     this.#value,
   );
 
   constructor(change: (traits: HandleTraits) => void) {
-    this.#soft = makeSwitch(words.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));
+    this.#soft = makeSwitch(panelWords.handles.soft, (on) => change({ weight: on ? WEIGHTS.usual : undefined }));
     this.#weight.addEventListener('input', () => setText(this.#value, small(this.#chosen())));
     this.#weight.addEventListener('change', () => change({ weight: this.#chosen() }));
     this.rows = [this.#soft.row, this.#weightRow];

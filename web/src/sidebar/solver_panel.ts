@@ -3,6 +3,7 @@ import type { OptionInfo } from '../../../wasm/chebnet';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, makeSwitch, setValue } from '../elements/dom';
 import type { FrameData } from '../worker/protocol';
@@ -33,25 +34,25 @@ export class SolverPanel implements Panel {
   constructor(events: PanelEvents) {
     this.#events = events;
     this.#buttons = {
-      cancel: makeButton(words.solver.cancel, () => events.cancel(), { disabled: true }),
-      undo: makeButton(words.solver.undo, () => events.undo(), { disabled: true }),
+      cancel: makeButton(panelWords.solver.cancel, () => events.cancel(), { disabled: true }),
+      undo: makeButton(panelWords.solver.undo, () => events.undo(), { disabled: true }),
     };
-    this.#defaults = makeButton(words.solver.defaults, () => this.#set({}), { class: 'plain link' });
+    this.#defaults = makeButton(panelWords.solver.defaults, () => this.#set({}), { class: 'plain link' });
     this.element = makeSection(
       words.sections.solver,
       false,
       make(
         'div',
         { class: 'buttons' },
-        makeButton(words.solver.solve, () => events.solve(), { title: words.solver.solveHint }),
+        makeButton(panelWords.solver.solve, () => events.solve(), { title: panelWords.solver.solveHint }),
         this.#buttons.cancel,
-        makeButton(words.solver.reset, () => events.reset()),
+        makeButton(panelWords.solver.reset, () => events.reset()),
         this.#buttons.undo,
       ),
       ...this.#method.content,
       ...this.#initialisation.content,
       this.#usual,
-      make('details', { class: 'more' }, make('summary', {}, words.solver.more), this.#seldom),
+      make('details', { class: 'more' }, make('summary', {}, panelWords.solver.more), this.#seldom),
       this.#defaults,
     );
   }

@@ -10,14 +10,14 @@ export class StatusRow implements Panel {
   readonly #light = make('i', { class: 'light', 'data-status': 'running' });
   readonly #status = make('span', { class: 'status-words' }, words.status.loading);
 
-  /** @param fold unfolds the sections on a phone, where this row is all that is seen of them at first. */
-  constructor(events: PanelEvents, fold: HTMLElement) {
+  /** @param folds buttons that show and hide the sections: on a phone this row is all that is seen of them at first. */
+  constructor(events: PanelEvents, folds: readonly HTMLElement[]) {
     const keys = makeButton('?', () => events.showKeys(), {
       class: 'keys-button',
       'aria-label': words.keys.title,
       title: words.keys.hint,
     });
-    this.element = make('div', { class: 'status' }, this.#light, this.#status, keys, fold);
+    this.element = make('div', { class: 'status' }, this.#light, this.#status, keys, ...folds);
   }
 
   setFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {

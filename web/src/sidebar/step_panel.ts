@@ -2,13 +2,13 @@
 import type { TraceRow } from '../../../wasm/chebnet';
 import { longestMove } from '../document/longest_move';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, makeButton, makeSection, makeSwitch, setText } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
 import { count, NOTHING, small } from '../language/numbers';
-import { stageWords } from './status';
 
-const LABELS = words.step.numbers;
+const LABELS = panelWords.step.numbers;
 
 type Cells = Record<keyof typeof LABELS, HTMLElement>;
 
@@ -25,8 +25,8 @@ export class StepPanel implements Panel {
   /** @param say tells a visitor who steps that another stage began. */
   constructor(events: PanelEvents, say: (stage: string) => void) {
     this.#say = say;
-    const { row } = makeSwitch(words.step.arrows, (on) => events.setStepArrows(on));
-    row.title = words.step.arrowsHint;
+    const { row } = makeSwitch(panelWords.step.arrows, (on) => events.setStepArrows(on));
+    row.title = panelWords.step.arrowsHint;
     const numbers = make('dl', { class: 'numbers' });
     const cell = (label: string) => {
       const value = make('dd', {}, NOTHING);
@@ -34,7 +34,7 @@ export class StepPanel implements Panel {
       return value;
     };
     this.#cells = Object.fromEntries(Object.entries(LABELS).map(([key, label]) => [key, cell(label)])) as Cells;
-    const step = makeButton(words.step.step, () => events.step(), { title: words.step.stepHint });
+    const step = makeButton(panelWords.step.step, () => events.step(), { title: panelWords.step.stepHint });
     const buttons = make('div', { class: 'buttons' }, step);
     this.element = makeSection(words.sections.step, false, buttons, row, this.#stage, numbers);
   }
@@ -57,10 +57,15 @@ export class StepPanel implements Panel {
 
   setFrame(): void {
     const [row, move, cells] = [this.#row, this.#move, this.#cells];
-    setText(this.#stage, row ? stageWords(row) : words.step.idle);
+    setText(this.#stage, row ? stageWords(row) : panelWords.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);
     setText(cells.energy, row ? small(row.energy) : NOTHING);
     setText(cells.step, row ? small(row.step) : NOTHING);
     setText(cells.move, move === null ? NOTHING : small(move));
   }
+}
+
+/** Which stage an iteration belongs to and what is done there. */
+export function stageWords({ stage, p, freeVertices }: TraceRow): string {
+  return panelWords.step.stage(stage, p > 0 ? p : null, count(freeVertices));
 }

@@ -1,7 +1,7 @@
 /** Whether handles are edited on both sides of a plane, and of which. */
 import type { Symmetry } from '../document/document';
 import { AXES } from '../handles/transform';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { makeSelect, setValue } from '../elements/dom';
 
 const OFF = 'off';
@@ -14,15 +14,15 @@ export class SymmetryChoice {
 
   constructor(chosen: (symmetry: Symmetry | undefined) => void) {
     this.#chosen = chosen;
-    const axes = AXES.map((axis) => ({ value: axis, text: words.symmetry.across(axis) }));
-    this.#axis = makeSelect(words.symmetry.label, [{ value: OFF, text: words.symmetry.off }, ...axes], () =>
+    const axes = AXES.map((axis) => ({ value: axis, text: panelWords.symmetry.across(axis) }));
+    this.#axis = makeSelect(panelWords.symmetry.label, [{ value: OFF, text: panelWords.symmetry.off }, ...axes], () =>
       this.#choose(),
     );
     this.#through = makeSelect(
-      words.symmetry.through,
+      panelWords.symmetry.through,
       [
-        { value: 'centre', text: words.symmetry.centre },
-        { value: 'origin', text: words.symmetry.origin },
+        { value: 'centre', text: panelWords.symmetry.centre },
+        { value: 'origin', text: panelWords.symmetry.origin },
       ],
       () => this.#choose(),
     );

@@ -1,5 +1,5 @@
 /** The camera and its motion: three's OrbitControls, and animations to a given place. */
-import { PerspectiveCamera } from 'three';
+import { PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Stand } from './camera_fit';
 
@@ -64,6 +64,17 @@ export class CameraRig {
     if (this.#calm) this.standAt(to);
     else this.#glide = { from: this.stand, to, start: performance.now() };
     this.#changed();
+  }
+
+  /** Shifts the picture, so that this point of the scene is so many pixels further right and down. */
+  glideBy(right: number, down: number, point: Vector3, height: number): void {
+    const { camera } = this;
+    const depth = -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360) * depth) / height;
+    const shift = new Vector3(-right * pixel, down * pixel, 0).applyQuaternion(camera.quaternion);
+    const { position, target } = this.stand;
+    this.framed = false;
+    this.glideTo({ position: position.add(shift), target: target.add(shift) });
   }
 
   resize(width: number, height: number): void {

@@ -35,6 +35,9 @@ type Appearance = Omit<ViewState, 'camera'>;
 
 /** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
+/** The share of its margins that title and tools do cover. */
+const COVERED = 0.6;
+
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
   return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics);
@@ -312,15 +315,40 @@ class SceneView implements View {
   }
 
   #noteFirstDrag(events: ViewEvents): DragEvents {
+    let leading: number | undefined;
     return {
       dragStart: () => {
+        leading = this.#report.vertices[0];
         this.#firstVisit = false;
         endFirstVisit();
         events.dragStart();
       },
       dragMove: (targets) => events.dragMove(targets),
-      dragEnd: (cancelled) => events.dragEnd(cancelled),
+      dragEnd: (cancelled) => {
+        events.dragEnd(cancelled);
+        if (!cancelled && leading !== undefined) this.#keepInReach(leading);
+      },
     };
+  }
+
+  /** The view follows a handle that was dragged under the title or the tools, where it could not be taken again. */
+  #keepInReach(vertex: number): void {
+    const point = this.#markers.point(vertex);
+    if (!point) return;
+    const { x, y } = this.#place(point);
+    const { x: width, y: height } = this.#size;
+    const { top, right, bottom, left } = this.#margins();
+    const within = (at: number, low: number, high: number) => Math.max(low, Math.min(at, high));
+    const isFree =
+      x === within(x, COVERED * left * width, (1 - COVERED * right) * width) &&
+      y === within(y, COVERED * top * height, (1 - COVERED * bottom) * height);
+    if (isFree) return;
+    this.#rig.glideBy(
+      within(x, left * width, (1 - right) * width) - x,
+      within(y, top * height, (1 - bottom) * height) - y,
+      point,
+      height,
+    );
   }
 
   #carry(motion: Matrix4): void {

@@ -1,0 +1,51 @@
+/** The sections of the sidebar that come after the first picture, in the order of what people do. */
+import { ComparisonForm } from '../comparison/form';
+import { makeSection } from '../elements/dom';
+import { panelWords } from '../language/panels';
+import type { Panel } from '../panels';
+import { Appearance } from './appearance';
+import { ConvergencePanel } from './convergence_panel';
+import { DragPanel } from './drag_panel';
+import { HandleList } from './handle_list';
+import { HistoryPanel } from './history_panel';
+import { LearnPanel } from './learn_panel';
+import type { SidebarServices } from './sections';
+import { SolverPanel } from './solver_panel';
+import { StepPanel } from './step_panel';
+
+export interface LateSections {
+  panels: Panel[];
+  /** From top to bottom. */
+  elements: HTMLElement[];
+}
+
+/** @param experiments exists already, since its note is placed elsewhere. */
+export function createLateSections(
+  { events, say, failed, fold }: SidebarServices,
+  experiments: HTMLElement,
+): LateSections {
+  const comparison = new ComparisonForm((request) => {
+    fold();
+    events.compare(request);
+  });
+  const usual = [
+    new HandleList(events),
+    new DragPanel(events.handles),
+    new Appearance(events),
+    new HistoryPanel((index) => events.goTo(index)),
+    new LearnPanel(events, failed),
+  ];
+  const [convergence, solver, step] = [new ConvergencePanel(), new SolverPanel(events), new StepPanel(events, say)];
+  const research = makeSection(
+    panelWords.research,
+    false,
+    ...[convergence, solver, step].map(({ element }) => element),
+    experiments,
+    comparison.element,
+  );
+  research.classList.add('group');
+  return {
+    panels: [...usual, convergence, solver, step, comparison],
+    elements: [...usual.map(({ element }) => element), research],
+  };
+}
