@@ -462,7 +462,7 @@ export interface Surface {
   /** Where a ray first meets the surface, from either side. */
   hit(origin: Readonly<Point>, direction: Readonly<Point>): SurfacePlace | null;
   /** A beginning in the middle, with the length that gives about so many cells. */
-  suggest(cells: number): Pick<Required<DrapeOptions>, 'seed' | 'direction' | 'length'>;
+  suggest(cells: number): { seed: Point; direction: Point; length: number };
   drape(options: DrapeOptions): Drape;
   measure(net: Mesh): DrapeReport;
   /** Frees the memory on the other side; the surface must not be used again. */

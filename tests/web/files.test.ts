@@ -1,7 +1,7 @@
 /** Files on their way in and out, without a page. */
 import { describe, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
-import type { NetSource } from '../../web/src/document/document';
+import type { HandleSeed, NetSource } from '../../web/src/document/document';
 import type { Subject } from '../../web/src/equalize/subject';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
@@ -11,7 +11,13 @@ import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
 import { FileImporter } from '../../web/src/files/file_importer';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
-import type { EqualizerLike, FileChoice, FileDialogLike } from '../../web/src/dialogs/file_opener';
+import type {
+  DraperLike,
+  EqualizerLike,
+  FileChoice,
+  FileDialogLike,
+  TakenNet,
+} from '../../web/src/dialogs/file_opener';
 import { objText } from '../../web/src/document/obj_text';
 import { acceptOf } from '../../web/src/files/pick_file';
 import { en } from '../../web/src/language/en';
@@ -29,6 +35,9 @@ const core = await load();
 const meshOf = (text: string): Mesh => core.readMesh(new TextEncoder().encode(text), 'net.obj');
 
 const SQUARES = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n';
+const TRIANGLES = `${SQUARES.split('f')[0]}f 1 2 3\nf 1 3 4\n`;
+/** A Möbius strip. */
+const ONE_SIDED = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 const OBLONG = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
 const DOUBLE_FACE = `${SQUARES}v 7 7 7\nf 4 3 2 1\n`;
 const TURNED_FACE = SQUARES.replace('f 2 5 6 3', 'f 3 6 5 2');
@@ -156,8 +165,11 @@ const AS_IT_IS: FileChoice = { repaired: false, restLengths: 'automatic' };
 function makeOpener(
   answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS),
   equalized: (subject: Subject, closed: Promise<null>) => Promise<Mesh | null> = () => Promise.resolve(null),
+  draped: (surface: { name: string; mesh: Mesh }, closed: Promise<null>) => Promise<TakenNet | null> = () =>
+    Promise.resolve(null),
 ) {
   const [workers, dialogs, opened]: [LocalWorker[], FakeDialog[], NetSource[]] = [[], [], []];
+  const held: HandleSeed[] = [];
   const createEqualizer = (subject: Subject): EqualizerLike => {
     let close = (): void => {};
     const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
@@ -167,12 +179,21 @@ function makeOpener(
     spawnWorker: () => workers[workers.push(new LocalWorker()) - 1]!,
     createDialog: (name) => dialogs[dialogs.push(new FakeDialog(name, answer)) - 1]!,
     createEqualizer,
-    open: async (net) => void opened.push(net),
+    createDraper: (surface): DraperLike => {
+      let close = (): void => {};
+      const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
+      return { result: draped(surface, closed), close };
+    },
+    open: async (net, handles) => {
+      opened.push(net);
+      held.push(...handles);
+    },
   });
   return {
     workers,
     dialogs,
     opened,
+    held,
     open: (text: string, name = 'net.obj') => opener.open(new File([text], name)),
     opener,
   };
@@ -198,6 +219,7 @@ describe('a file', () => {
       isChebyshev: true,
       findings: [],
       refusal: null,
+      surface: null,
     });
     expect(opened).toEqual([{ mesh: meshOf(SQUARES), name: 'net.obj', restLengths: 'automatic' }]);
     expect(workers[0]?.terminated).toBe(true);
@@ -230,6 +252,31 @@ describe('a file', () => {
       ['net.obj', 4, []],
     ]);
     expect(opened).toEqual([{ mesh: meshOf(SQUARES), name: 'net.obj' }]);
+  });
+
+  test('of triangles is told about as a surface, and a net made on it is opened with its handles', async () => {
+    const surfaces: string[] = [];
+    const handles = [{ vertex: 1, target: null, anchor: false }];
+    const answers: FileChoice[] = [
+      { repaired: true, restLengths: 'draped' },
+      { repaired: false, restLengths: 'draped' },
+    ];
+    const net = { mesh: meshOf(SQUARES), name: 'net-net.obj' };
+    const { open, opened, held, dialogs } = makeOpener(
+      () => Promise.resolve(answers.shift()!),
+      undefined,
+      ({ name }) => Promise.resolve(surfaces.push(name) === 1 ? null : { net, handles }),
+    );
+    await open(TRIANGLES);
+    expect(dialogs[0]?.report?.surface).toMatchObject({ triangles: 2, prospect: 'one_piece' });
+    expect(surfaces).toEqual(['net.obj', 'net.obj']);
+    expect([opened, held]).toEqual([[net], handles]);
+  });
+
+  test('that cannot be a surface says why', async () => {
+    const { open, dialogs } = makeOpener();
+    await open(ONE_SIDED);
+    expect(dialogs[0]?.report?.surface).toMatchObject({ code: 'non_manifold_edge' });
   });
 
   test('whose dialog is closed is not equalised any more', async () => {

@@ -13,7 +13,7 @@ const PAGE = [
   // What any of them may lean on.
   ...['failure.ts', 'net', 'language', 'fields', 'lazy.ts', 'elements', 'document'],
   // What is done with a net.
-  ...['worker', 'files', 'equalize', 'handles', 'offline', 'view', 'export', 'compare', 'experiments'],
+  ...['worker', 'files', 'equalize', 'handles', 'offline', 'view', 'drape', 'export', 'compare', 'experiments'],
   // The controls: their contract with the page, and where they stand.
   ...['panels.ts', 'overlay', 'dialogs', 'comparison', 'sidebar'],
   // The page.

@@ -36,6 +36,7 @@ const services: AppServices = {
   saveProject,
   restoreLast: () => attempt(() => projects.restoreLast()),
   equalize: () => attempt(async () => (await openers()).equalizeNet()),
+  drape: () => attempt(async () => (await openers()).drapeNet()),
   share: () => attempt(share),
   save: (request) => attempt(() => saveAs(request)),
   record: () => attempt(record),

@@ -24,6 +24,7 @@ export interface PanelEvents {
   showLesson(lesson: Lesson): void;
   /** Give all edges of the net that is open one length. */
   equalize(): void;
+  drape(): void;
   /** Open the default net in place of the present one. */
   newNet(): void;
   saveProject(): void;

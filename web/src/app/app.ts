@@ -37,6 +37,7 @@ export type AppServices = Pick<
   | 'saveProject'
   | 'restoreLast'
   | 'equalize'
+  | 'drape'
   | 'share'
   | 'save'
   | 'record'

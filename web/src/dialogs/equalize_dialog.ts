@@ -18,6 +18,7 @@ import { EqualizeResults } from './equalize_results';
 import { small } from '../language/numbers';
 import { messageOf } from '../failure';
 import './dialog.css';
+import './pictured.css';
 import './equalize_dialog.css';
 
 const TEXT = dialogWords.equalize;
@@ -76,7 +77,7 @@ export class EqualizeDialog implements EqualizerLike {
     );
     this.#dialog = make(
       'dialog',
-      { class: 'file equalize', 'aria-labelledby': heading.id },
+      { class: 'file pictured equalize', 'aria-labelledby': heading.id },
       heading,
       make('div', { class: 'body' }, figure, side),
       this.#buttons,

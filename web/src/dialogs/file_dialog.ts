@@ -1,12 +1,15 @@
 /** The dialog of a file: progress of reading, then its contents and defects, and options for opening it. Escape or Cancel
  *  ends it at any time before the net is opened. */
+import type { SurfaceReport } from '../../../wasm/chebnet';
 import { READ_STEPS } from '../files/file_protocol';
 import type { ReadStep } from '../files/file_protocol';
+import { isMostlyTriangles } from '../files/file_report';
 import type { FileReport } from '../files/file_report';
 import type { FileChoice, FileDialogLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
+import { prospectWords } from './drape_results';
 import { faceWords, largestDifference, lengthWords, percentWords, singularWords } from './file_words';
 import { count } from '../language/numbers';
 import './dialog.css';
@@ -22,6 +25,7 @@ export class FileDialog implements FileDialogLike {
   readonly #body = make('div', { class: 'body' }, this.#progressRow);
   readonly #buttons = make('div', { class: 'buttons' }, this.#cancel);
   #lengths: LengthChoice | null = null;
+  #kind: KindChoice | null = null;
 
   constructor(root: HTMLElement, name: string) {
     const heading = make('h2', { id: 'file-title' }, name);
@@ -42,14 +46,23 @@ export class FileDialog implements FileDialogLike {
     return new Promise((choose) => {
       if (!report.isChebyshev) this.#lengths ??= new LengthChoice(report);
       const lengths = this.#lengths;
-      this.#body.replaceChildren(makeFacts(report));
+      if (report.surface !== null) this.#kind ??= new KindChoice(report, report.surface);
+      const kind = this.#kind;
+      const facts = make('div');
+      this.#body.replaceChildren(...(kind ? [kind.element] : []), facts);
       if (report.findings.length > 0) this.#body.append(makeDefects(report));
       if (lengths) this.#body.append(lengths.element);
-      const open = (repaired: boolean): void => choose({ repaired, restLengths: lengths?.chosen ?? 'automatic' });
+      const chosen = (): FileChoice['restLengths'] => (kind?.isSurface ? 'draped' : (lengths?.chosen ?? 'automatic'));
+      const open = (repaired: boolean): void => choose({ repaired, restLengths: chosen() });
       const [first, ...others] = openButtons(report, open);
       this.#buttons.replaceChildren(first, ...others, this.#cancel);
-      if (lengths) lengths.changed = () => setOpenWords(report, [first, ...others], lengths.chosen === 'equalized');
-      lengths?.changed();
+      const changed = (): void => {
+        facts.replaceChildren(kind?.surface ? makeSurfaceFacts(kind.surface) : makeFacts(report));
+        if (lengths) lengths.element.hidden = kind?.isSurface ?? false;
+        setOpenWords(report, [first, ...others], chosen());
+      };
+      for (const choice of [lengths, kind]) if (choice) choice.changed = changed;
+      changed();
       first.focus();
     });
   }
@@ -59,10 +72,23 @@ export class FileDialog implements FileDialogLike {
   }
 }
 
+function makeSurfaceFacts({ triangles, components, boundaryLoops, genus, area, smoothedCurvature }: SurfaceReport) {
+  const terms = dialogWords.file.facts;
+  const inPi = (radians: number): string => `${(radians / Math.PI).toFixed(1)}\u00a0π`;
+  return makeList([
+    [terms.triangles, count(triangles)],
+    [terms.pieces, count(components)],
+    [terms.boundaryLoops, count(boundaryLoops)],
+    [terms.genus, count(genus)],
+    [terms.area, lengthWords(area)],
+    [terms.curvature, terms.bothSigns(inPi(smoothedCurvature.positive), inPi(-smoothedCurvature.negative))],
+  ]);
+}
+
 function makeFacts(report: FileReport): HTMLElement {
   const { vertices, edges, boundaryLoops, components, singularVertices } = report;
   const terms = dialogWords.file.facts;
-  const facts: [string, string][] = [
+  return makeList([
     [terms.vertices, count(vertices)],
     [terms.edges, count(edges)],
     [terms.faces, faceWords(report)],
@@ -73,7 +99,10 @@ function makeFacts(report: FileReport): HTMLElement {
     [terms.mean, lengthWords(report.meanLength)],
     [terms.longest, lengthWords(report.longestLength)],
     [terms.deviation, percentWords(largestDifference(report))],
-  ];
+  ]);
+}
+
+function makeList(facts: [string, string][]): HTMLElement {
   return make(
     'dl',
     { class: 'facts' },
@@ -109,11 +138,54 @@ function openButtons(
   return refusal === null ? [repair, makeButton(dialogWords.file.asItIs, () => open(false))] : [repair];
 }
 
-function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], equalize: boolean): void {
-  const { open, repairAndOpen, openAsItIs } = dialogWords.equalize;
-  const sound = [equalize ? open : dialogWords.file.open];
-  const broken = equalize ? [repairAndOpen, openAsItIs] : [dialogWords.file.repair, dialogWords.file.asItIs];
-  buttons.forEach((button, i) => setText(button, (findings.length === 0 ? sound : broken)[i] ?? ''));
+function setOpenWords({ findings }: FileReport, buttons: HTMLElement[], chosen: FileChoice['restLengths']): void {
+  const { file, equalize } = dialogWords;
+  const [sound, ...broken] =
+    chosen === 'draped'
+      ? [file.drape, file.repairAndDrape, file.drapeAsItIs]
+      : chosen === 'equalized'
+        ? [equalize.open, equalize.repairAndOpen, equalize.openAsItIs]
+        : [file.open, file.repair, file.asItIs];
+  buttons.forEach((button, i) => setText(button, (findings.length === 0 ? [sound] : broken)[i] ?? ''));
+}
+
+/** Whether the mesh is a net, or a surface to make one on. */
+class KindChoice {
+  readonly element: HTMLElement;
+  isSurface: boolean;
+  changed: () => void = () => {};
+
+  readonly #surface: SurfaceReport | null;
+
+  /** Null: it is a net. */
+  get surface(): SurfaceReport | null {
+    return this.isSurface ? this.#surface : null;
+  }
+
+  constructor(report: FileReport, surface: NonNullable<FileReport['surface']>) {
+    const { kind, net, surface: asSurface } = dialogWords.file;
+    const isOne = !('code' in surface);
+    this.#surface = isOne ? surface : null;
+    this.isSurface = isOne && isMostlyTriangles(report);
+    const hint = isOne ? prospectWords(surface) : asSurface.notOne(words.core.failure(surface.code, surface.message));
+    this.element = make(
+      'fieldset',
+      { class: 'lengths kind' },
+      make('legend', {}, kind),
+      this.#row(false, net.text, net.hint, true),
+      this.#row(true, asSurface.text, hint, isOne),
+    );
+  }
+
+  #row(isSurface: boolean, text: string, hint: string, enabled: boolean): HTMLElement {
+    const checked = isSurface === this.isSurface;
+    const radio = make('input', { type: 'radio', name: 'file-kind', checked, disabled: !enabled });
+    radio.addEventListener('change', () => {
+      this.isSurface = isSurface;
+      this.changed();
+    });
+    return make('label', {}, radio, make('span', {}, text, make('small', {}, hint)));
+  }
 }
 
 const LENGTH_CHOICES: readonly {

@@ -1,6 +1,6 @@
 /** Opens nets from files: reads one in a worker, asks the user how to open it, and passes it on. */
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
-import type { NetSource } from '../document/document';
+import type { HandleSeed, NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
@@ -16,8 +16,8 @@ export const LARGEST_FILE = 100e6;
 /** How a user wants a file to be opened. */
 export interface FileChoice {
   repaired: boolean;
-  /** `equalized`: as a net near it whose edges have one length. */
-  restLengths: RestLengths | 'equalized';
+  /** `equalized`: as a net near it whose edges have one length; `draped`: as a surface, on which a net is laid. */
+  restLengths: RestLengths | 'equalized' | 'draped';
 }
 
 /** The dialog with progress and questions. */
@@ -37,11 +37,25 @@ export interface EqualizerLike {
   close(): void;
 }
 
+/** The dialog that lays a net on a surface. */
+export interface DraperLike {
+  /** The net that the user takes, or null. */
+  readonly result: Promise<TakenNet | null>;
+  close(): void;
+}
+
+/** A net that is taken, and handles to begin with. */
+export interface TakenNet {
+  net: NetSource;
+  handles: HandleSeed[];
+}
+
 export interface OpenerParts {
   spawnWorker(): FileWorkerLike;
   createDialog(name: string): FileDialogLike;
   createEqualizer(subject: Subject): EqualizerLike;
-  open(net: NetSource): Promise<void>;
+  createDraper(surface: { name: string; mesh: Mesh }): DraperLike;
+  open(net: NetSource, handles: HandleSeed[]): Promise<void>;
 }
 
 /** One file at a time: the next one takes the place of one that is still being read or asked about. */
@@ -64,25 +78,37 @@ export class FileOpener {
       (step) => dialog.setStep(step),
     );
     try {
-      const net = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
-      if (net === null) return;
+      const taken = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
+      if (taken === null) return;
       dialog.close();
-      await this.#parts.open(net);
+      await this.#parts.open(taken.net, taken.handles);
     } finally {
       reading.close();
       dialog.close();
     }
   }
 
-  async #readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<NetSource> {
+  async #readAndAsk(reading: FileReading, file: File, dialog: FileDialogLike): Promise<TakenNet> {
     const { name } = file;
     const report = await reading.report(file, name);
     for (;;) {
       const { repaired, restLengths } = await dialog.ask(report);
-      if (restLengths !== 'equalized') return { mesh: await reading.mesh(repaired), name, restLengths };
-      const mesh = await this.#equalized(name, await reading.net(repaired), dialog);
-      if (mesh !== null) return { mesh, name };
+      if (restLengths === 'draped') {
+        const taken = await this.#draped(name, await reading.mesh(repaired), dialog);
+        if (taken !== null) return taken;
+      } else if (restLengths === 'equalized') {
+        const mesh = await this.#equalized(name, await reading.net(repaired), dialog);
+        if (mesh !== null) return { net: { mesh, name }, handles: [] };
+      } else {
+        return { net: { mesh: await reading.mesh(repaired), name, restLengths }, handles: [] };
+      }
     }
+  }
+
+  #draped(name: string, mesh: Mesh, dialog: FileDialogLike): Promise<TakenNet | null> {
+    const draper = this.#parts.createDraper({ name, mesh });
+    void dialog.closed.then(() => draper.close());
+    return draper.result;
   }
 
   #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<Mesh | null> {

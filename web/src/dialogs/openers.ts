@@ -1,8 +1,11 @@
-/** The dialogs that open another net, from a file or by equalising. Loaded on demand. */
+/** The dialogs that open another net, from a file, by equalising or on a surface. Loaded on demand. */
 import type { FormatInfo } from '../../../wasm/chebnet';
-import type { NetSource, Scene } from '../document/document';
+import { freshScene } from '../document/defaults';
+import type { HandleSeed, NetSource, Scene } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
+import { DrapeDialog } from './drape_dialog';
+import type { GivenSurface } from './drape_dialog';
 import { EqualizeDialog } from './equalize_dialog';
 import { FileDialog } from './file_dialog';
 import { createView } from '../view/scene';
@@ -31,7 +34,8 @@ export class Openers {
       spawnWorker: () => new Worker(new URL('../files/file_worker.ts', import.meta.url), { type: 'module' }),
       createDialog: (name) => new FileDialog(root, name),
       createEqualizer: (subject) => this.#createEqualizer(subject),
-      open: (net) => app.openNet(net),
+      createDraper: (surface) => this.#createDraper(surface),
+      open: (net, handles) => this.#open(net, handles),
     });
   }
 
@@ -45,6 +49,26 @@ export class Openers {
     const { document, net } = this.#app.opening;
     const mesh = await this.#createEqualizer(subjectOfNet(document, net, formats)).result;
     if (mesh !== null) await this.#app.openScene(equalizedScene(document, mesh, formats));
+  }
+
+  /** On one of our own surfaces. */
+  async drapeNet(): Promise<void> {
+    const taken = await this.#createDraper(null).result;
+    if (taken !== null) await this.#open(taken.net, taken.handles);
+  }
+
+  async #open(net: NetSource, handles: HandleSeed[]): Promise<void> {
+    if (handles.length === 0) return this.#app.openNet(net);
+    const { document } = this.#app.opening ?? {};
+    const { camera: _, ...view } = document?.view ?? freshScene(net).view;
+    await this.#app.openScene({ ...freshScene(net), handles, view: { ...view, camera: null } });
+  }
+
+  #createDraper(given: GivenSurface | null): DrapeDialog {
+    return new DrapeDialog(this.#root, given, {
+      spawnWorker: () => new Worker(new URL('../drape/drape_worker.ts', import.meta.url), { type: 'module' }),
+      upAxis: this.#app.opening?.document.view.upAxis,
+    });
   }
 
   #createEqualizer(subject: Subject): EqualizeDialog {

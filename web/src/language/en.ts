@@ -198,6 +198,8 @@ export const en = {
   equalize: {
     command: 'Equalise…',
     commandHint: 'Turn this net into one near it whose edges all have one length',
+    drape: 'On a surface…',
+    drapeHint: 'Lay a net on a surface',
   },
   history: {
     open: (net: string) => `Open ${net}`,

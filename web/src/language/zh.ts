@@ -186,6 +186,8 @@ export const zh: Words = {
   equalize: {
     command: '均匀化边长…',
     commandHint: '把当前的网变成一个与它相近、所有边等长的网',
+    drape: '在曲面上…',
+    drapeHint: '在曲面上生成网',
   },
   history: {
     open: (net) => `打开${spaced(net)}`.trimEnd(),

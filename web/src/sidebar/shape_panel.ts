@@ -23,13 +23,14 @@ export class ShapePanel implements Panel {
     this.#gallery = new Gallery(this.#idle, open, () => events.pickFile());
     this.#parameters = new ShapeParameters(open);
     const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });
+    const drape = makeButton(words.equalize.drape, () => events.drape(), { title: words.equalize.drapeHint });
     this.element = makeSection(
       words.sections.shape,
       true,
       this.#gallery.element,
       this.#fileName,
       this.#parameters.element,
-      make('div', { class: 'buttons' }, equalize),
+      make('div', { class: 'buttons' }, equalize, drape),
     );
   }
 

@@ -1,4 +1,4 @@
-/** The dialogs that lead to another net, from a file or by equalising. */
+/** The dialogs that lead to another net, from a file, by equalising or on a surface. */
 
 export const dialogs = {
   file: {
@@ -20,6 +20,11 @@ export const dialogs = {
       mean: 'Mean length',
       longest: 'Longest edge',
       deviation: 'Largest deviation from the mean',
+      triangles: 'Triangles',
+      genus: 'Handles (genus)',
+      area: 'Area',
+      curvature: 'Total curvature, + and −',
+      bothSigns: (positive: string, negative: string) => `${positive}, ${negative}`,
     },
     polygons: (arity: number, number: number, count: string) => `${count} ${polygon(arity)}${number === 1 ? '' : 's'}`,
     faces: (count: string, kinds: string[]) => `${count}: ${kinds.join(', ')}`,
@@ -43,6 +48,60 @@ export const dialogs = {
     tooLarge: (name: string, megabytes: number, largest: number) =>
       `${name} has ${megabytes} MB; nets are opened up to ${largest} MB.`,
     notStarted: 'The file reader could not be started.',
+    kind: 'What is it?',
+    net: { text: 'A net', hint: 'It is opened and edited as it is.' },
+    surface: { text: 'A surface to make a net on', notOne: (reason: string) => `It cannot be one: ${reason}.` },
+    drape: 'Make a net on it…',
+    repairAndDrape: 'Repair and make a net on it…',
+    drapeAsItIs: 'Make a net on it as it is…',
+  },
+  drape: {
+    title: 'A net on a surface',
+    picture: 'The surface and the net on it; arrow keys move the seed',
+    howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
+    surface: 'Surface',
+    /** The core's own surfaces, by their names. */
+    own: {
+      shell: 'Free-form shell',
+      hypar: 'Hypar',
+      hemisphere: 'Hemisphere',
+      torso: 'Torso',
+      pebble: 'Pebble',
+    },
+    cells: 'Cells',
+    length: 'Edge length',
+    tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
+    direction: 'Direction',
+    angle: 'Angle',
+    beyond: 'Whole cells at the border',
+    showShear: 'Colours by shear, red at 60°',
+    prospects: {
+      one_piece: (_has: string) => 'One uncut piece will cover it.',
+      tight: (has: string) =>
+        `One uncut piece may cover it, with sharp corners: its total curvature is ${has}\u00a0π, and one net can take 2\u00a0π.`,
+      a_seam: (_has: string) => 'One piece goes round it and meets itself: expect a seam.',
+      too_curved: (has: string) =>
+        `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or a net on a part of it.`,
+    },
+    pieces: (sentence: string, pieces: number) =>
+      `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,
+    coverage: 'Covered',
+    meanDistance: 'Distance, mean',
+    largestDistance: 'Distance, largest',
+    lengths: (number: string) => `${number} edges`,
+    smallestAngle: 'Sharpest corner',
+    sheared: 'Cells sheared over 15°',
+    muchSheared: 'Cells sheared over 30°',
+    gaps: 'Gaps: too sharp, met itself',
+    refusals: (locked: string, met: string) => `${locked}, ${met} places`,
+    none: 'none',
+    size: 'Cells, vertices',
+    cellsAndVertices: (cells: string, vertices: string) => `${cells}, ${vertices}`,
+    rods: 'Rods, their length',
+    rodsOf: (rods: string, length: string) => `${rods}, ${length}`,
+    deviation: 'Largest dL',
+    take: 'Open this net',
+    cancel: 'Cancel',
   },
   equalize: {
     choice: 'Equalise: the nearest net with edges of equal length',

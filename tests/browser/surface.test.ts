@@ -1,0 +1,174 @@
+/** A net on the visitor's own surface: a mesh of triangles is dropped, told about, a net laid on it by hand, opened and edited. */
+import { join } from 'node:path';
+import { beforeEach, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { distance, dragBy, largestDeviation, largestError } from './geometry';
+import type { Script, Visit } from './page';
+import { OUTPUT, dropFile, visits } from './page';
+
+const chebnet = await load();
+
+/** Of one of our own surfaces, as somebody's file. */
+function surfaceFile(name: string): string {
+  const surface = chebnet.ownSurface(name);
+  const { positions, triangles } = surface;
+  surface.dispose();
+  const lines: string[] = [];
+  for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions.subarray(i, i + 3).join(' ')}`);
+  for (let i = 0; i < triangles.length; i += 3) {
+    const corners = triangles.subarray(i, i + 3).map((vertex) => vertex + 1);
+    lines.push(`f ${corners.join(' ')}`);
+  }
+  return lines.join('\n');
+}
+
+const { arrive } = visits();
+let visit: Visit;
+let script: Script;
+beforeEach(async () => {
+  visit = await arrive();
+  ({ script } = visit);
+});
+
+const dialog = (name: RegExp) => visit.page.getByRole('dialog', { name });
+const draper = () => dialog(/^A net on a surface$/);
+const press = (name: string) => draper().getByRole('button', { name, exact: true }).click();
+const results = () => draper().locator('.facts').innerText();
+const direction = () => draper().getByRole('slider', { name: 'Direction' });
+
+/** Waits for the report of the net that is shown. */
+async function measured() {
+  await expect.poll(() => draper().locator('.facts:not(.stale)').innerText()).toContain('Largest dL');
+}
+
+/** Where the seed and its knob are, by the ring around them. */
+function places() {
+  return visit.page.evaluate(() => {
+    const ring = document.querySelector('.seed-ring')!;
+    const box = ring.closest('svg')!.getBoundingClientRect();
+    const corners = ring
+      .getAttribute('d')!
+      .split('Z')[0]!
+      .slice(1)
+      .split('L')
+      .map((corner) => corner.split(' ').map(Number) as [number, number]);
+    const mean = (k: 0 | 1) => corners.reduce((sum, corner) => sum + corner[k], 0) / corners.length;
+    const [x, y] = corners[0]!;
+    return { seed: { x: box.x + mean(0), y: box.y + mean(1) }, knob: { x: box.x + x, y: box.y + y } };
+  });
+}
+
+async function drag(from: { x: number; y: number }, dx: number, dy: number) {
+  const { mouse } = visit.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  for (let step = 1; step <= 4; step++) await mouse.move(from.x + (step / 4) * dx, from.y + (step / 4) * dy);
+  await mouse.up();
+}
+
+test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, undone and saved', async () => {
+  const { vertices: first } = await script.stats();
+  await dropFile(visit.page, 'roof.obj', surfaceFile('shell'));
+  const file = dialog(/^roof\.obj$/);
+  await file.getByText('One uncut piece will cover it.').waitFor();
+  expect(await file.getByRole('radio', { name: /^A surface/ }).isChecked()).toBe(true);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-file.png') });
+  await file.getByRole('button', { name: 'Make a net on it…' }).click();
+  await measured();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-net.png') });
+  expect(await results()).toMatch(/Covered\s+100 %/);
+
+  const before = await places();
+  await drag(before.seed, 60, 30);
+  await expect.poll(async () => Math.abs((await places()).seed.x - before.seed.x - 60)).toBeLessThan(3);
+  await measured();
+  const moved = await places();
+  expect(Math.abs(moved.seed.y - before.seed.y - 30)).toBeLessThan(3);
+
+  const turn = await direction().inputValue();
+  await drag(moved.knob, -40, -50);
+  await expect.poll(() => direction().inputValue()).not.toBe(turn);
+  await measured();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-turned.png') });
+
+  await press('Open this net');
+  await draper().waitFor({ state: 'detached' });
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
+  await script.settled();
+  const edges = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
+  const positions = await script.positions();
+  const end = (edge: number, k: 0 | 1) => positions.subarray(3 * edges[2 * edge + k]!, 3 * edges[2 * edge + k]! + 3);
+  const length = distance(end(0, 0), end(0, 1));
+  expect(largestDeviation(positions, edges, length)).toBeLessThan(1e-9);
+
+  const handles = await visit.page.evaluate(() => window.chebnet.handles());
+  expect(handles.map(({ anchor }) => anchor)).toEqual([true, true, true, true, false]);
+  const { vertex } = handles.at(-1)!;
+  await dragBy(script, vertex, [20, -90]);
+  await script.settled();
+  const edited = await script.positions();
+  expect(
+    distance(edited.subarray(3 * vertex, 3 * vertex + 3), positions.subarray(3 * vertex, 3 * vertex + 3)),
+  ).toBeGreaterThan(length / 4);
+  expect(largestDeviation(edited, edges, length)).toBeLessThan(1e-6);
+
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(async () => largestError(await script.positions(), positions)).toBe(0);
+
+  await visit.page.getByRole('button', { name: 'Save', exact: true }).click();
+  const download = visit.page.waitForEvent('download');
+  await visit.page.getByRole('group', { name: 'Save as' }).getByRole('button', { name: 'OBJ' }).click();
+  expect((await download).suggestedFilename()).toBe('roof-net.obj');
+});
+
+test('on a surface of our own the net follows sliders and arrow keys, and to cancel opens nothing', async () => {
+  const { vertices: first } = await script.stats();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
+  await draper()
+    .getByText(/^More curvature than one net can take/)
+    .waitFor();
+  await measured();
+  expect(await results()).not.toMatch(/Covered\s+100 %/);
+
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Hypar');
+  await draper().getByText('One uncut piece will cover it.').waitFor();
+  await measured();
+  const coarse = await results();
+  await draper().getByRole('slider', { name: 'Cells' }).press('End');
+  await expect.poll(results).not.toBe(coarse);
+  expect(await draper().getByRole('slider', { name: 'Cells' }).getAttribute('aria-valuetext')).toBe('20,000');
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await measured();
+
+  const before = await places();
+  await draper().getByRole('application').press('ArrowLeft');
+  await expect.poll(async () => Math.round(before.seed.x - (await places()).seed.x)).toBe(6);
+  await measured();
+
+  const length = draper().getByRole('spinbutton', { name: 'Edge length' });
+  await length.fill('0');
+  await length.blur();
+  expect(await length.evaluate((field: HTMLInputElement) => field.validity.valid)).toBe(false);
+
+  await press('Cancel');
+  await draper().waitFor({ state: 'detached' });
+  expect((await script.stats()).vertices).toBe(first);
+});
+
+test('Escape gives up a drag of the seed, and then the dialog', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  const { seed } = await places();
+  await visit.page.mouse.move(seed.x, seed.y);
+  await visit.page.mouse.down();
+  await visit.page.mouse.move(seed.x + 80, seed.y + 20, { steps: 3 });
+  await expect.poll(async () => (await places()).seed.x - seed.x).toBeGreaterThan(70);
+  await visit.page.keyboard.press('Escape');
+  await expect.poll(async () => Math.abs((await places()).seed.x - seed.x)).toBeLessThan(0.5);
+  await visit.page.mouse.up();
+  expect(await draper().isVisible()).toBe(true);
+  await visit.page.keyboard.press('Escape');
+  await draper().waitFor({ state: 'detached' });
+});

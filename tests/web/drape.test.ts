@@ -1,0 +1,165 @@
+/** Nets on surfaces, without a page: the worker's part, what waits while it works, and the geometry of the seed. */
+import { describe, expect, test } from 'vitest';
+import type { Point } from '../../wasm/chebnet';
+import { cellsOf, lengthOf } from '../../web/src/drape/cells';
+import type { DrapeRequest, DrapeResponse } from '../../web/src/drape/drape_protocol';
+import { Draper } from '../../web/src/drape/draper';
+import { Draping } from '../../web/src/drape/draping';
+import type { DrapeWorkerLike } from '../../web/src/drape/draping';
+import { suggestedHandles } from '../../web/src/drape/handles';
+import { dot, laidInto, reference, turned, turnOf } from '../../web/src/drape/seed';
+import { dialogs } from '../../web/src/language/en/dialogs';
+import { load } from '../wasm/load';
+
+const core = await load();
+
+/** What the worker answers, in turn. */
+function answers(...requests: DrapeRequest[]): DrapeResponse[] {
+  const responses: DrapeResponse[] = [];
+  const draper = new Draper(core, (response) => responses.push(response));
+  for (const request of requests) draper.handle(request);
+  return responses;
+}
+
+const OPEN: DrapeRequest = { type: 'open', source: { own: 'hypar' } };
+const WISH = { seed: [0, 0, 0] as Point, direction: [1, 1, 0] as Point, length: 0.3 };
+
+describe('the worker', () => {
+  test('opens a surface, lays a net from a ray, and measures it', () => {
+    const ray = { origin: [0.5, 0.2, 9] as Point, direction: [0, 0, -1] as Point };
+    const [opened, draped, measured] = answers(
+      OPEN,
+      { type: 'drape', wish: { ...WISH, seed: ray } },
+      { type: 'measure' },
+    );
+    if (opened?.type !== 'opened' || draped?.type !== 'draped' || measured?.type !== 'measured') return expect.fail();
+    expect(opened.surface.report.prospect).toBe('one_piece');
+    expect(opened.surface.normals).toHaveLength(opened.surface.positions.length);
+    expect(opened.suggested.length).toBeGreaterThan(0);
+    const { position, normal, direction } = draped.seed;
+    expect(position[0]).toBeCloseTo(0.5);
+    expect(dot(direction, normal)).toBeCloseTo(0);
+    expect(draped.net.info.isChebyshev).toBe(true);
+    expect(draped.net.info.meanLength).toBeCloseTo(0.3, 9);
+    expect(draped.fields.angle).toHaveLength(draped.net.info.vertices);
+    expect(measured.report.coverage).toBeGreaterThan(0.95);
+  });
+
+  test('says when a ray misses, and what is refused; the surface stays', () => {
+    const away = { origin: [0, 0, 9] as Point, direction: [0, 0, 1] as Point };
+    const responses = answers(
+      OPEN,
+      { type: 'drape', wish: { ...WISH, seed: away } },
+      { type: 'drape', wish: { ...WISH, length: -1 } },
+      { type: 'drape', wish: WISH },
+    );
+    expect(responses.map(({ type }) => type)).toEqual(['opened', 'missed', 'error', 'draped']);
+    expect(responses[2]).toMatchObject({ code: 'bad_option' });
+  });
+
+  test('lays a direction that stands upright along some other', () => {
+    const [, draped] = answers(OPEN, { type: 'drape', wish: { ...WISH, direction: [0, 0, 1] } });
+    expect(draped).toMatchObject({ type: 'draped' });
+  });
+});
+
+describe('while a net is being laid', () => {
+  /** A worker that answers when it is told to. */
+  class SlowWorker implements DrapeWorkerLike {
+    onmessage: DrapeWorkerLike['onmessage'] = null;
+    onerror: DrapeWorkerLike['onerror'] = null;
+    readonly asked: DrapeRequest[] = [];
+    postMessage(request: DrapeRequest): void {
+      this.asked.push(request);
+    }
+    answer(data: DrapeResponse): void {
+      this.onmessage?.({ data } as MessageEvent<DrapeResponse>);
+    }
+    terminate(): void {}
+  }
+
+  function start() {
+    const worker = new SlowWorker();
+    const told: string[] = [];
+    const draping = new Draping(() => worker, {
+      opened: () => told.push('opened'),
+      draped: () => told.push('draped'),
+      measured: () => told.push('measured'),
+      refused: ({ code }) => told.push(code),
+    });
+    const lengths = () =>
+      worker.asked.map((request) => (request.type === 'drape' ? request.wish.length : request.type));
+    return { worker, told, draping, lengths };
+  }
+  const [opened, draped] = answers(OPEN, { type: 'drape', wish: WISH }) as [DrapeResponse, DrapeResponse];
+
+  test('only the latest wish waits', () => {
+    const { worker, told, draping, lengths } = start();
+    for (const length of [1, 2, 3, 4]) draping.drape({ ...WISH, length });
+    expect(lengths()).toEqual([1]);
+    worker.answer(draped);
+    expect(lengths()).toEqual([1, 4]);
+    worker.answer({ type: 'missed' });
+    expect(told).toEqual(['draped']);
+    draping.close();
+  });
+
+  test('another surface is not given the wishes of the one before', () => {
+    const { worker, told, draping, lengths } = start();
+    draping.drape(WISH);
+    draping.open({ own: 'torso' });
+    draping.drape(WISH);
+    worker.answer(draped);
+    worker.answer(opened);
+    expect(lengths()).toEqual([WISH.length, 'open']);
+    expect(told).toEqual(['opened']);
+    draping.close();
+  });
+
+  test('a net that stands still is measured', async () => {
+    const { worker, told, draping, lengths } = start();
+    draping.drape(WISH);
+    worker.answer(draped);
+    await expect.poll(lengths).toEqual([WISH.length, 'measure']);
+    worker.answer({ type: 'error', code: 'internal', message: 'no' });
+    expect(told).toEqual(['draped', 'internal']);
+    draping.close();
+  });
+});
+
+describe('at the seed', () => {
+  const normals: Point[] = [
+    [0, 0, 1],
+    [1, 0, 0],
+    [0, -0.6, 0.8],
+  ];
+  test.each(normals)('a turn leads to a direction and back: %f %f %f', (...normal) => {
+    expect(dot(reference(normal), normal)).toBeCloseTo(0);
+    for (const angle of [0, 0.4, 1.6, 3]) {
+      const direction = turned(angle, normal);
+      expect(Math.hypot(...direction)).toBeCloseTo(1);
+      expect(turnOf(direction, normal)).toBeCloseTo(angle);
+      expect(turnOf(turned(angle + Math.PI, normal), normal) % Math.PI).toBeCloseTo(angle);
+      expect(laidInto(direction, normal)).toEqual(direction.map((each) => expect.closeTo(each)));
+    }
+  });
+
+  test('handles are the seed and the ends of its arms', () => {
+    const places = Int32Array.of(0, 0, 1, 0, 2, 0, 0, 1, -1, 0, 1, 1, 4, 0);
+    const handles = suggestedHandles(places);
+    expect(handles.map(({ vertex, anchor }) => [vertex, anchor])).toEqual([
+      [2, true],
+      [4, true],
+      [3, true],
+      [0, false],
+    ]);
+  });
+
+  test('cells and length are two names of one thing', () => {
+    expect(cellsOf(lengthOf(400, 7), 7)).toBeCloseTo(400);
+  });
+});
+
+test('every surface of our own has its words', () => {
+  expect(Object.entries(dialogs.drape.own)).toEqual(core.ownSurfaces().map(({ name, title }) => [name, title]));
+});

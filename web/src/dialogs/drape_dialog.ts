@@ -1,0 +1,171 @@
+/** A net being laid on a surface: the seed is dragged in the picture, the rest is wished for at the side, and the net follows.
+ *  Escape or Cancel ends it at any time. */
+import type { Mesh, Point } from '../../../wasm/chebnet';
+import type { ViewState } from '../document/document';
+import { createPicture } from '../drape/drape_picture';
+import type { Picture } from '../drape/drape_picture';
+import type { DrapedNet, Seed, ShownSurface, Suggestion, SurfaceSource, Wish } from '../drape/drape_protocol';
+import { Draping } from '../drape/draping';
+import type { DrapeWorkerLike } from '../drape/draping';
+import { suggestedHandles } from '../drape/handles';
+import { make, makeButton } from '../elements/dom';
+import { dialogWords } from '../language/dialogs';
+import { words } from '../language/language';
+import type { DraperLike, TakenNet } from './file_opener';
+import { DrapeForm } from './drape_form';
+import { DrapeResults } from './drape_results';
+import './dialog.css';
+import './pictured.css';
+import './drape_dialog.css';
+
+const TEXT = dialogWords.drape;
+/** Of our own surfaces. */
+const FIRST = 'shell';
+
+/** A surface that a visitor brings, by the name of its file. */
+export interface GivenSurface {
+  name: string;
+  mesh: Mesh;
+}
+
+export interface DrapeDialogParts {
+  spawnWorker(): DrapeWorkerLike;
+  upAxis: ViewState['upAxis'];
+}
+
+export class DrapeDialog implements DraperLike {
+  /** null: the visitor has given up. */
+  readonly result: Promise<TakenNet | null>;
+  readonly #dialog: HTMLDialogElement;
+  readonly #given: GivenSurface | null;
+  readonly #draping: Draping;
+  readonly #picture: Picture;
+  readonly #form: DrapeForm;
+  readonly #results = new DrapeResults();
+  readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
+  /** The name of the surface that is shown. */
+  #name: string;
+  /** Where the net is wanted to begin, until another seed is. */
+  #seed: Wish['seed'] = [0, 0, 0];
+  #draped: DrapedNet | null = null;
+  /** The net is the first one on its surface. */
+  #isFirst = true;
+  #finish!: (net: TakenNet | null) => void;
+
+  constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
+    this.#given = given;
+    this.#name = given?.name ?? FIRST;
+    const picture = make('div', { class: 'picture' });
+    const heading = make('h2', { id: 'drape-title' }, TEXT.title);
+    this.#form = new DrapeForm(given?.name ?? null, {
+      surfaceChosen: (own) => this.#open(own),
+      changed: () => this.#drape(),
+      shearChanged: (shown) => this.#picture.setShear(shown),
+    });
+    const figure = make('figure', {}, picture, make('figcaption', { class: 'quiet' }, TEXT.howTo));
+    const side = make('div', { class: 'side' }, this.#results.prospect, this.#form.element, this.#results.element);
+    this.#dialog = make(
+      'dialog',
+      { class: 'file pictured drape', 'aria-labelledby': heading.id },
+      heading,
+      make('div', { class: 'body' }, figure, side),
+      make(
+        'div',
+        { class: 'buttons' },
+        this.#take,
+        makeButton(TEXT.cancel, () => this.close()),
+      ),
+    );
+    root.append(this.#dialog);
+    this.#dialog.showModal();
+    this.#picture = createPicture(picture, TEXT.picture, parts.upAxis, {
+      seedMoved: (ray) => this.#drapeFrom(ray),
+      turned: (direction) => this.#turn(direction),
+      seedBack: ({ position, direction }) => this.#turn(direction, position),
+    });
+    this.#picture.focus();
+    this.#draping = new Draping(() => parts.spawnWorker(), {
+      opened: (surface, suggested) => this.#onOpened(surface, suggested),
+      draped: (net) => this.#onDraped(net),
+      measured: (report) => this.#results.setReport(report),
+      refused: ({ message }) => this.#results.setFault(words.core.sentence(message)),
+    });
+    this.result = this.#untilFinished();
+    this.#open(given === null ? FIRST : null);
+  }
+
+  close(): void {
+    this.#finish(null);
+  }
+
+  async #untilFinished(): Promise<TakenNet | null> {
+    const net = await new Promise<TakenNet | null>((resolve) => {
+      this.#finish = resolve;
+      this.#dialog.addEventListener('close', () => resolve(null));
+    });
+    this.#draping.close();
+    this.#picture.dispose();
+    this.#dialog.close();
+    this.#dialog.remove();
+    return net;
+  }
+
+  #open(own: string | null): void {
+    const source: SurfaceSource = own === null ? { mesh: this.#given!.mesh } : { own };
+    this.#name = own ?? this.#given!.name;
+    this.#setNet(null);
+    this.#draping.open(source);
+  }
+
+  #onOpened(surface: ShownSurface, { seed, direction, length }: Suggestion): void {
+    this.#picture.setSurface(surface);
+    this.#results.setSurface(surface.report);
+    this.#form.setSurface(surface.report.area, direction, length);
+    this.#isFirst = true;
+    this.#drapeFrom(seed);
+  }
+
+  #onDraped(net: DrapedNet): void {
+    const ray = this.#isFirst ? this.#picture.rayInstead(net.seed) : null;
+    this.#isFirst = false;
+    if (ray !== null) this.#drapeFrom(ray);
+    this.#setNet(net);
+    this.#picture.setNet(net);
+    this.#results.setNet(net);
+    this.#form.setSeed(net.seed);
+    this.#seed = net.seed.position;
+  }
+
+  #setNet(net: DrapedNet | null): void {
+    this.#draped = net;
+    this.#take.disabled = net === null;
+  }
+
+  #drapeFrom(seed: Wish['seed']): void {
+    this.#seed = seed;
+    this.#drape();
+  }
+
+  #turn(direction: Point, seed: Seed['position'] | null = null): void {
+    if (seed !== null) this.#seed = seed;
+    this.#form.setDirection(direction);
+    this.#drape();
+  }
+
+  #drape(): void {
+    this.#draping.drape({ ...this.#form.read(), seed: this.#seed });
+  }
+
+  #taken(): TakenNet | null {
+    if (this.#draped === null) return null;
+    const { net, places } = this.#draped;
+    const { restPositions: positions, faceStart, faceVertices } = net;
+    const mesh = { positions, faceStart, faceVertices };
+    return { net: { mesh, name: netName(this.#name) }, handles: suggestedHandles(places) };
+  }
+}
+
+/** Not the name of the surface itself, which a saved net would overwrite. */
+function netName(surface: string): string {
+  return `${surface.replace(/\.[^.]*$/, '')}-net.obj`;
+}

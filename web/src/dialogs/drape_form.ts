@@ -1,0 +1,149 @@
+/** What a net on a surface is to be like: its surface, how fine it is, and how it lies at the seed. */
+import type { Point } from '../../../wasm/chebnet';
+import type { Seed, Wish } from '../drape/drape_protocol';
+import { cellsOf, FEWEST_CELLS, lengthOf, MOST_CELLS } from '../drape/cells';
+import { turned, turnOf } from '../drape/seed';
+import { make, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
+import { dialogWords } from '../language/dialogs';
+import { count } from '../language/numbers';
+import { lengthWords } from './file_words';
+
+const TEXT = dialogWords.drape;
+const DEGREE = Math.PI / 180;
+/** The cells' slider goes by steps of a fortieth of their range in decades. */
+const STEPS = 40;
+
+export interface FormEvents {
+  /** The name of one of our own, or null: the visitor's. */
+  surfaceChosen(own: string | null): void;
+  changed(): void;
+  shearChanged(shown: boolean): void;
+}
+
+export class DrapeForm {
+  readonly element: HTMLElement;
+  readonly #events: FormEvents;
+  readonly #cells = slider(TEXT.cells, 0, STEPS, 1, () => this.#chooseCells());
+  readonly #length = make('input', { type: 'number', min: 0, step: 'any', 'aria-label': TEXT.length });
+  readonly #turn = slider(TEXT.direction, 0, 180, 1, () => this.#chooseTurn());
+  readonly #angle = slider(TEXT.angle, 40, 140, 1, () => this.#show());
+  readonly #beyond = makeSwitch(TEXT.beyond, () => this.#events.changed());
+  readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
+  #area = 1;
+  #seed: Seed | null = null;
+  #direction: Point = [1, 0, 0];
+
+  /** @param name of the visitor's surface; null: there is only our own. */
+  constructor(name: string | null, events: FormEvents) {
+    this.#events = events;
+    const choices = Object.entries(TEXT.own).map(([value, text]) => ({ value, text }));
+    const all = [...(name === null ? [] : [{ value: '', text: name }]), ...choices];
+    const surfaces = makeSelect(TEXT.surface, all, (value) => events.surfaceChosen(value || null));
+    this.#length.addEventListener('change', () => this.#chooseLength());
+    this.#angle.input.value = '90';
+    this.#beyond.box.checked = true;
+    this.#shear.box.checked = true;
+    this.element = make(
+      'div',
+      { class: 'wishes' },
+      surfaces.row,
+      this.#cells.row,
+      make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length),
+      this.#turn.row,
+      this.#angle.row,
+      this.#beyond.row,
+      this.#shear.row,
+    );
+    this.#show();
+  }
+
+  /** Another surface, and the direction and length for it. */
+  setSurface(area: number, direction: Point, length: number): void {
+    this.#area = area;
+    this.#direction = direction;
+    this.#seed = null;
+    this.#setLength(length);
+  }
+
+  setSeed(seed: Seed): void {
+    this.#seed = seed;
+    this.#direction = seed.direction;
+    setValue(this.#turn.input, String(Math.round(turnOf(seed.direction, seed.normal) / DEGREE) % 180));
+    this.#show(false);
+  }
+
+  setDirection(direction: Point): void {
+    this.#direction = direction;
+  }
+
+  read(): Omit<Wish, 'seed'> {
+    return {
+      direction: this.#direction,
+      length: this.#length.valueAsNumber,
+      angle: this.#angle.input.valueAsNumber * DEGREE,
+      border: this.#beyond.box.checked ? 'beyond' : 'inside',
+    };
+  }
+
+  #chooseCells(): void {
+    this.#setLength(lengthOf(cellsAt(this.#cells.input.valueAsNumber), this.#area));
+    this.#events.changed();
+  }
+
+  #chooseLength(): void {
+    const length = this.#length.valueAsNumber;
+    const cells = cellsOf(length, this.#area);
+    const isGood = length > 0 && cells <= MOST_CELLS;
+    this.#length.setCustomValidity(isGood ? '' : TEXT.tooShort(lengthWords(lengthOf(MOST_CELLS, this.#area))));
+    if (!this.#length.reportValidity()) return;
+    this.#setLength(length);
+    this.#events.changed();
+  }
+
+  #setLength(length: number): void {
+    this.#length.value = lengthWords(length);
+    this.#length.setCustomValidity('');
+    this.#cells.input.value = String(stepOf(cellsOf(length, this.#area)));
+    this.#show(false);
+  }
+
+  #chooseTurn(): void {
+    if (this.#seed === null) return;
+    this.#direction = turned(this.#turn.input.valueAsNumber * DEGREE, this.#seed.normal);
+    this.#show();
+  }
+
+  #show(isChange = true): void {
+    const cells = count(Math.round(cellsOf(this.#length.valueAsNumber || 1, this.#area)));
+    show(this.#cells, cells);
+    show(this.#turn, `${this.#turn.input.value}°`);
+    show(this.#angle, `${this.#angle.input.value}°`);
+    if (isChange && this.#seed !== null) this.#events.changed();
+  }
+}
+
+function cellsAt(step: number): number {
+  return FEWEST_CELLS * (MOST_CELLS / FEWEST_CELLS) ** (step / STEPS);
+}
+
+function stepOf(cells: number): number {
+  return Math.round((STEPS * Math.log(cells / FEWEST_CELLS)) / Math.log(MOST_CELLS / FEWEST_CELLS));
+}
+
+interface Slider {
+  row: HTMLElement;
+  input: HTMLInputElement;
+  output: HTMLOutputElement;
+}
+
+function slider(label: string, min: number, max: number, step: number, moved: () => void): Slider {
+  const input = make('input', { type: 'range', min, max, step });
+  const output = make('output');
+  input.addEventListener('input', moved);
+  return { row: make('label', { class: 'slider' }, make('span', {}, label), input, output), input, output };
+}
+
+function show({ input, output }: Slider, text: string): void {
+  setText(output, text);
+  input.setAttribute('aria-valuetext', text);
+}

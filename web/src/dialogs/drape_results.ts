@@ -1,0 +1,71 @@
+/** What can be expected of a net on a surface, and how the one that is shown lies. */
+import type { DrapeReport, SurfaceReport } from '../../../wasm/chebnet';
+import type { DrapedNet } from '../drape/drape_protocol';
+import { make, setText } from '../elements/dom';
+import { dialogWords } from '../language/dialogs';
+import { count, small } from '../language/numbers';
+import { lengthWords, percentWords } from './file_words';
+
+const TEXT = dialogWords.drape;
+const DEGREES = 180 / Math.PI;
+
+/** In a sentence, before anything is tried. */
+export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
+  const sentence = TEXT.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
+  return components > 1 ? TEXT.pieces(sentence, components) : sentence;
+}
+
+export class DrapeResults {
+  // In the page from the start: screen readers announce changes of what is there.
+  readonly #prospect = make('p', { class: 'prospect', role: 'status' });
+  readonly #fault = make('p', { class: 'refusal', role: 'alert', hidden: true });
+  readonly #facts = make('dl', { class: 'facts' });
+  readonly element = make('div', { class: 'results' }, this.#fault, this.#facts);
+  #net: DrapedNet | null = null;
+
+  get prospect(): HTMLElement {
+    return this.#prospect;
+  }
+
+  setSurface(report: SurfaceReport): void {
+    setText(this.#prospect, prospectWords(report));
+    this.#net = null;
+    this.#facts.replaceChildren();
+    this.#fault.hidden = true;
+  }
+
+  setNet(net: DrapedNet): void {
+    this.#net = net;
+    this.#fault.hidden = true;
+    // The other rows stay until they are measured anew: they would flicker while the seed is dragged.
+    this.#facts.classList.add('stale');
+  }
+
+  setReport(report: DrapeReport): void {
+    if (this.#net === null) return;
+    this.#facts.classList.remove('stale');
+    const { net, locked, met } = this.#net;
+    const { meanLength: length, faces, vertices } = net.info;
+    const inLengths = (distance: number): string => TEXT.lengths(small(distance / length));
+    const rows: [string, string][] = [
+      [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
+      [TEXT.meanDistance, inLengths(report.meanDistance)],
+      [TEXT.largestDistance, inLengths(report.largestDistance)],
+      [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
+      [TEXT.sheared, percentWords(report.sheared)],
+      [TEXT.muchSheared, percentWords(report.muchSheared)],
+      [TEXT.gaps, locked + met > 0 ? TEXT.refusals(count(locked), count(met)) : TEXT.none],
+      [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
+      [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
+      [TEXT.deviation, small(report.maxDeviation)],
+    ];
+    this.#facts.replaceChildren(
+      ...rows.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+    );
+  }
+
+  setFault(sentence: string): void {
+    this.#fault.hidden = false;
+    setText(this.#fault, sentence);
+  }
+}

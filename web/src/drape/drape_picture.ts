@@ -1,0 +1,381 @@
+/** The picture of a surface and the net being laid on it. The sphere at the seed is dragged over the surface, the hollow
+ *  one beside it around the seed; a drag elsewhere moves the camera. Arrow keys move the seed, too. */
+import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import type { Point } from '../../../wasm/chebnet';
+import type { ViewState } from '../document/document';
+import { fieldOf, scaleOf } from '../fields/fields';
+import { words } from '../language/language';
+import { fitCamera } from '../view/camera_fit';
+import { CameraRig } from '../view/camera_rig';
+import { HandleMarkers, toScreen } from '../view/handles';
+import { ColourTexture, NetData, netUniforms } from '../view/net_data';
+import { NetFaces } from '../view/net_faces';
+import { NetLines } from '../view/net_lines';
+import { createNotice, probeGraphics } from '../view/notice';
+import type { Place } from '../view/overlay';
+import type { Projection } from '../view/picking';
+import { Space } from '../view/space';
+import { onThemeChange, readTheme } from '../view/theme';
+import type { DrapedNet, Ray, Seed, ShownSurface } from './drape_protocol';
+import { combined, cross, dot } from './seed';
+import { SeedRing } from './seed_ring';
+import { SurfaceShade } from './surface_shade';
+
+export interface PictureEvents {
+  /** The seed is wanted where a ray from the eye meets the surface. */
+  seedMoved(ray: Ray): void;
+  /** The first family is wanted along a direction. */
+  turned(direction: Point): void;
+  /** A drag was given up: back to where it began. */
+  seedBack(seed: Seed): void;
+}
+
+/** What is wanted of either view: with WebGL, or without any. */
+export interface Picture {
+  setSurface(surface: ShownSurface): void;
+  setNet(draped: DrapedNet): void;
+  /** Through the middle of the picture, where the seed faces away; null: it is seen. */
+  rayInstead(seed: Seed): Ray | null;
+  /** For the arrow keys. */
+  focus(): void;
+  /** Whether cells are coloured by their shear. */
+  setShear(shown: boolean): void;
+  dispose(): void;
+}
+
+export function createPicture(
+  container: HTMLElement,
+  label: string,
+  upAxis: ViewState['upAxis'],
+  events: PictureEvents,
+): Picture {
+  const graphics = probeGraphics();
+  if (graphics !== 'none') return new DrapePicture(container, label, upAxis, events, graphics);
+  const notice = createNotice(container);
+  notice.show(words.view.noGraphics);
+  return {
+    setSurface() {},
+    setNet() {},
+    rayInstead: () => null,
+    focus() {},
+    setShear() {},
+    dispose: () => notice.remove(),
+  };
+}
+
+/** By their numbers as markers. */
+const [SEED, KNOB] = [0, 1];
+/** From the seed to the knob, pixels. */
+const RING = 58;
+/** Of one arrow key, pixels. */
+const STEP = { small: 6, big: 30 };
+const SLACK = { mouse: 5, touch: 16 };
+const ARROW_KEYS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+/** Of an edge, how far the surface is drawn behind. */
+const BEHIND = 0.5;
+const MARGIN = { top: 0.06, right: 0.06, bottom: 0.06, left: 0.06 };
+
+class DrapePicture implements Picture {
+  readonly #scene = new Scene();
+  readonly #renderer: WebGLRenderer;
+  readonly #rig: CameraRig;
+  readonly #shade = new SurfaceShade();
+  readonly #uniforms = netUniforms();
+  readonly #colours = new ColourTexture();
+  readonly #lines = new NetLines(this.#uniforms, this.#colours);
+  readonly #faces = new NetFaces(this.#uniforms, this.#colours);
+  readonly #markers = new HandleMarkers();
+  readonly #ring = new SeedRing();
+  readonly #size = new Vector2(1, 1);
+  readonly #listeners = new AbortController();
+  readonly #resizing: ResizeObserver;
+  readonly #stopThemes: () => void;
+  readonly #container: HTMLElement;
+  readonly #upAxis: ViewState['upAxis'];
+  readonly #events: PictureEvents;
+  #surface: ShownSurface | null = null;
+  #space: Space | null = null;
+  #netData: NetData | null = null;
+  #draped: DrapedNet | null = null;
+  #showsShear = true;
+  /** What is in hand, by which pointer, and where the seed was before. */
+  #grip: { marker: number; pointer: number; before: Seed } | null = null;
+  #frame = 0;
+
+  constructor(
+    container: HTMLElement,
+    label: string,
+    upAxis: ViewState['upAxis'],
+    events: PictureEvents,
+    graphics: 'card' | 'software',
+  ) {
+    this.#container = container;
+    this.#upAxis = upAxis;
+    this.#events = events;
+    this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
+    this.#renderer.setPixelRatio(graphics === 'card' ? Math.min(devicePixelRatio, 2) : 1);
+    const canvas = this.#renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'application');
+    canvas.setAttribute('aria-label', label);
+    container.append(canvas, this.#ring.element);
+    this.#rig = new CameraRig(canvas, { moved: () => this.#requestDraw(), rested: () => {} });
+    for (const part of [this.#shade, this.#faces, this.#lines, this.#markers]) this.#scene.add(part.object);
+    this.#addLights();
+    this.#listen(canvas);
+    this.#readTheme();
+    this.#stopThemes = onThemeChange(() => this.#readTheme());
+    this.#resizing = new ResizeObserver(() => this.#resize());
+    this.#resizing.observe(container);
+    this.#resize();
+  }
+
+  setSurface(surface: ShownSurface): void {
+    this.#surface = surface;
+    this.#space = new Space(surface.positions, this.#upAxis);
+    this.#removeNet();
+    this.#shade.setSurface(surface, this.#space);
+    this.#rig.framed = true;
+    this.#frameAll();
+  }
+
+  setNet(draped: DrapedNet): void {
+    if (!this.#space) return;
+    this.#removeNet();
+    this.#draped = draped;
+    const { net, fields } = draped;
+    this.#netData = new NetData(net, this.#space);
+    this.#netData.putInto(this.#uniforms);
+    this.#netData.setFrame({ positions: net.restPositions, fields }, fieldOf('shear'));
+    this.#lines.setNet(this.#netData, net.strips);
+    this.#faces.setTriangles(net.triangles);
+    this.#shade.setBehind(BEHIND * this.#netData.edgeLength);
+    this.#requestDraw();
+  }
+
+  rayInstead({ position, normal }: Seed): Ray | null {
+    const eye = this.#space!.toNet(this.#rig.camera.position);
+    const isSeen = dot(combined(1, eye, -1, position), normal) > 0;
+    return isSeen ? null : this.#rayThrough({ x: this.#size.x / 2, y: this.#size.y / 2 });
+  }
+
+  focus(): void {
+    this.#renderer.domElement.focus();
+  }
+
+  setShear(shown: boolean): void {
+    this.#showsShear = shown;
+    this.#faces.object.visible = shown;
+    this.#lines.setOverColours(true);
+    this.#requestDraw();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#listeners.abort();
+    this.#resizing.disconnect();
+    this.#stopThemes();
+    this.#removeNet();
+    const parts = [this.#rig, this.#shade, this.#lines, this.#faces, this.#colours, this.#markers, this.#renderer];
+    for (const part of parts) part.dispose();
+    this.#renderer.domElement.remove();
+    this.#ring.element.remove();
+  }
+
+  // ----------------------------------------------------------------------------------------------------------- gestures
+
+  #listen(canvas: HTMLCanvasElement): void {
+    const { signal } = this.#listeners;
+    // In the capture phase of the parent: before the listeners of the camera.
+    const above = { signal, capture: true };
+    this.#container.addEventListener('pointerdown', (event) => this.#down(event), above);
+    this.#container.addEventListener('pointermove', (event) => this.#move(event), above);
+    this.#container.addEventListener('pointerup', (event) => this.#letGo(event), above);
+    this.#container.addEventListener('pointercancel', (event) => this.#letGo(event), above);
+    canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
+    window.addEventListener('keydown', (event) => this.#escape(event), { signal, capture: true });
+  }
+
+  #down(event: PointerEvent): void {
+    if (this.#grip !== null) return event.stopPropagation();
+    if (event.button !== 0 || !event.isPrimary || !this.#draped) return;
+    const marker = this.#markerAt(event);
+    if (marker === null) return;
+    event.stopPropagation();
+    const canvas = this.#renderer.domElement;
+    canvas.focus();
+    canvas.setPointerCapture(event.pointerId);
+    this.#grip = { marker, pointer: event.pointerId, before: this.#draped.seed };
+    canvas.style.cursor = 'grabbing';
+  }
+
+  #move(event: PointerEvent): void {
+    if (this.#grip === null) {
+      if (event.buttons === 0) this.#hover(event);
+      return;
+    }
+    event.stopPropagation();
+    if (event.pointerId !== this.#grip.pointer || !this.#draped) return;
+    const ray = this.#rayThrough(this.#place(event));
+    if (this.#grip.marker === SEED) this.#events.seedMoved(ray);
+    else this.#turnTo(ray, this.#draped.seed);
+  }
+
+  /** Along the line from the seed to where the ray meets the plane that touches the surface there. */
+  #turnTo({ origin, direction }: Ray, { position, normal }: Seed): void {
+    const towards = combined(1, origin, -1, position);
+    const slope = dot(direction, normal);
+    if (Math.abs(slope) < 1e-3 * Math.hypot(...direction)) return;
+    const arm = combined(1, towards, -dot(towards, normal) / slope, direction);
+    if (Math.hypot(...arm) > 0) this.#events.turned(arm);
+  }
+
+  #letGo(event: PointerEvent): void {
+    if (event.pointerId !== this.#grip?.pointer) return;
+    event.stopPropagation();
+    this.#grip = null;
+    this.#renderer.domElement.style.cursor = '';
+  }
+
+  #hover(event: PointerEvent): void {
+    this.#renderer.domElement.style.cursor = this.#markerAt(event) === null ? '' : 'grab';
+  }
+
+  #key(event: KeyboardEvent): void {
+    const arrow = ARROW_KEYS[event.key];
+    if (!arrow || !this.#draped) return;
+    event.preventDefault();
+    const step = event.shiftKey ? STEP.big : STEP.small;
+    const { x, y } = toScreen(this.#projection(), this.#scenePoint(this.#draped.seed.position));
+    this.#events.seedMoved(this.#rayThrough({ x: x + step * arrow[0], y: y + step * arrow[1] }));
+  }
+
+  #escape(event: KeyboardEvent): void {
+    if (event.key !== 'Escape' || this.#grip === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { before } = this.#grip;
+    this.#grip = null;
+    this.#events.seedBack(before);
+  }
+
+  #markerAt(event: PointerEvent): number | null {
+    const { x, y } = this.#place(event);
+    return this.#markers.at(this.#projection(), x, y, SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse']);
+  }
+
+  #place(event: PointerEvent): Place {
+    const { left, top } = this.#renderer.domElement.getBoundingClientRect();
+    return { x: event.clientX - left, y: event.clientY - top };
+  }
+
+  #rayThrough({ x, y }: Place): Ray {
+    const { camera } = this.#rig;
+    const space = this.#space!;
+    camera.updateMatrixWorld();
+    const through = new Vector3((2 * x) / this.#size.x - 1, 1 - (2 * y) / this.#size.y, 0.5).unproject(camera);
+    const origin = space.toNet(camera.position);
+    return { origin, direction: combined(1, space.toNet(through), -1, origin) };
+  }
+
+  // ------------------------------------------------------------------------------------------------------------ drawing
+
+  #removeNet(): void {
+    this.#netData?.dispose();
+    this.#netData = null;
+    this.#draped = null;
+  }
+
+  /** Light moves with the camera. */
+  #addLights(): void {
+    const lamp = new DirectionalLight(0xffffff, 2.2);
+    lamp.position.set(-1, 2, 2);
+    this.#rig.camera.add(lamp);
+    this.#scene.add(new HemisphereLight(0xffffff, 0xb0b8c8, 1.5), this.#rig.camera);
+  }
+
+  #readTheme(): void {
+    const theme = readTheme(this.#container);
+    for (const part of [this.#shade, this.#lines, this.#faces, this.#markers]) part.setTheme(theme);
+    this.#colours.setScale(scaleOf({ field: 'shear', colourMap: 'paper' }, theme), 'vertex');
+    this.setShear(this.#showsShear);
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#container;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#size.set(clientWidth, clientHeight);
+    this.#renderer.setSize(clientWidth, clientHeight);
+    this.#rig.resize(clientWidth, clientHeight);
+    if (this.#rig.framed) this.#frameAll();
+    this.#draw();
+  }
+
+  #frameAll(): void {
+    if (!this.#surface || !this.#space) return;
+    const count = this.#surface.positions.length / 3;
+    const points = new Float32Array(4 * count);
+    const point = new Vector3();
+    for (let i = 0; i < count; i++) {
+      const [x, y, z] = this.#surface.positions.subarray(3 * i, 3 * i + 3);
+      this.#space.toScene(point, [x!, y!, z!]);
+      point.toArray(points, 4 * i);
+    }
+    this.#rig.standAt(fitCamera(points, count, this.#rig.camera, MARGIN));
+  }
+
+  #requestDraw(): void {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#rig.update();
+    const { camera, distance } = this.#rig;
+    this.#placeSeed();
+    if (this.#netData) this.#lines.beforeDraw(camera, this.#size, this.#renderer.getPixelRatio(), distance);
+    this.#markers.beforeDraw(camera, this.#size.y, this.#netData?.edgeLength ?? 0, distance);
+    this.#lines.object.visible = this.#netData !== null;
+    this.#faces.object.visible = this.#netData !== null && this.#showsShear;
+    this.#renderer.render(this.#scene, camera);
+  }
+
+  /** The knob keeps its distance from the seed on the screen. */
+  #placeSeed(): void {
+    this.#markers.object.visible = this.#draped !== null;
+    if (!this.#draped || !this.#space) return this.#ring.hide();
+    const { position, normal, direction } = this.#draped.seed;
+    const seed = this.#scenePoint(position);
+    const { camera } = this.#rig;
+    const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360) * camera.position.distanceTo(seed)) / this.#size.y;
+    const radius = (RING * pixel) / this.#space.scale;
+    const knob = combined(1, position, radius, direction);
+    const marker = (vertex: number, target: Point) => ({ vertex, target, anchor: false });
+    this.#markers.update([marker(SEED, position), { ...marker(KNOB, knob), weight: 1 }], this.#space, [], []);
+    const across = cross(normal, direction);
+    const projection = this.#projection();
+    this.#ring.draw((angle) => {
+      const arm = combined(Math.cos(angle), direction, Math.sin(angle), across);
+      return toScreen(projection, this.#scenePoint(combined(1, position, radius, arm)));
+    });
+  }
+
+  #scenePoint(place: Readonly<Point>): Vector3 {
+    const point = new Vector3();
+    this.#space!.toScene(point, place);
+    return point;
+  }
+
+  #projection(): Projection {
+    const { camera } = this.#rig;
+    camera.updateMatrixWorld();
+    const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    return { matrix: matrix.elements, width: this.#size.x, height: this.#size.y };
+  }
+}

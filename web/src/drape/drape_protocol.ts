@@ -1,0 +1,75 @@
+/** Messages between page and draping worker; one request at a time. To cancel is to terminate the worker. */
+import type {
+  CoreFields,
+  DrapeOptions,
+  DrapeReport,
+  Mesh,
+  Point,
+  SurfacePlace,
+  SurfaceReport,
+} from '../../../wasm/chebnet';
+import type { OpenedNet } from '../worker/protocol';
+
+/** What a user brings, or one of our own by its name. */
+export type SurfaceSource = { mesh: Mesh } | { own: string };
+
+/** What is drawn of a surface, and what is known of it. */
+export interface ShownSurface {
+  positions: Float64Array;
+  normals: Float64Array;
+  triangles: Int32Array;
+  report: SurfaceReport;
+}
+
+/** From an eye through a point of the picture. */
+export interface Ray {
+  origin: Point;
+  direction: Point;
+}
+
+/** Of which net. */
+export interface Wish extends Omit<DrapeOptions, 'seed'> {
+  /** A ray: the first point of the surface that it meets. */
+  seed: Point | Ray;
+}
+
+/** Where the seed of a net stands on its surface, and the direction of its first family laid into it, of length 1. */
+export interface Seed extends SurfacePlace {
+  direction: Point;
+}
+
+export interface DrapedNet {
+  net: OpenedNet;
+  /** Steps from the seed; see wasm/chebnet.d.ts. */
+  places: Int32Array;
+  fields: CoreFields;
+  seed: Seed;
+  locked: number;
+  met: number;
+  /** That draping took, without opening and sending the net. */
+  milliseconds: number;
+}
+
+export type DrapeRequest =
+  /** Answered with `opened`. */
+  | { type: 'open'; source: SurfaceSource }
+  /** Answered with `draped`, `missed` or `error`. */
+  | { type: 'drape'; wish: Wish }
+  /** How the last net lies. Answered with `measured`. */
+  | { type: 'measure' };
+
+export type DrapeResponse =
+  | { type: 'opened'; surface: ShownSurface; suggested: Suggestion }
+  | ({ type: 'draped' } & DrapedNet)
+  /** The ray does not meet the surface. */
+  | { type: 'missed' }
+  | { type: 'measured'; report: DrapeReport }
+  /** `code` as in core/base/error.h. What was open stays so. */
+  | { type: 'error'; code: string; message: string };
+
+/** Where a net begins well. */
+export interface Suggestion {
+  seed: Point;
+  direction: Point;
+  length: number;
+}

@@ -1,0 +1,91 @@
+/** The page's side of the draping worker. While a net is being laid only the latest wish waits. */
+import type { DrapeReport } from '../../../wasm/chebnet';
+import { Failure } from '../failure';
+import { words } from '../language/language';
+import type {
+  DrapedNet,
+  DrapeRequest,
+  DrapeResponse,
+  ShownSurface,
+  Suggestion,
+  SurfaceSource,
+  Wish,
+} from './drape_protocol';
+
+/** A net that has stood still for so many milliseconds is measured: that takes longer than laying it. */
+const STILL_MS = 120;
+
+/** The part of a `Worker` that is used. */
+export interface DrapeWorkerLike {
+  postMessage(request: DrapeRequest): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<DrapeResponse>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+export interface DrapingEvents {
+  opened(surface: ShownSurface, suggested: Suggestion): void;
+  draped(net: DrapedNet): void;
+  /** Of the last net. */
+  measured(report: DrapeReport): void;
+  /** With the core's sentence; the net of before stays. */
+  refused(error: Failure): void;
+}
+
+export class Draping {
+  readonly #worker: DrapeWorkerLike;
+  readonly #events: DrapingEvents;
+  #isBusy = false;
+  #next: DrapeRequest | null = null;
+  #still: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(spawn: () => DrapeWorkerLike, events: DrapingEvents) {
+    this.#events = events;
+    this.#worker = spawn();
+    this.#worker.onmessage = ({ data }) => this.#receive(data);
+    this.#worker.onerror = ({ message }) => this.#events.refused(new Failure('worker_lost', message));
+  }
+
+  open(source: SurfaceSource): void {
+    this.#ask({ type: 'open', source });
+  }
+
+  drape(wish: Wish): void {
+    // It would be of the surface before.
+    if (this.#next?.type !== 'open') this.#ask({ type: 'drape', wish });
+  }
+
+  close(): void {
+    clearTimeout(this.#still);
+    this.#worker.onmessage = null; // some may be on their way
+    this.#worker.terminate();
+  }
+
+  #ask(request: DrapeRequest): void {
+    clearTimeout(this.#still);
+    if (this.#isBusy) {
+      this.#next = request;
+      return;
+    }
+    this.#isBusy = true;
+    this.#worker.postMessage(request);
+  }
+
+  #receive(response: DrapeResponse): void {
+    this.#isBusy = false;
+    const next = this.#next;
+    this.#next = null;
+    if (next !== null) this.#ask(next);
+    if (next?.type !== 'open') this.#tell(response);
+    if (response.type === 'draped' && next === null && !this.#isBusy)
+      this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
+  }
+
+  #tell(response: DrapeResponse): void {
+    if (response.type === 'opened') this.#events.opened(response.surface, response.suggested);
+    else if (response.type === 'draped') this.#events.draped(response);
+    else if (response.type === 'measured') this.#events.measured(response.report);
+    else if (response.type === 'error')
+      this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)));
+  }
+}

@@ -1,0 +1,92 @@
+/** A surface as a shaded body, drawn a little behind where it is: the edges of a net on it are chords, and would vanish in it. */
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial, Vector3 } from 'three';
+import type { Point } from '../../../wasm/chebnet';
+import { mix } from '../fields/colour_map';
+import type { Space } from '../view/space';
+import type { Theme } from '../view/theme';
+import type { ShownSurface } from './drape_protocol';
+
+const VERTEX = /* glsl */ `
+uniform float behind;
+out vec3 upright;
+void main() {
+  upright = normalMatrix * normal;
+  vec3 inView = (modelViewMatrix * vec4(position, 1.0)).xyz;
+  gl_Position = projectionMatrix * vec4(inView * (1.0 + behind / length(inView)), 1.0);
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform vec3 front, back;
+in vec3 upright;
+out vec4 colour;
+void main() {
+  vec3 normal = normalize(gl_FrontFacing ? upright : -upright);
+  colour = vec4(mix(back, front, 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)))), 1.0);
+}`;
+
+export class SurfaceShade {
+  readonly object: Mesh<BufferGeometry, ShaderMaterial>;
+
+  constructor() {
+    const material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      side: DoubleSide,
+      // More than the net's own faces, which would vanish in it where they are seen from the side.
+      polygonOffset: true,
+      polygonOffsetFactor: 6,
+      polygonOffsetUnits: 8,
+      uniforms: { behind: { value: 0 }, front: { value: new Color() }, back: { value: new Color() } },
+    });
+    this.object = new Mesh(new BufferGeometry(), material);
+    this.object.frustumCulled = false;
+  }
+
+  setSurface({ positions, normals, triangles }: ShownSurface, space: Space): void {
+    this.object.geometry.dispose();
+    const geometry = new BufferGeometry();
+    geometry.setAttribute(
+      'position',
+      inScene(positions, (point, place) => space.toScene(point, place)),
+    );
+    geometry.setAttribute(
+      'normal',
+      inScene(normals, (point, place) => turn(point, place, space)),
+    );
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles), 1));
+    this.object.geometry = geometry;
+  }
+
+  /** How far behind, in the scene. */
+  setBehind(distance: number): void {
+    this.object.material.uniforms.behind!.value = distance;
+  }
+
+  setTheme(theme: Theme): void {
+    const { front, back } = this.object.material.uniforms;
+    // Darker than the page, lighter than a net.
+    front!.value.setRGB(...mix(theme.faceLight, theme.ink, 0.06));
+    back!.value.setRGB(...mix(theme.faceDark, theme.ink, 0.18));
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}
+
+/** A direction in the scene. */
+function turn(point: Vector3, direction: Readonly<Point>, { axisY, axisZ, signY }: Space): void {
+  point.set(direction[0], signY * direction[axisY], direction[axisZ]);
+}
+
+function inScene(numbers: Float64Array, put: (point: Vector3, place: Point) => void): BufferAttribute {
+  const attribute = new BufferAttribute(new Float32Array(numbers.length), 3);
+  const point = new Vector3();
+  for (let i = 0; i < numbers.length / 3; i++) {
+    put(point, [numbers[3 * i]!, numbers[3 * i + 1]!, numbers[3 * i + 2]!]);
+    attribute.setXYZ(i, point.x, point.y, point.z);
+  }
+  return attribute;
+}
