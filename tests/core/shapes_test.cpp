@@ -290,6 +290,17 @@ TEST_CASE("The sheet is flat, of squares, and its middle can be lifted between t
     }
 }
 
+TEST_CASE("The saddle curves up along one direction and down along the other, and no corner is sharp") {
+    const Net saddle = make_shape("saddle:vertices=441").net;
+    const Positions& p = saddle.rest_positions();
+    const auto height = [&](int column, int row) { return p(2, row * 21 + column); };
+    REQUIRE(saddle.vertex_count() == 441);
+    CHECK(height(10, 10) > height(0, 10) + 1);
+    CHECK(height(10, 10) < height(10, 0) - 1);
+    CHECK(height(0, 0) == Approx(height(10, 10)));
+    CHECK(corner_angle_range(saddle, p).smallest > 60 * std::numbers::pi / 180);
+}
+
 TEST_CASE("The torus is closed, of genus one and without singular vertices") {
     const Net torus = make_shape("torus").net;
     CHECK(is_closed_manifold(torus));
@@ -481,8 +492,9 @@ TEST_CASE("A recipe that makes no shape is refused with what is wrong and what i
     CHECK(refusal("") == "bad_syntax: the recipe names no shape" + form);
     CHECK(refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
     CHECK(refusal("ball") ==
-          "bad_option: there is no shape \"ball\"; known are vault, sheet, dome, tube, torus, jack, steps, elephant, "
-          "teddy, rabbit, horse, jug, shirt");
+          "bad_option: there is no shape \"ball\"; known are dome, saddle, vault, sheet, tube, shirt, teddy, rabbit, "
+          "horse, "
+          "jug, steps, elephant, jack, torus");
     CHECK(refusal("Dome").rfind("bad_option: there is no shape \"Dome\"", 0) == 0);
     CHECK(refusal("dome:rise=1") == "bad_option: dome has no parameter \"rise\"; known are vertices, reach");
     CHECK(refusal("dome:vertices=99") == "bad_option: vertices is \"99\", but goes from 100 to 100000");
@@ -501,8 +513,7 @@ TEST_CASE("A recipe that makes no shape is refused with what is wrong and what i
     CHECK(refusal("dome:reach=50=60") == "bad_syntax: \"reach=50=60\" is not key=value" + form);
     CHECK(refusal("dome:reach=50,reach=60") == "bad_syntax: reach is given twice" + form);
     CHECK(refusal(std::string(100000, 'x')) == "bad_syntax: the recipe is longer than 1000 characters" + form);
-    CHECK(refusal("d\xF6me\n") ==
-          "bad_option: there is no shape \"d?me?\"; known are " +
-              std::string("vault, sheet, dome, tube, torus, jack, steps, elephant, teddy, rabbit, horse, "
-                          "jug, shirt"));
+    CHECK(refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"; known are " +
+                                      std::string("dome, saddle, vault, sheet, tube, shirt, teddy, rabbit, horse, "
+                                                  "jug, steps, elephant, jack, torus"));
 }

@@ -1,6 +1,6 @@
-import { PerspectiveCamera } from 'three';
+import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
-import { fitCamera } from '../../web/src/view/camera_fit';
+import { directionFor, fitCamera } from '../../web/src/view/camera_fit';
 import { fanTriangles } from '../../web/src/worker/triangles';
 import { isInside, nearestMarker, nearestVertex, project } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
@@ -95,7 +95,7 @@ describe('the whole net in sight', () => {
   ])('aspect %d: every vertex is within the margins, and two sides are touched', (aspect, margins) => {
     const camera = new PerspectiveCamera(32, aspect, 0.01, 100);
     camera.up.set(0, 0, 1);
-    const { position, target } = fitCamera(cloud, 400, camera, margins);
+    const { position, target } = fitCamera(cloud, 400, camera, margins, directionFor(new Vector3()));
     camera.position.copy(position);
     camera.lookAt(target);
     camera.updateMatrixWorld();
@@ -112,6 +112,12 @@ describe('the whole net in sight', () => {
     for (const gap of Object.values(gaps)) expect(gap).toBeGreaterThan(-1e-6);
     expect(Math.min(gaps.left + gaps.right, gaps.top + gaps.bottom)).toBeLessThan(1e-5);
   });
+});
+
+test('the handle to begin with is in front', () => {
+  const [front, behind] = [new Vector3(0.3, -0.8, 0), new Vector3(-0.2, 0.9, 0.4)];
+  for (const first of [front, behind]) expect(directionFor(first).dot(first.clone().setZ(0))).toBeGreaterThan(0);
+  expect(directionFor(new Vector3(0, 0, 1))).toEqual(directionFor(front));
 });
 
 test('the scene is centred and of one size, wherever the net is', () => {

@@ -10,6 +10,9 @@ import './gallery.css';
 /** Size of the nets in thumbnails. */
 const THUMBNAIL_VERTICES = 300;
 
+/** Opened by links and recipes only: as one grid without a seam it must lie folded along its crests. */
+const UNSHOWN = ['torus'];
+
 const FOLDER = 'M2 12.5v-9h4l1.5 2H14v7z';
 
 interface Item {
@@ -42,7 +45,7 @@ export class Gallery {
   setTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
     this.#fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
     this.#thumbnail = thumbnail;
-    this.#items = shapes.map((shape) => this.#makeItem(shape));
+    this.#items = shapes.filter(({ name }) => !UNSHOWN.includes(name)).map((shape) => this.#makeItem(shape));
     this.element.replaceChildren(...this.#items.map(({ button }) => button), this.#fileTile);
     for (const { button } of this.#items) this.#sight.observe(button);
   }

@@ -2,12 +2,21 @@
 import { Matrix4, type PerspectiveCamera, Vector3 } from 'three';
 
 /** From the front, a little to the right and from above. */
-const DIRECTION = new Vector3(0.55, -1, 0.62).normalize();
+const FRONT = new Vector3(0.55, -1, 0.62).normalize();
+const BACK = new Vector3(-FRONT.x, -FRONT.y, FRONT.z);
 const UP = new Vector3(0, 0, 1);
+
+/** How far behind the middle of the scene is clearly behind. */
+const CLEARLY = 0.1;
 
 export interface Stand {
   position: Vector3;
   target: Vector3;
+}
+
+/** From where to see the whole net: from the front, unless the handle to begin with would be at the back. */
+export function directionFor(first: Vector3): Vector3 {
+  return first.x * FRONT.x + first.y * FRONT.y < -CLEARLY ? BACK : FRONT;
 }
 
 /** Margins at each side of the view, as a fraction of its height or width. */
@@ -19,8 +28,14 @@ export interface Margins {
 }
 
 /** The nearest stand from which all points (4 numbers each) are in the picture, within the margins. */
-export function fitCamera(points: Float32Array, count: number, camera: PerspectiveCamera, margins: Margins): Stand {
-  const basis = new Matrix4().lookAt(DIRECTION, new Vector3(), UP);
+export function fitCamera(
+  points: Float32Array,
+  count: number,
+  camera: PerspectiveCamera,
+  margins: Margins,
+  direction: Vector3,
+): Stand {
+  const basis = new Matrix4().lookAt(direction, new Vector3(), UP);
   const right = new Vector3();
   const up = new Vector3();
   basis.extractBasis(right, up, new Vector3());
@@ -30,7 +45,7 @@ export function fitCamera(points: Float32Array, count: number, camera: Perspecti
   const p = new Vector3();
   for (let i = 0; i < count; i++) {
     p.fromArray(points, 4 * i);
-    const towards = p.dot(DIRECTION);
+    const towards = p.dot(direction);
     across.include(p.dot(right), towards);
     upright.include(p.dot(up), towards);
   }
@@ -38,7 +53,7 @@ export function fitCamera(points: Float32Array, count: number, camera: Perspecti
   const target = new Vector3()
     .addScaledVector(right, across.centre(distance))
     .addScaledVector(up, upright.centre(distance));
-  return { position: target.clone().addScaledVector(DIRECTION, distance), target };
+  return { position: target.clone().addScaledVector(direction, distance), target };
 }
 
 /** One direction of the picture. From a distance d before centre c, a point (x, towards) is within both sides if

@@ -6,7 +6,7 @@ import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
-import { fitCamera, type Margins, type Stand } from './camera_fit';
+import { directionFor, fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { takeFilm, takePicture } from './capture';
 import { type DragEvents, DragReport } from './drag';
@@ -67,6 +67,8 @@ class SceneView implements View {
   readonly #size = new Vector2(1, 1);
   readonly #viewProjection = new Matrix4();
   #theme: Theme;
+  /** From where the whole net is seen. */
+  #direction = directionFor(new Vector3());
   /** What is drawn of the net. */
   #netData: NetData | null = null;
   #net: OpenedNet | null = null;
@@ -151,6 +153,8 @@ class SceneView implements View {
     this.#ground.setNet(this.#netData, this.#faces.object.geometry);
     this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
     this.setFrame(frame);
+    const first = net.suggestedHandles.at(-1);
+    this.#direction = directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first));
     this.#rig.framed = camera === null;
     this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
   }
@@ -468,7 +472,7 @@ class SceneView implements View {
 
   #wholeNet(): Stand {
     const { points, vertexCount } = this.#netData!;
-    return fitCamera(points, vertexCount, this.#rig.camera, this.#margins());
+    return fitCamera(points, vertexCount, this.#rig.camera, this.#margins(), this.#direction);
   }
 
   /** The pixels that title, tools and legend cover at top, right, bottom, left, from the style sheet. */

@@ -23,6 +23,15 @@ export const SHAPES: Record<string, ShapeWords> = {
       slope: '波浪的陡峭程度，以度为单位。',
     },
   },
+  saddle: {
+    title: '马鞍面',
+    sentence: '矩形上方的马鞍面：一道拱沿下垂的弧线移动而成。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '每道弧的高度与宽度之比。',
+      aspect: '下垂弧与拱的长度之比。',
+    },
+  },
   sheet: {
     title: '平网',
     sentence: '方格的平网，如刚从卷上展开的金属丝网。',
