@@ -95,7 +95,7 @@ describe('the whole net in sight', () => {
   ])('aspect %d: every vertex is within the margins, and two sides are touched', (aspect, margins) => {
     const camera = new PerspectiveCamera(32, aspect, 0.01, 100);
     camera.up.set(0, 0, 1);
-    const { position, target } = fitCamera(cloud, 400, camera, margins, directionFor(new Vector3()));
+    const { position, target } = fitCamera(cloud, 400, camera, margins);
     camera.position.copy(position);
     camera.lookAt(target);
     camera.updateMatrixWorld();

@@ -33,7 +33,7 @@ export function fitCamera(
   count: number,
   camera: PerspectiveCamera,
   margins: Margins,
-  direction: Vector3,
+  direction = FRONT,
 ): Stand {
   const basis = new Matrix4().lookAt(direction, new Vector3(), UP);
   const right = new Vector3();
