@@ -53,7 +53,8 @@ export interface OptionInfo {
   sentence: string;
 }
 
-/** A format of mesh files, all of which are written. Those that are read keep faces, order and every bit of a coordinate. */
+/** A format of mesh files, all of which are written. Those that are read keep faces, order and every bit of a coordinate, but for
+ *  STL, which holds triangles with floats. */
 export interface FormatInfo {
   /** Behind a dot, the extension of its files. */
   name: string;

@@ -32,7 +32,7 @@ std::span<const FormatInfo> format_table();
 /// Throws Error bad_option, naming the known formats.
 const FormatInfo& find_format(std::string_view name);
 
-/// For sentences, with `conjunction` before the last: the titles of those that are read, "OBJ, PLY and OFF".
+/// For sentences, with `conjunction` before the last: the titles of those that are read, "OBJ, PLY, OFF and STL".
 std::string titles_read(std::string_view conjunction);
 /// Likewise the titles of those that are written as binary unless text is asked for, "PLY".
 std::string titles_binary_or_text(std::string_view conjunction);

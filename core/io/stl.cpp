@@ -1,16 +1,151 @@
 #include "io/stl.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "io/bytes.h"
+#include "io/file.h"
 #include "net/triangulation.h"
 
 namespace chebnet {
 
 namespace {
+
+// Of binary STL: 80 bytes of any kind and the number of triangles; then of each its normal and corners as floats, and
+// two bytes of attributes.
+constexpr std::size_t k_header_size = 84, k_triangle_size = 50, k_normal_size = 12, k_corner_size = 12;
+
+std::size_t declared_triangles(std::string_view bytes) {
+    return number_at<std::uint32_t>(bytes.data() + 80, std::endian::little);
+}
+
+bool is_binary(std::string_view bytes) {
+    return bytes.size() >= k_header_size && bytes.size() == k_header_size + declared_triangles(bytes) * k_triangle_size;
+}
+
+/// Triangles whose corners are one vertex where they have one place.
+class Welded {
+public:
+    int vertex_at(const Eigen::Vector3d& corner) {
+        const auto [found, is_new] =
+            m_vertices.try_emplace({corner.x(), corner.y(), corner.z()}, static_cast<int>(m_vertices.size()));
+        if (is_new) m_coordinates.insert(m_coordinates.end(), corner.begin(), corner.end());
+        return found->second;
+    }
+    void add(const std::array<int, 3>& triangle) { m_faces.add(triangle); }
+    int triangle_count() const { return m_faces.size(); }
+
+    Mesh mesh() {
+        const auto count = static_cast<Eigen::Index>(m_vertices.size());
+        return {Eigen::Map<const Positions>(m_coordinates.data(), 3, count), std::move(m_faces)};
+    }
+
+private:
+    using Place = std::array<double, 3>;
+    struct Hash {
+        std::size_t operator()(const Place& place) const {
+            std::size_t hash = 0;
+            for (const double coordinate : place) hash = 31 * hash + std::hash<double>()(coordinate);
+            return hash;
+        }
+    };
+
+    std::unordered_map<Place, int, Hash> m_vertices;
+    std::vector<double> m_coordinates;
+    Faces m_faces;
+};
+
+Mesh read_binary(std::string_view bytes, std::string_view name) {
+    const std::size_t count = declared_triangles(bytes);
+    if (count > static_cast<std::size_t>(k_max_file_elements))
+        throw Error(ErrorCode::too_large,
+                    std::string(name) + ": more than " + std::to_string(k_max_file_elements) + " triangles");
+    Welded welded;
+    for (std::size_t t = 0; t < count; ++t) {
+        std::array<int, 3> triangle{};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const char* const at =
+                bytes.data() + k_header_size + t * k_triangle_size + k_normal_size + corner * k_corner_size;
+            Eigen::Vector3d place;
+            for (int k = 0; k < 3; ++k) place[k] = number_at<float>(at + 4 * k, std::endian::little);
+            if (!place.allFinite())
+                throw Error(ErrorCode::non_finite, std::string(name) + ": triangle " + std::to_string(t) +
+                                                       " has a coordinate that is not finite");
+            triangle[corner] = welded.vertex_at(place);
+        }
+        welded.add(triangle);
+    }
+    return welded.mesh();
+}
+
+/// solid, then for each triangle: facet normal, outer loop, three times vertex, endloop, endfacet; at last endsolid.
+class TextReader {
+public:
+    TextReader(std::string_view text, std::string_view name) : m_lines(text), m_name(name) {}
+
+    Mesh read() {
+        while (!m_lines.at_end()) {
+            m_words = m_lines.take();
+            const std::string_view word = take_word(m_words);
+            if (word == "vertex") {
+                read_corner();
+            } else if (word == "endloop") {
+                end_triangle();
+            } else if (!word.empty() &&
+                       std::find(k_passed_over.begin(), k_passed_over.end(), word) == k_passed_over.end()) {
+                fail(ErrorCode::bad_syntax, quoted(word) + " is not a word of text STL");
+            }
+        }
+        if (!m_corners.empty()) fail(ErrorCode::bad_syntax, "the file ends within a triangle");
+        return m_welded.mesh();
+    }
+
+private:
+    static constexpr std::array<std::string_view, 5> k_passed_over{"solid", "facet", "outer", "endfacet", "endsolid"};
+
+    void read_corner() {
+        Eigen::Vector3d place;
+        for (double& coordinate : place) {
+            const std::string_view word = take_word(m_words);
+            if (word.empty()) fail(ErrorCode::bad_syntax, "a vertex needs three coordinates");
+            coordinate = read_coordinate(word, m_name, m_lines.number());
+        }
+        m_corners.push_back(m_welded.vertex_at(place));
+    }
+
+    void end_triangle() {
+        if (m_corners.size() != 3)
+            fail(ErrorCode::bad_syntax,
+                 "a triangle has three corners, this one has " + std::to_string(m_corners.size()));
+        if (m_welded.triangle_count() == k_max_file_elements)
+            fail(ErrorCode::too_large, "more than " + std::to_string(k_max_file_elements) + " triangles");
+        m_welded.add({m_corners[0], m_corners[1], m_corners[2]});
+        m_corners.clear();
+    }
+
+    [[noreturn]] void fail(ErrorCode code, const std::string& what) const {
+        fail_at_line(code, m_name, m_lines.number(), what);
+    }
+
+    Lines m_lines;
+    std::string_view m_name, m_words;
+    std::vector<int> m_corners;
+    Welded m_welded;
+};
+
+bool is_text(std::string_view bytes) {
+    std::string_view first = Lines(bytes).take();
+    return take_word(first) == "solid";
+}
 
 void check_range(const Positions& positions) {
     for (int v = 0; v < positions.cols(); ++v)
@@ -30,6 +165,15 @@ void append(std::string& bytes, const Eigen::Vector3d& vector) {
 }
 
 }  // namespace
+
+bool is_stl(std::string_view bytes) { return is_binary(bytes) || is_text(bytes); }
+
+Mesh read_stl(std::string_view bytes, std::string_view name) {
+    if (is_binary(bytes)) return read_binary(bytes, name);
+    if (is_text(bytes)) return TextReader(bytes, name).read();
+    throw Error(ErrorCode::bad_syntax, std::string(name) + ": neither text STL, which begins with \"solid\", nor as " +
+                                           "large as binary STL with its number of triangles");
+}
 
 std::string write_stl(const Positions& positions, const Faces& faces) {
     check_range(positions);

@@ -518,12 +518,12 @@ TEST_CASE("a net that cannot be had is refused with one line") {
     box.write("three.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n");
     box.write("three.ply", "ply\nformat ascii 1.0\nend_header\n");
     box.write("picture", "GIF89a");
-    box.write("net.stl", "solid\n");
+    box.write("net.stl", "solid\nvertex 0 0\n");
     check_refused(box.run("info three.obj"), "three.obj:4");
     check_refused(box.run("info three.off"), "three.off:5");
     check_refused(box.run("info three.ply"), "three.ply:3");
     check_refused(box.run("info picture"), "picture: this is a GIF picture");
-    check_refused(box.run("info net.stl"), "net.stl: STL");
+    check_refused(box.run("info net.stl"), "net.stl:2");
     check_refused(box.run("convert missing.off net.obj"), "missing.off: cannot be opened");
     check_refused(box.run("info cloud.obj"), "cloud.obj");
     check_refused(box.run("info vault:colour=3"), "colour");

@@ -70,8 +70,8 @@ describe("the core's table of formats says", () => {
   const dxf = { name: 'dxf', title: 'DXF', sentence: 'for drawings', mediaType: 'image/vnd.dxf', reads: true };
 
   test('what a picker accepts', () => {
-    expect(acceptOf(formats)).toBe('.obj,.ply,.off,.json');
-    expect(acceptOf([...formats, dxf])).toBe('.obj,.ply,.off,.dxf,.json');
+    expect(acceptOf(formats)).toBe('.obj,.ply,.off,.stl,.json');
+    expect(acceptOf([...formats, dxf])).toBe('.obj,.ply,.off,.stl,.dxf,.json');
   });
 
   test("what can be saved, with the page's own formats among them", () => {
@@ -89,8 +89,8 @@ describe("the core's table of formats says", () => {
 
   test('what the tile for opening a file names', () => {
     const read = [...formats, dxf].filter(({ reads }) => reads).map(({ title }) => title);
-    expect(en.gallery.openFileHint(read)).toMatch(/an OBJ, PLY, OFF or DXF file/);
-    expect(zh.gallery.openFileHint(read)).toMatch(/OBJ、PLY、OFF 或 DXF/);
+    expect(en.gallery.openFileHint(read)).toMatch(/an OBJ, PLY, OFF, STL or DXF file/);
+    expect(zh.gallery.openFileHint(read)).toMatch(/OBJ、PLY、OFF、STL 或 DXF/);
   });
 });
 

@@ -52,7 +52,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     FuzzedDataProvider input(data, size);
     const Mesh mesh = input.ConsumeBool() ? fuzz::any_mesh(input) : fuzz::any_patch(input);
     try {
-        require_triangles(mesh, write_stl(mesh.positions, mesh.faces));
+        const std::string bytes = write_stl(mesh.positions, mesh.faces);
+        require_triangles(mesh, bytes);
+        const Mesh again = read_stl(bytes, "net");
+        require(bytes.size() == k_header_size + again.faces.size() * k_triangle_size, "triangles do not come back");
     } catch (const Error& error) {
         fuzz::require_readable(error);
         require(error.code() == ErrorCode::too_large && !fits_float(mesh), "STL is refused without need");

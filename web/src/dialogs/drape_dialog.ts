@@ -114,6 +114,7 @@ export class DrapeDialog implements DraperLike {
     const source: SurfaceSource = own === null ? { mesh: this.#given!.mesh } : { own };
     this.#name = own ?? this.#given!.name;
     this.#setNet(null);
+    this.#results.setSurface(null);
     this.#draping.open(source);
   }
 

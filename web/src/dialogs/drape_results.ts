@@ -27,8 +27,9 @@ export class DrapeResults {
     return this.#prospect;
   }
 
-  setSurface(report: SurfaceReport): void {
-    setText(this.#prospect, prospectWords(report));
+  /** Null: it is being opened. */
+  setSurface(report: SurfaceReport | null): void {
+    setText(this.#prospect, report === null ? TEXT.opening : prospectWords(report));
     this.#net = null;
     this.#facts.replaceChildren();
     this.#fault.hidden = true;

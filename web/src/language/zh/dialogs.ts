@@ -56,6 +56,7 @@ export const dialogs: Widened<typeof en> = {
   },
   drape: {
     title: '曲面上的网',
+    opening: '正在测量曲面…',
     picture: '曲面及其上的网；方向键移动起点',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',
