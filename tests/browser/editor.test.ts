@@ -204,6 +204,25 @@ describe('on a vault', () => {
     expect(text).toMatch(/reach/i);
     await visit.page.getByText('Out of reach: holding the best shape').waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
+    const ways = visit.page.locator('.stuck-notice');
+    await ways.getByRole('button', { name: 'Make the handle soft' }).click();
+    await script.settled();
+    expect((await script.stats()).status).toBe('converged');
+    await ways.getByRole('button').first().waitFor({ state: 'detached' });
+    await visit.page.keyboard.press('Control+z');
+    await script.settled();
+    await ways.getByRole('button', { name: 'Back to the last good shape' }).click();
+    await script.settled();
+    expect((await script.stats()).status).toBe('converged');
+    expect(largestError(await script.positions(), restPositions)).toBeLessThan(1e-9);
+    await ways.getByRole('button').first().waitFor({ state: 'detached' });
+
+    // Another net knows nothing of it.
+    await script.move(dragged, [home[0], home[1], home[2] + 12]);
+    await ways.getByRole('button').first().waitFor();
+    await script.open({ recipe: 'vault:vertices=300' });
+    await ways.getByRole('button').first().waitFor({ state: 'detached' });
+    await script.open({ recipe: SHAPE });
 
     await script.move(dragged, home);
     await script.settled();

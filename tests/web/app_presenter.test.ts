@@ -99,19 +99,8 @@ test('a run has its net and handles shown until the own net moves', async () => 
   const shown = named('setHandles').at(-1)![1] as HandleData[];
   expect(shown).toEqual([{ vertex: 0, target: [7, 0, 0], anchor: true, name: 'foot' }]);
   state.takeFrame(frameAt(1), false);
-  presenter.presentFrame(frameAt(1), false);
+  presenter.presentFrame(frameAt(1));
   expect(named('setRuns').at(-1)![1]).toBeNull();
   await afterwards();
   expect(named('setHandles').at(-1)![1]).toEqual([{ vertex: 0, target: [0, 0, 0], anchor: true, name: 'foot' }]);
-});
-
-test('handles out of reach are spoken of once, until they are within reach again', () => {
-  const far = { unreachable: [{ vertexA: 0, vertexB: 5, distance: 3, reach: 2 }] };
-  const said = () => named('say').length;
-  presenter.presentFrame(frameAt(0, far), true);
-  presenter.presentFrame(frameAt(0, far), true);
-  expect(said()).toBe(1);
-  presenter.presentFrame(frameAt(0), true);
-  presenter.presentFrame(frameAt(0, far), true);
-  expect(said()).toBe(2);
 });

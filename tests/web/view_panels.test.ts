@@ -148,7 +148,7 @@ test('numbers and states are put in words', () => {
   ]);
   expect(statusWords('running', true, 1)).toMatch(/solving/i);
   expect(statusWords('running', false, 1)).toMatch(/stopped/i);
-  expect(statusWords('running', false, 0)).toMatch(/not solved/i);
+  expect(statusWords('running', false, 0)).toMatch(/ready/i);
 });
 
 test('a stage says its exponent, if it has one, and how many vertices move', () => {

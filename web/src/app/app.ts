@@ -414,7 +414,7 @@ export class App {
   #takeFrame(frame: FrameData, settled: boolean): void {
     if (this.opening === null) return;
     this.#state.takeFrame(frame, settled);
-    this.#presenter.presentFrame(frame, settled);
+    this.#presenter.presentFrame(frame);
     this.#emit('frame');
     if (settled) this.#emit('settled');
   }

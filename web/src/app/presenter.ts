@@ -3,7 +3,6 @@ import { Beside } from '../compare/beside';
 import type { Run } from '../compare/run';
 import type { HandleData, ViewState } from '../document/document';
 import type { Choice } from '../handles/commands';
-import { words } from '../language/language';
 import type { PanelEvents, Panels } from '../panels';
 import type { View, ViewEvents } from '../view/view';
 import type { FrameData } from '../worker/protocol';
@@ -35,7 +34,6 @@ export class Presenter {
   #shownRun: Run | null = null;
   /** The runs whose nets stand beside it. */
   #runsBeside: readonly Run[] = [];
-  #saidUnreachable = false;
 
   constructor(
     screen: Screen,
@@ -88,11 +86,10 @@ export class Presenter {
   }
 
   /** The net has moved. The user's own is shown again. */
-  presentFrame(frame: FrameData, settled: boolean): void {
+  presentFrame(frame: FrameData): void {
     this.showRun(null);
     this.view.setFrame(frame);
     this.#presentNumbers(frame);
-    if (settled) this.#sayUnreachable(frame);
   }
 
   /** The dragged handles only, and at once: they follow the pointer. */
@@ -146,19 +143,5 @@ export class Presenter {
 
   #presentNumbers(frame: FrameData): void {
     this.panels.setFrame(frame, this.view.framesPerSecond(), this.#presented.solving());
-  }
-
-  /** Said once, until all handles are within reach again. */
-  #sayUnreachable({ unreachable }: FrameData): void {
-    const [worst] = unreachable;
-    const said = this.#saidUnreachable;
-    this.#saidUnreachable = worst !== undefined;
-    if (worst === undefined || said) return;
-    const { vertexA, vertexB, distance, reach } = worst;
-    const isHandle = this.#presented.state.handles.some(({ vertex }) => vertex === vertexB);
-    const sentence = isHandle
-      ? words.handles.unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3))
-      : words.drag.tooLocal;
-    this.panels.say(sentence, 'info');
   }
 }

@@ -17,6 +17,12 @@ export function experimentLink(name: string, edit = 0, variant = 0): string {
   return LINK + name + (edit > 0 ? `&edit=${edit}` : '') + (variant > 0 ? `&variant=${variant}` : '');
 }
 
+/** What a link opens, as its note is headed; null: there is no such experiment. */
+export function experimentTitle(hash: string): string | null {
+  const figure = findFigure(new URLSearchParams(hash.slice(1)).get('experiment'));
+  return figure === undefined ? null : texts.heading(texts.figure(figure.figure), textOf(figure.title));
+}
+
 /** The scene of a link. Throws a Failure. */
 export async function experimentScene(hash: string): Promise<Scene> {
   const query = new URLSearchParams(hash.slice(1));

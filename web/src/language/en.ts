@@ -108,9 +108,6 @@ export const en = {
     netLineHint: 'Make all vertices of this net line handles',
     removeSelected: 'Remove selected',
     removeHint: 'Remove the selected handles (Delete)',
-    unreachable: (a: number, b: number, distance: string, reach: string) =>
-      `Handles ${a} and ${b} are out of reach of each other: they are ${distance} apart, the net between them is ${reach} long. ` +
-      'It holds its best shape; bring them closer.',
   },
   behaviour: {
     choice: 'The net',
@@ -137,13 +134,9 @@ export const en = {
     degrees: (degrees: number) => `from ${degrees}°`,
     times: (step: number) => `${step} of 9`,
   },
-  drag: {
-    tooLocal:
-      'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
-  },
   status: {
     loading: 'Loading the solver',
-    unsolved: 'Not solved yet',
+    unsolved: 'Ready to be solved',
     stopped: 'Stopped before the end',
     running: 'Solving',
     converged: 'Every edge keeps its length',
@@ -248,8 +241,9 @@ export const en = {
     noOther: 'This browser has kept no other net.',
     lastRestored: 'Your last net is back.',
     opened: 'The project is open.',
-    linkOpened: 'The link is open.',
-    linkFollowed: 'The link is open. Undo brings back what was here before.',
+    linkOpened: (title: string | null) => (title === null ? 'The link is open.' : `${title}.`),
+    linkFollowed: (title: string | null) =>
+      `${title === null ? 'The link is open' : title}. Undo brings back what was here before.`,
     diedKept: 'The page stopped while your last net was open, so it was not opened again by itself.',
     diedLink: 'The page stopped while this link was open, so it was not opened again by itself.',
     openAnyway: 'Open it',

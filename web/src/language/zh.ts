@@ -102,8 +102,6 @@ export const zh: Words = {
     netLineHint: '把这条网线上的所有顶点都变成手柄',
     removeSelected: '移除所选',
     removeHint: '移除选中的手柄（Delete）',
-    unreachable: (a, b, distance, reach) =>
-      `手柄 ${a} 与手柄 ${b} 相距太远：二者相距 ${distance}，而其间的网长仅为 ${reach}。网已保持在最佳形状，请将二者移近。`,
   },
   behaviour: {
     choice: '网',
@@ -129,12 +127,9 @@ export const zh: Words = {
     degrees: (degrees) => `≥ ${degrees}°`,
     times: (step) => `${step}/9`,
   },
-  drag: {
-    tooLocal: '允许移动的部分太小，无法完成这次拖动。网保持最接近的形状；请把手柄移回，或放宽影响范围后重新拖动。',
-  },
   status: {
     loading: '正在加载求解器',
-    unsolved: '尚未求解',
+    unsolved: '可以求解',
     stopped: '中途停止',
     running: '正在求解',
     converged: '每条边的长度都保持不变',
@@ -236,8 +231,8 @@ export const zh: Words = {
     noOther: '本浏览器没有保存其他的网。',
     lastRestored: '上次的网已恢复。',
     opened: '项目已打开。',
-    linkOpened: '链接已打开。',
-    linkFollowed: '链接已打开。撤销即可恢复之前的内容。',
+    linkOpened: (title) => (title === null ? '链接已打开。' : `${title}。`),
+    linkFollowed: (title) => `${title === null ? '链接已打开' : title}。撤销即可恢复之前的内容。`,
     diedKept: '上次的网打开时页面意外停止，因此没有自动重新打开。',
     diedLink: '打开此链接时页面意外停止，因此没有自动重新打开。',
     openAnyway: '仍然打开',

@@ -3,7 +3,7 @@ import type { App } from '../app/app';
 import type { Scene } from '../document/document';
 import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';
-import { experimentScene, isExperimentLink } from '../experiments/links';
+import { experimentScene, experimentTitle, isExperimentLink } from '../experiments/links';
 
 export { linkAdvice } from '../document/share';
 
@@ -16,4 +16,9 @@ export function hashOf(app: App, largest?: number): Shared {
 /** The scene of a hash. Throws a Failure. */
 export async function sceneOf(hash: string): Promise<Scene> {
   return isExperimentLink(hash) ? experimentScene(hash) : decodeScene(hash);
+}
+
+/** What a hash opens, by its name; null: it has none. */
+export function titleOf(hash: string): string | null {
+  return isExperimentLink(hash) ? experimentTitle(hash) : null;
 }

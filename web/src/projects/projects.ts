@@ -53,8 +53,10 @@ export class Projects {
     const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
     if (hasCrashFlag(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
     await open();
+    const { titleOf } = await linking();
     return () => {
-      if (last) this.#offer(words.projects.linkOpened, words.projects.restoreLast, () => this.#restore(last));
+      if (last)
+        this.#offer(words.projects.linkOpened(titleOf(hash)), words.projects.restoreLast, () => this.#restore(last));
     };
   }
 
@@ -78,8 +80,9 @@ export class Projects {
   }
 
   async followLink(): Promise<void> {
-    await this.#openFlagged(location.hash, () => this.#openLink(location.hash));
-    this.#app.say(words.projects.linkFollowed);
+    const { hash } = location;
+    await this.#openFlagged(hash, () => this.#openLink(hash));
+    this.#app.say(words.projects.linkFollowed((await linking()).titleOf(hash)));
   }
 
   /** What was kept before the present net. */

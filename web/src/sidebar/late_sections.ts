@@ -2,6 +2,7 @@
 import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
+import { StuckNotice } from '../overlay/stuck_notice';
 import type { Panel } from '../panels';
 import { Appearance } from './appearance';
 import { ConvergencePanel } from './convergence_panel';
@@ -17,6 +18,8 @@ export interface LateSections {
   panels: Panel[];
   /** From top to bottom. */
   elements: HTMLElement[];
+  /** To be placed with the messages over the picture. */
+  notice: HTMLElement;
 }
 
 /** @param experiments exists already, since its note is placed elsewhere. */
@@ -44,8 +47,10 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
+  const stuck = new StuckNotice(events);
   return {
-    panels: [...usual, convergence, solver, step, comparison],
+    panels: [...usual, convergence, solver, step, comparison, stuck],
+    notice: stuck.element,
     elements: [...usual.map(({ element }) => element), research],
   };
 }

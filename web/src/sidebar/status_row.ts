@@ -21,7 +21,8 @@ export class StatusRow implements Panel {
   }
 
   setFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
-    this.#light.dataset.status = status === 'running' && !solving ? 'stalled' : status;
+    const rests = status === 'running' && !solving;
+    this.#light.dataset.status = rests ? (iterations > 0 ? 'stalled' : 'waiting') : status;
     setText(this.#status, statusWords(status, solving, iterations));
   }
 }

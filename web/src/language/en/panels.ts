@@ -200,4 +200,15 @@ export const panels = {
     title: 'History',
     hint: 'A click on a line goes back or forward to it; the arrow keys move along the list.',
   },
+  stuck: {
+    back: 'Back to the last good shape',
+    soften: 'Make the handle soft',
+    widen: 'Let the whole net move',
+    noShape: 'No shape nearby has all edges at their length.',
+    unreachable: (a: number, b: number, distance: string, reach: string) =>
+      `Handles ${a} and ${b} are out of reach of each other: they are ${distance} apart, the net between them is ${reach} long. ` +
+      'It holds its best shape; bring them closer.',
+    tooLocal:
+      'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
+  },
 };

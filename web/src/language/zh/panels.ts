@@ -189,4 +189,13 @@ export const panels: Widened<typeof en> = {
     title: '历史记录',
     hint: '点击任一行即可回到或前进到该步骤；方向键可在列表中移动。',
   },
+  stuck: {
+    back: '回到上一个正确的形状',
+    soften: '使手柄变软',
+    widen: '让整张网移动',
+    noShape: '附近没有所有边长都正确的形状。',
+    unreachable: (a, b, distance, reach) =>
+      `手柄 ${a} 与手柄 ${b} 相距太远：二者相距 ${distance}，而其间的网长仅为 ${reach}。网已保持在最佳形状，请将二者移近。`,
+    tooLocal: '允许移动的部分太小，无法完成这次拖动。网保持最接近的形状；请把手柄移回，或放宽影响范围后重新拖动。',
+  },
 };
