@@ -156,7 +156,8 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
       force: Float32Array.of(-1, 1),
     },
   };
-  const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1) };
+  const faces = { faceStart: Int32Array.of(0), faceVertices: Int32Array.of() };
+  const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1), ...faces };
   const coloursBy = (name: FieldName) => {
     const scale = scaleOf({ field: name, colourMap: 'paper' }, colours);
     return [...vertexColours(scale, fieldOf(name), frame, net)];

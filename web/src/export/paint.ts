@@ -1,10 +1,11 @@
 /** A colour for each vertex, as the view shows the chosen field. */
 import { lookupTable, positionOn, type Scale } from '../fields/colour_map';
 import { type ColourField, numbersOf, type Placed } from '../fields/fields';
+import type { Faces } from '../net/fold';
 import type { Edges } from '../net/longer';
 
 /** Red, green, blue of each vertex, 0…255. */
-export function vertexColours(scale: Scale, field: ColourField, placed: Placed, net: Edges): Uint8Array {
+export function vertexColours(scale: Scale, field: ColourField, placed: Placed, net: Faces): Uint8Array {
   const values = numbersAtVertices(field, placed, net);
   const table = lookupTable(scale);
   const colours = new Uint8Array(3 * values.length);
@@ -15,7 +16,7 @@ export function vertexColours(scale: Scale, field: ColourField, placed: Placed, 
   return colours;
 }
 
-function numbersAtVertices(field: ColourField, placed: Placed, net: Edges): Float32Array {
+function numbersAtVertices(field: ColourField, placed: Placed, net: Faces): Float32Array {
   const numbers = numbersOf(field, placed, net);
   if (field.place === 'vertex') return numbers;
   const vertices = placed.positions.length / 3;

@@ -1,8 +1,9 @@
 /** What the net can be coloured by: a table with a row for each field, whose words are `colourFields` in `language`. */
 import type { CoreFields } from '../../../wasm/chebnet';
-import { ROUNDING, small } from '../language/numbers';
+import { lengthError, ROUNDING } from '../language/numbers';
 import { words } from '../language/language';
-import { type Edges, isLonger } from '../net/longer';
+import { type Faces, writeCurvatures, writeFolds } from '../net/fold';
+import { isLonger } from '../net/longer';
 import { blend, diverging, type Ends, type MapColours, noOrYes, plasma, type Scale } from './colour_map';
 
 /** A choice between the maps of a field that has several. */
@@ -26,7 +27,7 @@ export interface ColourField {
   /** Whether ends of the map can be set by hand; above 0 only, if it is logarithmic. */
   ends?: 'any' | 'above 0';
   /** Its numbers in the unit that is shown, written in place: this is done for each frame. */
-  write(numbers: Float32Array, placed: Placed, net: Edges): void;
+  write(numbers: Float32Array, placed: Placed, net: Faces): void;
   /** @param ends in place of the map's own. */
   scale(colours: MapColours, map: ColourMap, ends?: Ends): Scale;
   /** A summary of all its numbers for the legend. */
@@ -37,6 +38,14 @@ const DEGREES = 180 / Math.PI;
 
 /** Li et al. 2022 draw an edge blue below the threshold ε₃ = 1e-6 and red above twice that. */
 const PAPER_ENDS: Ends = [1e-6, 2e-6];
+
+/** A corner of 30° is the limit of most cloth and wire mesh, and of a net at rest. */
+const SHEAR_ENDS: Ends = [0, 60];
+const SHEAR_TICKS = [
+  { value: 0, label: '0°' },
+  { value: 30, label: words.legend.warn('30°') },
+  { value: 60, label: words.legend.limit('60°') },
+];
 
 /** In the order in which they are offered. */
 export const FIELDS = {
@@ -49,10 +58,43 @@ export const FIELDS = {
     write: (numbers, { fields }) => numbers.set(fields.deviation),
     scale: (colours, map, ends) => (map === 'paper' ? paperScale(colours, ends) : plasmaScale(colours, ends)),
     summary: (numbers) => {
-      const [low, high] = rangeOf(numbers);
+      const [, high] = rangeOf(numbers);
       if (high < ROUNDING) return words.legend.net(words.legend.exact);
-      const range = low < ROUNDING ? words.legend.upTo(small(high)) : words.legend.range(small(low), small(high));
-      return words.legend.net(range);
+      return words.legend.net(words.legend.upTo(lengthError(high)));
+    },
+  },
+  /** At each vertex how far the corner farthest from 90° is from that. */
+  shear: {
+    place: 'vertex',
+    ends: 'any',
+    write: (numbers, { fields: { angle } }) => {
+      for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = Math.abs(angle[vertex]! * DEGREES - 90);
+    },
+    scale: ({ good, warn, bad }, _, ends) => {
+      const [low, high] = ends ?? SHEAR_ENDS;
+      const scale = diverging([good, warn, bad], (low + high) / 2, [low, high], '°');
+      return ends ? scale : { ...scale, ticks: SHEAR_TICKS };
+    },
+    summary: (numbers) => words.legend.net(words.legend.upTo(`${rangeOf(numbers)[1].toFixed(0)}°`)),
+  },
+  /** The angle between the faces at each edge. */
+  fold: {
+    place: 'edge',
+    atVertex: 'farthest',
+    ends: 'any',
+    write: (numbers, { positions }, net) => writeFolds(numbers, positions, net),
+    scale: ({ good, warn, bad }, _, ends = [0, 60]) => diverging([good, warn, bad], (ends[0] + ends[1]) / 2, ends, '°'),
+    summary: (numbers) => words.legend.net(words.legend.upTo(`${rangeOf(numbers)[1].toFixed(1)}°`)),
+  },
+  /** At each vertex, of a whole net as curved as it is there. */
+  curvature: {
+    place: 'vertex',
+    ends: 'any',
+    write: (numbers, { positions }, net) => writeCurvatures(numbers, positions, net),
+    scale: ({ narrow, right, wide }, _, ends = [-360, 360]) => diverging([narrow, right, wide], 0, ends, '°'),
+    summary: (numbers) => {
+      const [low, high] = rangeOf(numbers).map((angle) => `${angle.toFixed(0)}°`);
+      return words.legend.net(words.legend.range(low!, high!));
     },
   },
   /** At each vertex the corner angle farthest from 90°. */
@@ -67,17 +109,6 @@ export const FIELDS = {
       const [low, high] = rangeOf(numbers).map((angle) => `${angle.toFixed(0)}°`);
       return words.legend.net(words.legend.range(low!, high!));
     },
-  },
-  /** At each vertex how far the corner farthest from 90° is from that. */
-  shear: {
-    place: 'vertex',
-    ends: 'any',
-    write: (numbers, { fields: { angle } }) => {
-      for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = Math.abs(angle[vertex]! * DEGREES - 90);
-    },
-    scale: ({ good, warn, bad }, _, ends = [0, 60]) =>
-      diverging([good, warn, bad], (ends[0] + 2 * ends[1]) / 3, ends, '°'),
-    summary: (numbers) => words.legend.net(words.legend.upTo(`${rangeOf(numbers)[1].toFixed(0)}°`)),
   },
   /** Tension of each edge, below 0 compression. */
   force: {
@@ -142,7 +173,7 @@ export function areEnds({ ends }: ColourField, [low, high]: Ends): boolean {
 }
 
 /** One for each vertex or edge. */
-export function numbersOf({ place, write }: ColourField, placed: Placed, net: Edges): Float32Array {
+export function numbersOf({ place, write }: ColourField, placed: Placed, net: Faces): Float32Array {
   const numbers = new Float32Array(place === 'edge' ? net.restLengths.length : placed.positions.length / 3);
   write(numbers, placed, net);
   return numbers;
@@ -164,17 +195,18 @@ function meanOf(numbers: Float32Array): number {
 
 /** The legend's range is wider than the narrow band between the ends. */
 function paperScale({ good, bad }: MapColours, ends?: Ends): Scale {
-  if (ends) return blend(good, bad, ends);
-  const ticks = [
-    { value: 1e-9, label: '1e-9' },
-    { value: PAPER_ENDS[0], label: '1e-6' },
-    { value: 1e-3, label: '1e-3' },
-  ];
-  return { ...blend(good, bad, PAPER_ENDS), shown: [1e-9, 1e-3], ticks };
+  if (ends) return { ...blend(good, bad, ends), ticks: errorTicks(...ends) };
+  // A thousandth of a percent, and ten.
+  const shown: Ends = [1e-10, 9.09e-3];
+  return { ...blend(good, bad, PAPER_ENDS), shown, ticks: errorTicks(shown[0], PAPER_ENDS[0], shown[1]) };
 }
 
 function plasmaScale(colours: MapColours, ends?: Ends): Scale {
-  if (ends) return plasma(colours, ends);
-  const scale = plasma(colours, [1e-12, 1e-1]);
-  return { ...scale, ticks: [scale.ticks[0]!, { value: 1e-6, label: '1e-6' }, scale.ticks[1]!] };
+  if (ends) return { ...plasma(colours, ends), ticks: errorTicks(...ends) };
+  return { ...plasma(colours, [1e-12, 1e-1]), ticks: errorTicks(1e-12, 1e-6, 1e-1) };
+}
+
+/** A deviation is marked by the error of a length, which says more to most people. */
+function errorTicks(...deviations: number[]): Scale['ticks'] {
+  return deviations.map((value) => ({ value, label: lengthError(value) }));
 }

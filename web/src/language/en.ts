@@ -63,13 +63,17 @@ export const en = {
   offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
   /** What the net can be coloured by: one to be chosen, and over its legend. */
   colourFields: {
-    deviation: { choice: 'Deviation of edges', title: 'Deviation dL of an edge' },
+    deviation: { choice: 'Error of lengths', title: 'Error of an edge’s length' },
     angle: { choice: 'Corner angles', title: 'Corner angle farthest from 90°' },
     shear: { choice: 'Shear', title: 'Shear: 90° less the sharpest corner' },
+    fold: { choice: 'Fold between faces', title: 'Fold: angle between two faces' },
+    curvature: { choice: 'Curvature', title: 'Curvature: saddle < 0 < dome' },
     force: { choice: 'Forces in edges', title: 'Force: pushes < 0 < pulls' },
     longer: { choice: 'Longer than L', title: 'Edges by their length L' },
   },
   legend: {
+    warn: (angle: string) => `warn ${angle}`,
+    limit: (angle: string) => `limit ${angle}`,
     label: 'Legend',
     notLonger: 'not longer than L',
     isLonger: 'longer',

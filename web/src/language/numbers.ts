@@ -12,6 +12,12 @@ export function small(value: number): string {
   return value >= 0.01 && value < 1000 ? String(Number(value.toPrecision(2))) : value.toExponential(1);
 }
 
+/** By how much of its length an edge of deviation dL is too long, in percent: dL = r + 1 / r − 2 for 1 + that. */
+export function lengthError(deviation: number): string {
+  const percent = 100 * (deviation / 2 + Math.sqrt(deviation + deviation ** 2 / 4));
+  return `${Number(percent.toPrecision(2))} %`;
+}
+
 /** Stands for a number that there is not. */
 export const NOTHING = '–';
 
@@ -22,6 +28,11 @@ export function count(value: number): string {
 /** Three digits, and no more decimals than a clock in a browser is good for. */
 export function milliseconds(value: number): string {
   return value < 99.95 ? value.toFixed(1) : value.toFixed(0);
+}
+
+/** With its unit. */
+export function duration(ms: number): string {
+  return ms < 999.5 ? `${milliseconds(ms)} ms` : `${(ms / 1000).toFixed(1)} s`;
 }
 
 /** A coordinate, to a ten-thousandth of an edge. */

@@ -60,13 +60,17 @@ export const zh: Words = {
   embed: { activate: '点击后即可拖动网', open: '在 chebnet 中打开' },
   offline: { newVersion: '此页面有新版本。', reload: '重新加载' },
   colourFields: {
-    deviation: { choice: '边的偏差', title: '边的偏差 dL' },
+    deviation: { choice: '边长误差', title: '边长的误差' },
     angle: { choice: '面的角', title: '偏离 90° 最远的角' },
     shear: { choice: '剪切', title: '剪切：90° 减去最尖的角' },
+    fold: { choice: '面间折角', title: '折角：两个面之间的角' },
+    curvature: { choice: '曲率', title: '曲率：马鞍形 < 0 < 穹顶形' },
     force: { choice: '边的受力', title: '边的受力：压 < 0 < 拉' },
     longer: { choice: '是否长于 L', title: '边长与 L 相比' },
   },
   legend: {
+    warn: (angle) => `警告 ${angle}`,
+    limit: (angle) => `极限 ${angle}`,
     label: '图例',
     notLonger: '不长于 L',
     isLonger: '长于 L',

@@ -33,6 +33,7 @@ export class MapEnds {
   }
 
   #read(changed: HTMLInputElement): void {
+    for (const input of this.#inputs) input.setCustomValidity('');
     const [low = NaN, high = NaN] = this.#inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
     if (areEnds(this.#field, [low, high])) return this.#choose([low, high]);
     changed.setCustomValidity(words.legend.badEnds(this.#field.ends === 'above 0'));

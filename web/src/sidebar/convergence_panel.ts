@@ -35,8 +35,8 @@ export class ConvergencePanel implements Panel {
     this.#plot.add(trace);
   }
 
-  setFrame(frame: FrameData, framesPerSecond: number): void {
-    this.#numbers.setFrame(frame, framesPerSecond);
+  setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
+    this.#numbers.setFrame(frame, framesPerSecond, solving);
     this.#plot.refresh();
   }
 }

@@ -23,11 +23,7 @@ const REST_MS = 1000;
 export class ConvergencePlot {
   readonly element = make('div', { class: 'plot' });
   readonly #record = new Convergence();
-  readonly #host = make(
-    'div',
-    { role: 'img', 'aria-label': panelWords.plot.label },
-    make('p', { class: 'unplotted' }, panelWords.plot.empty),
-  );
+  readonly #host = make('div', { role: 'img', 'aria-label': panelWords.plot.label });
   #plot: uPlot | null = null;
   /** There has been something to plot. */
   #wanted = false;
@@ -65,8 +61,13 @@ export class ConvergencePlot {
     this.#plot?.redraw();
   }
 
+  /** Axes without a curve would say nothing. */
   clear(): void {
     this.#record.clear();
+    this.#plot?.destroy();
+    this.#plot = null;
+    this.#wanted = false;
+    this.#host.replaceChildren(make('p', { class: 'unplotted' }, panelWords.plot.empty));
     this.#draw();
   }
 

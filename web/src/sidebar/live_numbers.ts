@@ -1,8 +1,9 @@
 /** The table of current numbers of net and solver. */
+import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';
-import { count, milliseconds, NOTHING, small } from '../language/numbers';
+import { count, duration, lengthError, NOTHING, ROUNDING, small } from '../language/numbers';
 
 const LABELS = panelWords.numbers;
 
@@ -30,12 +31,17 @@ export class LiveNumbers {
     setText(this.#cells.handles, count(handles));
   }
 
-  setFrame(frame: FrameData, framesPerSecond: number): void {
+  /** @param solving at rest no frames are counted. */
+  setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
+    setText(
+      this.#cells.largestError,
+      frame.maxDeviation < ROUNDING ? words.legend.exact : lengthError(frame.maxDeviation),
+    );
     setText(this.#cells.maxDeviation, small(frame.maxDeviation));
     const solved = frame.iterations > 0;
     setText(this.#cells.stage, solved ? String(frame.stage) : NOTHING);
     setText(this.#cells.iterations, solved ? count(frame.iterations) : NOTHING);
-    setText(this.#cells.milliseconds, solved ? milliseconds(frame.milliseconds) : NOTHING);
-    setText(this.#cells.framesPerSecond, framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
+    setText(this.#cells.milliseconds, solved ? duration(frame.milliseconds) : NOTHING);
+    setText(this.#cells.framesPerSecond, solving && framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
   }
 }

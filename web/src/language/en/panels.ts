@@ -59,10 +59,11 @@ export const panels = {
     vertices: 'Vertices',
     edges: 'Edges',
     handles: 'Handles',
+    largestError: 'Largest error',
     maxDeviation: 'Max dL',
     stage: 'Stage',
     iterations: 'Iterations',
-    milliseconds: 'Last solve, ms',
+    milliseconds: 'Last solve',
     framesPerSecond: 'Frames a second',
   },
   plot: {

@@ -61,10 +61,11 @@ export const panels: Widened<typeof en> = {
     vertices: '顶点',
     edges: '边',
     handles: '手柄',
+    largestError: '最大误差',
     maxDeviation: '最大 dL',
     stage: '阶段',
     iterations: '迭代次数',
-    milliseconds: '上次求解（毫秒）',
+    milliseconds: '上次求解',
     framesPerSecond: '每秒帧数',
   },
   plot: {
