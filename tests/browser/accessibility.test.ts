@@ -137,3 +137,18 @@ describe.each([
     expect({ lesson, asleep, awake: await faults(page, frame) }).toEqual({ lesson: [], asleep: [], awake: [] });
   });
 });
+
+test('forced colours leave legend, sliders, status and the chosen shape to be seen', async () => {
+  const { page, script } = await site.arrive('', { forcedColors: 'active' });
+  await script.settled();
+  const styleOf = (selector: string, name: string) =>
+    page
+      .locator(selector)
+      .first()
+      .evaluate((each, property) => getComputedStyle(each).getPropertyValue(property), name);
+  expect(await styleOf('.legend .bar', 'background-image')).toMatch(/gradient/);
+  expect(await styleOf('input[type=range]', 'border-top-width')).toBe('1px');
+  expect(await styleOf('.light', 'background-color')).not.toBe(await styleOf('.status', 'background-color'));
+  expect(await styleOf('.gallery [aria-pressed=true]', 'outline-width')).toBe('3px');
+  await page.screenshot({ path: join(OUTPUT, 'forced-colours.png') });
+});

@@ -62,18 +62,18 @@ test('ends of colours set by hand come with the link, each field with its own; a
   await high.fill('1e-25');
   await high.press('Enter');
   expect(await low.evaluate((input: HTMLInputElement) => input.validity.valid)).toBe(true);
-  expect(await ticks()).toEqual(['1e-30', '1e-25']);
+  expect(await ticks()).toEqual(['dL 1e-30', 'dL 1e-25']);
   await expect.poll(picture).not.toEqual(before);
 
   await page.evaluate(() => window.chebnet.settled());
   const receiver = await arrive(await page.evaluate(() => window.chebnet.link()));
-  expect(await ticks(receiver.page)).toEqual(['1e-30', '1e-25']);
+  expect(await ticks(receiver.page)).toEqual(['dL 1e-30', 'dL 1e-25']);
 
   await page.getByText('Appearance', { exact: true }).click();
   await page.getByLabel('Colour by').selectOption('angle');
   expect(await ticks()).toEqual(['45°', '90°', '135°']);
   await page.getByLabel('Colour by').selectOption('deviation');
-  expect(await ticks()).toEqual(['1e-30', '1e-25']);
+  expect(await ticks()).toEqual(['dL 1e-30', 'dL 1e-25']);
   await page.getByRole('button', { name: 'Automatic' }).click();
   expect(await ticks()).toEqual(own);
   expect(await low.inputValue()).toBe('1e-6');

@@ -75,7 +75,7 @@ describe('with ends set by hand', () => {
     const scale = fieldOf('deviation').scale(COLOURS, map, [1e-8, 1e-4]);
     expect([1e-9, 1e-8, 1e-6, 1e-4, 1].map((dL) => positionOn(scale, dL))).toEqual([0, 0, expect.closeTo(0.5), 1, 1]);
     expect(colourOf(scale, 1e-8)).toEqual((map === 'paper' ? paper : log).colour(0));
-    expect(scale.ticks.map(({ label }) => label)).toEqual(['0.01 %', '1 %']);
+    expect(scale.ticks.map(({ label }) => label)).toEqual(['dL 1e-8', 'dL 1e-4']);
   });
 
   test.each([

@@ -4,7 +4,7 @@ import { lengthError, ROUNDING } from '../language/numbers';
 import { words } from '../language/language';
 import { type Faces, writeCurvatures, writeFolds } from '../net/fold';
 import { isLonger } from '../net/longer';
-import { blend, diverging, type Ends, type MapColours, noOrYes, plasma, type Scale } from './colour_map';
+import { blend, diverging, type Ends, endText, type MapColours, noOrYes, plasma, type Scale } from './colour_map';
 
 /** A choice between the maps of a field that has several. */
 export type ColourMap = 'paper' | 'log';
@@ -195,15 +195,20 @@ function meanOf(numbers: Float32Array): number {
 
 /** The legend's range is wider than the narrow band between the ends. */
 function paperScale({ good, bad }: MapColours, ends?: Ends): Scale {
-  if (ends) return { ...blend(good, bad, ends), ticks: errorTicks(...ends) };
+  if (ends) return { ...blend(good, bad, ends), ticks: deviationTicks(ends) };
   // A thousandth of a percent, and ten.
   const shown: Ends = [1e-10, 9.09e-3];
   return { ...blend(good, bad, PAPER_ENDS), shown, ticks: errorTicks(shown[0], PAPER_ENDS[0], shown[1]) };
 }
 
 function plasmaScale(colours: MapColours, ends?: Ends): Scale {
-  if (ends) return { ...plasma(colours, ends), ticks: errorTicks(...ends) };
+  if (ends) return { ...plasma(colours, ends), ticks: deviationTicks(ends) };
   return { ...plasma(colours, [1e-12, 1e-1]), ticks: errorTicks(1e-12, 1e-6, 1e-1) };
+}
+
+/** Ends set by hand are marked as they were entered. */
+function deviationTicks(ends: Ends): Scale['ticks'] {
+  return ends.map((value) => ({ value, label: `dL ${endText(value)}` }));
 }
 
 /** A deviation is marked by the error of a length, which says more to most people. */
