@@ -13,7 +13,7 @@ export interface ChebnetError extends Error {
   code: string;
 }
 
-export type Status = 'running' | 'converged' | 'stalled' | 'max_iterations' | 'unreachable' | 'non_finite';
+export type Status = 'running' | 'converged' | 'exact' | 'stalled' | 'max_iterations' | 'unreachable' | 'non_finite';
 
 export interface ShapeParameter {
   name: string;

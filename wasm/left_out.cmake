@@ -1,7 +1,7 @@
 # The parts of the core that the module for a first net does without: left_out.cpp and number.cpp have the same functions
 # for it. A source is in one of the two modules or in the library of both, never twice.
 file(GLOB LEFT_OUT_METHODS CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/*.cpp)
-foreach(method projection arap local_global gauss_newton)
+foreach(method equilibrium projection)
     list(REMOVE_ITEM LEFT_OUT_METHODS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/${method}.cpp)
 endforeach()
 # Of these it has the words, so that its tables are whole.
@@ -9,8 +9,8 @@ set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp
      ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/drape/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
-foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation solve/parts/corner_limit
-               solve/parts/neighbour_system solve/parts/tangent_newton solve/terms/bending_term solve/terms/load_terms
-               solve/terms/shear_term edit/equalize fabricate/edge_table fabricate/flat_pattern)
+foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation
+               
+               edit/equalize fabricate/edge_table fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

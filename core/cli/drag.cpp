@@ -100,8 +100,8 @@ int run_drag(const DragArguments& arguments) {
     const auto frames = drag(editor, goal, arguments.frames);
     write_results(arguments.solver, editor, to_csv(frames));
     print(drag_report(arguments, editor, frames));
-    const auto has_converged = [](const SolveReport& frame) { return frame.status == Status::converged; };
-    return std::ranges::all_of(frames, has_converged) ? k_success : k_not_converged;
+    const auto is_net = [](const SolveReport& frame) { return keeps_lengths(frame.status); };
+    return std::ranges::all_of(frames, is_net) ? k_success : k_not_converged;
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(0, 1);  // that one is there is checked below, so that a misspelt one is named
     program.footer("A NET is a file (" + titles_read("or") +
                    "), or a recipe such as dome or vault:vertices=4000 (see chebnet make --list).\n"
-                   "Exit codes: 0 done and converged, 1 did not converge, 2 bad usage or input.");
+                   "Exit codes: 0 done, every edge with its length; 1 not reached, 2 bad usage or input.");
     const Command commands[] = {add_info(program), add_make(program),     add_convert(program), add_solve(program),
                                 add_drag(program), add_equalize(program), add_drape(program)};
     try {

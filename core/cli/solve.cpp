@@ -35,7 +35,7 @@ int run_solve(const SolverArguments& arguments) {
     const SolveReport solved = editor.solve();
     write_results(arguments, editor, to_csv(solved.trace));
     print(solve_report(arguments, editor, solved));
-    return solved.status == Status::converged ? k_success : k_not_converged;
+    return keeps_lengths(solved.status) ? k_success : k_not_converged;
 }
 
 }  // namespace

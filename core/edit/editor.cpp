@@ -351,7 +351,7 @@ SolveReport Editor::solve(const Budget& budget) {
 void Editor::refuse_size(const std::string& reason) {
     m_prepared = false;
     m_running = false;
-    const std::string way_out = m_method_name == k_default_method ? "make it coarser" : "projection needs less";
+    const std::string way_out = m_method_name == "projection" ? "make it coarser" : "projection needs less";
     throw Error(ErrorCode::too_large, "a net of " + std::to_string(m_net->vertex_count()) +
                                           " vertices is too large for method " + m_method_name + ": " + reason + "; " +
                                           way_out);
@@ -379,7 +379,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     m_running = report.status == Status::running;
     store_positions();
     report.max_deviation = max_deviation(*m_net, m_positions);
-    if (report.status == Status::converged && !(report.max_deviation < m_options.threshold))
+    if (keeps_lengths(report.status) && !(report.max_deviation < m_options.threshold))
         report.status = Status::unreachable;  // the net is exact, but only where the handles were drawn near
     report.milliseconds = watch.milliseconds();
     m_elapsed_ms += report.milliseconds;

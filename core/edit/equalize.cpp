@@ -98,6 +98,7 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
       m_positions(m_original.rest_positions()) {
     if (m_options.choice == EqualLength::fitting && !m_options.handles.empty())
         throw Error(ErrorCode::bad_option, "a net with handles cannot choose its fitting length: they fix its size");
+    m_editor.set_method("projection");
     m_editor.set_option("threshold", k_threshold);
     m_editor.set_option("max_iterations", k_first_iterations);
     hold_handles();

@@ -52,7 +52,7 @@ struct MethodInfo {
 };
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.
-inline constexpr std::string_view k_default_method = "projection";
+inline constexpr std::string_view k_default_method = "equilibrium";
 /// Throws Error bad_option, naming the known methods, or left_out for one that this build only has the words of.
 std::unique_ptr<Method> make_method(std::string_view name);
 

@@ -10,6 +10,8 @@ const char* to_string(Status status) {
             return "running";
         case Status::converged:
             return "converged";
+        case Status::exact:
+            return "exact";
         case Status::stalled:
             return "stalled";
         case Status::max_iterations:

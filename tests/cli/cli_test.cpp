@@ -206,7 +206,7 @@ TEST_CASE("every method solves by its name") {
 TEST_CASE("options reach the solver, by short names too") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());
-    const std::string solve = "solve " + k_recipe + " --edit pull.json ";
+    const std::string solve = "solve " + k_recipe + " --edit pull.json --method li2022 ";
     const json loose = box.run(solve + "--threshold 1e-3").json();
     CHECK(loose.at("iterations") < box.run(solve).json().at("iterations"));
     CHECK(loose.at("iterations") == box.run(solve + "--set adaptive_p=on threshold=1e-3").json().at("iterations"));

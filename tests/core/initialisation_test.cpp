@@ -109,6 +109,7 @@ TEST_CASE("The editor initialises each solve once, for whatever handles there ar
 
 TEST_CASE("A net that is solved already is not started anew") {
     Editor editor = pulled_patch();
+    editor.set_method("projection");
     editor.solve();
     const Positions solved = editor.positions();
     editor.set_initialisation("arap:5");

@@ -107,6 +107,7 @@ TEST_CASE("Two soft handles that pull too far apart end balanced on a taut net")
     const double weight = GENERATE(1.0, 100.0, 1e6);
     CAPTURE(weight);
     Editor editor(samples::patch(15, 12));
+    editor.set_method("projection");
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 179});
     const Eigen::Vector3d apart = 15 * (handles[1].target - handles[0].target).normalized();
     handles[0].target -= apart;
@@ -129,7 +130,7 @@ TEST_CASE("Where soft handles and exact ones disagree, the exact ones and the ed
     Editor editor = softly_held_patch(10);
     editor.move_handle(179, {100, 0, 0});
     CHECK(editor.unreachable_pairs().empty());
-    CHECK(editor.solve().status == Status::converged);
+    CHECK(keeps_lengths(editor.solve().status));
     CHECK(editor.handle_error() == 0);
     editor.move_handle(179, editor.net().rest_positions().col(179));
     CHECK(editor.solve().status == Status::converged);

@@ -25,6 +25,7 @@ namespace {
 // does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
 // that would.
 constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.25, k_careful_step = 0.125;
+constexpr double k_least_stride = 1.0 / 100;  // of the way: far jumps end, too
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
 // rough in one does not grow from step to step.
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
@@ -54,6 +55,8 @@ constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
 constexpr int k_most_steps_of_opening = 100;
 // At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
+// Less force than this moves nothing: a net that comes at rest need not be tried.
+constexpr double k_no_force = 1e-9;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -78,6 +81,7 @@ public:
 private:
     enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
 
+    Method& projection();
     Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     CornerLimit limit() const;
@@ -97,6 +101,7 @@ private:
     bool move_handles(double part, Positions& x);
     void predict(Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
+    Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
     void watch_corners(const Positions& positions);
@@ -165,11 +170,19 @@ void Equilibrium::prepare(const Problem& problem) {
     m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
     m_is_free = free_vertices(of.vertex_count(), m_fixed);
     m_part = std::make_unique<FreePart>(of, m_is_free);
-    m_projection = k_projection.make();
-    m_projection->prepare(problem);
+    m_projection.reset();
     m_newton.reset();
     m_last_move.setZero(3, of.vertex_count());
     m_has_metric = m_is_still = m_is_linearised = false;
+}
+
+/// Made when first asked for: most edits do without.
+Method& Equilibrium::projection() {
+    if (!m_projection) {
+        m_projection = make_method("projection");
+        m_projection->prepare(problem());
+    }
+    return *m_projection;
 }
 
 void Equilibrium::take_pulls(std::span<const Pull> pulls) {
@@ -237,14 +250,17 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net) {
-        const Status status = m_projection->start(problem(), positions, m_options);
+        const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
         if (m_stage == net) return status;
     }
     if (m_stage == follow) begin_walk(positions);
-    if (m_stage == rest) enter_rest(positions);
     if (m_stage != follow) m_last_move.setZero();
-    return Status::running;
+    if (m_stage != rest) return Status::running;
+    enter_rest(positions);
+    if (!is_at_rest()) return Status::running;
+    m_result = positions;
+    return Status::converged;
 }
 
 /// False if the systems for it would be too large.
@@ -291,7 +307,8 @@ void Equilibrium::begin_walk(const Positions& positions) {
     double longest = 0;
     for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - m_walk_from.col(v)).norm());
     const double lengths = longest / m_net->mean_length();
-    m_stride = lengths <= k_one_step ? 1 : (lengths <= k_fast_drag ? k_fast_step : k_careful_step) / lengths;
+    const double stride = (lengths <= k_fast_drag ? k_fast_step : k_careful_step) / lengths;
+    m_stride = lengths <= k_one_step ? 1 : std::max(stride, k_least_stride);
     m_walked = 0;
 }
 
@@ -338,14 +355,15 @@ Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
 }
 
 Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
-    const Status status = m_projection->iterate(positions, row);
+    const Status status = projection().iterate(positions, row);
     m_max_deviation = row.max_deviation;
     if (status != Status::converged || !m_reachable) return status;
-    if (!m_lengths || !m_newton) return Status::stalled;
+    if (!m_lengths || !m_newton) return Status::exact;
     const Positions found = positions;
     if (!project(positions)) {
         positions = found;
-        return Status::stalled;
+        m_lack = m_limit.largest_lack(positions);
+        return stuck();
     }
     enter_rest(positions);
     return Status::running;
@@ -416,7 +434,7 @@ void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
 
 Status Equilibrium::find_another_net(Positions& positions) {
     m_stage = net;
-    const Status status = m_projection->start(problem(), positions, m_options);
+    const Status status = projection().start(problem(), positions, m_options);
     m_max_deviation = max_deviation(*m_net, positions);
     return status;
 }
@@ -427,7 +445,8 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_max_deviation = max_deviation(*m_net, positions);
     linearise(positions);
     m_radius = k_most_move * m_net->mean_length();
-    m_is_still = m_is_careful = false;
+    m_is_still = m_is_linearised && gradient_norm() < k_no_force;
+    m_is_careful = false;
 }
 
 /// Per unit of length.
@@ -438,16 +457,22 @@ bool Equilibrium::is_at_rest() const {
            m_lack <= 2 * CornerLimit::k_tolerance;
 }
 
+/// The end of a way to rest that leads no farther.
+Status Equilibrium::stuck() const {
+    const bool is_net = m_max_deviation < m_options.threshold && m_lack <= 2 * CornerLimit::k_tolerance;
+    return is_net ? Status::exact : Status::stalled;
+}
+
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
-    if (!m_is_linearised && !linearise(positions)) return Status::stalled;
+    if (!m_is_linearised && !linearise(positions)) return stuck();
     if (is_at_rest()) return Status::converged;
     take_step(positions, row);
     if (row.step == 0) {
         if (m_is_linearised && gradient_norm() < m_options.rest_tolerance) return Status::converged;
-        if (m_is_careful) return Status::stalled;
+        if (m_is_careful) return stuck();
         m_is_careful = true;
     }
-    if (!linearise(positions)) return Status::stalled;
+    if (!linearise(positions)) return stuck();
     row.factorisation_ms += m_newton->factorisation_ms();
     return is_at_rest() ? Status::converged : Status::running;
 }
@@ -614,8 +639,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///
 /// From the end of stage 2 on every iteration ends in a net, and the energy falls, but while corners are being opened.
-/// `converged` says that lengths, limit and rest are reached; `stalled` that rest is not, though lengths may be. Where
-/// no net is found it ends as `projection` does.
+/// `converged` says that lengths, limit and rest are reached; `exact` that rest is not; `stalled` that the limit is not
+/// either. Where no net is found it ends as `projection` does.
 constinit const MethodInfo k_equilibrium = {
     "equilibrium", "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
     "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "

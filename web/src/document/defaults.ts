@@ -3,7 +3,7 @@ import type { NetSource, Scene, ViewState } from './document';
 
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
-const DEFAULT_METHOD = 'projection';
+const DEFAULT_METHOD = 'equilibrium';
 export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
