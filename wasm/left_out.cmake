@@ -1,16 +1,13 @@
 # The parts of the core that the module for a first net does without: left_out.cpp and number.cpp have the same functions
 # for it. A source is in one of the two modules or in the library of both, never twice.
 file(GLOB LEFT_OUT_METHODS CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/*.cpp)
-foreach(method equilibrium projection)
-    list(REMOVE_ITEM LEFT_OUT_METHODS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/${method}.cpp)
-endforeach()
+list(REMOVE_ITEM LEFT_OUT_METHODS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods/equilibrium.cpp)
 # Of these it has the words, so that its tables are whole.
 set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format.cpp)
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp
      ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/drape/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
-foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation
-               
-               edit/equalize fabricate/edge_table fabricate/flat_pattern)
+foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation edit/equalize
+               fabricate/edge_table fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

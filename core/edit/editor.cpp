@@ -86,6 +86,7 @@ Editor::Editor(Net net)
       m_unit_net(std::make_unique<const Net>(m_net->scaled(1 / m_unit))),
       m_topology(std::make_unique<const Topology>(*m_net)),
       m_positions(m_net->rest_positions()),
+      m_last_net(m_positions),
       m_handle_at(static_cast<std::size_t>(m_net->vertex_count()), -1),
       m_method_name(k_default_method),
       m_method(make_method(k_default_method)) {}
@@ -204,6 +205,7 @@ void Editor::set_state(EditState next) {
     replace_handles(std::move(next.handles));
     replace_region(std::move(region));
     m_positions = std::move(next.positions);
+    if (max_deviation(*m_net, m_positions) < m_options.threshold) m_last_net = m_positions;
     m_running = false;
 }
 
@@ -297,6 +299,7 @@ void Editor::load_positions() {
     for (std::size_t i = 0; i < m_handles.size(); ++i)
         if (m_handles[i].is_exact())
             m_unit_positions.col(m_handles[i].vertex) = m_near_targets.col(static_cast<Eigen::Index>(i));
+    m_unit_last_net = m_last_net / m_unit;
 }
 
 void Editor::store_positions() {
@@ -379,6 +382,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     m_running = report.status == Status::running;
     store_positions();
     report.max_deviation = max_deviation(*m_net, m_positions);
+    if (report.max_deviation < m_options.threshold) m_last_net = m_positions;
     if (keeps_lengths(report.status) && !(report.max_deviation < m_options.threshold))
         report.status = Status::unreachable;  // the net is exact, but only where the handles were drawn near
     report.milliseconds = watch.milliseconds();

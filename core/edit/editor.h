@@ -133,7 +133,7 @@ private:
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     std::vector<int> fixed_vertices() const;
-    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable, &m_unit_last_net}; }
     void collect_pulls();
     void prepare();
     void draw_targets_near();
@@ -153,12 +153,13 @@ private:
     std::unique_ptr<const Net> m_unit_net;  // the net in this unit
     std::unique_ptr<const Topology> m_topology;
     Positions m_positions;
+    Positions m_last_net;  // the last positions in which every edge had its length
     std::vector<Handle> m_handles;
     std::vector<int> m_handle_at;  // V, the place of the handle that holds a vertex, −1 where there is none
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
     // For the solve under way, in the solver's unit:
-    Positions m_unit_positions;
+    Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
     std::vector<int> m_fixed;
     std::vector<Pull> m_pulls;  // of soft handles and of the region

@@ -13,9 +13,10 @@ namespace chebnet {
 struct Problem {
     const Net& net;
     const Topology& topology;
-    std::span<const int> fixed;        ///< distinct: exact handles, and what lies outside the region that may move
-    std::span<const Pull> pulls = {};  ///< of free vertices, distinct: soft handles, and the region's border
-    bool reachable = true;             ///< false: no such positions exist, as far as the handles' distances tell
+    std::span<const int> fixed;           ///< distinct: exact handles, and what lies outside the region that may move
+    std::span<const Pull> pulls = {};     ///< of free vertices, distinct: soft handles, and the region's border
+    bool reachable = true;                ///< false: no such positions exist, as far as the handles' distances tell
+    const Positions* last_net = nullptr;  ///< the last positions in which every edge had its length; null: not known
 };
 
 }  // namespace chebnet

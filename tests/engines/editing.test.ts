@@ -28,7 +28,7 @@ test('the first net can be dragged', async () => {
   expect(
     distance(after.subarray(3 * vertex, 3 * vertex + 3), before.subarray(3 * vertex, 3 * vertex + 3)),
   ).toBeGreaterThan(0);
-  expect(await visitor.stats()).toMatchObject({ status: 'converged', method: 'projection' });
+  expect(await visitor.stats()).toMatchObject({ status: 'converged', method: 'equilibrium' });
   await visitor.picture('dragged');
 });
 

@@ -36,7 +36,7 @@ test.each(shapes.filter((name) => !RELAXED.includes(name)))(
     const [positions, expected] = [first, whole].map((core) => {
       const each = core.openRecipe(`${name}:vertices=300`);
       each.setHandles(firstEdit(each));
-      expect(each.solve().status).toBe('converged');
+      expect(['converged', 'exact']).toContain(each.solve().status);
       const result = each.positions();
       each.dispose();
       return result;
@@ -99,7 +99,7 @@ test('knows the method it begins with, and refuses those left out without a chan
       .methods()
       .filter(has)
       .map(({ name }) => name),
-  ).toEqual(['projection', 'gauss_newton', 'arap', 'local_global']);
+  ).toEqual(['equilibrium']);
 });
 
 test('leaves files out, and still says what is wrong with a name', () => {

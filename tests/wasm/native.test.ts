@@ -61,6 +61,7 @@ const recipes = chebnet.shapes().flatMap(({ name }) => SIZES.map((size) => `${na
 
 describe.each(recipes)('%s', (recipe) => {
   const [first, second] = [chebnet.openRecipe(recipe), chebnet.openRecipe(recipe)];
+  for (const editor of [first, second]) editor.setMethod('projection');
   const here = solveHere(first);
   afterAll(() => [first, second].forEach((editor) => editor.dispose()));
 
@@ -74,7 +75,7 @@ describe.each(recipes)('%s', (recipe) => {
   });
 
   test('is solved as by the native program', () => {
-    const native = solveNatively(recipe, first);
+    const native = solveNatively(recipe, first, '--method', 'projection');
     expect(here.status).toBe('converged');
     expect(native.status).toBe('converged');
     expect(Math.abs(here.iterations - native.iterations)).toBeLessThanOrEqual(1);

@@ -91,7 +91,7 @@ test('what is left out, or given as undefined, is as if nobody had spoken of it'
     { vertex: 5, target: [...positions.subarray(15, 18)], anchor: true },
   ]);
   await script.setOptions({ method: undefined, threshold: undefined, max_iterations: 7 });
-  expect(app.opening!.document).toMatchObject({ method: 'projection', options: { max_iterations: 7 } });
+  expect(app.opening!.document).toMatchObject({ method: 'equilibrium', options: { max_iterations: 7 } });
   await script.setLocality(3);
   await script.setLocality(null);
   expect(app.opening!.document.locality).toBeUndefined();

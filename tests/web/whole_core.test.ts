@@ -71,7 +71,7 @@ async function turn(): Promise<void> {
 test('a first drag does without it', () => {
   ask(drag);
   solve();
-  expect(settled().frame).toMatchObject({ status: 'converged', method: 'projection' });
+  expect(settled().frame).toMatchObject({ status: 'converged', method: 'equilibrium' });
   expect(wanted).toBe(0);
 });
 
@@ -89,8 +89,8 @@ test('a relaxed shape opens with it, a picture of one does not call for it', asy
 });
 
 test('another method moves the net over as it stands, and is answered before what came after it', async () => {
-  ask({ type: 'locality', radius: 3, origins: [dragged] });
-  ask(drag);
+  ask({ type: 'locality', radius: 5, origins: [dragged] });
+  ask({ type: 'drag', targets: [{ vertex: dragged, target: [x, y, z - 0.5] }] });
   solve();
   const before = settled().frame;
   const id = ask(li2022);
@@ -131,7 +131,31 @@ test('a solve under way goes on there', async () => {
   await turn();
   expect(said).toContainEqual(expect.objectContaining({ id, type: 'exported' }));
   solve();
-  expect(settled().frame).toMatchObject({ status: 'converged', method: 'projection' });
+  expect(settled().frame).toMatchObject({ status: 'converged', method: 'equilibrium' });
+});
+
+test('a solve goes on there when it leaves to projection what the first core cannot do', async () => {
+  ask({ type: 'locality', radius: 3, origins: [dragged] });
+  const id = ask(drag);
+  solve();
+  expect(wanted).toBe(1);
+  const after = ask({ type: 'measure' });
+  arrive(whole);
+  await turn();
+  expect(said).toContainEqual(expect.objectContaining({ id: after, type: 'measured' }));
+  solve();
+  expect(settled()).toMatchObject({ id, frame: { method: 'equilibrium' } });
+  expect(settled().frame.iterations).toBeGreaterThan(0);
+});
+
+test('if it does not come, the net stays and the solve ends', async () => {
+  ask({ type: 'locality', radius: 3, origins: [dragged] });
+  const id = ask(drag);
+  solve();
+  fail(new Error('no network'));
+  await turn();
+  expect(settled()).toMatchObject({ id, frame: { status: 'unreachable' } });
+  expect(said.at(-1)).toMatchObject({ id, type: 'error', code: 'not_loaded' });
 });
 
 test('a net from a file opens with it', async () => {
@@ -156,7 +180,7 @@ test('if it does not come, the request fails, the net stays, and the next one tr
     message: 'The rest of the solver could not be loaded: no network',
   });
   solve();
-  expect(settled()).toMatchObject({ id: after, frame: { status: 'converged', method: 'projection' } });
+  expect(settled()).toMatchObject({ id: after, frame: { status: 'converged', method: 'equilibrium' } });
   const again = ask(li2022);
   arrive(whole);
   await turn();

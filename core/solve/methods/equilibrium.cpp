@@ -88,11 +88,11 @@ private:
     void forget_rest_shape();
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
-    Status begin(Positions& positions, bool same_energy);
+    Status begin(Positions& positions, bool same_energy, const Positions* last_net = nullptr);
     void choose_energy();
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
-    Stage first_stage(const Positions& positions);
+    Stage first_stage(const Positions& positions, const Positions* last_net);
     bool was_left(const Positions& before, const Positions& positions) const;
     void begin_walk(const Positions& positions);
     Status find_net(Positions& positions, TraceRow& row);
@@ -205,7 +205,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
         m_stage = open;
         return Status::running;
     }
-    return begin(positions, same_energy);
+    return begin(positions, same_energy, problem.last_net);
 }
 
 void Equilibrium::forget_rest_shape() {
@@ -245,10 +245,10 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
     return begin(positions, false);
 }
 
-Status Equilibrium::begin(Positions& positions, bool same_energy) {
+Status Equilibrium::begin(Positions& positions, bool same_energy, const Positions* last_net) {
     m_steps = 0;
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
-    m_stage = can_rest ? first_stage(positions) : net;
+    m_stage = can_rest ? first_stage(positions, last_net) : net;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
@@ -280,7 +280,7 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     return true;
 }
 
-Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
+Equilibrium::Stage Equilibrium::first_stage(const Positions& positions, const Positions* last_net) {
     const bool is_net = m_max_deviation < m_options.threshold;
     if (was_left(m_result, positions)) return is_net ? rest : follow;
     const bool has_opened = m_rest_shape != m_net->rest_positions();
@@ -289,7 +289,10 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
         m_result = m_rest_shape;
         return follow;
     }
-    return is_net ? rest : net;
+    if (is_net) return rest;
+    if (last_net == nullptr || !was_left(*last_net, positions)) return net;
+    m_result = *last_net;
+    return max_deviation(*m_net, m_result) < m_options.threshold ? follow : net;
 }
 
 /// Whether the free vertices stand where they were in a state of before.
@@ -630,8 +633,7 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 /// present shape leads to. The energy counts from the net's rest shape; where that is no net within the limit, it is
 /// first made one, at rest without handles. In stages:
 ///
-///   1  a net, by `projection`, if the method knows of none near: where somebody else has moved the net, or stage 2
-///      fails;
+///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails;
 ///   2  after handles have moved: in steps of an edge length at most, free vertices go on as in the step before, as far
 ///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
 ///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;

@@ -4,11 +4,17 @@
 
 namespace chebnet {
 
+namespace {
+
+std::unique_ptr<Method> make() { return std::make_unique<Alternating>(make_alternating_step<LocalGlobalStep>); }
+
+}  // namespace
+
 constinit const MethodInfo k_local_global = {
     "local_global", "Each edge takes its length by itself, then one constant linear system fits them together.",
     "Bouaziz, Deuss, Schwartzburg, Weise, Pauly: Shape-Up: Shaping Discrete Geometry with Projections. Computer "
     "Graphics Forum 31(5), 2012; Liu, Bargteil, O'Brien, Kavan: Fast Simulation of Mass-Spring Systems. ACM "
     "Transactions on Graphics 32(6), 2013",
-    []() -> std::unique_ptr<Method> { return std::make_unique<Alternating>(make_alternating_step<LocalGlobalStep>); }};
+    in_this_build(make)};
 
 }  // namespace chebnet

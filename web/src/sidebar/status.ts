@@ -1,8 +1,16 @@
-/** Texts for the status of the solver. */
+/** How it stands with the solver. */
 import type { Status } from '../../../wasm/chebnet';
-import { words } from '../language/language';
+import type { FrameData } from '../worker/protocol';
 
-export function statusWords(status: Status, solving: boolean, iterations: number): string {
-  if (status !== 'running' || solving) return words.status[status];
-  return iterations > 0 ? words.status.stopped : words.status.unsolved;
+/** Below it edges count as kept while a net is still on its way to rest. */
+const KEPT_DEVIATION = 1e-6;
+
+type StatusOfFrame = Pick<FrameData, 'status' | 'iterations' | 'maxDeviation'>;
+export type Standing = Status | 'settling' | 'stopped' | 'unsolved';
+
+/** What is to be said of the solver, and the colour of its light: of a frame, while it is solving or not. */
+export function standing({ status, iterations, maxDeviation }: StatusOfFrame, solving: boolean): Standing {
+  if (status !== 'running') return status;
+  if (solving) return maxDeviation < KEPT_DEVIATION ? 'settling' : 'running';
+  return iterations > 0 ? 'stopped' : 'unsolved';
 }

@@ -3,7 +3,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { words } from '../language/language';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData } from '../worker/protocol';
-import { statusWords } from './status';
+import { standing } from './status';
 
 export class StatusRow implements Panel {
   readonly element: HTMLElement;
@@ -20,9 +20,9 @@ export class StatusRow implements Panel {
     this.element = make('div', { class: 'status' }, this.#light, this.#status, keys, ...folds);
   }
 
-  setFrame({ status, iterations }: FrameData, _framesPerSecond: number, solving: boolean): void {
-    const rests = status === 'running' && !solving;
-    this.#light.dataset.status = rests ? (iterations > 0 ? 'stalled' : 'waiting') : status;
-    setText(this.#status, statusWords(status, solving, iterations));
+  setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
+    const now = standing(frame, solving);
+    this.#light.dataset.status = now;
+    setText(this.#status, words.status[now]);
   }
 }

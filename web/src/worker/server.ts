@@ -75,7 +75,11 @@ export class Server {
       this.#answer(request);
     } catch (error) {
       // A small picture is not worth the wait.
-      if (codeOf(error) === LEFT_OUT && request.type !== 'thumbnail') void this.#answerByWholeCore(request);
+      if (codeOf(error) === LEFT_OUT && request.type !== 'thumbnail')
+        void this.#goOnInWholeCore(
+          () => this.handle(request),
+          (failure) => this.#refuse(request.id, failure),
+        );
       else this.#refuse(request.id, error);
     }
   }
@@ -222,19 +226,19 @@ export class Server {
 
   // ---------------------------------------------------------------------------------------------------- the whole core
 
-  async #answerByWholeCore(request: Request): Promise<void> {
-    const late = [request];
+  /** All requests wait meanwhile. */
+  async #goOnInWholeCore(goOn: () => void, refuse: (error: unknown) => void): Promise<void> {
+    const late: Request[] = [];
     this.#late = late;
+    let next = goOn;
     try {
       this.#moveTo(await this.#host.wholeCore());
     } catch (error) {
-      late.shift();
-      this.#refuse(
-        request.id,
-        new Failure('not_loaded', `The rest of the solver could not be loaded: ${messageOf(error)}`),
-      );
+      const message = `The rest of the solver could not be loaded: ${messageOf(error)}`;
+      next = () => refuse(new Failure('not_loaded', message));
     }
     this.#late = null;
+    next();
     for (const each of late) this.handle(each);
   }
 
@@ -278,7 +282,13 @@ export class Server {
         this.#slice();
       } catch (error) {
         this.#solving = false;
-        this.#solveFailed(error);
+        // Of the methods that the default one falls back on, the core for a first net has the words only.
+        if (codeOf(error) === LEFT_OUT)
+          void this.#goOnInWholeCore(
+            () => this.#go(true),
+            (failure) => this.#endSolve(failure),
+          );
+        else this.#solveFailed(error);
       }
     });
   }
@@ -286,8 +296,11 @@ export class Server {
   #solveFailed(error: unknown): void {
     const code = codeOf(error, CRASHED);
     // Hard problems end with a status; an exception is a fault.
-    if (code !== TOO_LARGE)
-      return this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+    if (code === TOO_LARGE) this.#endSolve(error);
+    else this.#post({ id: this.#touch, type: 'error', code: CRASHED, message: messageOf(error) });
+  }
+
+  #endSolve(error: unknown): void {
     this.#assess();
     this.#settle();
     this.#refuse(this.#touch, error);

@@ -146,6 +146,7 @@ export const panels = {
     status: {
       running: 'Stopped',
       converged: 'Converged',
+      exact: 'Exact, not at rest',
       stalled: 'Stalled',
       max_iterations: 'Iteration limit',
       unreachable: 'Out of reach',

@@ -140,6 +140,7 @@ export const panels: Widened<typeof en> = {
     status: {
       running: '已停止',
       converged: '已收敛',
+      exact: '边长精确，未静止',
       stalled: '停滞',
       max_iterations: '达到迭代上限',
       unreachable: '无法到达',
