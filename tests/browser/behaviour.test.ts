@@ -88,6 +88,10 @@ test('the first net stays one that could be woven: pushed down, aside and far, a
   expect(apart(await script.positions(), rest)).toBeLessThan(0.02 * length);
 });
 
+async function lowest(): Promise<number> {
+  return Math.min(...(await script.positions()).filter((_, i) => i % 3 === 2));
+}
+
 test('cloth with gravity hangs between its handles; undo takes both choices back', async () => {
   await script.open({ recipe: 'sheet:vertices=400' });
   await script.settled();
@@ -98,10 +102,9 @@ test('cloth with gravity hangs between its handles; undo takes both choices back
   await weight.blur();
   await script.settled();
   await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-cloth.png') });
-  const heights = (await script.positions()).filter((_, i) => i % 3 === 2);
-  expect(Math.min(...heights)).toBeLessThan(-0.1);
+  expect(await lowest()).toBeLessThan(-0.1);
 
   for (let i = 0; i < 4; ++i) await visit.page.keyboard.press('Control+z');
   await script.settled();
-  expect((await script.stats()).method).not.toBe('equilibrium');
+  expect(await lowest()).toBeGreaterThan(-1e-6);
 });
