@@ -43,7 +43,9 @@ test('a drag stops where the net can follow no farther, unless it is told not to
     await visit.page.screenshot({ path: join(OUTPUT, 'reach.png') });
   });
   expect((await script.stats()).status).not.toBe('unreachable');
-  await visit.page.keyboard.press('Control+z'); // brings the handle back into the picture
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  await visit.page.getByRole('button', { name: 'Show all' }).click(); // the view had followed the handle
   await script.settled();
   await visit.page.getByText('Dragging', { exact: true }).click();
   await visit.page.getByLabel('Keep within reach').uncheck();

@@ -89,14 +89,18 @@ export class Gallery {
     this.#drawing = true;
     for (let item = this.#waiting.shift(); item; item = this.#waiting.shift()) {
       await this.#idle.quiet();
-      try {
-        item.net = await this.#thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
-        drawThumbnail(item.canvas, item.net);
-      } catch {
-        // Without a picture the name still opens the shape.
-      }
+      void this.#draw(item); // some come much later than those behind them
     }
     this.#drawing = false;
+  }
+
+  async #draw(item: Item): Promise<void> {
+    try {
+      item.net = await this.#thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
+      drawThumbnail(item.canvas, item.net);
+    } catch {
+      // Without a picture the name still opens the shape.
+    }
   }
 
   #redraw(): void {

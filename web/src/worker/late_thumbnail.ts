@@ -8,9 +8,17 @@ const inputSeen = new Promise<unknown>((resolve) => {
   for (const input of FIRST_INPUTS) addEventListener(input, resolve, { passive: true, once: true });
 });
 
-/** Waits for the first input of the visitor: the first net has priority over downloads for thumbnails. */
-export async function lateThumbnail(recipe: string): Promise<ThumbnailNet> {
-  await inputSeen;
+/** What the next picture waits for: the first input of the visitor, as the first net has priority over downloads for
+ *  thumbnails, and then the picture before it. */
+let turn: Promise<unknown> = inputSeen;
+
+export function lateThumbnail(recipe: string): Promise<ThumbnailNet> {
+  const picture = turn.then(() => makeThumbnail(recipe));
+  turn = picture.catch(() => undefined);
+  return picture;
+}
+
+async function makeThumbnail(recipe: string): Promise<ThumbnailNet> {
   const worker = new Worker(new URL('./thumbnail_worker.ts', import.meta.url), { type: 'module' });
   try {
     return await new Promise((resolve, reject) => {
