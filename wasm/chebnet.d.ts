@@ -421,6 +421,16 @@ export interface DrapeOptions {
   border?: 'inside' | 'beyond';
 }
 
+/** Where a net may begin, and what came of it when it was tried with longer edges; see core/drape/proposals.h. */
+export interface DrapeProposal {
+  seed: Point;
+  direction: Point;
+  /** Area of the cells as a part of the surface's. */
+  covered: number;
+  /** Part of the cells with a corner more than 30° from a right angle. */
+  muchSheared: number;
+}
+
 /** A net on a surface, each vertex on it and each edge of one length. */
 export interface Drape {
   mesh: Mesh;
@@ -464,6 +474,8 @@ export interface Surface {
   hit(origin: Readonly<Point>, direction: Readonly<Point>): SurfacePlace | null;
   /** A beginning in the middle, with the length that gives about so many cells. */
   suggest(cells: number): { seed: Point; direction: Point; length: number };
+  /** Of several trials the best beginnings, first those that cover most and are sheared least. */
+  propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
   measure(net: Mesh): DrapeReport;
   /** Frees the memory on the other side; the surface must not be used again. */

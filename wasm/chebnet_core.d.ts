@@ -4,6 +4,7 @@ import type {
   Defect,
   Drape,
   DrapeOptions,
+  DrapeProposal,
   DrapeReport,
   EqualizeReport,
   FlatPattern,
@@ -110,6 +111,7 @@ export interface CoreSurface {
   /** Origin and direction. */
   hit(ray: Float64Array): SurfacePlace | null;
   suggest(cells: number): { seed: Point; direction: Point; length: number };
+  propose(options: Required<DrapeOptions>): DrapeProposal[];
   drape(options: Required<DrapeOptions>): Drape;
   measure(net: Mesh): DrapeReport;
   delete(): void;

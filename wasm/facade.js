@@ -400,6 +400,19 @@ function newEqualizer(core, original, { length = 'mean', handles = [] }) {
   return new WasmEqualizer(core.equalizer(mesh(original), choice, number, vertices));
 }
 
+/** @param {DrapeOptions} options @returns {Required<DrapeOptions>} */
+function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach, border }) {
+  return {
+    seed: triple(seed, 'the seed'),
+    direction: triple(direction, 'the direction'),
+    length: size(length, 'an edge length'),
+    angle: size(angle, 'the angle at the seed'),
+    smallestAngle: size(smallestAngle, 'the shear limit'),
+    reach: integer(reach ?? LARGEST_INT, 'the reach', 1, LARGEST_INT),
+    border: /** @type {'inside' | 'beyond'} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
+  };
+}
+
 /** @implements {Surface} */
 class WasmSurface {
   /** @type {CoreSurface | null} */
@@ -437,17 +450,14 @@ class WasmSurface {
     return this.#open.suggest(integer(cells, 'a number of cells', 1, LARGEST_INT));
   }
 
+  /** @param {Omit<DrapeOptions, 'seed' | 'direction'>} options */
+  propose(options) {
+    return this.#open.propose(allDrapeOptions({ ...options, seed: [0, 0, 0], direction: [1, 0, 0] }));
+  }
+
   /** @param {DrapeOptions} options */
-  drape({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach = LARGEST_INT, border = 'beyond' }) {
-    return this.#open.drape({
-      seed: triple(seed, 'the seed'),
-      direction: triple(direction, 'the direction'),
-      length: size(length, 'an edge length'),
-      angle: size(angle, 'the angle at the seed'),
-      smallestAngle: size(smallestAngle, 'the shear limit'),
-      reach: integer(reach, 'the reach', 1, LARGEST_INT),
-      border: /** @type {'inside' | 'beyond'} */ (text(border, 'what happens at the border', 'bad_option')),
-    });
+  drape(options) {
+    return this.#open.drape(allDrapeOptions(options));
   }
 
   /** @param {Mesh} net */

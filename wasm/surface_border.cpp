@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drape/drape.h"
+#include "drape/proposals.h"
 #include "mesh_border.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
@@ -127,6 +128,20 @@ DrapeOptions options_in(const val& object) {
     return options;
 }
 
+/// `options`: an object with all fields of DrapeOptions, of which seed and direction do not matter.
+val propose(const OpenSurface& open, val options) {
+    val list = val::array();
+    for (const DrapeProposal& proposal : propose_drapes(open.surface, open.tree, options_in(options))) {
+        val row = val::object();
+        row.set("seed", vector_out(proposal.options.seed));
+        row.set("direction", vector_out(proposal.options.direction));
+        row.set("covered", proposal.covered);
+        row.set("muchSheared", proposal.much_sheared);
+        list.call<void>("push", row);
+    }
+    return list;
+}
+
 /// `options`: an object with all fields of DrapeOptions.
 val drape_surface(const OpenSurface& open, val options) {
     const Drape draped = drape(open.surface, open.tree, options_in(options));
@@ -172,6 +187,7 @@ EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
         .function("nearest", guarded<&nearest>)
         .function("hit", guarded<&hit>)
         .function("suggest", guarded<&suggest>)
+        .function("propose", guarded<&propose>)
         .function("drape", guarded<&drape_surface>)
         .function("measure", guarded<&measure>);
 }

@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "command.h"
+#include "drape/proposals.h"
 #include "io/format.h"
 #include "net_argument.h"
 #include "net_output.h"
@@ -26,7 +27,7 @@ struct DrapeArguments {
     std::string own;
     std::vector<double> seed, direction;
     double length = 0;
-    bool has_length = false;
+    bool has_length = false, best = false;
     int cells = 4000;
     double angle = 90, smallest_angle = 30;
     int reach = DrapeOptions().reach;
@@ -35,13 +36,14 @@ struct DrapeArguments {
 
 DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = suggested_drape(surface, tree, arguments.cells);
-    if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
-    if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
     if (arguments.has_length) options.length = arguments.length;
     options.angle = arguments.angle * k_degree;
     options.smallest_angle = arguments.smallest_angle * k_degree;
     options.reach = arguments.reach;
     if (arguments.inside) options.border = DrapeOptions::Border::inside;
+    if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
+    if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+    if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
     return options;
 }
 
@@ -158,6 +160,7 @@ Command add_drape(CLI::App& program) {
         .add_option("--reach", arguments->reach,
                     "Cells from the seed along each family; as far as it goes if not given")
         ->type_name("CELLS");
+    command.add_flag("--best", arguments->best, "Begin where the best of several trials does");
     command.add_flag("--inside", arguments->inside, "Set no vertex beyond the border of the surface");
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments, length] {

@@ -57,6 +57,9 @@ inline constexpr int k_most_draped_vertices = 2'000'000;
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
 inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
 
+/// The part of a net's faces with a corner farther than `shear` (radians) from a right angle.
+double part_sheared(const Net& net, double shear);
+
 /// How well a net lies on a surface.
 struct DrapeReport {
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net

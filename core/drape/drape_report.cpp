@@ -50,12 +50,6 @@ double coverage(const Surface& surface, const Net& net) {
     return covered / surface.area();
 }
 
-/// The part of the faces with a corner farther than `shear` from a right angle.
-double part_sheared(const std::vector<double>& shears, double shear) {
-    return static_cast<double>(std::count_if(shears.begin(), shears.end(), [&](double s) { return s > shear; })) /
-           static_cast<double>(shears.size());
-}
-
 /// Of each face, how far from a right angle its corners are at the most.
 std::vector<double> face_shears(const Net& net) {
     const Positions& x = net.rest_positions();
@@ -72,6 +66,12 @@ std::vector<double> face_shears(const Net& net) {
 }
 
 }  // namespace
+
+double part_sheared(const Net& net, double shear) {
+    const std::vector<double> shears = face_shears(net);
+    const auto sheared = std::count_if(shears.begin(), shears.end(), [&](double each) { return each > shear; });
+    return static_cast<double>(sheared) / net.face_count();
+}
 
 DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net) {
     DrapeReport report{};
@@ -90,9 +90,8 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     const AngleRange angles = corner_angle_range(net, x);
     report.smallest_angle = angles.smallest;
     report.largest_angle = angles.largest;
-    const std::vector<double> shears = face_shears(net);
-    report.sheared = part_sheared(shears, k_shear);
-    report.much_sheared = part_sheared(shears, k_much_shear);
+    report.sheared = part_sheared(net, k_shear);
+    report.much_sheared = part_sheared(net, k_much_shear);
     report.rods = static_cast<int>(Topology(net).net_lines().size());
     report.rod_length = net.rest_lengths().sum();
     report.max_deviation = max_deviation(net, x);

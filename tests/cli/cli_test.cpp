@@ -399,6 +399,10 @@ TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     CHECK(report.at("net").at("cells") > 400);
     CHECK(report.at("net").at("rods") > 40);
     CHECK(box.run("info net.obj").json().at("chebyshev") == true);
+
+    const json middle = box.run("drape --surface torso --cells 300").json();
+    const json best = box.run("drape --surface torso --cells 300 --best").json();
+    CHECK(best.at("net").at("coverage") > middle.at("net").at("coverage"));
 }
 
 TEST_CASE("what cannot be draped is refused with one line") {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "drape/proposals.h"
 #include "mesh_files.h"
 #include "net/measures.h"
 #include "sample_surfaces.h"
@@ -251,6 +252,29 @@ TEST_CASE("Shear and rods of a slanted net in a plane are those of its cells") {
     CHECK(std::pair(steep.sheared, steep.much_sheared) == std::pair(1., 1.));
     CHECK(upright.rods == 2 * 11);
     CHECK(upright.rod_length == Approx(22 * 1.0));
+}
+
+TEST_CASE("Proposals are ranked, and the best is as good as beginning in the middle") {
+    for (const OwnSurface& own : own_surfaces()) {
+        INFO(own.name);
+        const Surface surface = own.make();
+        const SurfaceTree tree(surface);
+        const DrapeOptions middle = suggested_drape(surface, tree, 1000);
+        const std::vector<DrapeProposal> proposals = propose_drapes(surface, tree, middle);
+        REQUIRE(proposals.size() > 3);
+        CHECK(std::is_sorted(proposals.begin(), proposals.end(), [](const DrapeProposal& a, const DrapeProposal& b) {
+            return a.covered - 0.05 * a.much_sheared > b.covered - 0.05 * b.much_sheared;
+        }));
+        const auto coverage = [&](const DrapeOptions& options) {
+            return measure_drape(surface, tree, drape(surface, tree, options).net).coverage;
+        };
+        CHECK(proposals.front().options.length == middle.length);
+        CHECK(coverage(proposals.front().options) > coverage(middle) - 0.02);
+    }
+    const Surface plane(samples::plane(9, 1));
+    DrapeOptions upright;
+    upright.angle = 0.1;
+    CHECK_THROWS_WITH(propose_drapes(plane, SurfaceTree(plane), upright), Contains("angle at the seed"));
 }
 
 TEST_CASE("What cannot be draped is refused with a sentence") {

@@ -101,6 +101,17 @@ describe('a net on it', () => {
     });
   });
 
+  test('is proposed at the best of several beginnings first', () => {
+    withSurface(chebnet.ownSurface('torso'), (torso) => {
+      const { length } = torso.suggest(500);
+      const proposals = torso.propose({ length });
+      expect(proposals.length).toBeGreaterThan(3);
+      const worth = proposals.map(({ covered, muchSheared }) => covered - 0.05 * muchSheared);
+      expect(worth).toEqual([...worth].sort((a, b) => b - a));
+      expect(torso.drape({ ...proposals[0]!, length }).mesh.faceStart.length).toBeGreaterThan(400);
+    });
+  });
+
   test('keeps to what is asked for', () => {
     withSurface(chebnet.openSurface(SQUARE), (square) => {
       const wish = { seed: [0.5, 0.5, 0], direction: [1, 0, 0], length: 0.1 } as const;

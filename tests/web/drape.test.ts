@@ -35,7 +35,7 @@ describe('the worker', () => {
     if (opened?.type !== 'opened' || draped?.type !== 'draped' || measured?.type !== 'measured') return expect.fail();
     expect(opened.surface.report.prospect).toBe('one_piece');
     expect(opened.surface.normals).toHaveLength(opened.surface.positions.length);
-    expect(opened.suggested.length).toBeGreaterThan(0);
+    expect(opened.length).toBeGreaterThan(0);
     const { position, normal, direction } = draped.seed;
     expect(position[0]).toBeCloseTo(0.5);
     expect(dot(direction, normal)).toBeCloseTo(0);
@@ -43,6 +43,21 @@ describe('the worker', () => {
     expect(draped.net.info.meanLength).toBeCloseTo(0.3, 9);
     expect(draped.fields.angle).toHaveLength(draped.net.info.vertices);
     expect(measured.report.coverage).toBeGreaterThan(0.95);
+  });
+
+  test('proposes where to begin, with a picture of each', () => {
+    const [, proposed, draped] = answers(
+      OPEN,
+      { type: 'propose', wish: { length: 0.3 } },
+      { type: 'drape', wish: WISH },
+    );
+    if (proposed?.type !== 'proposed') return expect.fail();
+    expect(proposed.proposals).toHaveLength(4);
+    for (const { wireframe, direction } of proposed.proposals) {
+      expect(Math.hypot(...direction)).toBeCloseTo(1);
+      expect(Math.max(...wireframe.edges)).toBeLessThan(wireframe.positions.length / 3);
+    }
+    expect(draped?.type).toBe('draped');
   });
 
   test('says when a ray misses, and what is refused; the surface stays', () => {
@@ -83,6 +98,7 @@ describe('while a net is being laid', () => {
     const told: string[] = [];
     const draping = new Draping(() => worker, {
       opened: () => told.push('opened'),
+      proposed: () => told.push('proposed'),
       draped: () => told.push('draped'),
       measured: () => told.push('measured'),
       refused: ({ code }) => told.push(code),

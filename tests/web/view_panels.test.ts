@@ -3,7 +3,7 @@ import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
 import { Convergence } from '../../web/src/net/convergence';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/sidebar/recipe';
-import { edgeLayers, project } from '../../web/src/sidebar/thumbnail';
+import { edgeLayers, project } from '../../web/src/elements/thumbnail';
 import { coordinate, milliseconds, small } from '../../web/src/language/numbers';
 import { standing } from '../../web/src/sidebar/status';
 import { stageWords } from '../../web/src/sidebar/step_panel';

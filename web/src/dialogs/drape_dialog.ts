@@ -4,7 +4,7 @@ import type { Mesh, Point } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
-import type { DrapedNet, Seed, ShownSurface, Suggestion, SurfaceSource, Wish } from '../drape/drape_protocol';
+import type { DrapedNet, Proposal, Seed, ShownSurface, SurfaceSource, Wish } from '../drape/drape_protocol';
 import { Draping } from '../drape/draping';
 import type { DrapeWorkerLike } from '../drape/draping';
 import { suggestedHandles } from '../drape/handles';
@@ -13,6 +13,7 @@ import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
 import { DrapeForm } from './drape_form';
+import { DrapeProposals } from './drape_proposals';
 import { DrapeResults } from './drape_results';
 import './dialog.css';
 import './pictured.css';
@@ -42,13 +43,14 @@ export class DrapeDialog implements DraperLike {
   readonly #picture: Picture;
   readonly #form: DrapeForm;
   readonly #results = new DrapeResults();
+  readonly #proposals = new DrapeProposals((proposal) => this.#begin(proposal));
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
   /** The name of the surface that is shown. */
   #name: string;
   /** Where the net is wanted to begin, until another seed is. */
   #seed: Wish['seed'] = [0, 0, 0];
   #draped: DrapedNet | null = null;
-  /** The net is the first one on its surface. */
+  /** The net is the first one of its proposal. */
   #isFirst = true;
   #finish!: (net: TakenNet | null) => void;
 
@@ -62,7 +64,13 @@ export class DrapeDialog implements DraperLike {
       changed: () => this.#drape(),
       shearChanged: (shown) => this.#picture.setShear(shown),
     });
-    const figure = make('figure', {}, picture, make('figcaption', { class: 'quiet' }, TEXT.howTo));
+    const figure = make(
+      'figure',
+      {},
+      picture,
+      make('figcaption', { class: 'quiet' }, TEXT.howTo),
+      this.#proposals.element,
+    );
     const side = make('div', { class: 'side' }, this.#results.prospect, this.#form.element, this.#results.element);
     this.#dialog = make(
       'dialog',
@@ -85,7 +93,8 @@ export class DrapeDialog implements DraperLike {
     });
     this.#picture.focus();
     this.#draping = new Draping(() => parts.spawnWorker(), {
-      opened: (surface, suggested) => this.#onOpened(surface, suggested),
+      opened: (surface, length) => this.#onOpened(surface, length),
+      proposed: (proposals) => this.#onProposed(proposals),
       draped: (net) => this.#onDraped(net),
       measured: (report) => this.#results.setReport(report),
       refused: ({ message }) => this.#results.setFault(words.core.sentence(message)),
@@ -115,21 +124,30 @@ export class DrapeDialog implements DraperLike {
     this.#name = own ?? this.#given!.name;
     this.#setNet(null);
     this.#results.setSurface(null);
+    this.#proposals.set([]);
     this.#draping.open(source);
   }
 
-  #onOpened(surface: ShownSurface, { seed, direction, length }: Suggestion): void {
+  #onOpened(surface: ShownSurface, length: number): void {
     this.#picture.setSurface(surface);
     this.#results.setSurface(surface.report);
-    this.#form.setSurface(surface.report.area, direction, length);
+    this.#form.setSurface(surface.report.area, length);
+    this.#draping.propose(this.#form.read());
+  }
+
+  #onProposed(proposals: Proposal[]): void {
+    this.#proposals.set(proposals);
+    this.#begin(proposals[0]!);
+  }
+
+  #begin({ seed, direction }: Proposal): void {
     this.#isFirst = true;
-    this.#drapeFrom(seed);
+    this.#turn(direction, seed);
   }
 
   #onDraped(net: DrapedNet): void {
-    const ray = this.#isFirst ? this.#picture.rayInstead(net.seed) : null;
+    if (this.#isFirst) this.#picture.face(net.seed);
     this.#isFirst = false;
-    if (ray !== null) this.#drapeFrom(ray);
     this.#setNet(net);
     this.#picture.setNet(net);
     this.#results.setNet(net);

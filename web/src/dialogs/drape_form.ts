@@ -57,10 +57,9 @@ export class DrapeForm {
     this.#show();
   }
 
-  /** Another surface, and the direction and length for it. */
-  setSurface(area: number, direction: Point, length: number): void {
+  /** Another surface, and a length that suits it. */
+  setSurface(area: number, length: number): void {
     this.#area = area;
-    this.#direction = direction;
     this.#seed = null;
     this.#setLength(length);
   }

@@ -5,7 +5,7 @@ import type { Point } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
-import { fitCamera } from '../view/camera_fit';
+import { directionFor, fitCamera } from '../view/camera_fit';
 import { CameraRig } from '../view/camera_rig';
 import { HandleMarkers, toScreen } from '../view/handles';
 import { ColourTexture, NetData, netUniforms } from '../view/net_data';
@@ -19,7 +19,7 @@ import { onThemeChange, readTheme } from '../view/theme';
 import type { DrapedNet, Ray, Seed, ShownSurface } from './drape_protocol';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
-import { SurfaceShade } from './surface_shade';
+import { SurfaceShade, turn } from './surface_shade';
 
 export interface PictureEvents {
   /** The seed is wanted where a ray from the eye meets the surface. */
@@ -34,8 +34,8 @@ export interface PictureEvents {
 export interface Picture {
   setSurface(surface: ShownSurface): void;
   setNet(draped: DrapedNet): void;
-  /** Through the middle of the picture, where the seed faces away; null: it is seen. */
-  rayInstead(seed: Seed): Ray | null;
+  /** Looks at a seed from the front, if it faces away. */
+  face(seed: Seed): void;
   /** For the arrow keys. */
   focus(): void;
   /** Whether cells are coloured by their shear. */
@@ -56,7 +56,7 @@ export function createPicture(
   return {
     setSurface() {},
     setNet() {},
-    rayInstead: () => null,
+    face() {},
     focus() {},
     setShear() {},
     dispose: () => notice.remove(),
@@ -78,6 +78,8 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
 };
 /** Of an edge, how far the surface is drawn behind. */
 const BEHIND = 0.5;
+/** A cosine: a seed that faces less than that is not well seen. */
+const CLEARLY = 0.2;
 const MARGIN = { top: 0.06, right: 0.06, bottom: 0.06, left: 0.06 };
 
 class DrapePicture implements Picture {
@@ -103,6 +105,8 @@ class DrapePicture implements Picture {
   #netData: NetData | null = null;
   #draped: DrapedNet | null = null;
   #showsShear = true;
+  /** From where the whole surface is seen. */
+  readonly #direction = directionFor(new Vector3()).clone();
   /** What is in hand, by which pointer, and where the seed was before. */
   #grip: { marker: number; pointer: number; before: Seed } | null = null;
   #frame = 0;
@@ -140,6 +144,7 @@ class DrapePicture implements Picture {
     this.#space = new Space(surface.positions, this.#upAxis);
     this.#removeNet();
     this.#shade.setSurface(surface, this.#space);
+    this.#direction.copy(directionFor(new Vector3()));
     this.#rig.framed = true;
     this.#frameAll();
   }
@@ -158,10 +163,14 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
-  rayInstead({ position, normal }: Seed): Ray | null {
+  face({ position, normal }: Seed): void {
     const eye = this.#space!.toNet(this.#rig.camera.position);
-    const isSeen = dot(combined(1, eye, -1, position), normal) > 0;
-    return isSeen ? null : this.#rayThrough({ x: this.#size.x / 2, y: this.#size.y / 2 });
+    const towards = combined(1, eye, -1, position);
+    if (dot(towards, normal) > CLEARLY * Math.hypot(...towards)) return;
+    turn(this.#direction, normal, this.#space!);
+    this.#direction.addScaledVector(directionFor(new Vector3()), 0.5).normalize();
+    this.#rig.framed = true;
+    this.#frameAll();
   }
 
   focus(): void {
@@ -326,7 +335,7 @@ class DrapePicture implements Picture {
       this.#space.toScene(point, [x!, y!, z!]);
       point.toArray(points, 4 * i);
     }
-    this.#rig.standAt(fitCamera(points, count, this.#rig.camera, MARGIN));
+    this.#rig.standAt(fitCamera(points, count, this.#rig.camera, MARGIN, this.#direction));
   }
 
   #requestDraw(): void {

@@ -8,6 +8,7 @@ import type {
   SurfacePlace,
   SurfaceReport,
 } from '../../../wasm/chebnet';
+import type { Wireframe } from '../elements/thumbnail';
 import type { OpenedNet } from '../worker/protocol';
 
 /** What a user brings, or one of our own by its name. */
@@ -55,11 +56,14 @@ export type DrapeRequest =
   | { type: 'open'; source: SurfaceSource }
   /** Answered with `draped`, `missed` or `error`. */
   | { type: 'drape'; wish: Wish }
+  /** Where a net would begin well. Answered with `proposed`. */
+  | { type: 'propose'; wish: Omit<Wish, 'seed' | 'direction'> }
   /** How the last net lies. Answered with `measured`. */
   | { type: 'measure' };
 
 export type DrapeResponse =
-  | { type: 'opened'; surface: ShownSurface; suggested: Suggestion }
+  | { type: 'opened'; surface: ShownSurface; length: number }
+  | { type: 'proposed'; proposals: Proposal[] }
   | ({ type: 'draped' } & DrapedNet)
   /** The ray does not meet the surface. */
   | { type: 'missed' }
@@ -67,9 +71,9 @@ export type DrapeResponse =
   /** `code` as in core/base/error.h. What was open stays so. */
   | { type: 'error'; code: string; message: string };
 
-/** Where a net begins well. */
-export interface Suggestion {
+/** Where a net would begin well, and what is drawn of that net. */
+export interface Proposal {
   seed: Point;
   direction: Point;
-  length: number;
+  wireframe: Wireframe;
 }

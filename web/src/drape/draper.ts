@@ -7,6 +7,10 @@ import type { DrapedNet, DrapeRequest, DrapeResponse, SurfaceSource, Wish } from
 import { SUGGESTED_CELLS } from './cells';
 import { laidInto } from './seed';
 
+const MOST_PROPOSALS = 4;
+/** More would be black in a small picture. */
+const PICTURED_CELLS = 300;
+
 export class Draper {
   readonly #core: Chebnet;
   readonly #post: (response: DrapeResponse) => void;
@@ -29,6 +33,7 @@ export class Draper {
   #answer(request: DrapeRequest): DrapeResponse {
     if (request.type === 'open') return this.#open(request.source);
     if (this.#surface === null) throw new Error('no surface is open');
+    if (request.type === 'propose') return this.#propose(this.#surface, request.wish);
     if (request.type === 'drape') return this.#lay(this.#surface, request.wish);
     if (this.#drape === null) throw new Error('no net has been laid');
     return { type: 'measured', report: this.#surface.measure(this.#drape.mesh) };
@@ -43,7 +48,20 @@ export class Draper {
     return {
       type: 'opened',
       surface: { positions, normals, triangles, report: surface.describe() },
-      suggested: surface.suggest(SUGGESTED_CELLS),
+      length: surface.suggest(SUGGESTED_CELLS).length,
+    };
+  }
+
+  #propose(surface: Surface, wish: Omit<Wish, 'seed' | 'direction'>): DrapeResponse {
+    const proposals = surface.propose(wish).slice(0, MOST_PROPOSALS);
+    const length = Math.max(wish.length, surface.suggest(PICTURED_CELLS).length);
+    return {
+      type: 'proposed',
+      proposals: proposals.map(({ seed, direction }) => {
+        const { mesh } = surface.drape({ ...wish, length, seed, direction });
+        const edges = withEditor(this.#core, mesh, (editor) => editor.edges);
+        return { seed, direction, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
+      }),
     };
   }
 

@@ -6,8 +6,8 @@ import type {
   DrapedNet,
   DrapeRequest,
   DrapeResponse,
+  Proposal,
   ShownSurface,
-  Suggestion,
   SurfaceSource,
   Wish,
 } from './drape_protocol';
@@ -24,7 +24,10 @@ export interface DrapeWorkerLike {
 }
 
 export interface DrapingEvents {
-  opened(surface: ShownSurface, suggested: Suggestion): void;
+  /** @param length of edges that suits the surface. */
+  opened(surface: ShownSurface, length: number): void;
+  /** The best first. */
+  proposed(proposals: Proposal[]): void;
   draped(net: DrapedNet): void;
   /** Of the last net. */
   measured(report: DrapeReport): void;
@@ -48,6 +51,10 @@ export class Draping {
 
   open(source: SurfaceSource): void {
     this.#ask({ type: 'open', source });
+  }
+
+  propose(wish: Omit<Wish, 'seed' | 'direction'>): void {
+    this.#ask({ type: 'propose', wish });
   }
 
   drape(wish: Wish): void {
@@ -82,7 +89,8 @@ export class Draping {
   }
 
   #tell(response: DrapeResponse): void {
-    if (response.type === 'opened') this.#events.opened(response.surface, response.suggested);
+    if (response.type === 'opened') this.#events.opened(response.surface, response.length);
+    else if (response.type === 'proposed') this.#events.proposed(response.proposals);
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'measured') this.#events.measured(response.report);
     else if (response.type === 'error')

@@ -77,7 +77,7 @@ export class SurfaceShade {
 }
 
 /** A direction in the scene. */
-function turn(point: Vector3, direction: Readonly<Point>, { axisY, axisZ, signY }: Space): void {
+export function turn(point: Vector3, direction: Readonly<Point>, { axisY, axisZ, signY }: Space): void {
   point.set(direction[0], signY * direction[axisY], direction[axisZ]);
 }
 

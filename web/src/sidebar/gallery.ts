@@ -4,7 +4,7 @@ import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Tables } from '../net/tables';
 import type { Idle } from './idle';
-import { drawThumbnail, type Wireframe } from './thumbnail';
+import { drawThumbnail, type Wireframe } from '../elements/thumbnail';
 import './gallery.css';
 
 /** Size of the nets in thumbnails. */

@@ -8,7 +8,7 @@ import type { Panel, PanelEvents } from '../panels';
 import { Gallery } from './gallery';
 import { Idle } from './idle';
 import { ShapeParameters } from './shape_parameters';
-import type { Wireframe } from './thumbnail';
+import type { Wireframe } from '../elements/thumbnail';
 
 export class ShapePanel implements Panel {
   readonly element: HTMLElement;

@@ -22,7 +22,7 @@ import { ExperimentsPlace } from './experiments_place';
 import { makeLanguageChoice } from './language_choice';
 import { createSections, type SidebarServices } from './sections';
 import { StatusRow } from './status_row';
-import type { Wireframe } from './thumbnail';
+import type { Wireframe } from '../elements/thumbnail';
 import { messageOf } from '../failure';
 import '../overlay/overlay.css';
 import './sidebar.css';

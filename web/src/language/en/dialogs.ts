@@ -58,6 +58,8 @@ export const dialogs = {
   drape: {
     title: 'A net on a surface',
     opening: 'Measuring the surface…',
+    proposals: 'Good beginnings, the best first',
+    proposal: (number: number) => `Beginning ${number}`,
     picture: 'The surface and the net on it; arrow keys move the seed',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',

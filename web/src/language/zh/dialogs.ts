@@ -57,6 +57,8 @@ export const dialogs: Widened<typeof en> = {
   drape: {
     title: '曲面上的网',
     opening: '正在测量曲面…',
+    proposals: '较好的起点，最好的在前',
+    proposal: (number) => `起点 ${number}`,
     picture: '曲面及其上的网；方向键移动起点',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',

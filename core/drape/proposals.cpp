@@ -1,0 +1,144 @@
+#include "drape/proposals.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "base/error.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr int k_seeds = 8;
+constexpr int k_directions = 6;  // over a right angle: after that a net of two like families repeats itself
+constexpr int k_trial_cells = 1000;
+constexpr std::size_t k_finals = 4;  // how many are tried with the edges asked for
+constexpr int k_most_samples = 2000;
+constexpr int k_lloyd_steps = 6;
+// A sheared cell counts as so much of an uncovered one.
+constexpr double k_shear_weight = 0.05;
+
+/// Of triangles all over the surface, their middles.
+Positions samples_of(const Surface& surface) {
+    const int stride = 1 + (surface.face_count() - 1) / k_most_samples;
+    Positions samples(3, (surface.face_count() + stride - 1) / stride);
+    for (int k = 0; k < samples.cols(); ++k)
+        samples.col(k) = surface.position_at({k * stride, Eigen::Vector3d::Constant(1. / 3)});
+    return samples;
+}
+
+/// The number of the nearest of the first `count` places.
+int nearest_of(const Positions& places, int count, const Eigen::Vector3d& point) {
+    int nearest = 0;
+    for (int k = 1; k < count; ++k)
+        if ((places.col(k) - point).squaredNorm() < (places.col(nearest) - point).squaredNorm()) nearest = k;
+    return nearest;
+}
+
+/// Each next one as far from all before as can be.
+Positions far_apart(const Positions& samples, const Eigen::Vector3d& first) {
+    Positions places(3, k_seeds);
+    places.col(0) = first;
+    for (int count = 1; count < k_seeds; ++count) {
+        double farthest = -1;
+        for (int k = 0; k < samples.cols(); ++k) {
+            const Eigen::Vector3d sample = samples.col(k);
+            const double distance = (places.col(nearest_of(places, count, sample)) - sample).squaredNorm();
+            if (distance <= farthest) continue;
+            farthest = distance;
+            places.col(count) = sample;
+        }
+    }
+    return places;
+}
+
+/// The first, and others in the middles of parts of about one size (Lloyd 1982): the ends of a surface are no good
+/// beginning.
+Positions spread_over(const Surface& surface, const Eigen::Vector3d& first) {
+    const Positions samples = samples_of(surface);
+    Positions places = far_apart(samples, first);
+    for (int step = 0; step < k_lloyd_steps; ++step) {
+        Positions sums = Positions::Zero(3, k_seeds);
+        Eigen::VectorXd counts = Eigen::VectorXd::Zero(k_seeds);
+        for (int k = 0; k < samples.cols(); ++k) {
+            const int nearest = nearest_of(places, k_seeds, samples.col(k));
+            sums.col(nearest) += samples.col(k);
+            counts[nearest] += 1;
+        }
+        for (int k = 1; k < k_seeds; ++k)
+            if (counts[k] > 0) places.col(k) = sums.col(k) / counts[k];
+    }
+    return places;
+}
+
+/// A vector in the plane that touches the surface, so many radians from where the x axis lies.
+Eigen::Vector3d direction_at(const Eigen::Vector3d& normal, double angle) {
+    const Eigen::Vector3d axis = std::abs(normal.x()) > 0.9 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d u = (axis - axis.dot(normal) * normal).normalized();
+    return std::cos(angle) * u + std::sin(angle) * normal.cross(u);
+}
+
+double area_of(const Net& net) {
+    double area = 0;
+    for (int f = 0; f < net.face_count(); ++f) {
+        const auto corner = [&](int k) -> Eigen::Vector3d { return net.rest_positions().col(net.faces()[f][k]); };
+        area += (corner(2) - corner(0)).cross(corner(3) - corner(1)).norm() / 2;
+    }
+    return area;
+}
+
+double worth(const DrapeProposal& proposal) { return proposal.covered - k_shear_weight * proposal.much_sheared; }
+
+void rank(std::vector<DrapeProposal>& proposals) {
+    std::stable_sort(proposals.begin(), proposals.end(),
+                     [](const DrapeProposal& a, const DrapeProposal& b) { return worth(a) > worth(b); });
+}
+
+/// What comes of it with edges of some length; nothing where no cell fits.
+std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
+                                   double length) {
+    DrapeOptions trial = options;
+    trial.length = length;
+    trial.border = DrapeOptions::Border::inside;
+    try {
+        const Net net = drape(surface, tree, trial).net;
+        return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear)};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& tree, DrapeOptions options,
+                                     const SurfaceTree::Nearest& place) {
+    const double length = std::max(options.length, std::sqrt(surface.area() / k_trial_cells));
+    std::optional<DrapeProposal> best;
+    options.seed = place.position;
+    for (int k = 0; k < k_directions; ++k) {
+        options.direction = direction_at(surface.normal_at(place.at), k * std::numbers::pi / 2 / k_directions);
+        const std::optional<DrapeProposal> proposal = tried(surface, tree, options, length);
+        if (proposal && (!best || worth(*proposal) > worth(*best))) best = proposal;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree,
+                                          const DrapeOptions& options) {
+    const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
+    std::vector<DrapeProposal> proposals;
+    for (int k = 0; k < k_seeds; ++k)
+        if (const auto best = best_at(surface, tree, options, tree.nearest(places.col(k)))) proposals.push_back(*best);
+    if (proposals.empty()) drape(surface, tree, options);  // says why
+    rank(proposals);
+    for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
+        if (const auto last = tried(surface, tree, proposals[k].options, options.length)) proposals[k] = *last;
+    rank(proposals);
+    return proposals;
+}
+
+}  // namespace chebnet

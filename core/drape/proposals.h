@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "drape/drape.h"
+
+namespace chebnet {
+
+/// Where a net may begin, and what came of it when it was tried.
+struct DrapeProposal {
+    DrapeOptions options;
+    double covered;       ///< area of the cells as a part of the surface's
+    double much_sheared;  ///< part of the cells with a corner more than k_much_shear from a right angle
+};
+
+/// Tries nets of about a thousand cells from places spread over the surface, in six directions each, and the best of
+/// them with the edges asked for. Gives the best of each place, those first that cover most and, among like ones, are
+/// sheared least. All but seed and direction is as in `options`. Takes about as long as laying a net of fifty thousand
+/// cells. Throws Error as drape does if no place takes a net.
+std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
+
+}  // namespace chebnet

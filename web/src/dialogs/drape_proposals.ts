@@ -1,0 +1,28 @@
+/** Where a net would begin well, as pictures to choose from. */
+import type { Proposal } from '../drape/drape_protocol';
+import { make, makeButton } from '../elements/dom';
+import { drawThumbnail } from '../elements/thumbnail';
+import { dialogWords } from '../language/dialogs';
+
+const TEXT = dialogWords.drape;
+
+export class DrapeProposals {
+  readonly element = make('div', { class: 'proposals', role: 'group', 'aria-label': TEXT.proposals });
+  readonly #chosen: (proposal: Proposal) => void;
+
+  constructor(chosen: (proposal: Proposal) => void) {
+    this.#chosen = chosen;
+  }
+
+  /** The best first. */
+  set(proposals: readonly Proposal[]): void {
+    const canvases = proposals.map(() => make('canvas'));
+    this.element.replaceChildren(
+      ...proposals.map((proposal, i) =>
+        makeButton(canvases[i]!, () => this.#chosen(proposal), { 'aria-label': TEXT.proposal(i + 1) }),
+      ),
+    );
+    // Their size is that of the elements, once these are in the page.
+    proposals.forEach(({ wireframe }, i) => drawThumbnail(canvases[i]!, wireframe));
+  }
+}
