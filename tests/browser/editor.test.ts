@@ -74,6 +74,31 @@ test('the first net can be looked at', async () => {
   expect(overflow).toBeLessThanOrEqual(0);
 });
 
+test('the sidebar can be hidden, and a section that is opened at its lower end comes into sight', async () => {
+  const { page } = visit;
+  const widthOf = async (selector: string) => (await page.locator(selector).boundingBox())!.width;
+  const before = await widthOf('#view');
+  const hide = page.getByRole('button', { name: 'Hide the controls' });
+  await hide.click();
+  expect(await widthOf('#view')).toBeGreaterThan(before + 250);
+  expect(await page.getByText('Shape', { exact: true }).isVisible()).toBe(false);
+  await hide.click();
+  expect(await widthOf('#view')).toBe(before);
+
+  await page.locator('summary', { hasText: 'Dragging' }).click();
+  const last = page.getByText('Always show reach');
+  const sidebar = (await page.locator('.sections').boundingBox())!;
+  await expect
+    .poll(async () => {
+      const { y, height } = (await last.boundingBox())!;
+      return y + height;
+    })
+    .toBeLessThan(sidebar.y + sidebar.height);
+
+  await page.setViewportSize({ width: 820, height: 1180 });
+  await expect.poll(() => widthOf('.sidebar')).toBeLessThan(0.36 * 820);
+});
+
 test('the first handle, dragged up to the tools, can be taken again: the view follows', async () => {
   const { page } = visit;
   const handle = async () => (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
@@ -197,6 +222,8 @@ describe('on a vault', () => {
     await script.settled();
     expect((await script.stats()).status).toBe('unreachable');
     expect((await script.positions()).every(Number.isFinite)).toBe(true);
+    const ways = visit.page.locator('.stuck-notice');
+    await ways.getByRole('button').first().waitFor();
     const pair = new RegExp(`${suggestedHandles.slice(0, -1).join('|')}`);
     const text = await visit.page.locator('body').innerText();
     expect(text).toMatch(new RegExp(`\\b${dragged}\\b`));
@@ -204,7 +231,6 @@ describe('on a vault', () => {
     expect(text).toMatch(/reach/i);
     await visit.page.getByText('Out of reach: holding the best shape').waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
-    const ways = visit.page.locator('.stuck-notice');
     await ways.getByRole('button', { name: 'Make the handle soft' }).click();
     await script.settled();
     expect((await script.stats()).status).toBe('converged');

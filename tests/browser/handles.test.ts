@@ -405,3 +405,15 @@ async function dragRing() {
   await mouse.move(x, y - 30, { steps: 5 });
   await mouse.up();
 }
+
+test('an arrow key over locked handles says that they stay; turning ends selecting', async () => {
+  await open();
+  await click(corner);
+  await press('ArrowUp');
+  await visit.page.getByText('Locked handles stay. Unlock them first.').waitFor();
+  expect(await targetOf(corner)).toEqual(rest(corner));
+  await press('l');
+  expect(await button('Select').getAttribute('aria-pressed')).toBe('true');
+  await press('r');
+  expect(await button('Select').getAttribute('aria-pressed')).toBe('false');
+});

@@ -377,6 +377,7 @@ export class App {
       },
       dragMove: (targets) => this.handles.drag(targets),
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),
+      lockedStay: () => this.handles.sayLocked(),
       cameraChanged: (camera) => this.setView({ camera }),
       failed: (error) => this.report(error),
     };

@@ -98,8 +98,10 @@ export class HandleEditor implements HandleCommands {
     else this.select([]);
   }
 
+  /** Ends selecting several, during which there are no arrows to use. */
   setMode(mode: GizmoMode): void {
     this.#mode = mode;
+    this.#selecting = false;
     this.#host.choiceChanged();
   }
 
@@ -150,10 +152,14 @@ export class HandleEditor implements HandleCommands {
     const chosen = new Set(this.#mirrored(vertices));
     const leaves = ({ vertex, anchor }: HandleData): boolean => chosen.has(vertex) && !anchor;
     const leaving = this.#handles.filter(leaves);
-    if (unlocked(vertices, this.#handles).length < vertices.length) this.#host.say(words.handles.lockedStay);
+    if (unlocked(vertices, this.#handles).length < vertices.length) this.sayLocked();
     if (leaving.length === 0) return;
     const staying = this.#handles.filter((handle) => !leaves(handle));
     this.#host.attempt(this.set(staying, ['remove', this.#titleOf(leaving)]));
+  }
+
+  sayLocked(): void {
+    this.#host.say(words.handles.lockedStay);
   }
 
   removeSelected(): void {

@@ -359,7 +359,8 @@ export class Gestures {
     const { camera } = this.#context;
     const moving = this.#context.moving();
     const data = this.#context.data();
-    if (moving.length === 0 || !data || this.#press) return;
+    if (!data || this.#press) return;
+    if (moving.length === 0) return this.#context.events.lockedStay();
     if (!this.#nudged) {
       this.#nudged = new Vector3();
       this.#context.grab(moving);

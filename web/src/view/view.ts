@@ -18,6 +18,8 @@ export interface ViewEvents {
   dragMove(targets: Handle[]): void;
   /** `cancelled`: Esc was pressed, the handles go back to where the drag began. */
   dragEnd(cancelled: boolean): void;
+  /** Keys would move the selection, but all of it is locked. */
+  lockedStay(): void;
   /** The camera came to rest after orbit, pan or zoom. */
   cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
   /** While it moves, but not by setCamera(). */
@@ -34,6 +36,7 @@ export const LOOKING_ONLY: ViewEvents = {
   dragStart: nothing,
   dragMove: nothing,
   dragEnd: nothing,
+  lockedStay: nothing,
   cameraChanged: nothing,
   cameraMoved: nothing,
   failed: nothing,
