@@ -44,6 +44,11 @@ void set_option(Editor& editor, const std::string& setting) {
     editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
 }
 
+std::string usual_methods() {
+    return "unless given " + std::string(usual_method(0)) + ", beyond " + std::to_string(k_most_vertices_at_rest) +
+           " vertices " + std::string(usual_method(k_most_vertices_at_rest + 1));
+}
+
 }  // namespace
 
 void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
@@ -51,12 +56,14 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     command.add_option("--edit", arguments.edit, R"({"handles": [{"vertex": 0, "target": [x, y, z]}, ...]})")
         ->required()
         ->type_name("EDIT.json");
-    command.add_option("--method", arguments.method, "Method, see below")->type_name("NAME")->capture_default_str();
+    command.add_option("--method", arguments.method, "Method, see below; " + usual_methods())->type_name("NAME");
     command.add_option("--init", arguments.initialisation, "Start of each solve: naive, arap:N or local_global:N")
         ->type_name("INIT")
         ->capture_default_str();
     command.add_option("--threshold", arguments.threshold, "Short for --set threshold=...")->type_name("NUMBER");
     command.add_option("--max-iterations", arguments.max_iterations, "Short for --set max_iterations=...")
+        ->type_name("NUMBER");
+    command.add_option("--shear-limit", arguments.shear_limit, "Short for --set shear_limit=..., degrees; 0: none")
         ->type_name("NUMBER");
     command.add_option("--set", arguments.settings, "Options of the solver, see below")
         ->check(setting_fault)
@@ -70,10 +77,12 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
 
 Editor open_editor(const SolverArguments& arguments) {
     Editor editor(load_net(arguments.net));
-    editor.set_method(arguments.method);
+    const std::string_view usual = usual_method(editor.net().vertex_count());
+    editor.set_method(arguments.method.empty() ? usual : std::string_view(arguments.method));
     editor.set_initialisation(arguments.initialisation);
     if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
     if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
+    if (!arguments.shear_limit.empty()) editor.set_option("shear_limit", arguments.shear_limit);
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
     return editor;
 }

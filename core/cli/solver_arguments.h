@@ -15,10 +15,10 @@ namespace chebnet {
 struct SolverArguments {
     NetArgument net;
     std::string edit;
-    std::string method{k_default_method};
+    std::string method;  ///< empty: usual_method()
     std::string initialisation{"naive"};
-    std::string threshold, max_iterations;  ///< empty: the default
-    std::vector<std::string> settings;      ///< each "key=value"
+    std::string threshold, max_iterations, shear_limit;  ///< empty: the default
+    std::vector<std::string> settings;                   ///< each "key=value"
     NetOutput output;
     std::string trace;  ///< file to write; empty: none
     std::string edges;  ///< likewise

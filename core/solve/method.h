@@ -53,6 +53,11 @@ struct MethodInfo {
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.
 inline constexpr std::string_view k_default_method = "equilibrium";
+/// The same where a person or a script waits for the result: coming to rest takes minutes in large nets.
+inline constexpr int k_most_vertices_at_rest = 12'000;
+constexpr std::string_view usual_method(int vertex_count) {
+    return vertex_count > k_most_vertices_at_rest ? "projection" : k_default_method;
+}
 /// Throws Error bad_option, naming the known methods, or left_out for one that this build only has the words of.
 std::unique_ptr<Method> make_method(std::string_view name);
 

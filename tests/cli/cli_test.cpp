@@ -203,6 +203,30 @@ TEST_CASE("every method solves by its name") {
     }
 }
 
+TEST_CASE("a net so large that nobody waits for it to rest is solved by its edges alone, unless asked otherwise") {
+    const Sandbox box;
+    box.write("edit.json", R"({"handles": [{"vertex": 0, "target": [0, 0, 0]}]})");
+    const auto method = [&](const std::string& arguments) {
+        return box.run("solve " + arguments + " --edit edit.json --max-iterations 1").json().at("method");
+    };
+    CHECK(method("sheet:vertices=900") == "equilibrium");
+    CHECK(method("sheet:vertices=14400") == "projection");
+    CHECK(method("sheet:vertices=900 --method li2022") == "li2022");
+}
+
+TEST_CASE("the shear limit is asked for by name") {
+    const Sandbox box;
+    // Ten quads between corners 17.5 edges apart: their diagonals leave corners of 57.7 degrees at most.
+    box.write("edit.json", R"({"handles": [{"vertex": 0, "target": [-6.2, -6.2, 0]},
+                                           {"vertex": 99, "target": [6.2, 6.2, 0]}]})");
+    const auto status = [&](const std::string& limit) {
+        return box.run("solve sheet:vertices=100 --edit edit.json --shear-limit " + limit).json().at("status");
+    };
+    CHECK(status("0") == "converged");
+    CHECK(status("50") == "converged");
+    CHECK(status("60") == "stalled");
+}
+
 TEST_CASE("options reach the solver, by short names too") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());

@@ -62,6 +62,22 @@ beforeEach(() => {
 });
 afterEach(() => void vi.useRealTimers());
 
+test('a net has the method of the one before, but for the usual ones: large nets have another', async () => {
+  const method = () => state.opening!.document.method;
+  const openNext = async (recipe: string) => {
+    const opening = opener.openNet({ recipe });
+    asked.at(-1)!.answer();
+    await opening;
+    return method();
+  };
+  expect(await openNext('dome:vertices=2000')).toBe('equilibrium');
+  expect(await openNext('vault:vertices=100000')).toBe('projection');
+  expect(await openNext('vault:vertices=4000')).toBe('equilibrium');
+  await open('dome');
+  state.opening!.document.method = 'li2022';
+  expect(await openNext('vault:vertices=100000')).toBe('li2022');
+});
+
 test('the first net begins the history, another is an entry to go back from', async () => {
   await open('dome');
   expect(state.history.canUndo).toBe(false);

@@ -1,6 +1,6 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
-import { freshScene } from '../document/defaults';
+import { freshScene, usualMethod } from '../document/defaults';
 import type { NetSource, Scene } from '../document/document';
 import type { Project } from '../document/project';
 import type { Snapshot } from '../document/undo';
@@ -68,12 +68,14 @@ export class Opener {
     await this.#reopen({ ...entries[present]!.state, view }, () => this.#state.history.begin(entries, present));
   }
 
-  /** Opens a net at rest, with the settings and the view of the present document. */
+  /** Opens a net at rest, with the settings and the view of the present document; with its usual method, if the present one
+   *  has its own. */
   openNet(net: NetSource): Promise<void> {
     const fresh = freshScene(net);
     if (this.#state.opening === null) return this.openScene(fresh);
     const { document } = this.#state.opening;
-    const { method, initialisation, options, view } = document;
+    const { initialisation, options, view } = document;
+    const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
     const scene = { ...fresh, method, initialisation, options, view: { ...view, camera: null } };
     return this.openScene(scene, netChange(document.net, net));
   }

@@ -3,17 +3,29 @@ import type { NetSource, Scene, ViewState } from './document';
 
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
-const DEFAULT_METHOD = 'equilibrium';
+/** The net at rest, as long as a hand can wait for it; beyond so many vertices, edges that keep their lengths. */
+const [DEFAULT_METHOD, METHOD_OF_LARGE_NETS] = ['equilibrium', 'projection'];
+const MOST_VERTICES_AT_REST = 12_000;
 export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
+
+export function usualMethod(net: NetSource): string {
+  return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : DEFAULT_METHOD;
+}
+
+/** Of a recipe: the vertices asked for. */
+function vertexCount(net: NetSource): number {
+  if ('recipe' in net) return Number(/\bvertices=(\d+)/.exec(net.recipe)?.[1] ?? 0);
+  return 'mesh' in net ? net.mesh.positions.length / 3 : (net.obj.match(/^v\s/gm) ?? []).length;
+}
 
 /** A net as it comes: at rest, with the handles its recipe suggests. */
 export function freshScene(net: NetSource): Scene {
   return {
     net,
     handles: 'recipe' in net ? 'suggested' : [],
-    method: DEFAULT_METHOD,
+    method: usualMethod(net),
     initialisation: DEFAULT_INITIALISATION,
     options: {},
     view: DEFAULT_VIEW,
