@@ -83,6 +83,12 @@ describe.each([
     await page.screenshot(picture('equalise'));
     await dialog.getByRole('button', { name: 'Cancel' }).click();
 
+    await page.getByRole('button', { name: 'On a surface…', exact: true }).click();
+    await dialog.getByText('Largest dL').waitFor();
+    found.surface = await faults(page, page, 'dialog');
+    await page.screenshot(picture('surface'));
+    await dialog.getByRole('button', { name: 'Cancel' }).click();
+
     await page.getByRole('button', { name: 'Compare', exact: true }).click();
     await page.locator('.comparison .uplot').nth(1).waitFor();
     found.comparison = await faults(page);
@@ -107,6 +113,7 @@ describe.each([
       menu: [],
       sections: [],
       equalise: [],
+      surface: [],
       comparison: [],
       file: [],
     });
