@@ -160,14 +160,13 @@ describe('at the seed', () => {
     }
   });
 
-  test('handles are the seed and the ends of its arms', () => {
+  test('handles are the ends of its arms without the gaps, and the longest is free', () => {
     const places = Int32Array.of(0, 0, 1, 0, 2, 0, 0, 1, -1, 0, 1, 1, 4, 0);
     const handles = suggestedHandles(places);
     expect(handles.map(({ vertex, anchor }) => [vertex, anchor])).toEqual([
-      [2, true],
-      [4, true],
       [3, true],
-      [0, false],
+      [4, true],
+      [2, false],
     ]);
   });
 
