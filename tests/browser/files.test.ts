@@ -200,7 +200,7 @@ test.each([
     'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n',
     /points\.ply: .*face/,
   ],
-  ['loose triangles', 'part.stl', 'solid part\n', /STL holds loose triangles/],
+  ['no triangles', 'part.stl', 'solid part\n', /part\.stl: the net has no faces/],
   [
     'a drawing under another name',
     'drawing.obj',
