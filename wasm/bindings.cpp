@@ -88,7 +88,6 @@ val formats() {
         set_text(row, "title", format.title);
         set_text(row, "sentence", format.sentence);
         set_text(row, "mediaType", format.media_type);
-        row.set("reads", format.unread == nullptr);
         table.call<void>("push", row);
     }
     return table;

@@ -53,8 +53,8 @@ export interface OptionInfo {
   sentence: string;
 }
 
-/** A format of mesh files, all of which are written. Those that are read keep faces, order and every bit of a coordinate, but for
- *  STL, which holds triangles with floats. */
+/** A format of mesh files, read and written. All keep faces, order and every bit of a coordinate but STL, which holds
+ *  triangles with floats. */
 export interface FormatInfo {
   /** Behind a dot, the extension of its files. */
   name: string;
@@ -62,8 +62,6 @@ export interface FormatInfo {
   /** What it is for, in a few words. */
   sentence: string;
   mediaType: string;
-  /** Whether `readMesh` takes it. */
-  reads: boolean;
 }
 
 /** Numbers of the edges or vertices of a net, by the names of core/edit/field.h. */
@@ -496,7 +494,7 @@ export interface Editors {
 }
 
 export interface Chebnet extends Editors {
-  /** Reads the bytes of a file of a format that `reads`. What they begin with decides between these before the extension
+  /** Reads the bytes of a file of one of the formats. What they begin with decides between these before the extension
    *  of `name` does, by which messages call the file. */
   readMesh(bytes: Uint8Array, name: string): Mesh;
   /** Everything that `repairMesh` looks for, in this order. */

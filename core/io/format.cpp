@@ -40,8 +40,7 @@ const FormatInfo& find_format(std::string_view name) {
 
 std::string titles_read(std::string_view conjunction) {
     std::vector<std::string> titles;
-    for (const FormatInfo& format : k_formats)
-        if (format.unread == nullptr) titles.emplace_back(format.title);
+    for (const FormatInfo& format : k_formats) titles.emplace_back(format.title);
     return listed(titles, conjunction);
 }
 

@@ -70,8 +70,6 @@ Mesh read_mesh(std::string_view bytes, std::string_view name) {
     const FormatInfo* format = format_of_file(bytes, name);
     if (format == nullptr)
         fail(ErrorCode::bad_syntax, name, "not a mesh of a format that is read, which are " + titles_read("and"));
-    if (format->unread != nullptr)
-        fail(ErrorCode::bad_syntax, name, std::string(format->title) + " " + format->unread + "; it is only written");
     return format->read(bytes, name);
 }
 

@@ -27,7 +27,6 @@ constexpr FormatInfo k_obj = {"obj",
                               "for Rhino and Blender",
                               "model/obj",
                               nullptr,
-                              nullptr,
                               in_this_build(read_obj),
                               in_this_build<WriteMesh>(write_obj),
                               in_this_build<WriteMesh>(write_obj)};

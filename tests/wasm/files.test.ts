@@ -209,12 +209,11 @@ describe('writing', () => {
     expect(chebnet.readMesh(bytes, name)).toEqual({ ...meshOf(editor), positions: editor.positions() });
   });
 
-  test('in each format of the table, which says whether it is read back', () => {
-    for (const { name, reads } of chebnet.formats()) {
-      const read = () => chebnet.readMesh(editor.toFile(name), `a.${name}`);
+  test('in each format of the table is read back', () => {
+    for (const { name } of chebnet.formats()) {
+      const { faceVertices } = chebnet.readMesh(editor.toFile(name), `a.${name}`);
       const corners = name === 'stl' ? 3 * 2 * editor.info.faces : editor.faceVertices.length;
-      if (reads) expect(read().faceVertices).toHaveLength(corners);
-      else expect(failure(read).code).toBe('bad_syntax');
+      expect(faceVertices).toHaveLength(corners);
     }
   });
 

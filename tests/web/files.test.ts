@@ -67,7 +67,7 @@ test('a file to be saved is named after what was opened', () => {
 
 describe("the core's table of formats says", () => {
   const formats = core.formats();
-  const dxf = { name: 'dxf', title: 'DXF', sentence: 'for drawings', mediaType: 'image/vnd.dxf', reads: true };
+  const dxf = { name: 'dxf', title: 'DXF', sentence: 'for drawings', mediaType: 'image/vnd.dxf' };
 
   test('what a picker accepts', () => {
     expect(acceptOf(formats)).toBe('.obj,.ply,.off,.stl,.json');
@@ -88,7 +88,7 @@ describe("the core's table of formats says", () => {
   });
 
   test('what the tile for opening a file names', () => {
-    const read = [...formats, dxf].filter(({ reads }) => reads).map(({ title }) => title);
+    const read = [...formats, dxf].map(({ title }) => title);
     expect(en.gallery.openFileHint(read)).toMatch(/an OBJ, PLY, OFF, STL or DXF file/);
     expect(zh.gallery.openFileHint(read)).toMatch(/OBJ、PLY、OFF、STL 或 DXF/);
   });

@@ -12,8 +12,6 @@ export function fileNameOf(net: NetSource, extension: string, formats: readonly 
 }
 
 function withoutExtension(file: string, formats: readonly FormatInfo[]): string {
-  const ending = formats
-    .map(({ name, reads }) => reads && `.${name}`)
-    .find((each) => each && file.toLowerCase().endsWith(each));
+  const ending = formats.map(({ name }) => `.${name}`).find((each) => file.toLowerCase().endsWith(each));
   return ending ? file.slice(0, -ending.length) : file;
 }

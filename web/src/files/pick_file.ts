@@ -15,6 +15,6 @@ export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
 /** The extensions that can be opened; any file while no format is known. */
 export function acceptOf(formats: readonly FormatInfo[]): string {
   if (formats.length === 0) return '';
-  const meshes = formats.filter(({ reads }) => reads).map(({ name }) => name);
+  const meshes = formats.map(({ name }) => name);
   return [...meshes, 'json'].map((extension) => `.${extension}`).join();
 }

@@ -43,7 +43,7 @@ export class Gallery {
   }
 
   setTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.#fileTile.title = words.gallery.openFileHint(formats.filter(({ reads }) => reads).map(({ title }) => title));
+    this.#fileTile.title = words.gallery.openFileHint(formats.map(({ title }) => title));
     this.#thumbnail = thumbnail;
     this.#items = shapes.filter(({ name }) => !UNSHOWN.includes(name)).map((shape) => this.#makeItem(shape));
     this.element.replaceChildren(...this.#items.map(({ button }) => button), this.#fileTile);
