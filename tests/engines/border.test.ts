@@ -23,6 +23,7 @@ const SAFE = [
     'suggestedHandles',
   ],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
+  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest', 'propose'],
   ...['solve', 'reset', 'positions', 'fields', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
 ];
 
@@ -47,6 +48,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   const { core } = window;
   const whole = calls.includes('readMesh');
   const editor = core.openRecipe('vault:vertices=300');
+  const surface = whole ? core.ownSurface(core.ownSurfaces()[0]!.name) : null;
   const broken: Mesh = {
     positions: new Float64Array(9),
     faceStart: Int32Array.of(0, 3),
@@ -77,6 +79,10 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
     repairMesh: () => core.repairMesh(broken),
     equalizer: () => core.equalizer(broken),
+    openSurface: () => core.openSurface(broken),
+    ownSurface: () => core.ownSurface('nonsense'),
+    drape: () => surface?.drape({ seed: [0, 0, 0], direction: [1, 0, 0], length: -1 }),
+    measure: () => surface?.measure(broken),
   };
   const codes: Record<string, string[]> = {};
   for (let i = 0; i < times; ++i) {
@@ -120,6 +126,10 @@ const WHOLE = {
   readMesh: ['bad_syntax'],
   repairMesh: ['index_out_of_range'],
   equalizer: ['index_out_of_range'],
+  openSurface: ['bad_scale'],
+  ownSurface: ['bad_option'],
+  drape: ['bad_option'],
+  measure: ['index_out_of_range'],
 };
 
 test.each([
