@@ -89,20 +89,6 @@ private:
     std::unordered_multimap<std::uint64_t, int> m_vertices;
 };
 
-void check(const Surface& surface, const DrapeOptions& options) {
-    const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
-    if (!options.seed.allFinite() || !options.direction.allFinite())
-        throw Error(ErrorCode::non_finite, "the seed or the direction has a coordinate that is not finite");
-    const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
-    if (!(options.length > 1e-6 * size && options.length <= size))
-        refuse("the edge length must be between a millionth of the surface's size and that size");
-    if (!(options.smallest_angle > 0 && options.smallest_angle < std::numbers::pi / 2))
-        refuse("the shear limit must be an angle above 0 and below 90 degrees");
-    if (!(options.angle >= options.smallest_angle && options.angle <= std::numbers::pi - options.smallest_angle))
-        refuse("the angle at the seed must keep within the shear limit");
-    if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
-}
-
 Eigen::Vector3d centre_of_mass(const Surface& surface) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int f = 0; f < surface.face_count(); ++f)
@@ -372,6 +358,20 @@ private:
 
 }  // namespace
 
+void check_drape(const Surface& surface, const DrapeOptions& options) {
+    const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
+    if (!options.seed.allFinite() || !options.direction.allFinite())
+        throw Error(ErrorCode::non_finite, "the seed or the direction has a coordinate that is not finite");
+    const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
+    if (!(options.length > 1e-6 * size && options.length <= size))
+        refuse("the edge length must be between a millionth of the surface's size and that size");
+    if (!(options.smallest_angle > 0 && options.smallest_angle < std::numbers::pi / 2))
+        refuse("the shear limit must be an angle above 0 and below 90 degrees");
+    if (!(options.angle >= options.smallest_angle && options.angle <= std::numbers::pi - options.smallest_angle))
+        refuse("the angle at the seed must keep within the shear limit");
+    if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
+}
+
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {
     if (cells < 1) throw Error(ErrorCode::bad_option, "a net has at least one cell");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
@@ -384,7 +384,7 @@ DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, in
 }
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
-    check(surface, options);
+    check_drape(surface, options);
     return Draper(surface, tree, options).run();
 }
 

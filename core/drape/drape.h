@@ -52,6 +52,9 @@ struct Drape {
 /// non_finite, too_large (more than k_most_draped_vertices).
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
+/// Throws Error bad_option or non_finite where drape() would for the numbers alone.
+void check_drape(const Surface& surface, const DrapeOptions& options);
+
 inline constexpr int k_most_draped_vertices = 2'000'000;
 
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.

@@ -129,6 +129,7 @@ std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& 
 
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree,
                                           const DrapeOptions& options) {
+    check_drape(surface, options);
     const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
     std::vector<DrapeProposal> proposals;
     for (int k = 0; k < k_seeds; ++k)

@@ -23,8 +23,8 @@ const SAFE = [
     'suggestedHandles',
   ],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
-  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest', 'propose'],
-  ...['solve', 'reset', 'positions', 'fields', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
+  ...['reset', 'positions', 'fields', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
+  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest'],
 ];
 
 const { open } = visitors(() => ROOT);
@@ -48,7 +48,6 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
   const { core } = window;
   const whole = calls.includes('readMesh');
   const editor = core.openRecipe('vault:vertices=300');
-  const surface = whole ? core.ownSurface(core.ownSurfaces()[0]!.name) : null;
   const broken: Mesh = {
     positions: new Float64Array(9),
     faceStart: Int32Array.of(0, 3),
@@ -62,6 +61,9 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     { positions: new Float64Array(3 * editor.info.vertices).fill(NaN) },
     { method: whole ? 'nonsense' : 'li2022' },
   ];
+  const surface = whole ? core.ownSurface('hypar') : null!;
+  const torn = core.openRecipe('vault:vertices=300');
+  torn.setHandles([0, 1].map((vertex) => ({ vertex, target: [9 * vertex, 0, 0] })));
   let inTurn = false;
   let turn = 0;
   const attempts: Record<string, () => unknown> = {
@@ -79,10 +81,12 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
     repairMesh: () => core.repairMesh(broken),
     equalizer: () => core.equalizer(broken),
+    solve: () => torn.solve(),
     openSurface: () => core.openSurface(broken),
     ownSurface: () => core.ownSurface('nonsense'),
-    drape: () => surface?.drape({ seed: [0, 0, 0], direction: [1, 0, 0], length: -1 }),
-    measure: () => surface?.measure(broken),
+    propose: () => surface.propose({ length: -1 }),
+    drape: () => surface.drape({ ...surface.suggest(100), length: -1 }),
+    measure: () => surface.measure(broken),
   };
   const codes: Record<string, string[]> = {};
   for (let i = 0; i < times; ++i) {
@@ -118,6 +122,7 @@ const LEFT_OUT = {
   toObj: ['left_out'],
   edgeTable: ['left_out'],
   toFile: ['left_out'],
+  solve: ['left_out'],
 };
 const WHOLE = {
   setState: ['bad_option', 'index_out_of_range', 'non_finite'],
@@ -128,6 +133,7 @@ const WHOLE = {
   equalizer: ['index_out_of_range'],
   openSurface: ['bad_scale'],
   ownSurface: ['bad_option'],
+  propose: ['bad_option'],
   drape: ['bad_option'],
   measure: ['index_out_of_range'],
 };
