@@ -9,8 +9,8 @@ namespace chebnet {
 /// Where a net may begin, and what came of it when it was tried.
 struct DrapeProposal {
     DrapeOptions options;
-    double covered;       ///< area of the cells as a part of the surface's
-    double much_sheared;  ///< part of the cells with a corner more than k_much_shear from a right angle
+    double covered = 0;       ///< area of the cells as a part of the surface's
+    double much_sheared = 0;  ///< part of the cells with a corner more than k_much_shear from a right angle
 };
 
 /// Tries nets of about a thousand cells from places spread over the surface, in six directions each, and the best of
