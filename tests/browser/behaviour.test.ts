@@ -108,3 +108,28 @@ test('cloth with gravity hangs between its handles; undo takes both choices back
   await script.settled();
   expect(await lowest()).toBeGreaterThan(-1e-6);
 });
+
+/** Rhombi of this sharp angle, in degrees, with edges of length 1. */
+function rhombi(size: number, angle: number): string {
+  const [c, s] = [Math.cos(angle / (180 / Math.PI)), Math.sin(angle / (180 / Math.PI))];
+  const places = Array.from({ length: size * size }, (_, v) => [v % size, Math.floor(v / size)] as const);
+  const faces = places.flatMap(([i, j], v) =>
+    i + 1 < size && j + 1 < size ? [`f ${v + 1} ${v + 2} ${v + size + 2} ${v + size + 1}`] : [],
+  );
+  return [...places.map(([i, j]) => `v ${i + j * c} ${j * s} 0`), ...faces].join('\n');
+}
+
+test('a net that comes nearly closed is opened, which is said, and undone where it is not wanted', async () => {
+  const obj = rhombi(8, 20);
+  const came = chebnet.openObj(obj).restPositions;
+  await script.open({ obj, name: 'rhombi.obj' });
+  await script.settled();
+  const notice = visit.page.locator('.sharp-notice');
+  await notice.getByText('49 quads were nearly closed').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-opened.png') });
+  expect(apart(await script.positions(), came)).toBeGreaterThan(0.1);
+  await notice.getByRole('button', { name: 'Leave it as it came' }).click();
+  await script.settled();
+  expect(apart(await script.positions(), came)).toBeLessThan(1e-3);
+  expect(await notice.innerText()).toBe('');
+});

@@ -1,6 +1,6 @@
-/** Fold angles and curvature, as the page reckons them. */
+/** Fold angles, curvature and sharp corners, as the page reckons them. */
 import { expect, test } from 'vitest';
-import { writeCurvatures, writeFolds } from '../../web/src/net/fold';
+import { countSharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
 import { load } from '../wasm/load';
 
 const chebnet = await load();
@@ -33,5 +33,13 @@ test('a dome is curved one way, a saddle the other, whatever their edges', () =>
     expect(dome.curvatures[dome.middle]).toBeGreaterThan(100);
     expect(dome.curvatures[dome.middle]).toBeLessThan(400);
     expect(saddle.curvatures[saddle.middle]).toBeLessThan(-50);
+  }
+});
+
+test('the quads of a sheet are as sharp as right angles, and so are those of blocks', () => {
+  for (const recipe of ['sheet:vertices=121', 'jack:vertices=300']) {
+    const net = chebnet.openRecipe(recipe);
+    expect(countSharpQuads(net, net.positions(), 89.9)).toBe(0);
+    expect(countSharpQuads(net, net.positions(), 90.1)).toBe(net.info.faces);
   }
 });

@@ -1,4 +1,4 @@
-/** How much a net is folded at its edges and curved at its vertices, from its faces. */
+/** How much a net is folded at its edges, curved at its vertices and sheared in its corners, from its faces. */
 import type { Edges } from './longer';
 
 export interface Faces extends Edges {
@@ -22,9 +22,33 @@ export function writeFolds(folds: Float32Array, positions: Float64Array, net: Fa
 /** At each inner vertex 360° less the angles of the faces there, by the number of vertices: the total curvature of a net that
  *  were everywhere so curved, in degrees, whatever the size of its edges. Above 0 as a dome, below 0 as a saddle. */
 export function writeCurvatures(curvatures: Float32Array, positions: Float64Array, net: Faces): void {
-  const { edges, faceStart, faceVertices } = net;
   const count = curvatures.length;
   curvatures.fill(360 * count);
+  forEachCorner(net, positions, (angle, vertex) => (curvatures[vertex]! -= count * DEGREES * angle));
+  const { edges } = net;
+  const pairs = facePairs(net);
+  for (let edge = 0; 2 * edge < edges.length; edge++)
+    if (pairs[2 * edge + 1]! < 0) curvatures[edges[2 * edge]!] = curvatures[edges[2 * edge + 1]!] = 0;
+}
+
+/** How many quads have a corner sharper than so many degrees. */
+export function countSharpQuads(net: Corners, positions: Float64Array, limit: number): number {
+  const sharp = new Set<number>();
+  forEachCorner(net, positions, (angle, _, face) => {
+    const isQuad = net.faceStart[face + 1]! - net.faceStart[face]! === 4;
+    if (isQuad && DEGREES * angle < limit) sharp.add(face);
+  });
+  return sharp.size;
+}
+
+type Corners = Pick<Faces, 'faceStart' | 'faceVertices'>;
+
+/** @param take is given the angle at each corner, in radians. */
+function forEachCorner(
+  { faceStart, faceVertices }: Corners,
+  positions: Float64Array,
+  take: (angle: number, vertex: number, face: number) => void,
+): void {
   const sides = new Float64Array(6);
   for (let face = 0; face + 1 < faceStart.length; face++) {
     const [from, end] = [faceStart[face]!, faceStart[face + 1]!];
@@ -35,12 +59,9 @@ export function writeCurvatures(curvatures: Float32Array, positions: Float64Arra
         sides[k] = positions[3 * next + k]! - positions[3 * corner + k]!;
         sides[3 + k] = positions[3 * last + k]! - positions[3 * corner + k]!;
       }
-      curvatures[corner]! -= count * DEGREES * angleBetween(sides, 0, sides, 3);
+      take(angleBetween(sides, 0, sides, 3), corner, face);
     }
   }
-  const pairs = facePairs(net);
-  for (let edge = 0; 2 * edge < edges.length; edge++)
-    if (pairs[2 * edge + 1]! < 0) curvatures[edges[2 * edge]!] = curvatures[edges[2 * edge + 1]!] = 0;
 }
 
 /** Of each face by Newell's sum, which needs no plane faces; not of unit length. */

@@ -2,6 +2,7 @@
 import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
+import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
 import type { Panel } from '../panels';
 import { Appearance } from './appearance';
@@ -19,7 +20,7 @@ export interface LateSections {
   /** From top to bottom. */
   elements: HTMLElement[];
   /** To be placed with the messages over the picture. */
-  notice: HTMLElement;
+  notices: HTMLElement[];
 }
 
 /** @param experiments exists already, since its note is placed elsewhere. */
@@ -47,10 +48,10 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
-  const stuck = new StuckNotice(events);
+  const notices = [new SharpNotice(events), new StuckNotice(events)];
   return {
-    panels: [...usual, convergence, solver, step, comparison, stuck],
-    notice: stuck.element,
+    panels: [...usual, convergence, solver, step, comparison, ...notices],
+    notices: notices.map(({ element }) => element),
     elements: [...usual.map(({ element }) => element), research],
   };
 }

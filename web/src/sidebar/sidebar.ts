@@ -173,11 +173,11 @@ class Sidebar implements Panels {
 
   async #addLateSections(): Promise<void> {
     const { createLateSections } = await loadLateSections();
-    const { panels, elements, notice } = createLateSections(this.#services, this.#experiments.element);
+    const { panels, elements, notices } = createLateSections(this.#services, this.#experiments.element);
     for (const [name, news] of this.#told) for (const panel of panels) tell(panel, name, news);
     this.#panels.push(...panels);
     this.#sections.append(...elements);
-    this.#messages.element.prepend(notice);
+    this.#messages.element.prepend(...notices);
   }
 
   #setNarrow(narrow: boolean): void {

@@ -202,6 +202,12 @@ export const panels = {
     title: 'History',
     hint: 'A click on a line goes back or forward to it; the arrow keys move along the list.',
   },
+  sharp: {
+    opened: (quads: number, move: string) =>
+      `${quads === 1 ? 'One quad was' : `${quads} quads were`} nearly closed. The net has been opened: no vertex moved more than ${move} edge lengths.`,
+    accept: 'Good',
+    leave: 'Leave it as it came',
+  },
   stuck: {
     back: 'Back to the last good shape',
     soften: 'Make the handle soft',

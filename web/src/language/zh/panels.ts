@@ -191,6 +191,11 @@ export const panels: Widened<typeof en> = {
     title: '历史记录',
     hint: '点击任一行即可回到或前进到该步骤；方向键可在列表中移动。',
   },
+  sharp: {
+    opened: (quads, move) => `有 ${quads} 个四边形几乎闭合。网已被张开：顶点最多移动了 ${move} 个边长。`,
+    accept: '好',
+    leave: '保持原样',
+  },
   stuck: {
     back: '回到上一个正确的形状',
     soften: '使手柄变软',
