@@ -1,7 +1,8 @@
 /** Nothing is lost: undo and redo of everything, a reload, a project saved and opened again. */
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { expect, test } from 'vitest';
+import type { FileChooser } from 'playwright-core';
+import { expect, test, vi } from 'vitest';
 import { dragBy } from './geometry';
 import type { Visit } from './page';
 import { OUTPUT, Script, visits, openForResearch } from './page';
@@ -79,6 +80,9 @@ function kept({ page }: Visit): Promise<string[]> {
 test('everything done is listed, undone, done again, kept over a reload, saved as a project and opened again', async () => {
   const visit = await arrive();
   const { page, script } = visit;
+  // Listened for from the start: the browser is told so, which takes its time.
+  const choosers: FileChooser[] = [];
+  page.on('filechooser', (chooser) => choosers.push(chooser));
   await openSection(visit, 'History');
   const stood = await edit(visit);
   const list = await names(visit);
@@ -133,9 +137,9 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await page.getByRole('button', { name: /^New/ }).click();
   await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
 
-  const chooser = page.waitForEvent('filechooser');
   await page.keyboard.press('Control+o');
-  await (await chooser).setFiles({
+  const chooser = await vi.waitUntil(() => choosers[0], PATIENCE);
+  await chooser.setFiles({
     name: 'vault.chebnet.json',
     mimeType: 'application/json',
     buffer: await readFile(path),
@@ -151,6 +155,31 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await press(visit, 'File');
   await page.getByRole('button', { name: /^Restore my last net/ }).click();
   await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
+});
+
+test('a net that has not come to rest is kept when a project takes its place', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  const project = await readFile(await (await download).path(), 'utf8');
+  // Sooner than it would be kept by itself.
+  const vertices = await page.evaluate(async (text) => {
+    await window.chebnet.open({ recipe: 'vault:vertices=4000' });
+    const { vertex, target } = window.chebnet.handles().at(-1)!;
+    void window.chebnet.move(vertex, [target[0], target[1], target[2] - 3]);
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], 'net.chebnet.json'));
+    document
+      .getElementById('view')
+      ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    return window.chebnet.stats().vertices;
+  }, project);
+  await expect.poll(() => said(visit), PATIENCE).toContainEqual(expect.stringMatching(/project is open/));
+  await press(visit, 'File');
+  await page.getByRole('button', { name: /^Restore my last net/ }).click();
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBe(vertices);
+  expect((await standing(script)).handles).toBeGreaterThan(0);
 });
 
 test('a broken project is refused with what is wrong, and the net stays', async () => {

@@ -28,7 +28,8 @@ export class SharpNotice implements Panel {
     const leave = makeButton(panelWords.sharp.leave, () => {
       this.#hide();
       const { method, initialisation, options } = this.#document!;
-      events.setBehaviour({ method, initialisation, options: { ...options, [LIMIT]: 0 } });
+      events.setOptions({ method, initialisation, options: { ...options, [LIMIT]: 0 } });
+      events.reset();
     });
     const accept = makeButton(panelWords.sharp.accept, () => this.#hide());
     this.#line = make(

@@ -54,14 +54,14 @@ export class Autosave {
     this.#soon();
   }
 
-  /** Stores the present net at once, unless nothing changed, or something is under way: then it is stored after that. */
+  /** Stores the present net at once, also while something is under way: it may be about to go. */
   async save(): Promise<void> {
-    if (!this.#keeps || !this.#app.isQuiet) return;
+    if (!this.#keeps) return;
     clearTimeout(this.#timer);
     await this.#keep();
   }
 
-  /** Also while something is under way: the page may be about to close. */
+  /** Does nothing if nothing changed. What is stored while something is under way is stored again after that. */
   async #keep(): Promise<void> {
     const { revision } = this.#app.history;
     const project = this.#app.project();
