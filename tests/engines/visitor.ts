@@ -1,5 +1,5 @@
 /** Somebody who visits the page in a window of any engine. */
-import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
@@ -14,6 +14,9 @@ mkdirSync(OUTPUT, { recursive: true });
 
 /** What a busy machine may take, ms. */
 export const PATIENCE = { timeout: 60_000, interval: 50 };
+
+/** A file that was the same so often has been written. */
+const LOOKS = 4;
 
 type Point = readonly [x: number, y: number];
 
@@ -214,16 +217,16 @@ export class Visitor {
   async saved(doing: () => Promise<void>): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
     const folder = this.driver.downloads;
     await doing();
-    let before = -1;
+    let before = '';
+    let looks = 0;
     const name = await vi.waitUntil(() => {
-      // While a file is written it has another name, or is beside one that has; and it grows.
-      const files = readdirSync(folder);
-      const [file] = files;
-      const size =
-        files.length === 1 && !/\.(part|wkdownload)$/.test(file!) ? readFileSync(join(folder, file!)).length : -1;
-      const whole = size > 0 && size === before;
-      before = size;
-      return whole ? file : undefined;
+      // While a file is written it has another name, or is beside one that has; it grows, and takes its own name at the end.
+      const [file = '', ...others] = readdirSync(folder);
+      const size = statSync(join(folder, file), { throwIfNoEntry: false })?.size ?? 0;
+      const isThere = others.length === 0 && size > 0 && !/^$|\.(part|wkdownload)$/.test(file);
+      looks = isThere && `${file} ${size}` === before ? looks + 1 : 0;
+      before = `${file} ${size}`;
+      return looks >= LOOKS ? file : undefined;
     }, PATIENCE);
     const bytes = Uint8Array.from(readFileSync(join(folder, name)));
     rmSync(join(folder, name));
