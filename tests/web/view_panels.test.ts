@@ -2,11 +2,14 @@ import { describe, expect, test } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
 import { Convergence } from '../../web/src/net/convergence';
+import type { Panel } from '../../web/src/panels';
+import { PanelList } from '../../web/src/sidebar/panel_list';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/sidebar/recipe';
 import { edgeLayers, project } from '../../web/src/elements/thumbnail';
 import { coordinate, milliseconds, small } from '../../web/src/language/numbers';
 import { standing } from '../../web/src/sidebar/status';
 import { stageWords } from '../../web/src/sidebar/step_panel';
+import type { FrameData, OpenedNet } from '../../web/src/worker/protocol';
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,
@@ -165,4 +168,34 @@ test('a stage says its exponent, if it has one, and how many vertices move', () 
 
 test('the longest move is that of the vertex that went farthest', () => {
   expect(longestMove(Float64Array.of(0, 0, 0, 1, 1, 1), Float64Array.of(0, 0, 1, 4, 5, 1))).toBe(5);
+});
+
+describe('panels that come after the first', () => {
+  const panel = (heard: string[]): Panel => ({
+    element: null as never,
+    setNet: () => heard.push('net'),
+    setFrame: ({ maxDeviation }) => heard.push(`frame ${maxDeviation}`),
+  });
+  const net = {} as OpenedNet;
+  const frame = (maxDeviation: number) => ({ maxDeviation }) as FrameData;
+
+  test('are told the latest news', () => {
+    const list = new PanelList([]);
+    list.tell('setNet', net);
+    list.tell('setFrame', frame(1), 60, true);
+    list.tell('setFrame', frame(2), 60, false);
+    const heard: string[] = [];
+    list.join([panel(heard)]);
+    list.tell('setFrame', frame(3), 60, false);
+    expect(heard).toEqual(['net', 'frame 2', 'frame 3']);
+  });
+  test('are not told frames of the net before', () => {
+    const list = new PanelList([]);
+    list.tell('setNet', net);
+    list.tell('setFrame', frame(1), 60, false);
+    list.tell('setNet', net);
+    const heard: string[] = [];
+    list.join([panel(heard)]);
+    expect(heard).toEqual(['net']);
+  });
 });

@@ -20,6 +20,7 @@ import type { Action, Panel, PanelEvents, Panels } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { ExperimentsPlace } from './experiments_place';
 import { makeLanguageChoice } from './language_choice';
+import { PanelList } from './panel_list';
 import { createSections, type SidebarServices } from './sections';
 import { StatusRow } from './status_row';
 import type { Wireframe } from '../elements/thumbnail';
@@ -35,9 +36,6 @@ const LATE_MS = 300;
 const CHEVRONS = 'M3.5 3.5 8 8l-4.5 4.5M8.5 3.5 13 8l-4.5 4.5';
 
 const loadLateSections = lazy(() => import('./late_sections'));
-
-/** Those methods of panels that tell them something. */
-type Update = Exclude<keyof Panel, 'element'>;
 
 export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
   return new Sidebar(root, events);
@@ -58,10 +56,8 @@ class Sidebar implements Panels {
   );
   readonly #element: HTMLElement;
   readonly #sections: HTMLElement;
-  /** All panels, which get every update. */
-  readonly #panels: Panel[];
-  /** The last update of each kind, for panels that come later. */
-  readonly #told = new Map<Update, unknown[]>();
+  /** All of them. */
+  readonly #panels: PanelList;
   readonly #services: SidebarServices;
   readonly #experiments: ExperimentsPlace;
   #lateAreWanted = false;
@@ -90,7 +86,7 @@ class Sidebar implements Panels {
       fold: () => this.#unfold(false),
     };
     const sections = createSections(this.#services);
-    this.#panels = [...over, results, status, ...sections, this.#experiments];
+    this.#panels = new PanelList([...over, results, status, ...sections, this.#experiments]);
 
     this.#sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
     this.#fold.classList.add('fold');
@@ -112,44 +108,44 @@ class Sidebar implements Panels {
   }
 
   setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.#tell('setTables', tables, thumbnail);
+    this.#panels.tell('setTables', tables, thumbnail);
   }
 
   setDocument(document: ChebnetDocument, choice: Choice): void {
-    this.#tell('setDocument', document, choice);
+    this.#panels.tell('setDocument', document, choice);
     this.setHandles(document.handles, choice);
   }
 
   setHistory(history: HistoryView): void {
-    this.#tell('setHistory', history);
+    this.#panels.tell('setHistory', history);
   }
 
   setNet(net: OpenedNet): void {
-    this.#tell('setNet', net);
+    this.#panels.tell('setNet', net);
     if (!this.#lateAreWanted) setTimeout(() => this.#addLateSections().catch(this.#services.failed), LATE_MS);
     this.#lateAreWanted = true;
   }
 
   setOpening(isUnderWay: boolean, canCancel: boolean): void {
-    this.#tell('setOpening', isUnderWay, canCancel);
+    this.#panels.tell('setOpening', isUnderWay, canCancel);
   }
 
   setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
-    this.#tell('onFrame', frame);
+    this.#panels.tell('onFrame', frame);
     this.#pending = { frame, framesPerSecond, solving };
     if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), REFRESH_MS);
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {
-    this.#tell('setHandles', handles, choice);
+    this.#panels.tell('setHandles', handles, choice);
   }
 
   setComparison(comparison: Comparison): void {
-    this.#tell('setComparison', comparison);
+    this.#panels.tell('setComparison', comparison);
   }
 
   setRuns(run: Run | null, beside: readonly Run[]): void {
-    this.#tell('setRuns', run, beside);
+    this.#panels.tell('setRuns', run, beside);
   }
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
@@ -163,19 +159,13 @@ class Sidebar implements Panels {
   #refresh(): void {
     this.#timer = 0;
     const { frame, framesPerSecond, solving } = this.#pending!;
-    this.#tell('setFrame', frame, framesPerSecond, solving);
-  }
-
-  #tell<Name extends Update>(name: Name, ...news: Parameters<NonNullable<Panel[Name]>>): void {
-    this.#told.set(name, news);
-    for (const panel of this.#panels) tell(panel, name, news);
+    this.#panels.tell('setFrame', frame, framesPerSecond, solving);
   }
 
   async #addLateSections(): Promise<void> {
     const { createLateSections } = await loadLateSections();
     const { panels, elements, notices } = createLateSections(this.#services, this.#experiments.element);
-    for (const [name, news] of this.#told) for (const panel of panels) tell(panel, name, news);
-    this.#panels.push(...panels);
+    this.#panels.join(panels);
     this.#sections.append(...elements);
     this.#messages.element.prepend(...notices);
   }
@@ -196,10 +186,6 @@ function bringIntoSight(clicked: EventTarget | null): void {
   const section = (clicked as Element).closest('summary')?.parentElement as HTMLDetailsElement | null | undefined;
   // It is unfolded after this event.
   requestAnimationFrame(() => section?.open && section.scrollIntoView({ block: 'nearest' }));
-}
-
-function tell(panel: Panel, name: Update, news: unknown[]): void {
-  (panel[name] as ((...news: unknown[]) => void) | undefined)?.apply(panel, news);
 }
 
 function elementsOf(panels: readonly Panel[]): HTMLElement[] {
