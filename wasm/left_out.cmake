@@ -7,7 +7,8 @@ set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp
      ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/drape/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
-foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation edit/equalize
+foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation edit/equalize edit/fair_start
+               solve/terms/closeness_term
                fabricate/edge_table fabricate/flat_pattern)
     list(APPEND LEFT_OUT_SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/core/${source}.cpp)
 endforeach()

@@ -1,5 +1,5 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// and shapes that are relaxed. Called, they throw the code "left_out".
+// shapes that are relaxed, and surfaces. Called, they throw the code "left_out".
 
 #include <memory>
 #include <string>
@@ -9,6 +9,7 @@
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "shapes/smooth_figure.h"
+#include "solve/terms/closeness_term.h"
 
 namespace chebnet {
 
@@ -27,6 +28,9 @@ Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Ve
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
 std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core(); }
+std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
+    leave_to_the_whole_core();
+}
 val flat_pattern_out(const Net&, const Topology&) { leave_to_the_whole_core(); }
 
 }  // namespace chebnet

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "solve/options.h"
 
 namespace chebnet {
+
+class Guide;
 
 /// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
 /// soft handle's weight is finite and above 0; an edge has the weight 1 (see Pull).
@@ -41,8 +44,9 @@ struct EditState {
     std::string method;          ///< a name in method_table(), or the method that the editor has already
     std::string initialisation;  ///< see Initialisation
     Options options;
-    std::optional<Locality> locality;  ///< none: everything may move
-    Positions positions;               ///< 3×V, finite: a vertex that was a far handle once may be anywhere
+    std::optional<Locality> locality;    ///< none: everything may move
+    std::shared_ptr<const Guide> guide;  ///< a surface beside the net, see Options::guide_mode; null: none
+    Positions positions;                 ///< 3×V, finite: a vertex that was a far handle once may be anywhere
 
     bool operator==(const EditState&) const = default;
 };

@@ -151,6 +151,12 @@ void Editor::set_option(std::string_view key, std::string_view value) {
     set_state(std::move(changed));
 }
 
+void Editor::set_guide(std::shared_ptr<const Guide> guide) {
+    EditState changed = state();
+    changed.guide = std::move(guide);
+    set_state(std::move(changed));
+}
+
 void Editor::set_positions(const Positions& positions) {
     check_positions(*m_net, positions);
     if (positions.cwiseAbs().maxCoeff() > k_largest_size)
@@ -170,7 +176,7 @@ void Editor::reset() {
 }
 
 EditState Editor::state() const {
-    EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_positions};
+    EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_guide, m_positions};
     if (m_region) {
         state.locality = Locality{m_region->radius, m_region->origins, m_positions};
         for (const Pull& pull : m_region->pulls) state.locality->held_at.col(pull.vertex) = pull.target;
@@ -202,6 +208,7 @@ void Editor::set_state(EditState next) {
         m_prepared = false;
     }
     m_options = next.options;
+    m_guide = std::move(next.guide);
     replace_handles(std::move(next.handles));
     replace_region(std::move(region));
     m_positions = std::move(next.positions);

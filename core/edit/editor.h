@@ -58,6 +58,8 @@ public:
     /// E, Method::edge_forces() of the last solve; zeros where the method does not know them.
     Eigen::VectorXd edge_forces() const;
     const std::string& initialisation() const { return m_initialisation.name(); }
+    /// Null: none.
+    const std::shared_ptr<const Guide>& guide() const { return m_guide; }
     /// All of the above that can change, and the locality, as one value.
     EditState state() const;
     /// Goes to such a state, of this editor or of another of the same net; exact handles then snap to their targets. If
@@ -87,6 +89,9 @@ public:
     /// Chooses what is done to the positions at the beginning of each solve, before the method starts: "naive",
     /// "arap:N" or "local_global:N" (see Initialisation). Throws Error bad_option and then changes nothing.
     void set_initialisation(std::string_view text);
+    /// A surface that draws the net as Options::guide_mode says; null: none. Two guides are the same if they are one
+    /// object.
+    void set_guide(std::shared_ptr<const Guide> guide);
     /// Throws Error bad_option and then changes nothing.
     void set_option(std::string_view key, std::string_view value);
     /// Replaces the positions (3×V), e.g. by those of a shared scene; exact handles then snap to their targets, and
@@ -133,7 +138,9 @@ private:
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     std::vector<int> fixed_vertices() const;
-    Problem problem() const { return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable, &m_unit_last_net}; }
+    Problem problem() const {
+        return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable, &m_unit_last_net, m_guide, m_unit};
+    }
     void collect_pulls();
     void prepare();
     void draw_targets_near();
@@ -167,6 +174,7 @@ private:
     std::string m_method_name;
     std::unique_ptr<Method> m_method;
     Initialisation m_initialisation;
+    std::shared_ptr<const Guide> m_guide;
     bool m_prepared = false;  // method and initialisation know which vertices are fixed
     bool m_running = false;   // a solve is under way
     bool m_reachable = true;  // as far as the handles' distances tell, for the solve under way

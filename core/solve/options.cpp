@@ -62,6 +62,12 @@ const Entry k_entries[] = {
      &Options::straight_rods},
     {{"gravity", k_number, 0, 1e6, "The weight of an edge, downwards along z, in method equilibrium."},
      &Options::gravity},
+    {{"guide_mode", k_integer, 0, k_guide_modes - 1,
+      "What a guide surface does, in method equilibrium: 0 nothing, 1 draws the net near, 2 holds it on, 3 keeps it "
+      "outside."},
+     &Options::guide_mode},
+    {{"guide_weight", k_number, 1e-6, 1e6, "How strongly a guide surface acts, in method equilibrium."},
+     &Options::guide_weight},
     {{"rest_tolerance", k_number, 0, 1e6, "Method equilibrium is at rest when the gradient left is below this."},
      &Options::rest_tolerance},
 };

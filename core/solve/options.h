@@ -6,6 +6,15 @@
 
 namespace chebnet {
 
+/// What a guide does to a net (see Problem::guide).
+enum class GuideMode {
+    off,
+    near,     ///< the net is drawn to it
+    on,       ///< likewise, as strongly as makes the rest give way
+    outside,  ///< the net does not go below it, to where its normals do not point
+};
+inline constexpr int k_guide_modes = 4;
+
 /// The settings of the solvers, named as in the paper. Every method reads what applies to it.
 struct Options {
     double threshold = 1e-6;            ///< ε_3: converged when max dL is below
@@ -27,6 +36,8 @@ struct Options {
     double shear_weight = 0.05;         ///< equilibrium: of ShearTerm
     bool straight_rods = false;         ///< equilibrium: net lines want to be straight rather than as at rest
     double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
+    int guide_mode = 1;                 ///< equilibrium: a GuideMode, of no effect without a guide
+    double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm
     double rest_tolerance = 1e-4;       ///< equilibrium: at rest when the gradient that constraints leave is below
 
     bool operator==(const Options&) const = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "net/net.h"
@@ -7,6 +8,8 @@
 #include "solve/pull.h"
 
 namespace chebnet {
+
+class Guide;
 
 /// What a method is to solve: positions in which every edge has its length, fixed vertices stay where they are, and
 /// pulls draw as far as the edges let them. Keeps references.
@@ -17,6 +20,8 @@ struct Problem {
     std::span<const Pull> pulls = {};     ///< of free vertices, distinct: soft handles, and the region's border
     bool reachable = true;                ///< false: no such positions exist, as far as the handles' distances tell
     const Positions* last_net = nullptr;  ///< the last positions in which every edge had its length; null: not known
+    std::shared_ptr<const Guide> guide = nullptr;  ///< a surface for Options::guide_mode; null: none
+    double unit = 1;                               ///< of the net, in the guide's
 };
 
 }  // namespace chebnet

@@ -18,4 +18,13 @@ struct Height {
 /// edges and vertices, Bærentzen & Aanæs 2005). `guess`: a triangle near the point.
 Height height_of(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point, int guess);
 
+/// The same as a vector, and how it changes with the point.
+struct Offset {
+    Eigen::Vector3d away;    ///< from the nearest point; beyond the boundary its part along the normal
+    Eigen::Matrix3d change;  ///< the derivative of `away`: a projection, onto the normal above a triangle
+    bool is_below;           ///< on the side to which the normals do not point
+    int face;
+};
+Offset offset_of(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point, int guess);
+
 }  // namespace chebnet

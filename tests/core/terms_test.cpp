@@ -5,8 +5,10 @@
 
 #include "sample_nets.h"
 #include "solve/terms/bending_term.h"
+#include "solve/terms/closeness_term.h"
 #include "solve/terms/distance_constraint.h"
 #include "solve/terms/load_terms.h"
+#include "solve/terms/penalty_term.h"
 #include "solve/terms/shear_term.h"
 
 using namespace chebnet;
@@ -34,6 +36,17 @@ Net sample_net(int which, std::mt19937& random) {
     }
 }
 
+/// Large enough for every vertex to be above or below a face, an edge or a corner of it.
+const Guide& tetrahedron() {
+    static const Guide guide([] {
+        Mesh mesh{Positions(3, 4), {}};
+        mesh.positions << 1, -1, -1, 1, 1, -1, 1, -1, 1, 1, -1, -1;
+        for (const auto& face : {std::vector{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) mesh.faces.add(face);
+        return Surface(mesh);
+    }());
+    return guide;
+}
+
 std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     const Topology topology(net);
     const std::vector<Pull> pulls{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
@@ -44,6 +57,16 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
         terms.push_back(std::make_unique<ShearTerm>(net, net.rest_positions(), 0.3, reference, 0.3));
     terms.push_back(std::make_unique<PullTerm>(net, pulls));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
+    terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(net), 2));
+    return terms;
+}
+
+/// Their second derivatives jump: where a distance is as long as it has to be, and from face to face.
+std::vector<std::unique_ptr<Term>> terms_with_kinks(const Net& net) {
+    std::vector<std::unique_ptr<Term>> terms;
+    terms.push_back(std::make_unique<PenaltyTerm>(shear_limit(net, 1.2), 3));
+    for (const auto side : {ClosenessTerm::Side::both, ClosenessTerm::Side::below})
+        terms.push_back(std::make_unique<ClosenessTerm>(net, tetrahedron(), 0.5, 2, side));
     return terms;
 }
 
@@ -151,13 +174,31 @@ TEST_CASE("The exact curvature of each term is its gradient's derivative, below 
     }
 }
 
+TEST_CASE("Between kinks, too, gradient and curvature are derivatives") {
+    std::mt19937 random(5);  // not by chance: a difference over a kink is none
+    const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random);
+    const Positions x = samples::shaken(net.rest_positions(), 0.15, random);
+    const Eigen::Matrix3Xd d = samples::shaken(Positions::Zero(3, x.cols()), 1, random);
+    for (const auto& term : terms_with_kinks(net)) {
+        CAPTURE(term->name());
+        const double h = 1e-6;
+        CHECK(dot(gradient(*term, x), d) ==
+              Approx((energy(*term, x + h * d) - energy(*term, x - h * d)) / (2 * h)).epsilon(1e-6).margin(1e-7));
+        const Eigen::Matrix3Xd change = (gradient(*term, x + h * d) - gradient(*term, x - h * d)) / (2 * h);
+        gradient(*term, x);
+        CHECK((curvature(*term, Curvature::exact, d) - change).norm() <= 1e-5 * change.norm());
+    }
+}
+
 TEST_CASE("The convex curvature of each term is symmetric, positive, below its bound, and what its blocks say") {
     Random random;
     CAPTURE(random.seed);
     const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
     const Positions x = samples::shaken(net.rest_positions(), 0.15, random.engine);
     const auto direction = [&] { return samples::shaken(Positions::Zero(3, x.cols()), 1, random.engine); };
-    for (const auto& term : terms_of(net)) {
+    std::vector<std::unique_ptr<Term>> terms = terms_of(net);
+    for (auto& term : terms_with_kinks(net)) terms.push_back(std::move(term));
+    for (const auto& term : terms) {
         CAPTURE(term->name());
         gradient(*term, x);
         for (int k = 0; k < 10; ++k) {

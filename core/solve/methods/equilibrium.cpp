@@ -14,6 +14,7 @@
 #include "solve/parts/stopping.h"
 #include "solve/parts/tangent_newton.h"
 #include "solve/terms/bending_term.h"
+#include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
 #include "solve/terms/shear_term.h"
 
@@ -49,6 +50,8 @@ constexpr int k_most_halvings = 8;
 constexpr double k_limit_margin = 0.02;  // degrees
 // Shear is reckoned from no corner sharper than this, even without a limit.
 constexpr double k_least_open_angle = 15;  // degrees
+// A guide that holds weighs so many times as much as one that draws.
+constexpr double k_hold = 1000;
 // How often corners may join those that are held, or leave them, in one step.
 constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
 // After so many the rest shape is taken as far as it has come.
@@ -63,7 +66,8 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 /// Of energy and limit.
 bool ask_for_the_same(const Options& a, const Options& b) {
     return a.shear_limit == b.shear_limit && a.bending_weight == b.bending_weight && a.shear_weight == b.shear_weight &&
-           a.straight_rods == b.straight_rods && a.gravity == b.gravity;
+           a.straight_rods == b.straight_rods && a.gravity == b.gravity && a.guide_mode == b.guide_mode &&
+           a.guide_weight == b.guide_weight;
 }
 
 class Equilibrium : public Method {
@@ -84,12 +88,14 @@ private:
     Method& projection();
     Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
+    bool take_guide(const Problem& problem);
     CornerLimit limit() const;
     void forget_rest_shape();
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy, const Positions* last_net = nullptr);
     void choose_energy();
+    std::unique_ptr<Term> closeness() const;
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
     Stage first_stage(const Positions& positions, const Positions* last_net);
@@ -124,6 +130,8 @@ private:
     std::vector<bool> m_is_free;
     std::vector<Pull> m_pulls;
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
+    std::shared_ptr<const Guide> m_guide;
+    double m_unit = 1;  // in the guide's
     const bool m_opens;
     std::unique_ptr<Equilibrium> m_opening;  // while it is under way
     int m_opening_steps = 0;
@@ -193,9 +201,18 @@ void Equilibrium::take_pulls(std::span<const Pull> pulls) {
     m_pulls.assign(pulls.begin(), pulls.end());
 }
 
+/// Whether it is the one of before.
+bool Equilibrium::take_guide(const Problem& problem) {
+    const bool same = m_guide == problem.guide && m_unit == problem.unit;
+    m_guide = problem.guide;
+    m_unit = problem.unit;
+    return same;
+}
+
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_pulls(problem.pulls);
-    const bool same_energy = !m_terms.empty() && !m_pulls_changed && ask_for_the_same(m_options, options);
+    const bool same_guide = take_guide(problem);
+    const bool same_energy = same_guide && !m_terms.empty() && !m_pulls_changed && ask_for_the_same(m_options, options);
     if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
     m_options = options;
     m_reachable = problem.reachable;
@@ -325,10 +342,18 @@ void Equilibrium::choose_energy() {
                                                   radians(std::max(m_options.shear_limit, k_least_open_angle))));
     if (m_options.gravity > 0)
         m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
+    if (m_guide != nullptr && m_options.guide_mode != 0) m_terms.push_back(closeness());
     if (!m_pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_pulls));
     m_limit = limit();
     m_lengths.reset();
     m_has_metric = m_pulls_changed = false;
+}
+
+std::unique_ptr<Term> Equilibrium::closeness() const {
+    const auto mode = static_cast<GuideMode>(m_options.guide_mode);
+    const double weight = mode == GuideMode::near ? m_options.guide_weight : k_hold * m_options.guide_weight;
+    const auto side = mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both;
+    return make_closeness_term(*m_net, *m_guide, m_unit, weight, side);
 }
 
 double Equilibrium::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {

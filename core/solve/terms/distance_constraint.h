@@ -24,6 +24,8 @@ public:
     Kind kind() const override { return m_kind; }
     int count() const override { return static_cast<int>(m_distances.size()); }
     const std::vector<Distance>& distances() const { return m_distances; }
+    /// Of each pair at the last evaluation, from b to a; zero where the two stand in one place.
+    const Eigen::Matrix3Xd& directions() const { return m_directions; }
 
     Eigen::VectorXd evaluate(const Positions& x) override;
     Eigen::VectorXd multiply(const Eigen::Matrix3Xd& d) const override;

@@ -156,6 +156,8 @@ export const OPTIONS: Record<string, string> = {
   shear_weight: '平衡方法中四边形抵抗剪切的程度。',
   straight_rods: '平衡方法中网线趋于伸直，而非保持初始的弯曲。',
   gravity: '平衡方法中一条边的重量，沿 z 轴向下。',
+  guide_mode: '平衡方法中参考曲面的作用：0 无，1 使网靠近，2 使网贴住，3 使网留在外侧。',
+  guide_weight: '平衡方法中参考曲面的作用强度。',
   rest_tolerance: '剩余梯度低于此值时，平衡方法视为静止。',
 };
 
@@ -194,6 +196,8 @@ export const NAMES: Record<string, string> = {
   shear_weight: '剪切权重',
   straight_rods: '直杆',
   gravity: '重力',
+  guide_mode: '参考曲面的作用',
+  guide_weight: '参考曲面的强度',
   rest_tolerance: '静止容差',
   duplicate_vertices: '重复顶点',
   degenerate_faces: '退化面',

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solve/terms/distance_constraint.h"
+#include "solve/terms/term.h"
+
+namespace chebnet {
+
+/// A constraint that gives way: E = w Σ c_i², over all distances or, where they are one-sided, those that are too
+/// short.
+class PenaltyTerm : public Term {
+public:
+    PenaltyTerm(DistanceConstraint constraint, double weight);
+
+    const char* name() const override { return m_constraint.name(); }
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
+    /// The convex one is without what distances that are too short lack across.
+    void add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const override;
+    void add_blocks(BlockForm& form) const override;
+    void add_bound(QuadraticForm& form) const override;
+
+private:
+    bool counts(Eigen::Index i) const { return m_constraint.kind() == Constraint::Kind::equal || m_errors[i] < 0; }
+
+    DistanceConstraint m_constraint;
+    double m_weight;
+    Eigen::VectorXd m_errors;  // c at the last evaluation, zero for what does not count
+};
+
+}  // namespace chebnet
