@@ -323,10 +323,17 @@ export interface EqualizeOptions {
   length?: 'mean' | 'fitting' | number;
   /** Vertices that stay exactly where they are; without any the whole net is free. */
   handles?: readonly number[];
+  /** `equilibrium`: near the surface of the mesh, fair, no corner too sharp; `projection`: lengths alone; without it the
+   *  one that is usual for a net of this size. */
+  method?: 'equilibrium' | 'projection';
+  /** For `equilibrium`: no corner of a quad is sharper, in radians; 0: no limit; 30° unless said otherwise. */
+  shearLimit?: number;
 }
 
 export interface EqualizeReport {
   status: Status;
+  /** What has made it: `projection` also where `equilibrium` found no such net. */
+  method: 'equilibrium' | 'projection';
   /** What all edges have if it is `converged`. */
   length: number;
   fittingLength: number;
@@ -337,6 +344,10 @@ export interface EqualizeReport {
   milliseconds: number;
   before: EqualizeSpread;
   after: EqualizeSpread;
+  /** From the surface of the mesh, in edge lengths; null if its faces are no surface. */
+  distance: { mean: number; largest: number } | null;
+  /** Of corners, in radians. */
+  smallestAngle: number;
   /** Of vertices from where they were, in edge lengths. */
   meanMove: number;
   maxMove: number;

@@ -96,6 +96,16 @@ export interface Session {
   delete(): void;
 }
 
+export interface CoreEqualizeOptions {
+  choice: string;
+  /** If that is `given`. */
+  length: number;
+  handles: Int32Array;
+  /** Empty: the usual one. */
+  method: string;
+  shearLimit: number;
+}
+
 export interface CoreEqualizer {
   solve(iterations: number, milliseconds: number): EqualizeReport;
   positions(): Float64Array;
@@ -129,7 +139,7 @@ export interface Core {
   readMesh(bytes: Uint8Array, name: string): Mesh;
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
-  equalizer(mesh: Mesh, choice: string, length: number, handles: Int32Array): CoreEqualizer;
+  equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
   openSurface(mesh: Mesh): CoreSurface;
   ownSurface(name: string): CoreSurface;
   ownSurfaces(): OwnSurfaceInfo[];

@@ -18,13 +18,15 @@ EqualLength equal_length_named(const std::string& name) {
     throw Error(ErrorCode::bad_option, "a length is mean, fitting or a number, not " + quoted(name));
 }
 
-/// `handles`: an Int32Array.
-Equalizer* equalizer(val mesh, std::string choice, double length, val handles) {
+/// `options`: an object of `choice`, `length`, `handles` (an Int32Array), `method` and `shearLimit`.
+Equalizer* equalizer(val mesh, val given) {
     Mesh original = mesh_in(mesh);
     EqualizeOptions options;
-    options.choice = equal_length_named(choice);
-    options.length = length;
-    options.handles = emscripten::convertJSArrayToNumberVector<int>(handles);
+    options.choice = equal_length_named(given["choice"].as<std::string>());
+    options.length = given["length"].as<double>();
+    options.handles = emscripten::convertJSArrayToNumberVector<int>(given["handles"]);
+    options.method = given["method"].as<std::string>();
+    options.shear_limit = given["shearLimit"].as<double>();
     return new Equalizer(Net(std::move(original.positions), std::move(original.faces), RestLengths::own),
                          std::move(options));
 }
@@ -34,6 +36,13 @@ val spread_out(const LengthSpread& spread) {
     object.set("shortest", spread.shortest);
     object.set("longest", spread.longest);
     object.set("standardDeviation", spread.standard_deviation);
+    return object;
+}
+
+val distance_out(const GuideDistance& distance) {
+    val object = val::object();
+    object.set("mean", distance.mean);
+    object.set("largest", distance.largest);
     return object;
 }
 
@@ -55,6 +64,7 @@ val solve(Equalizer& equalizer, int iterations, double milliseconds) {
     const EqualizeReport report = equalizer.solve({iterations, milliseconds});
     val object = val::object();
     object.set("status", std::string(to_string(report.status)));
+    object.set("method", report.method);
     object.set("length", report.length);
     object.set("fittingLength", report.fitting_length);
     object.set("maxDeviation", report.max_deviation);
@@ -62,6 +72,8 @@ val solve(Equalizer& equalizer, int iterations, double milliseconds) {
     object.set("milliseconds", report.milliseconds);
     object.set("before", spread_out(report.before));
     object.set("after", spread_out(report.after));
+    object.set("distance", report.distance ? distance_out(*report.distance) : val::null());
+    object.set("smallestAngle", report.smallest_angle);
     object.set("meanMove", report.mean_move);
     object.set("maxMove", report.max_move);
     object.set("worstEdges", worst_edges_out(equalizer, report.worst_edges));

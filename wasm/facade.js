@@ -393,11 +393,19 @@ class WasmEqualizer {
 }
 
 /** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
-function newEqualizer(core, original, { length = 'mean', handles = [] }) {
+function newEqualizer(core, original, { length = 'mean', handles = [], method, shearLimit = Math.PI / 6 }) {
   if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
   const vertices = Int32Array.from(handles, vertexNumber);
   const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
-  return new WasmEqualizer(core.equalizer(mesh(original), choice, number, vertices));
+  return new WasmEqualizer(
+    core.equalizer(mesh(original), {
+      choice,
+      length: number,
+      handles: vertices,
+      method: method === undefined ? '' : text(method, 'a method', 'bad_option'),
+      shearLimit: size(shearLimit, 'the shear limit'),
+    }),
+  );
 }
 
 /** @param {DrapeOptions} options @returns {Required<DrapeOptions>} */

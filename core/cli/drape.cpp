@@ -18,8 +18,6 @@
 namespace chebnet {
 namespace {
 
-constexpr double k_degree = std::numbers::pi / 180;
-
 struct DrapeArguments {
     std::string surface;
     bool repair = false;

@@ -10,6 +10,7 @@
 #include "net_argument.h"
 #include "net_output.h"
 #include "report.h"
+#include "solver_arguments.h"
 
 namespace chebnet {
 namespace {
@@ -19,11 +20,15 @@ struct EqualizeArguments {
     NetOutput output;
     std::string length = "mean";
     std::vector<int> handles;
+    std::string method;
+    double shear_limit = 30;
 };
 
 EqualizeOptions options_of(const EqualizeArguments& arguments) {
     EqualizeOptions options;
     options.handles = arguments.handles;
+    options.method = arguments.method;
+    options.shear_limit = arguments.shear_limit * k_degree;
     if (arguments.length == "mean") return options;
     options.choice = arguments.length == "fit" ? EqualLength::fitting : EqualLength::given;
     if (options.choice == EqualLength::fitting) return options;
@@ -50,8 +55,10 @@ Json worst_edges_report(const EqualizeReport& equalized, const Net& net, const P
 }
 
 Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equalizer, const EqualizeReport& equalized) {
+    const std::optional<GuideDistance>& distance = equalized.distance;
     return {{"net", arguments.net.name},
             {"status", to_string(equalized.status)},
+            {"method", equalized.method},
             {"length", equalized.length},
             {"fitting_length", equalized.fitting_length},
             {"max_dL", equalized.max_deviation},
@@ -59,6 +66,9 @@ Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equali
             {"milliseconds", equalized.milliseconds},
             {"mean_move_in_lengths", equalized.mean_move},
             {"max_move_in_lengths", equalized.max_move},
+            {"mean_distance_in_lengths", distance ? Json(distance->mean) : Json()},
+            {"largest_distance_in_lengths", distance ? Json(distance->largest) : Json()},
+            {"smallest_corner_angle_degrees", equalized.smallest_angle / k_degree},
             {"lengths_before", spread_report(equalized.before)},
             {"lengths_after", spread_report(equalized.after)},
             {"worst_edges", worst_edges_report(equalized, equalizer.original(), equalizer.positions())},
@@ -86,6 +96,16 @@ Command add_equalize(CLI::App& program) {
         ->type_name("LENGTH")
         ->capture_default_str();
     command.add_option("--hold", arguments->handles, "Vertices that stay where they are, from 0")->type_name("VERTEX");
+    command
+        .add_option("--method", arguments->method,
+                    "equilibrium: near the mesh's surface and fair, within the limit; projection: lengths alone; " +
+                        usual_methods())
+        ->type_name("METHOD");
+    command
+        .add_option("--shear-limit", arguments->shear_limit,
+                    "With equilibrium no corner of a quad is sharper, degrees; 0: none")
+        ->type_name("NUMBER")
+        ->capture_default_str();
     add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments] { return run_equalize(*arguments); }};
 }

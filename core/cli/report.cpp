@@ -1,7 +1,6 @@
 #include "report.h"
 
 #include <iostream>
-#include <numbers>
 
 #include "base/error.h"
 #include "net/measures.h"
@@ -9,7 +8,7 @@
 namespace chebnet {
 namespace {
 
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+double degrees(double radians) { return radians / k_degree; }
 
 }  // namespace
 

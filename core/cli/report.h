@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "edit/editor.h"
 
@@ -8,6 +9,8 @@ namespace chebnet {
 
 /// Keys keep the order in which they were added.
 using Json = nlohmann::ordered_json;
+
+inline constexpr double k_degree = std::numbers::pi / 180;
 
 /// How the net stands now: max dL, handle error, bend, corner angles, and handle pairs that are out of reach.
 Json shape_report(const Editor& editor);

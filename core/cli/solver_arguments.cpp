@@ -44,12 +44,12 @@ void set_option(Editor& editor, const std::string& setting) {
     editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
 }
 
+}  // namespace
+
 std::string usual_methods() {
     return "unless given " + std::string(usual_method(0)) + ", beyond " + std::to_string(k_most_vertices_at_rest) +
            " vertices " + std::string(usual_method(k_most_vertices_at_rest + 1));
 }
-
-}  // namespace
 
 void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     add_net_argument(command, arguments.net);

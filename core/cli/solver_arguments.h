@@ -27,6 +27,9 @@ struct SolverArguments {
 /// Declares the arguments and lists methods and options in the command's help.
 void add_solver_arguments(CLI::App& command, SolverArguments& arguments);
 
+/// For helps: which method is taken unless one is given.
+std::string usual_methods();
+
 /// The net with method and options as asked for, at rest, without handles. Throws Error.
 Editor open_editor(const SolverArguments& arguments);
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "base/stopwatch.h"
 #include "net/measures.h"
 #include "solve/parts/nearest_rotation.h"
@@ -22,6 +24,13 @@ constexpr const char* k_threshold = "1e-9";  // k_equal_deviation as the text of
 // nets; from there, shaking succeeds in a fraction of the time if anything does.
 constexpr const char* k_first_iterations = "150";
 constexpr const char* k_second_iterations = "300";
+// Beside the bending of rods: how near the surface they come.
+constexpr const char* k_guide_weight = "2";
+// Coming to rest makes it little fairer in the end.
+constexpr const char* k_iterations_to_rest = "30";
+constexpr const char* k_rest_tolerance = "0.01";
+// What holds vertices where they were in the original: enough for the net not to slide over its surface.
+constexpr double k_anchor_weight = 0.02;
 // How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
 // rough scan has its vertices off.
 constexpr double k_shake = 0.2;
@@ -40,7 +49,16 @@ Net with_mean_length_one(const Net& net) {
     return Net(net.rest_positions() / net.mean_length(), net.faces(), RestLengths::equal);
 }
 
-Eigen::VectorXd edge_lengths(const Net& net, const Positions& positions) {
+/// None if the faces of the net are no surface, as where it has one side only.
+std::shared_ptr<const Guide> surface_of(const Net& net, double unit) {
+    try {
+        return std::make_shared<const Guide>(Surface({net.rest_positions() / unit, net.faces()}));
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
+Eigen::VectorXd lengths_of_edges(const Net& net, const Positions& positions) {
     return edge_ratios(net, positions).cwiseProduct(net.rest_lengths());
 }
 
@@ -94,18 +112,36 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
       m_length(chosen_length(m_original, m_options)),
       m_fitting_length(m_length),
       m_editor(with_mean_length_one(m_original)),
+      m_surface(surface_of(m_editor.net(), 1)),
       m_best_deviation(std::numeric_limits<double>::infinity()),
       m_positions(m_original.rest_positions()) {
+    if (m_options.method.empty()) m_options.method = usual_method(m_original.vertex_count());
+    check_options();
+    begin_lengths();
+    if (deviation_from_length() < k_equal_deviation)
+        m_status = Status::converged;
+    else if (m_options.method == "equilibrium" && begin_fair())
+        take_near_surface(m_fair->positions());
+    else
+        place(m_editor.positions());
+}
+
+void Equalizer::check_options() const {
     if (m_options.choice == EqualLength::fitting && !m_options.handles.empty())
         throw Error(ErrorCode::bad_option, "a net with handles cannot choose its fitting length: they fix its size");
+    if (m_options.method != "equilibrium" && m_options.method != "projection")
+        throw Error(ErrorCode::bad_option,
+                    "a mesh is equalised by equilibrium or by projection, not by " + m_options.method);
+    if (!(m_options.shear_limit >= 0 && m_options.shear_limit <= std::numbers::pi / 3))
+        throw Error(ErrorCode::bad_option, "the limit of corners must be an angle from 0 to 60 degrees");
+}
+
+void Equalizer::begin_lengths() {
+    m_stage = Stage::lengths;
     m_editor.set_method("projection");
     m_editor.set_option("threshold", k_threshold);
     m_editor.set_option("max_iterations", k_first_iterations);
     hold_handles();
-    if (deviation_from_length() < k_equal_deviation)
-        m_status = Status::converged;
-    else
-        place(m_editor.positions());
 }
 
 void Equalizer::hold_handles() {
@@ -136,7 +172,8 @@ EqualizeReport Equalizer::solve(const Budget& budget) {
     do iterate();
     while (m_status == Status::running && m_iterations - iterations_before < budget.iterations &&
            watch.milliseconds() < budget.milliseconds);
-    place(m_status == Status::running ? m_editor.positions() : m_best);
+    if (m_stage == Stage::lengths || m_stage == Stage::shaken)
+        place(m_status == Status::running ? m_editor.positions() : m_best);
     // Coordinates far from the origin have fewer digits than those in the solver's unit.
     if (m_status == Status::converged && !(deviation_from_length() < k_equal_deviation)) m_status = Status::stalled;
     m_elapsed_ms += watch.milliseconds();
@@ -144,6 +181,99 @@ EqualizeReport Equalizer::solve(const Budget& budget) {
 }
 
 void Equalizer::iterate() {
+    if (m_stage == Stage::fair) return make_fair();
+    if (m_stage == Stage::rest) return come_to_rest();
+    find_lengths();
+}
+
+// ------------------------------------------------------------------------------------------------- near the surface
+
+/// False where there is nothing to be near to, or the handles are out of reach.
+bool Equalizer::begin_fair() {
+    if (!m_surface || !m_editor.unreachable_pairs().empty()) return false;
+    m_unit = m_options.handles.empty() ? 1 : m_length / m_original.mean_length();
+    const Net& net = m_editor.net();
+    try {
+        m_fair =
+            std::make_unique<FairStart>(net, m_editor.topology(), *m_surface, net.rest_positions() / m_unit,
+                                        FairStart::Options{m_options.handles, anchors(), m_unit, m_options.shear_limit,
+                                                           m_options.choice == EqualLength::fitting});
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::too_large) throw;
+        return false;
+    }
+    m_stage = Stage::fair;
+    return true;
+}
+
+/// In the unit of the net near the surface.
+std::vector<Pull> Equalizer::anchors() const {
+    const Positions original = m_editor.net().rest_positions() / m_unit;
+    const std::vector<bool> is_free = free_vertices(m_original.vertex_count(), m_options.handles);
+    std::vector<Pull> pulls;
+    for (int v = 0; v < m_original.vertex_count(); ++v)
+        if (is_free[v]) pulls.push_back({v, original.col(v), k_anchor_weight});
+    return pulls;
+}
+
+void Equalizer::make_fair() {
+    ++m_iterations;
+    const bool goes_on = m_fair->step();
+    m_unit = m_fair->unit();
+    take_near_surface(m_fair->positions());
+    if (goes_on) return;
+    if (m_fair->make_exact(k_equal_deviation / 10))
+        begin_rest();
+    else
+        m_stage = Stage::lengths;
+}
+
+void Equalizer::begin_rest() {
+    const Net& net = m_editor.net();
+    m_at_rest = std::make_unique<Editor>(Net(m_fair->positions(), net.faces(), RestLengths::equal));
+    std::vector<Handle> handles;
+    for (int v : m_options.handles) handles.push_back({v, m_fair->positions().col(v)});
+    for (const auto& [vertex, target, weight] : anchors()) handles.push_back({vertex, target, weight});
+    m_at_rest->set_handles(handles);
+    m_at_rest->set_method("equilibrium");
+    m_at_rest->set_guide(m_unit == 1 ? m_surface : surface_of(net, m_unit));
+    const double degrees = m_options.shear_limit * 180 / std::numbers::pi;
+    for (const auto& [key, value] : {std::pair<const char*, std::string>{"threshold", k_threshold},
+                                     {"max_iterations", k_iterations_to_rest},
+                                     {"rest_tolerance", k_rest_tolerance},
+                                     {"straight_rods", "on"},
+                                     {"guide_weight", k_guide_weight},
+                                     {"shear_limit", number_text(degrees, 17)}})
+        m_at_rest->set_option(key, value);
+    m_stage = Stage::rest;
+}
+
+void Equalizer::come_to_rest() {
+    const SolveReport solved = m_at_rest->solve({.iterations = 1});
+    m_iterations += std::max(1, solved.iterations);
+    take_near_surface(m_at_rest->positions());
+    if (solved.status == Status::running) return;
+    if (deviation_from_length() < k_equal_deviation)
+        m_status = Status::converged;
+    else
+        m_stage = Stage::lengths;
+}
+
+/// A given length scales the net about its centre.
+void Equalizer::take_near_surface(const Positions& x) {
+    const Eigen::Vector3d centre =
+        keeps_size() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(m_original.rest_positions().rowwise().mean());
+    if (m_options.choice == EqualLength::fitting)
+        m_length = m_fitting_length = m_unit * m_original.mean_length();
+    else
+        choose_length(nearest_placements(x));
+    m_positions = (m_length * x).colwise() + (1 - m_length / m_original.mean_length()) * centre;
+    for (int v : m_options.handles) m_positions.col(v) = m_original.rest_positions().col(v);
+}
+
+// ------------------------------------------------------------------------------------------------------ lengths alone
+
+void Equalizer::find_lengths() {
     const SolveReport solved = m_editor.solve({.iterations = 1});
     m_iterations += solved.iterations;
     if (m_best.cols() == 0 || solved.max_deviation < m_best_deviation) {
@@ -158,11 +288,11 @@ void Equalizer::iterate() {
 }
 
 bool Equalizer::can_try_again(Status ended) const {
-    return !m_is_second_attempt && ended != Status::converged && ended != Status::unreachable;
+    return m_stage != Stage::shaken && ended != Status::converged && ended != Status::unreachable;
 }
 
 void Equalizer::try_again() {
-    m_is_second_attempt = true;
+    m_stage = Stage::shaken;
     m_editor.set_option("max_iterations", k_second_iterations);
     m_editor.set_positions(shaken(m_editor.net()));
 }
@@ -170,9 +300,7 @@ void Equalizer::try_again() {
 /// From the editor's unit to the original's: free pieces nearest to the original, the others where their handles are.
 void Equalizer::place(const Positions& scaled) {
     const double unit = m_original.mean_length();
-    std::vector<Placement> placements;
-    for (const std::vector<int>& piece : m_free_pieces)
-        placements.push_back(nearest_placement(piece, scaled, m_editor.net().rest_positions()));
+    const std::vector<Placement> placements = nearest_placements(scaled);
     choose_length(placements);
     m_positions = (m_length * (scaled.colwise() - m_centre)).colwise() + unit * m_centre;
     for (std::size_t k = 0; k < placements.size(); ++k) {
@@ -190,6 +318,14 @@ void Equalizer::choose_length(const std::vector<Placement>& placements) {
     // Without overlap every size is as far from the original as any other.
     m_fitting_length = overlap > 0 ? m_original.mean_length() * overlap / extent : m_length;
     if (m_options.choice == EqualLength::fitting) m_length = m_fitting_length;
+}
+
+/// Of each free piece, `x` being in the editor's unit.
+std::vector<Equalizer::Placement> Equalizer::nearest_placements(const Positions& x) const {
+    std::vector<Placement> placements;
+    for (const std::vector<int>& piece : m_free_pieces)
+        placements.push_back(nearest_placement(piece, x, m_editor.net().rest_positions()));
+    return placements;
 }
 
 /// By least squares over the piece's vertices.
@@ -210,26 +346,42 @@ Equalizer::Placement Equalizer::nearest_placement(const std::vector<int>& piece,
 }
 
 double Equalizer::deviation_from_length() const {
-    return max_deviation(edge_lengths(m_original, m_positions) / m_length);
+    return max_deviation(lengths_of_edges(m_original, m_positions) / m_length);
 }
 
 EqualizeReport Equalizer::report() const {
     EqualizeReport report;
     report.status = m_status;
     report.length = m_length;
+    report.method = m_stage == Stage::fair || m_stage == Stage::rest ? "equilibrium" : "projection";
     report.iterations = m_iterations;
     report.milliseconds = m_elapsed_ms;
     report.fitting_length = m_fitting_length;
     report.unreachable_pairs = unreachable_pairs();
-    const Eigen::VectorXd lengths = edge_lengths(m_original, m_positions);
+    const Eigen::VectorXd lengths = lengths_of_edges(m_original, m_positions);
     report.max_deviation = max_deviation(lengths / m_length);
-    report.before = spread(edge_lengths(m_original, m_original.rest_positions()));
+    report.before = spread(lengths_of_edges(m_original, m_original.rest_positions()));
     report.after = spread(lengths);
     report.worst_edges = worst_edges(lengths / m_length);
     const Eigen::VectorXd moves = (m_positions - m_original.rest_positions()).colwise().norm() / m_length;
     report.mean_move = moves.mean();
     report.max_move = moves.maxCoeff();
+    report.smallest_angle = corner_angle_range(m_original, m_positions).smallest;
+    if (m_surface) report.distance = distance_from_surface();
     return report;
+}
+
+/// In units of L.
+GuideDistance Equalizer::distance_from_surface() const {
+    const double mean = m_original.mean_length();
+    Positions x = m_positions / mean;
+    if (!keeps_size()) {
+        const Eigen::Vector3d centre = m_original.rest_positions().rowwise().mean() / mean;
+        x = (mean / m_length * (x.colwise() - centre)).colwise() + centre;
+    }
+    const auto [average, largest] = distance_to(*m_surface, m_original, x);
+    const double unit = keeps_size() ? m_length / mean : 1;
+    return {average / unit, largest / unit};
 }
 
 /// The editor's, in the original's unit.

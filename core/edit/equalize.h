@@ -1,11 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "edit/editor.h"
+#include "edit/fair_start.h"
 #include "net/net.h"
 #include "solve/trace.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 
@@ -23,6 +29,10 @@ struct EqualizeOptions {
     EqualLength choice = EqualLength::mean;
     double length = 0;         ///< with EqualLength::given: L
     std::vector<int> handles;  ///< vertices that stay exactly where they are; none: the whole net is free
+    /// "equilibrium": near the surface of the original, fair, no corner too sharp; "projection": with no more than
+    /// lengths asked for; empty: the usual one for a net of this size.
+    std::string method{};
+    double shear_limit = std::numbers::pi / 6;  ///< for `equilibrium`: no corner of a quad is sharper, radians; 0: none
 };
 
 /// How edge lengths differ, as parts of their mean.
@@ -38,6 +48,11 @@ struct EqualizeReport {
     int iterations = 0;        ///< since the beginning
     double milliseconds = 0;   ///< likewise
     LengthSpread before, after;
+    std::string method;  ///< that has made it: `projection` also where `equilibrium` found no such net
+    /// From the surface of the original, of vertices and middles of edges, in units of L; none if its triangles are no
+    /// surface. A given length without handles scales that surface too.
+    std::optional<GuideDistance> distance;
+    double smallest_angle = 0;           ///< of corners, radians
     double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
     /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
     /// others that were too short: the net then had to crumple, which makes it smaller.
@@ -47,20 +62,23 @@ struct EqualizeReport {
 };
 
 /// Turns a mesh with unequal edges into a Chebyshev net near it: quad meshes as modellers and remeshers leave them,
-/// open or closed, of any valences.
+/// open or closed, of any valences. In stages:
 ///
-/// The original is scaled, so that its mean edge has the length L, about the centre of the handles if there are any;
-/// from there the default method (see solve/projection.h) gives all edges this length. Springs do most of it, and
-/// their steps are smooth: the net changes its shape rather than wrinkles. A net, or a part of it,
-/// without handles is then put where it lies nearest to the original, by least squares (Horn 1987).
-///
-/// Where that fails, a second attempt starts from vertices shaken along their normals: forces in a flat mesh keep it
-/// flat, and most flat meshes become equal by leaving the plane only. Shaking by normals, the same for the same mesh,
-/// keeps results repeatable, and the result of a moved mesh is the moved result.
+///   fair     near the surface of the original, its lines bend least, while edges and corners are drawn towards what
+///            they are to be (FairStart); then all lengths are exact;
+///   rest     `equilibrium` with that surface as its guide, straight rods and the limit of corners;
+///   lengths  where that is not asked for or finds no net, and beyond k_most_vertices_at_rest: `projection`, from the
+///            original scaled so that its mean edge has the length L, about the centre of the handles if there are any.
+///            A net, or a part of it, without handles is then put where it lies nearest to the original, by least
+///            squares (Horn 1987);
+///   shaken   where that fails too: the same from vertices shaken along their normals. Forces in a flat mesh keep it
+///            flat, and most flat meshes become equal by leaving the plane only. Shaking by normals, the same for the
+///            same mesh, keeps results repeatable, and the result of a moved mesh is the moved result.
 class Equalizer {
 public:
     /// Only positions and faces of the original count, not its rest lengths.
-    /// Throws Error bad_option (a given length not within a factor 1e6 of the mean; fitting with handles),
+    /// Throws Error bad_option (a given length not within a factor 1e6 of the mean; fitting with handles;
+    /// another method; a limit out of range),
     /// index_out_of_range and repeated_vertex (handles).
     explicit Equalizer(Net original, EqualizeOptions options = {});
 
@@ -78,6 +96,8 @@ public:
     const Positions& positions() const { return m_positions; }
 
 private:
+    enum class Stage { fair, rest, lengths, shaken };
+
     /// How a free piece is moved as a whole: `from` goes to `to`, and it turns about that.
     struct Placement {
         Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = Eigen::Vector3d::Zero();
@@ -85,27 +105,43 @@ private:
         double overlap = 0, extent = 0;  // overlap / extent is the scale that would bring it nearest
     };
 
+    void check_options() const;
+    bool begin_fair();
+    void begin_rest();
+    void begin_lengths();
+    std::vector<Pull> anchors() const;
+    void make_fair();
+    void come_to_rest();
+    void take_near_surface(const Positions& x);
+    bool keeps_size() const { return m_options.choice != EqualLength::given || !m_options.handles.empty(); }
     void hold_handles();
     void find_free_pieces();
     void iterate();
+    void find_lengths();
     bool can_try_again(Status ended) const;
     void try_again();
     void place(const Positions& scaled);
     void choose_length(const std::vector<Placement>& placements);
+    std::vector<Placement> nearest_placements(const Positions& x) const;
     static Placement nearest_placement(const std::vector<int>& piece, const Positions& x, const Positions& y);
     double deviation_from_length() const;
     EqualizeReport report() const;
+    GuideDistance distance_from_surface() const;
     std::vector<UnreachablePair> unreachable_pairs() const;
 
     Net m_original;
     EqualizeOptions m_options;
-    double m_length;                                     // L
-    double m_fitting_length;                             // in any case
-    Editor m_editor;                                     // of the original scaled to mean edges of length 1
+    double m_length;                         // L
+    double m_fitting_length;                 // in any case
+    Editor m_editor;                         // of the original scaled to mean edges of length 1
+    std::shared_ptr<const Guide> m_surface;  // of the same; null: it has none
+    std::unique_ptr<FairStart> m_fair;
+    std::unique_ptr<Editor> m_at_rest;
+    double m_unit = 1;                                   // of the net near the surface, in mean edges
     Eigen::Vector3d m_centre = Eigen::Vector3d::Zero();  // of the handles, in the editor's unit
     std::vector<std::vector<int>> m_free_pieces;         // components without handles
     Status m_status = Status::running;
-    bool m_is_second_attempt = false;
+    Stage m_stage = Stage::lengths;
     int m_iterations = 0;
     double m_elapsed_ms = 0;
     Positions m_best;         // in the editor's unit, of all iterations

@@ -324,6 +324,10 @@ TEST_CASE("equalize gives all edges one length, reports and writes") {
     CHECK(report.at("iterations") > 0);
     CHECK(report.at("milliseconds") > 0);
     CHECK(report.at("mean_move_in_lengths") < report.at("max_move_in_lengths"));
+    CHECK(report.at("method") == "equilibrium");
+    CHECK(report.at("mean_distance_in_lengths") < 0.1);
+    CHECK(report.at("mean_distance_in_lengths") <= report.at("largest_distance_in_lengths"));
+    CHECK(report.at("smallest_corner_angle_degrees") > 29.99);
     CHECK(report.at("lengths_before").at("longest") > 1.3);
     CHECK(report.at("lengths_after").at("longest") < 1.0001);
     CHECK(report.at("lengths_after").at("shortest") > 0.9999);
@@ -342,9 +346,11 @@ TEST_CASE("equalize gives all edges one length, reports and writes") {
 TEST_CASE("equalize takes a length, and vertices to hold") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");
-    const json mean = box.run("equalize raw.obj").json();
-    const json fit = box.run("equalize raw.obj --length fit").json();
+    const json mean = box.run("equalize raw.obj --method projection").json();
+    const json fit = box.run("equalize raw.obj --method projection --length fit").json();
+    CHECK(mean.at("method") == "projection");
     CHECK(fit.at("length") == mean.at("fitting_length"));
+    CHECK(box.run("equalize raw.obj --shear-limit 60").json().at("smallest_corner_angle_degrees") > 59.9);
     CHECK(box.run("equalize raw.obj --length 0.5").json().at("length") == 0.5);
 
     const Run held = box.run("equalize raw.obj --hold 0 200 -o held.obj");
@@ -376,6 +382,8 @@ TEST_CASE("equalize says what stands in the way") {
     check_refused(box.run("equalize raw.obj --length long"), "\"long\"");
     check_refused(box.run("equalize raw.obj --length 0"), "length");
     check_refused(box.run("equalize raw.obj --length fit --hold 3"), "handles");
+    check_refused(box.run("equalize raw.obj --method li2022"), "li2022");
+    check_refused(box.run("equalize raw.obj --shear-limit 80"), "60");
     check_refused(box.run("equalize raw.obj --hold 4000"), "4000");
     check_refused(box.run("equalize raw.obj -o net.3dm"), "net.3dm");
     box.write("loose.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\n");

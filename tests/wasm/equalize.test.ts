@@ -64,12 +64,18 @@ function lengthsOf({ faceStart, faceVertices }: Mesh, positions: Float64Array): 
 
 const cases: [string, string, EqualizeOptions, string[]][] = [
   ['the mean length', 'dome:vertices=600', {}, []],
-  ['the fitting length', 'torus:vertices=600', { length: 'fitting' }, ['--length', 'fit']],
+  ['lengths alone', 'dome:vertices=600', { method: 'projection' }, ['--method', 'projection']],
+  [
+    'the fitting length',
+    'torus:vertices=600',
+    { length: 'fitting', method: 'projection' },
+    ['--length', 'fit', '--method', 'projection'],
+  ],
   [
     'a length that is given, and handles',
     'vault:vertices=600',
-    { length: 1.1, handles: [0, 7] },
-    ['--length', '1.1', '--hold', '0', '7'],
+    { length: 1.1, handles: [0, 7], method: 'projection' },
+    ['--length', '1.1', '--hold', '0', '7', '--method', 'projection'],
   ],
 ];
 
@@ -93,6 +99,8 @@ describe.each(cases)('with %s', (_, recipe, options, native) => {
     if (report.iterations !== expected.iterations) return;
     expect(report.length).toBeCloseTo(Number(expected.length), 9);
     expect(report.fittingLength).toBeCloseTo(Number(expected.fitting_length), 6);
+    expect(report.method).toBe(expected.method);
+    expect(report.distance?.mean).toBeCloseTo(Number(expected.mean_distance_in_lengths), 5);
     expect(report.maxMove).toBeCloseTo(Number(expected.max_move_in_lengths), 5);
     expect(largestDistance(positions, there)).toBeLessThan(1e-6 * report.length);
   });
@@ -140,6 +148,8 @@ describe('what cannot be is refused', () => {
     ['NaN', 'bad_option', () => chebnet.equalizer(FIVE, { length: NaN })],
     ['a fitting length with handles', 'bad_option', () => chebnet.equalizer(FIVE, { length: 'fitting', handles: [1] })],
     ['half a handle', 'index_out_of_range', () => chebnet.equalizer(FIVE, { handles: [0.5] })],
+    ['another method', 'bad_option', () => chebnet.equalizer(FIVE, { method: 'arap' as never })],
+    ['a limit that is none', 'bad_option', () => chebnet.equalizer(FIVE, { shearLimit: 2 })],
     ['a handle too far', 'index_out_of_range', () => chebnet.equalizer(FIVE, { handles: [5] })],
     ['a handle twice', 'repeated_vertex', () => chebnet.equalizer(FIVE, { handles: [1, 1] })],
     ['handles that are none', 'bad_option', () => chebnet.equalizer(FIVE, { handles: 3 as never })],

@@ -22,6 +22,8 @@ import './pictured.css';
 import './equalize_dialog.css';
 
 const TEXT = dialogWords.equalize;
+/** Larger nets take minutes to come near a surface; k_most_vertices_at_rest of core/solve/method.h. */
+const MOST_NEAR_SURFACE = 12_000;
 
 export interface EqualizeDialogParts {
   spawnWorker(): EqualizeWorkerLike;
@@ -64,7 +66,9 @@ export class EqualizeDialog implements EqualizerLike {
     this.#parts = parts;
     const { net, positions, name, handles } = subject;
     this.#before = { positions, length: meanLength(positions, net) };
-    this.#form = new EqualizeForm(this.#before.length, handles.length, () => this.#forget());
+    this.#form = new EqualizeForm(this.#before.length, handles.length, positions.length / 3 <= MOST_NEAR_SURFACE, () =>
+      this.#forget(),
+    );
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
     const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#caption));
@@ -163,7 +167,7 @@ export class EqualizeDialog implements EqualizerLike {
   #onEnd({ report, positions }: EqualizeNews): void {
     this.#after = { positions, length: report.length };
     this.#equalized = report.status === 'converged' ? this.#meshAt(positions) : null;
-    this.#results.renderEnd(report, this.#before.length);
+    this.#results.renderEnd(report, this.#before.length, this.#form.method);
     this.#form.renderFittingLength(report);
     setText(this.#farEnd, this.#equalized === null ? TEXT.attempt : TEXT.equalised);
     this.#arrange('ended');

@@ -13,11 +13,14 @@ export class EqualizeForm {
   readonly #radios: Record<Choice, HTMLInputElement>;
   readonly #fitting = make('span', {}, TEXT.fitting);
   readonly #number: HTMLInputElement;
+  readonly #near = makeSwitch(TEXT.near, () => this.#changed());
   readonly #hold = makeSwitch('', () => this.#holdChanged());
   readonly #changed: () => void;
 
-  /** @param changed is called after every change of the options. */
-  constructor(mean: number, handleCount: number, changed: () => void) {
+  /** @param isNear whether the surface counts as long as the user does not say otherwise.
+   *  @param changed is called after every change of the options. */
+  constructor(mean: number, handleCount: number, isNear: boolean, changed: () => void) {
+    this.#near.box.checked = isNear;
     this.#changed = changed;
     this.#number = make('input', {
       type: 'number',
@@ -43,16 +46,22 @@ export class EqualizeForm {
       make('label', {}, this.#radios.mean, TEXT.mean(lengthWords(mean))),
       make('label', {}, this.#radios.fitting, this.#fitting),
       make('div', { class: 'given' }, make('label', {}, this.#radios.given, TEXT.given), this.#number),
+      this.#near.row,
       this.#hold.row,
     );
+  }
+
+  get method(): 'equilibrium' | 'projection' {
+    return this.#near.box.checked ? 'equilibrium' : 'projection';
   }
 
   /** null: the number is invalid, as the browser shows. */
   read(handles: readonly number[]): EqualizeOptions | null {
     const length = this.#choice === 'given' ? this.#number.valueAsNumber : this.#choice;
-    if (length === 'mean' || length === 'fitting') return { length, handles: this.#hold.box.checked ? handles : [] };
+    const options = { length, handles: this.#hold.box.checked ? handles : [], method: this.method } as const;
+    if (length === 'mean' || length === 'fitting') return options;
     this.#number.setCustomValidity(length > 0 ? '' : TEXT.noLength);
-    return this.#number.reportValidity() ? { length, handles: this.#hold.box.checked ? handles : [] } : null;
+    return this.#number.reportValidity() ? options : null;
   }
 
   setBusy(busy: boolean): void {

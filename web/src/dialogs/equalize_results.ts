@@ -45,11 +45,13 @@ export class EqualizeResults {
     setText(this.#progressWords, TEXT.progress(count(iterations), small(maxDeviation)));
   }
 
-  renderEnd(report: EqualizeReport, meanBefore: number): void {
+  /** @param asked for by the user. */
+  renderEnd(report: EqualizeReport, meanBefore: number, asked: EqualizeReport['method']): void {
     this.clear();
     const equal = report.status === 'converged';
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
     this.#end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
+    if (equal && report.method !== asked) this.#end.append(make('p', {}, TEXT.lengthsAlone));
     // A smaller change would not be seen.
     if (equal && report.fittingLength > 1.01 * report.length)
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
@@ -71,6 +73,13 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
     [TEXT.edgesBefore, range(before, meanBefore)],
     ...(report.status === 'converged' ? [] : [[TEXT.edgesNow, range(after, length)] satisfies [string, string]]),
     [TEXT.spreadBefore, percentWords(before.standardDeviation)],
+    ...(report.distance === null
+      ? []
+      : ([
+          [TEXT.meanDistance, TEXT.edgeLengths(small(report.distance.mean))],
+          [TEXT.largestDistance, TEXT.edgeLengths(small(report.distance.largest))],
+        ] satisfies [string, string][])),
+    [TEXT.smallestAngle, TEXT.degrees(small((report.smallestAngle * 180) / Math.PI))],
     [TEXT.meanMove, TEXT.edgeLengths(small(report.meanMove))],
     [TEXT.maxMove, TEXT.edgeLengths(small(report.maxMove))],
   ];

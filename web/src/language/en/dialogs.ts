@@ -114,7 +114,7 @@ export const dialogs = {
     openAsItIs: 'Equalise as it is…',
     title: (name: string) => `Equalise ${name}`,
     introduction:
-      'All edges get one length. The net stays as near to the original as it can, and its faces and vertices stay the same.',
+      'All edges get one length. The net stays as near to the surface of the original as it can, and its faces and vertices stay the same.',
     length: 'Length of every edge',
     mean: (length: string) => `The mean of the original, ${length}`,
     fitting: 'The best fit',
@@ -159,6 +159,13 @@ export const dialogs = {
     edgesBefore: 'Edges before',
     edgesNow: 'Edges of the best attempt',
     spreadBefore: 'Standard deviation before',
+    near: 'Near the surface, fair, no corner below 30°',
+    lengthsAlone:
+      'No such net was found near the surface: this one has equal edges and nothing more, and its corners may be sharp.',
+    meanDistance: 'Average distance from the surface',
+    largestDistance: 'Largest distance from the surface',
+    smallestAngle: 'Smallest corner',
+    degrees: (degrees: string) => `${degrees}°`,
     meanMove: 'Average move',
     maxMove: 'Farthest move',
   },

@@ -1,0 +1,80 @@
+#include "edit/fair_start.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "net/measures.h"
+#include "solve/parts/length_projection.h"
+#include "solve/terms/bending_term.h"
+#include "solve/terms/closeness_term.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/penalty_term.h"
+
+namespace chebnet {
+
+namespace {
+
+// Beside bending: stiff enough for edges to come within some percent of their length.
+constexpr double k_closeness = 2, k_stiffness = 300;
+// The limit aims higher by so much, since corners give way.
+constexpr double k_limit_margin = 2 * std::numbers::pi / 180;
+// In edge lengths: no vertex moves farther in a step; a step shorter than this is the last.
+constexpr double k_most_move = 0.5, k_short_step = 0.03;
+constexpr int k_most_steps = 40, k_most_projections = 25;
+constexpr double k_much_growth = 1e-4;  // of the unit, for which terms are made anew
+
+}  // namespace
+
+FairStart::FairStart(const Net& net, const Topology& topology, const Guide& guide, Positions positions, Options options)
+    : m_net(net),
+      m_topology(topology),
+      m_guide(guide),
+      m_options(std::move(options)),
+      m_positions(std::move(positions)),
+      m_is_free(free_vertices(net.vertex_count(), m_options.fixed)),
+      m_part(net, m_is_free),
+      m_descent(net, topology, m_part) {
+    choose_terms();
+}
+
+void FairStart::choose_terms() {
+    m_terms.clear();
+    m_terms.push_back(
+        std::make_unique<BendingTerm>(m_net, m_topology, m_positions, 1, BendingTerm::Reference::straight));
+    m_terms.push_back(make_closeness_term(m_net, m_guide, m_options.unit, k_closeness, ClosenessTerm::Side::both));
+    m_terms.push_back(std::make_unique<PullTerm>(m_net, m_options.pulls));
+    m_terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(m_net), k_stiffness));
+    if (m_options.shear_limit > 0)
+        m_terms.push_back(std::make_unique<PenaltyTerm>(
+            chebnet::shear_limit(m_net, m_options.shear_limit + k_limit_margin), k_stiffness));
+}
+
+bool FairStart::step() {
+    const double L = m_net.mean_length();
+    const double moved = m_descent.step(m_terms, k_most_move * L, m_positions);
+    if (m_options.fits) fit();
+    return ++m_steps < k_most_steps && moved > k_short_step * L;
+}
+
+void FairStart::fit() {
+    const double ratio = edge_ratios(m_net, m_positions).mean();
+    m_positions /= ratio;
+    for (Pull& pull : m_options.pulls) pull.target /= ratio;
+    m_options.unit *= ratio;
+    if (std::abs(ratio - 1) > k_much_growth) choose_terms();
+}
+
+bool FairStart::make_exact(double threshold) {
+    LengthProjection lengths(m_net, m_topology);
+    lengths.set_free(m_is_free);
+    Positions x = m_positions;
+    for (int k = 0; k < k_most_projections && lengths.project(x); ++k) {
+        if (!(max_deviation(m_net, x) < threshold)) continue;
+        m_positions = std::move(x);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace chebnet

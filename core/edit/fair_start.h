@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/parts/free_part.h"
+#include "solve/parts/term_descent.h"
+#include "solve/pull.h"
+#include "solve/terms/term.h"
+#include "surface/guide.h"
+
+namespace chebnet {
+
+/// From a mesh with unequal edges to a net near its surface: the least of the bending of its lines and of its distance
+/// from the surface, with edges and corners drawn towards what they are to be, and then projected onto the lengths.
+/// What is nearly fair and nearly exact crumples no more.
+class FairStart {
+public:
+    struct Options {
+        std::vector<int> fixed;   ///< vertices that stay where they are
+        std::vector<Pull> pulls;  ///< of others, in the net's unit
+        double unit = 1;          ///< of the net, in the guide's
+        double shear_limit = 0;   ///< radians; 0: none
+        bool fits = false;        ///< the unit changes so that edges have their lengths on the average
+    };
+
+    /// `net`: with the lengths that edges are to have; it begins at `positions` (3×V). Keeps references to net,
+    /// topology and guide. Throws Error too_large.
+    FairStart(const Net& net, const Topology& topology, const Guide& guide, Positions positions, Options options);
+
+    /// One step. False when it has come as far as it needs to.
+    bool step();
+    /// Whether that has led to a net, dL < `threshold`; else the positions stay.
+    bool make_exact(double threshold);
+
+    const Positions& positions() const { return m_positions; }
+    double unit() const { return m_options.unit; }
+
+private:
+    void choose_terms();
+    void fit();
+
+    const Net& m_net;
+    const Topology& m_topology;
+    const Guide& m_guide;
+    Options m_options;
+    Positions m_positions;
+    std::vector<bool> m_is_free;
+    FreePart m_part;
+    TermDescent m_descent;
+    std::vector<std::unique_ptr<Term>> m_terms;
+    int m_steps = 0;
+};
+
+}  // namespace chebnet
