@@ -14,6 +14,7 @@
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/measures.h"
+#include "session.h"
 #include "shapes/shapes.h"
 #include "solve/initialisation.h"
 #include "solve/method.h"
@@ -21,12 +22,6 @@
 
 namespace chebnet {
 namespace {
-
-/// What one JavaScript editor owns.
-struct Session {
-    Editor editor;
-    std::vector<int> suggested_handles;
-};
 
 // ------------------------------------------------------------------------------------------------------------ tables
 
@@ -250,6 +245,7 @@ void set_state(Session& session, std::string method, std::string initialisation,
         state.locality = Locality{locality["radius"].as<double>(),
                                   emscripten::convertJSArrayToNumberVector<int>(locality["origins"]),
                                   positions_in(locality["heldAt"])};
+    state.guide = session.editor.guide();
     state.positions = positions_in(positions);
     session.editor.set_state(std::move(state));
 }

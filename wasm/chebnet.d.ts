@@ -73,6 +73,8 @@ export interface CoreFields {
   /** Of every edge, what holds it at its length, in energy for a part of its length: above 0 it pulls, below it pushes.
    *  All 0 unless the method is `equilibrium`. */
   force: Float32Array;
+  /** How far each vertex is above the guide, below it less than 0. All 0 without a guide. */
+  height: Float32Array;
   [name: string]: Float32Array;
 }
 
@@ -286,6 +288,10 @@ export interface Editor {
   solve(budget?: Budget): SolveReport;
   /** Back to rest; handles keep their vertices and take the rest positions as targets. */
   reset(): void;
+
+  /** A surface that draws the net, or null, as the options `guide_mode` and `guide_weight` of the method `equilibrium`
+   *  say. It stays while other states are set, and may be disposed of. */
+  setGuide(surface: Surface | null): void;
 
   positions(): Float64Array;
   setPositions(positions: Float64Array): void;
@@ -502,6 +508,12 @@ export interface Editors {
   /** `name` is what messages call the text; `restLengths` are `automatic` unless said otherwise. */
   openObj(text: string, name?: string, restLengths?: RestLengths): Editor;
   openMesh(mesh: Mesh, restLengths?: RestLengths): Editor;
+
+  /** Polygons are cut into triangles. */
+  openSurface(mesh: Mesh): Surface;
+  ownSurfaces(): OwnSurfaceInfo[];
+  /** One of these, by its name. */
+  ownSurface(name: string): Surface;
 }
 
 export interface Chebnet extends Editors {
@@ -515,12 +527,6 @@ export interface Chebnet extends Editors {
   repairMesh(mesh: Mesh, chosen?: readonly Defect[], mergeTolerance?: number): RepairedMesh;
 
   equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
-
-  /** Polygons are cut into triangles. */
-  openSurface(mesh: Mesh): Surface;
-  ownSurfaces(): OwnSurfaceInfo[];
-  /** One of these, by its name. */
-  ownSurface(name: string): Surface;
 }
 
 /** Loads the module once. In the browser give `wasmUrl`; elsewhere `wasmBinary`. */

@@ -140,6 +140,8 @@ export interface Core {
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
+  guide(session: Session, surface: CoreSurface): void;
+  unguide(session: Session): void;
   openSurface(mesh: Mesh): CoreSurface;
   ownSurface(name: string): CoreSurface;
   ownSurfaces(): OwnSurfaceInfo[];

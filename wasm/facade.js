@@ -175,8 +175,12 @@ class WasmEditor {
   /** @type {Session | null} */
   #session;
 
-  /** @param {Session} session */
-  constructor(session) {
+  /** @type {Core} */
+  #core;
+
+  /** @param {Core} core @param {Session} session */
+  constructor(core, session) {
+    this.#core = core;
     this.#session = session;
     this.info = session.info();
     this.edges = session.edges();
@@ -312,6 +316,13 @@ class WasmEditor {
 
   reset() {
     this.#open.reset();
+  }
+
+  /** @param {Surface | null} surface */
+  setGuide(surface) {
+    if (surface === null) return this.#core.unguide?.(this.#open);
+    if (!(surface instanceof WasmSurface)) throw failure('bad_option', `a guide must be a surface or null, not ${shown(surface)}`);
+    surface.guide(this.#core, this.#open);
   }
 
   positions() {
@@ -468,6 +479,11 @@ class WasmSurface {
     return this.#open.drape(allDrapeOptions(options));
   }
 
+  /** @param {Core} core @param {Session} session */
+  guide(core, session) {
+    core.guide(session, this.#open);
+  }
+
   /** @param {Mesh} net */
   measure(net) {
     return this.#open.measure(mesh(net));
@@ -479,6 +495,12 @@ class WasmSurface {
   }
 }
 
+/** Of the two modules one has none. @param {Core} core @returns {Core} */
+function withSurfaces(core) {
+  if (!('openSurface' in core)) throw failure('left_out', 'chebnet_core has surfaces, chebnet_editor has none');
+  return core;
+}
+
 /** @param {Core} core @returns {Chebnet} */
 function facade(core) {
   return {
@@ -487,12 +509,13 @@ function facade(core) {
     initialisations: () => core.initialisations(),
     formats: () => core.formats(),
     options: () => core.defaultOptions(),
-    openRecipe: (recipe) => new WasmEditor(core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
+    openRecipe: (recipe) => new WasmEditor(core, core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
     openObj: (obj, name = 'OBJ', lengths = 'automatic') =>
       new WasmEditor(
+        core,
         core.openObj(text(obj, 'an OBJ', 'bad_syntax'), text(name, 'the name of an OBJ', 'bad_syntax'), restLengths(lengths)),
       ),
-    openMesh: (given, lengths = 'automatic') => new WasmEditor(core.openMesh(mesh(given), restLengths(lengths))),
+    openMesh: (given, lengths = 'automatic') => new WasmEditor(core, core.openMesh(mesh(given), restLengths(lengths))),
     readMesh: (file, name) => core.readMesh(bytes(file), text(name, 'the name of a file', 'bad_syntax')),
     defects: () => core.defects(),
     repairMesh: (given, chosen = core.defects(), mergeTolerance = core.mergeTolerance) => {
@@ -502,9 +525,9 @@ function facade(core) {
       return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
     },
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
-    openSurface: (given) => new WasmSurface(core.openSurface(mesh(given))),
-    ownSurfaces: () => core.ownSurfaces(),
-    ownSurface: (name) => new WasmSurface(core.ownSurface(text(name, 'the name of a surface', 'bad_option'))),
+    openSurface: (given) => new WasmSurface(withSurfaces(core).openSurface(mesh(given))),
+    ownSurfaces: () => withSurfaces(core).ownSurfaces(),
+    ownSurface: (name) => new WasmSurface(withSurfaces(core).ownSurface(text(name, 'the name of a surface', 'bad_option'))),
   };
 }
 

@@ -31,6 +31,7 @@ std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core()
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }
+Eigen::VectorXd heights_over(const Guide&, const Positions&) { leave_to_the_whole_core(); }
 val flat_pattern_out(const Net&, const Topology&) { leave_to_the_whole_core(); }
 
 }  // namespace chebnet

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,21 +11,22 @@
 #include "drape/drape.h"
 #include "drape/proposals.h"
 #include "mesh_border.h"
+#include "session.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
-#include "surface/surface_tree.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 namespace {
 
-/// A surface with its tree, which refers to it.
+/// What one JavaScript surface owns; editors that it guides share it.
 struct OpenSurface {
-    explicit OpenSurface(Surface opened) : surface(std::move(opened)), tree(surface) {}
-    OpenSurface(const OpenSurface&) = delete;
-    OpenSurface& operator=(const OpenSurface&) = delete;
+    explicit OpenSurface(Surface opened)
+        : guide(std::make_shared<const Guide>(std::move(opened))), surface(guide->surface()), tree(guide->tree()) {}
 
-    Surface surface;
-    SurfaceTree tree;
+    std::shared_ptr<const Guide> guide;
+    const Surface& surface;
+    const SurfaceTree& tree;
 };
 
 OpenSurface* open_surface(val mesh) { return new OpenSurface(Surface(mesh_in(mesh))); }
@@ -175,7 +177,12 @@ val measure(const OpenSurface& open, val net) {
     return object;
 }
 
+void guide(Session& session, const OpenSurface& open) { session.editor.set_guide(open.guide); }
+void unguide(Session& session) { session.editor.set_guide(nullptr); }
+
 EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
+    emscripten::function("guide", guarded<&guide>);
+    emscripten::function("unguide", guarded<&unguide>);
     emscripten::function("openSurface", guarded<&open_surface>, emscripten::allow_raw_pointers());
     emscripten::function("ownSurface", guarded<&own_surface>, emscripten::allow_raw_pointers());
     emscripten::function("ownSurfaces", guarded<&own_surface_table>);

@@ -45,17 +45,10 @@ DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface,
     return options;
 }
 
-Surface load_surface(const DrapeArguments& arguments) {
+Surface surface_of(const DrapeArguments& arguments) {
     if (arguments.surface.empty() == arguments.own.empty())
         throw Error(ErrorCode::bad_option, "a net is laid on the surface of a file or on one of ours, by --surface");
-    if (!arguments.own.empty()) return make_own_surface(arguments.own);
-    const Mesh mesh = load_mesh(arguments.surface, arguments.repair);
-    try {
-        return Surface(mesh);
-    } catch (const Error& error) {
-        const char* hint = arguments.repair ? "" : " (--repair may mend this)";
-        throw Error(error.code(), arguments.surface + ": " + error.what() + hint);
-    }
+    return arguments.own.empty() ? load_surface(arguments.surface, arguments.repair) : make_own_surface(arguments.own);
 }
 
 Json curvature_report(const TotalCurvature& curvature) {
@@ -99,7 +92,7 @@ Json drape_report(const Drape& draped, const DrapeReport& measured) {
 }
 
 int run_drape(const DrapeArguments& arguments) {
-    const Surface surface = load_surface(arguments);
+    const Surface surface = surface_of(arguments);
     Stopwatch watch;
     const SurfaceTree tree(surface);
     const double tree_ms = watch.milliseconds();

@@ -77,6 +77,15 @@ Net load_net(const NetArgument& argument) {
     return is_file_name(argument.name) ? net_of_file(argument.name, argument.repair) : net_of_recipe(argument.name);
 }
 
+Surface load_surface(const std::string& path, bool repair) {
+    const Mesh mesh = load_mesh(path, repair);
+    try {
+        return Surface(mesh);
+    } catch (const Error& error) {
+        throw Error(error.code(), path + ": " + error.what() + (repair ? "" : " (--repair may mend this)"));
+    }
+}
+
 Mesh load_mesh(const std::string& path, bool repair) {
     Mesh mesh = read_mesh(read_file(path), path);
     return repair ? repaired(std::move(mesh), path) : mesh;

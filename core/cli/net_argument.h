@@ -4,6 +4,7 @@
 #include <string>
 
 #include "net/mesh.h"
+#include "surface/surface.h"
 
 namespace chebnet {
 
@@ -22,6 +23,9 @@ void add_repair_argument(CLI::App& command, bool& repair);
 /// The net that NET names: a file if one of that name exists or it ends like one (io/format.h), a recipe
 /// otherwise. Repairs are told on standard error. Throws Error; the message begins with the name.
 Net load_net(const NetArgument& argument);
+
+/// The surface in a file, repaired if asked for. Throws Error; the message begins with the path.
+Surface load_surface(const std::string& path, bool repair);
 
 /// The mesh in a file, sound or not, repaired if asked for; repairs are told on standard error. Throws Error; the
 /// message begins with the path.

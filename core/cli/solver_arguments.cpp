@@ -1,7 +1,12 @@
 #include "solver_arguments.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "fabricate/edge_table.h"
 #include "io/file.h"
+#include "surface/gallery.h"
+#include "surface/guide.h"
 #include "text_table.h"
 
 namespace chebnet {
@@ -44,6 +49,18 @@ void set_option(Editor& editor, const std::string& setting) {
     editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
 }
 
+/// Of GuideMode, as the text of an option.
+std::string guide_mode_number(const std::string& name) {
+    const std::vector<std::string> names{"off", "near", "on", "outside"};
+    return std::to_string(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+std::shared_ptr<const Guide> load_guide(const std::string& name) {
+    const auto is_own = [&](const OwnSurface& own) { return own.name == name; };
+    const bool own = std::ranges::any_of(own_surfaces(), is_own);
+    return std::make_shared<const Guide>(own ? make_own_surface(name) : load_surface(name, false));
+}
+
 }  // namespace
 
 std::string usual_methods() {
@@ -65,6 +82,13 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->type_name("NUMBER");
     command.add_option("--shear-limit", arguments.shear_limit, "Short for --set shear_limit=..., degrees; 0: none")
         ->type_name("NUMBER");
+    command
+        .add_option("--guide", arguments.guide,
+                    "A surface beside the net, for method equilibrium: a file, or the name of one of ours (see drape)")
+        ->type_name("SURFACE");
+    command.add_option("--guide-mode", arguments.guide_mode, "What it does to the net: off, near, on or outside")
+        ->check(CLI::IsMember({"off", "near", "on", "outside"}))
+        ->type_name("MODE");
     command.add_option("--set", arguments.settings, "Options of the solver, see below")
         ->check(setting_fault)
         ->type_name("KEY=VALUE");
@@ -83,7 +107,9 @@ Editor open_editor(const SolverArguments& arguments) {
     if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
     if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
     if (!arguments.shear_limit.empty()) editor.set_option("shear_limit", arguments.shear_limit);
+    if (!arguments.guide_mode.empty()) editor.set_option("guide_mode", guide_mode_number(arguments.guide_mode));
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
+    if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide));
     return editor;
 }
 

@@ -18,6 +18,7 @@ struct SolverArguments {
     std::string method;  ///< empty: usual_method()
     std::string initialisation{"naive"};
     std::string threshold, max_iterations, shear_limit;  ///< empty: the default
+    std::string guide, guide_mode;                       ///< empty: no guide; the default
     std::vector<std::string> settings;                   ///< each "key=value"
     NetOutput output;
     std::string trace;  ///< file to write; empty: none

@@ -1,6 +1,7 @@
 #include "edit/field.h"
 
 #include "net/measures.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 
@@ -17,7 +18,14 @@ Eigen::VectorXd corner_angles(const Editor& editor) { return vertex_corner_angle
 /// E (see Method::edge_forces()).
 Eigen::VectorXd edge_forces(const Editor& editor) { return editor.edge_forces(); }
 
-constexpr FieldInfo k_fields[] = {{"deviation", deviations}, {"angle", corner_angles}, {"force", edge_forces}};
+/// V, heights over the guide (see heights_over()); zeros without one.
+Eigen::VectorXd heights(const Editor& editor) {
+    if (!editor.guide()) return Eigen::VectorXd::Zero(editor.net().vertex_count());
+    return heights_over(*editor.guide(), editor.positions());
+}
+
+constexpr FieldInfo k_fields[] = {
+    {"deviation", deviations}, {"angle", corner_angles}, {"force", edge_forces}, {"height", heights}};
 
 }  // namespace
 

@@ -311,6 +311,29 @@ TEST_CASE("a drag with a frame that does not converge ends with 1") {
     CHECK(run.json().at("frames").size() == 2);
 }
 
+TEST_CASE("solve and drag keep a net near a guide, which is a file or one of ours") {
+    const Sandbox box;
+    CHECK(box.run("drape --surface hypar --cells 200 -o net.obj").exit_code == 0);
+    const Positions x = read_obj(box.read("net.obj"), "").positions;
+    const auto handle = [&](Eigen::Index v, double lift) {
+        return json{{"vertex", v}, {"target", {x(0, v), x(1, v), x(2, v) + lift}}};
+    };
+    box.write("edit.json", json{{"handles", {handle(0, 0), handle(x.cols() - 1, 0.3)}}}.dump());
+    const std::string arguments = "solve net.obj --edit edit.json --guide hypar --guide-mode ";
+    const auto distance = [&](const char* mode) {
+        const Run run = box.run(arguments + mode);
+        INFO(run.err);
+        CHECK(run.exit_code == 0);
+        return run.json().at("distance_from_guide_in_lengths").at("mean").get<double>();
+    };
+    CHECK(distance("near") < distance("off"));
+    CHECK(box.run("drag net.obj --edit edit.json --frames 2 --guide net.obj")
+              .json()
+              .contains("distance_from_guide_in_lengths"));
+    check_refused(box.run(arguments + "inside"), "inside");
+    check_refused(box.run("solve net.obj --edit edit.json --guide nothing.obj"), "nothing.obj");
+}
+
 TEST_CASE("equalize gives all edges one length, reports and writes") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");

@@ -3,13 +3,16 @@
 #include <catch2/catch.hpp>
 #include <functional>
 #include <limits>
+#include <memory>
 
 #include "base/error.h"
 #include "base/number.h"
 #include "counting_method.h"
 #include "edit/editor.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "solve/methods/methods.h"
+#include "surface/guide.h"
 
 using namespace chebnet;
 
@@ -29,6 +32,7 @@ Editor edited() {
     editor.set_initialisation("arap:3");
     editor.set_option("max_iterations", "70");
     editor.set_option("reduce_once", "on");
+    editor.set_guide(std::make_shared<const Guide>(Surface(samples::plane(3, 5))));
     editor.set_locality(6, std::vector{k_dragged});
     editor.move_handle(k_dragged, handles[3].target - 0.4 * Eigen::Vector3d::UnitX());
     editor.solve();
@@ -54,6 +58,7 @@ void check_same(const EditState& a, const EditState& b) {
         CHECK(a.locality->origins == b.locality->origins);
         CHECK(a.locality->held_at == b.locality->held_at);
     }
+    CHECK(a.guide == b.guide);
     CHECK(a.positions == b.positions);
 }
 

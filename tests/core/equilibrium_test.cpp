@@ -2,15 +2,18 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "shapes/shapes.h"
 #include "solve/method.h"
 #include "solve/terms/bending_term.h"
+#include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
 #include "solve/terms/shear_term.h"
 
@@ -87,7 +90,7 @@ double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
 }
 
 /// ∇E by the terms, whose derivatives are tested for themselves.
-Eigen::Matrix3Xd gradient_of(const Net& net, const Options& options, const Positions& x) {
+Eigen::Matrix3Xd gradient_of(const Net& net, const Options& options, const Positions& x, const Guide* guide) {
     const Topology topology(net);
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
     BendingTerm(net, topology, net.rest_positions(), options.bending_weight,
@@ -97,6 +100,11 @@ Eigen::Matrix3Xd gradient_of(const Net& net, const Options& options, const Posit
               options.shear_limit * k_degree)
         .evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
+    const auto mode = static_cast<GuideMode>(options.guide_mode);
+    if (guide != nullptr && mode != GuideMode::off)
+        ClosenessTerm(net, *guide, 1, (mode == GuideMode::near ? 1 : 100) * options.guide_weight,
+                      mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both)
+            .evaluate(x, gradient);
     return gradient;
 }
 
@@ -125,7 +133,8 @@ struct FirstOrder {
 };
 
 /// Karush, Kuhn and Tucker's conditions, reckoned densely.
-FirstOrder first_order(const Net& net, const std::vector<int>& handles, const Options& options, const Positions& x) {
+FirstOrder first_order(const Net& net, const std::vector<int>& handles, const Options& options, const Positions& x,
+                       const Guide* guide = nullptr) {
     const std::vector<Pair> pairs = kept_pairs(net, x, options.shear_limit * k_degree);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pairs.size()), 3 * x.cols());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -133,7 +142,7 @@ FirstOrder first_order(const Net& net, const std::vector<int>& handles, const Op
         J.block<1, 3>(static_cast<Eigen::Index>(i), 3 * pairs[i].a) = u;
         J.block<1, 3>(static_cast<Eigen::Index>(i), 3 * pairs[i].b) = -u;
     }
-    Eigen::Matrix3Xd gradient = gradient_of(net, options, x);
+    Eigen::Matrix3Xd gradient = gradient_of(net, options, x, guide);
     for (int v : handles) {
         gradient.col(v).setZero();
         J.middleCols<3>(3 * v).setZero();
@@ -167,6 +176,45 @@ TEST_CASE("Equilibrium: lengths, limit, and first-order conditions, reckoned aga
         CHECK(conditions.smallest_push > -1e-3);
         if (edit.name == "pulled diagonal") CHECK(conditions.active > 0);
     }
+}
+
+TEST_CASE(
+    "Equilibrium: near a guide, on it and outside of it the first-order conditions hold, and it acts as it says") {
+    const Edit edit = moved_crown();
+    const Positions& rest = edit.net.rest_positions();
+    // A dome over the net, through its highest points.
+    const auto dome = [&](double x, double y) { return rest.row(2).maxCoeff() - 0.02 * (x * x + y * y); };
+    Mesh mesh = samples::graph(21, 12, dome);
+    mesh.positions.topRows(2).colwise() += rest.topRows(2).rowwise().mean();
+    const auto guide = std::make_shared<const Guide>(Surface(mesh));
+    const auto height = [&](const Editor& editor) { return heights_over(*guide, editor.positions()); };
+
+    Editor without = at_rest(edit), with = at_rest(edit);
+    drag(without, edit, 1);
+    const Eigen::VectorXd before = height(without);
+    for (const auto mode : {GuideMode::near, GuideMode::on, GuideMode::outside}) {
+        CAPTURE(static_cast<int>(mode));
+        with.set_guide(guide);
+        with.set_option("guide_mode", std::to_string(static_cast<int>(mode)));
+        const SolveReport report = drag(with, edit, 1);
+        CHECK(keeps_lengths(report.status));
+        CHECK(report.max_deviation < 1e-9);
+        CHECK(with.handle_error() == 0);
+        const FirstOrder conditions =
+            first_order(edit.net, edit.vertices, with.options(), with.positions(), guide.get());
+        if (report.status == Status::converged) CHECK(conditions.gradient < 2 * with.options().rest_tolerance);
+        if (mode == GuideMode::outside)
+            CHECK(height(with).cwiseMin(0.0).squaredNorm() < before.cwiseMin(0.0).squaredNorm());
+        else
+            CHECK(height(with).squaredNorm() < before.squaredNorm());
+    }
+    with.set_option("guide_mode", "0");
+    drag(with, edit, 1);
+    CHECK(rms_distance(edit, with.positions(), without.positions()) < 1e-3);
+    with.set_option("guide_mode", "1");
+    with.set_guide(nullptr);
+    CHECK(drag(with, edit, 1).status == Status::converged);
+    CHECK(rms_distance(edit, with.positions(), without.positions()) < 1e-3);
 }
 
 TEST_CASE("Equilibrium: without limit a net is sheared farther than with it") {

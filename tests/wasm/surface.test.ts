@@ -139,3 +139,47 @@ test('what makes no sense is refused with a code, and a disposed surface is of n
   square.dispose();
   expect(failure(() => square.describe())).toMatchObject({ code: 'disposed' });
 });
+
+describe('as a guide', () => {
+  const edited = () => {
+    const surface = chebnet.ownSurface('hypar');
+    const { mesh } = surface.drape({ ...surface.suggest(200) });
+    const editor = chebnet.openMesh(mesh);
+    const last = editor.info.vertices - 1;
+    const at = (v: number, lift: number): [number, number, number] => [
+      mesh.positions[3 * v]!,
+      mesh.positions[3 * v + 1]!,
+      mesh.positions[3 * v + 2]! + lift,
+    ];
+    editor.setHandles([
+      { vertex: 0, target: at(0, 0) },
+      { vertex: last, target: at(last, 0.3) },
+    ]);
+    return { surface, editor };
+  };
+  const height = (heights: Float32Array) => Math.hypot(...heights);
+
+  test('it keeps a net near, through other states, until it is taken away', () => {
+    const { surface, editor } = edited();
+    expect(editor.fields().height.every((each) => each === 0)).toBe(true);
+    editor.setGuide(surface);
+    surface.dispose();
+    editor.setOption('guide_mode', 0);
+    editor.solve();
+    const far = height(editor.fields().height);
+    editor.setState({ ...editor.state(), options: { guide_mode: 1 } });
+    editor.solve();
+    expect(height(editor.fields().height)).toBeLessThan(far);
+    editor.setGuide(null);
+    expect(height(editor.fields().height)).toBe(0);
+    editor.dispose();
+  });
+
+  test('what is no surface is refused', () => {
+    const { surface, editor } = edited();
+    surface.dispose();
+    expect(failure(() => editor.setGuide(surface)).code).toBe('disposed');
+    expect(failure(() => editor.setGuide({} as never)).code).toBe('bad_option');
+    editor.dispose();
+  });
+});

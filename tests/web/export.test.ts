@@ -154,6 +154,7 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
       deviation: Float32Array.of(1e-9, 1),
       angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
       force: Float32Array.of(-1, 1),
+      height: Float32Array.of(0, 0, 0),
     },
   };
   const faces = { faceStart: Int32Array.of(0), faceVertices: Int32Array.of() };

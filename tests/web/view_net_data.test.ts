@@ -21,6 +21,7 @@ function frameOf({ restPositions, edges }: OpenedNet, shift: number): Placed {
       deviation: new Float32Array(edges.length / 2).fill(shift),
       angle: new Float32Array(restPositions.length / 3).fill(Math.PI / 2),
       force: new Float32Array(edges.length / 2),
+      height: new Float32Array(restPositions.length / 3),
     },
   };
 }

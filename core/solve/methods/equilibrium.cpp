@@ -51,7 +51,7 @@ constexpr double k_limit_margin = 0.02;  // degrees
 // Shear is reckoned from no corner sharper than this, even without a limit.
 constexpr double k_least_open_angle = 15;  // degrees
 // A guide that holds weighs so many times as much as one that draws.
-constexpr double k_hold = 1000;
+constexpr double k_hold = 100;
 // How often corners may join those that are held, or leave them, in one step.
 constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
 // After so many the rest shape is taken as far as it has come.

@@ -32,7 +32,12 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
   );
   return {
     positions,
-    fields: { deviation, angle: new Float32Array(positions.length / 3), force: new Float32Array(deviation.length) },
+    fields: {
+      deviation,
+      angle: new Float32Array(positions.length / 3),
+      force: new Float32Array(deviation.length),
+      height: new Float32Array(positions.length / 3),
+    },
     maxDeviation: deviation.reduce((most, dL) => Math.max(most, dL), 0),
     handles: [],
     status: 'running',
