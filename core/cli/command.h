@@ -22,5 +22,6 @@ Command add_solve(CLI::App& program);
 Command add_drag(CLI::App& program);
 Command add_equalize(CLI::App& program);
 Command add_drape(CLI::App& program);
+Command add_remesh(CLI::App& program);
 
 }  // namespace chebnet

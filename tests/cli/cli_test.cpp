@@ -99,7 +99,7 @@ void check_refused(const Run& run, const std::string& what) {
 TEST_CASE("help and version answer on standard output") {
     const Sandbox box;
     for (const char* arguments : {"--help", "info --help", "make --help", "convert --help", "solve --help",
-                                  "drag --help", "equalize --help", "drape --help", "--version"}) {
+                                  "drag --help", "equalize --help", "drape --help", "remesh --help", "--version"}) {
         const Run run = box.run(arguments);
         INFO(arguments);
         CHECK(run.exit_code == 0);
@@ -482,6 +482,46 @@ TEST_CASE("what cannot be draped is refused with one line") {
     const Run repaired = box.run(twisted + " --repair");
     CHECK(repaired.exit_code == 0);
     CHECK_THAT(repaired.err, Contains("wound against the others, turned round"));
+}
+
+TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
+    const Sandbox box;
+    const Run run = box.run("remesh --surface pebble --cells 300 --out net.obj");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    const json report = run.json();
+    CHECK(report.at("surface") == "pebble");
+    CHECK(report.at("described").at("boundary_loops") == 0);
+    const json& net = report.at("net");
+    CHECK(net.at("cells") == Approx(300).epsilon(0.1));
+    CHECK(net.at("vertices").get<int>() == net.at("cells").get<int>() + 2);
+    CHECK(net.at("max_dL") < 1e-9);
+    CHECK(net.at("smallest_corner_angle_degrees") >= 30);
+    CHECK(net.at("singular_vertices_by_valence").at("3") >= 8);
+    for (const char* phase : {"tree", "triangles", "field", "grid", "fit"})
+        CHECK(report.at("milliseconds").at(phase) >= 0);
+
+    const json info = box.run("info net.obj").json();
+    CHECK(info.at("chebyshev") == true);
+    CHECK(info.at("faces") == net.at("cells"));
+
+    const json given = box.run("remesh net.obj --length 0.8 --shear-limit 40").json();
+    CHECK(given.at("net").at("length") == Approx(0.8).epsilon(1e-9));
+    CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
+}
+
+TEST_CASE("what cannot be remeshed is refused with one line") {
+    const Sandbox box;
+    write_saddle(box, "saddle.obj", 5);
+    check_refused(box.run("remesh"), "--surface");
+    check_refused(box.run("remesh saddle.obj --cells 100 --length 0.1"), "--length");
+    check_refused(box.run("remesh saddle.obj --cells 0"), "at least 20 cells");
+    check_refused(box.run("remesh saddle.obj --cells 10000000"), "100000");
+    check_refused(box.run("remesh saddle.obj --length 9"), "too long");
+    check_refused(box.run("remesh saddle.obj --length -1"), "--length");
+    check_refused(box.run("remesh saddle.obj --shear-limit 80"), "shear limit");
+    check_refused(box.run("remesh saddle.obj --smoothing -1"), "smoothing");
+    check_refused(box.run("remesh saddle.obj -o net.3dm"), "net.3dm");
 }
 
 TEST_CASE("nets are read and written in every format, by extension") {

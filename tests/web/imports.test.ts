@@ -30,6 +30,7 @@ const CORE = [
   'solve',
   'shapes',
   'drape',
+  'remesh',
   'edit',
   'cli',
 ];

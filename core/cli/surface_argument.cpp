@@ -1,0 +1,76 @@
+#include "surface_argument.h"
+
+#include <numbers>
+
+#include "base/error.h"
+#include "io/format.h"
+#include "net_argument.h"
+#include "surface/gallery.h"
+
+namespace chebnet {
+
+namespace {
+
+std::string own_surfaces_help() {
+    std::string text = "In place of a file, one of our own:";
+    for (const OwnSurface& surface : own_surfaces()) text.append(" ").append(surface.name).append(",");
+    text.back() = '.';
+    return text;
+}
+
+Json curvature_report(const TotalCurvature& curvature) {
+    return {{"positive_in_pi", curvature.positive / std::numbers::pi},
+            {"negative_in_pi", curvature.negative / std::numbers::pi}};
+}
+
+}  // namespace
+
+void add_surface_argument(CLI::App& command, SurfaceArgument& argument) {
+    command.add_option("SURFACE", argument.file, "File (" + titles_read("or") + ") of the surface; polygons are cut")
+        ->type_name("");
+    command.add_option("--surface", argument.own, own_surfaces_help())->type_name("NAME");
+    add_repair_argument(command, argument.repair);
+}
+
+Surface load_surface(const SurfaceArgument& argument) {
+    if (argument.file.empty() == argument.own.empty())
+        throw Error(ErrorCode::bad_option, "a net is laid on the surface of a file or on one of ours, by --surface");
+    return argument.own.empty() ? load_surface(argument.file, argument.repair) : make_own_surface(argument.own);
+}
+
+std::string name_of(const SurfaceArgument& argument) { return argument.own.empty() ? argument.file : argument.own; }
+
+Json surface_report(const SurfaceReport& surface) {
+    return {{"vertices", surface.vertices},
+            {"triangles", surface.triangles},
+            {"triangles_without_area", surface.triangles_without_area},
+            {"components", surface.components},
+            {"boundary_loops", surface.boundary_loops},
+            {"genus", surface.genus},
+            {"area", surface.area},
+            {"total_curvature", curvature_report(surface.curvature)},
+            {"total_curvature_without_noise", curvature_report(surface.smoothed_curvature)},
+            {"prospect", surface.sentence}};
+}
+
+Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
+    const double length = net.mean_length();
+    return {{"vertices", net.vertex_count()},
+            {"edges", net.edge_count()},
+            {"cells", net.face_count()},
+            {"length", length},
+            {"max_dL", measured.max_deviation},
+            {"coverage", measured.coverage},
+            {"mean_distance", measured.mean_distance},
+            {"largest_distance", measured.largest_distance},
+            {"mean_distance_in_lengths", measured.mean_distance / length},
+            {"largest_distance_in_lengths", measured.largest_distance / length},
+            {"smallest_corner_angle_degrees", measured.smallest_angle * 180 / std::numbers::pi},
+            {"largest_corner_angle_degrees", measured.largest_angle * 180 / std::numbers::pi},
+            {"cells_sheared_over_15_degrees", measured.sheared},
+            {"cells_sheared_over_30_degrees", measured.much_sheared},
+            {"rods", measured.rods},
+            {"rod_length", measured.rod_length}};
+}
+
+}  // namespace chebnet

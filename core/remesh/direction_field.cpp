@@ -1,0 +1,215 @@
+#include "remesh/direction_field.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <random>
+
+namespace chebnet {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// Of the boundary's direction, where an edge inside counts 1.
+constexpr double k_boundary_weight = 1;
+// Added to the diagonal, relative to an edge: inverse iteration takes it off as many times as it is smaller than the
+// eigenvalues.
+constexpr double k_shift = 1e-5;
+constexpr int k_iterations = 12;
+// Rounds in which all directions are made of length 1 and diffused over about so many edges, squared.
+constexpr int k_diffusions = 6;
+constexpr double k_diffusion = 30;
+
+/// Without the standard's care for infinities, which is a call into a library.
+Complex times(Complex a, Complex b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+Complex fourth_power(Complex z) { return times(times(z, z), times(z, z)); }
+Complex unit(Complex z) {
+    const double length = std::sqrt(z.real() * z.real() + z.imag() * z.imag());
+    return length > 0 ? z / length : Complex(1);
+}
+/// Of a unit number, in the right half plane.
+Complex square_root(Complex z) {
+    const double real = std::sqrt(std::max(0.0, (1 + z.real()) / 2)),
+                 imag = std::sqrt(std::max(0.0, (1 - z.real()) / 2));
+    return {real, z.imag() < 0 ? -imag : imag};
+}
+Complex fourth_root(Complex z) { return square_root(square_root(z)); }
+
+/// A plane with an x axis.
+struct Frame {
+    Eigen::Vector3d normal, x;
+
+    Complex of(const Eigen::Vector3d& v) const { return {v.dot(x), v.dot(normal.cross(x))}; }
+    Eigen::Vector3d direction(Complex z) const { return z.real() * x + z.imag() * normal.cross(x); }
+};
+
+Frame frame_of(const Eigen::Vector3d& normal) {
+    int axis = 0;
+    normal.cwiseAbs().minCoeff(&axis);
+    const Eigen::Vector3d across = Eigen::Vector3d::Unit(axis);
+    return {normal, (across - across.dot(normal) * normal).normalized()};
+}
+
+/// The number by which four directions in the one plane go over into the other, as that turns about the line that they
+/// have in common.
+Complex transport(const Frame& from, const Frame& to) {
+    const double cosine = from.normal.dot(to.normal);
+    const double part = cosine > -0.99 ? to.normal.dot(from.x) / (1 + cosine) : 0;
+    return fourth_power(unit(to.of(from.x - part * (from.normal + to.normal))));
+}
+
+std::vector<Frame> vertex_frames(const Surface& surface, int smoothing) {
+    Positions normals = surface.vertex_normals();
+    for (int round = 0; round < smoothing; ++round) {
+        Positions next = normals;
+        for (int s = 0; s < 3 * surface.face_count(); ++s) {
+            next.col(surface.from(s)) += normals.col(surface.to(s));
+            if (surface.opposite(s) < 0) next.col(surface.to(s)) += normals.col(surface.from(s));
+        }
+        for (int v = 0; v < next.cols(); ++v)
+            if (next.col(v).norm() > 0.1) normals.col(v) = next.col(v).normalized();
+    }
+    std::vector<Frame> frames;
+    frames.reserve(static_cast<std::size_t>(normals.cols()));
+    for (int v = 0; v < normals.cols(); ++v)
+        frames.push_back(
+            frame_of(normals.col(v).norm() > 0.5 ? Eigen::Vector3d(normals.col(v)) : Eigen::Vector3d::UnitZ()));
+    return frames;
+}
+
+/// Σ over edges |z_to − r z_from|² + Σ over the boundary |z − b|² as a real system, two rows for each vertex.
+class Smoother {
+public:
+    Smoother(const Surface& surface, const std::vector<Frame>& frames) : m_size(2 * surface.vertex_count()) {
+        std::vector<Eigen::Triplet<double>> entries;
+        m_target.setZero(m_size);
+        for (int s = 0; s < 3 * surface.face_count(); ++s) {
+            const int a = surface.from(s), b = surface.to(s);
+            if (surface.opposite(s) < 0) {
+                hold(entries, frames, a, surface.positions().col(b) - surface.positions().col(a));
+                hold(entries, frames, b, surface.positions().col(b) - surface.positions().col(a));
+            }
+            if (surface.opposite(s) >= 0 && surface.opposite(s) < s) continue;
+            const Complex r = transport(frames[a], frames[b]);
+            for (const int v : {a, b})
+                for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, 1);
+            const double block[2][2] = {{-r.real(), r.imag()}, {-r.imag(), -r.real()}};
+            for (int i = 0; i < 2; ++i)
+                for (int j = 0; j < 2; ++j) {
+                    entries.emplace_back(2 * b + i, 2 * a + j, block[i][j]);
+                    entries.emplace_back(2 * a + j, 2 * b + i, block[i][j]);
+                }
+        }
+        m_matrix.resize(m_size, m_size);
+        m_matrix.setFromTriplets(entries.begin(), entries.end());
+    }
+
+    std::vector<Complex> run() {
+        m_has_boundary = m_target.squaredNorm() > 0;
+        Eigen::VectorXd z(m_size);
+        std::mt19937 random;  // any beginning that is the same everywhere
+        for (double& number : z)
+            number = static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5;
+        factorize(k_shift);
+        for (int k = 0; k < k_iterations; ++k) {
+            z = m_factor.solve(m_has_boundary ? Eigen::VectorXd(m_target + k_shift * z) : z);
+            z /= z.lpNorm<Eigen::Infinity>();
+        }
+        factorize(1 / k_diffusion);
+        for (int k = 0; k < k_diffusions; ++k) {
+            for (int v = 0; v < m_size / 2; ++v) {
+                const Complex u = unit({z[2 * v], z[2 * v + 1]});
+                z[2 * v] = u.real(), z[2 * v + 1] = u.imag();
+            }
+            z = m_factor.solve(z / k_diffusion + m_target);
+        }
+        std::vector<Complex> result;
+        result.reserve(static_cast<std::size_t>(m_size / 2));
+        for (int v = 0; v < m_size / 2; ++v) result.push_back(unit({z[2 * v], z[2 * v + 1]}));
+        return result;
+    }
+
+private:
+    void hold(std::vector<Eigen::Triplet<double>>& entries, const std::vector<Frame>& frames, int v,
+              const Eigen::Vector3d& along) {
+        const Complex target = fourth_power(unit(frames[v].of(along)));
+        m_target[2 * v] += k_boundary_weight * target.real();
+        m_target[2 * v + 1] += k_boundary_weight * target.imag();
+        for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, k_boundary_weight);
+    }
+
+    void factorize(double shift) {
+        Eigen::SparseMatrix<double> shifted = m_matrix;
+        for (int k = 0; k < m_size; ++k) shifted.coeffRef(k, k) += shift;
+        m_factor.compute(shifted);
+    }
+
+    int m_size;
+    bool m_has_boundary = false;
+    Eigen::SparseMatrix<double> m_matrix;
+    Eigen::VectorXd m_target;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factor;
+};
+
+Frame face_frame(const Surface& surface, int face) {
+    const Eigen::Vector3d normal = surface.face_normals().col(face);
+    if (normal.squaredNorm() < 0.5) return frame_of(Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d side =
+        surface.positions().col(surface.to(3 * face)) - surface.positions().col(surface.from(3 * face));
+    return {normal, side.normalized()};
+}
+
+/// The quarter turn of direction 0 beyond a side that comes nearest to direction 0 here, when both triangles are
+/// unfolded.
+int nearest_turn(const Surface& surface, const Positions& directions, int side) {
+    const int f = Surface::face_of(side), g = Surface::face_of(surface.opposite(side));
+    const Eigen::Vector3d along =
+        (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).normalized();
+    const Complex here = Frame{surface.face_normals().col(f), along}.of(directions.col(f));
+    const Complex there = Frame{surface.face_normals().col(g), along}.of(directions.col(g));
+    const Complex turn = times(here, std::conj(there));
+    if (std::abs(turn.real()) >= std::abs(turn.imag())) return turn.real() >= 0 ? 0 : 2;
+    return turn.imag() >= 0 ? 1 : 3;
+}
+
+}  // namespace
+
+DirectionField smoothest_field(const Surface& surface, int smoothing) {
+    const std::vector<Frame> frames = vertex_frames(surface, smoothing);
+    const std::vector<Complex> at_vertices = Smoother(surface, frames).run();
+    DirectionField field;
+    field.directions.resize(3, surface.face_count());
+    for (int f = 0; f < surface.face_count(); ++f) {
+        const Frame frame = face_frame(surface, f);
+        Complex sum = 0;
+        for (int k = 0; k < 3; ++k) {
+            const int v = surface.triangles()(k, f);
+            sum += times(transport(frames[v], frame), at_vertices[v]);
+        }
+        field.directions.col(f) = frame.direction(fourth_root(unit(sum)));
+    }
+    field.turns.assign(3 * static_cast<std::size_t>(surface.face_count()), 0);
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
+        const int other = surface.opposite(s);
+        if (other < s) continue;
+        field.turns[s] = nearest_turn(surface, field.directions, s);
+        field.turns[other] = (4 - field.turns[s]) % 4;
+    }
+    field.holonomy.assign(static_cast<std::size_t>(surface.vertex_count()), 0);
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        if (!surface.is_boundary(surface.from(s)) && surface.opposite(s) >= 0)
+            field.holonomy[surface.from(s)] = (field.holonomy[surface.from(s)] + field.turns[surface.opposite(s)]) % 4;
+    return field;
+}
+
+int singular_count(const DirectionField& field) {
+    return static_cast<int>(
+        std::count_if(field.holonomy.begin(), field.holonomy.end(), [](int turns) { return turns != 0; }));
+}
+
+}  // namespace chebnet

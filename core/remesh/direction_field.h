@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "surface/surface.h"
+
+namespace chebnet {
+
+/// Four directions at right angles in each triangle, of which one stands for all: the others are its quarter turns.
+struct DirectionField {
+    Positions directions;  ///< 3×F, unit vectors in the planes of the triangles
+    std::vector<int>
+        turns;  ///< of each side: direction 0 here goes on as direction `turns` (0 … 3) beyond; 0 at the boundary
+    std::vector<int>
+        holonomy;  ///< V, quarter turns (0 … 3) of a walk around the vertex; 0 where it is regular or on the boundary
+};
+
+/// The smoothest field (Knöppel, Crane, Pinkall & Schröder, Globally Optimal Direction Fields, 2013), along the
+/// boundary where there is one. Directions go from vertex to vertex as the normals turn, after so many rounds of
+/// smoothing these: the more there are, the less noise and small bumps make singular vertices.
+DirectionField smoothest_field(const Surface& surface, int smoothing);
+
+/// The vertices whose holonomy is not 0.
+int singular_count(const DirectionField& field);
+
+}  // namespace chebnet

@@ -1,0 +1,273 @@
+#include "remesh/fit.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "linear/graph_system.h"
+#include "net/measures.h"
+#include "net/topology.h"
+#include "solve/parts/corner_limit.h"
+#include "solve/parts/length_projection.h"
+#include "surface/height.h"
+
+namespace chebnet {
+
+namespace {
+
+// Lengths are reckoned in L. The weight of the distance from the surface falls, so that lengths are found on the
+// surface first, by shear; that of edges, and of corners that are too sharp, grows.
+constexpr double k_first_hold = 100, k_last_hold = 1;
+constexpr double k_first_stiffness = 1, k_last_stiffness = 1e4;
+constexpr double k_border = 0.05;    // of the distance of borders, where that from the surface counts 1
+constexpr double k_straight = 0.02;  // of the second difference of a net line
+constexpr double k_inertia = 5e-4;   // what a step costs: nothing else keeps vertices from drifting along the surface
+constexpr int k_soft_steps = 14, k_steps = 32;
+// No vertex moves farther in one step.
+constexpr double k_most_move = 0.4;
+// Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
+constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
+// Exact: no length errs by more than this part.
+constexpr double k_exact_error = 1e-11;
+constexpr double k_equal_deviation = 1e-9;  // the largest dL of a net that is exact
+constexpr int k_most_projections = 60, k_most_openings = 30;
+
+double length_of(const Eigen::Vector3d& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
+
+class Fitter {
+public:
+    Fitter(const Surface& surface, const SurfaceTree& tree, const Mesh& mesh, const FitOptions& options)
+        : m_surface(surface),
+          m_tree(tree),
+          m_net(mesh.positions, mesh.faces, RestLengths::own),
+          m_topology(m_net),
+          m_options(options),
+          m_length(options.length > 0 ? options.length : m_net.mean_length()),
+          m_positions(mesh.positions),
+          m_guess(static_cast<std::size_t>(m_net.vertex_count()), -1) {
+        find_diagonals();
+        find_bends();
+        for (const std::vector<int>& loop : m_surface.boundary_loops())
+            m_border_sides.insert(m_border_sides.end(), loop.begin(), loop.end());
+        for (int v = 0; v < m_net.vertex_count() && !m_border_sides.empty(); ++v)
+            if (m_topology.is_boundary(v)) m_border.push_back(v);
+        m_system = std::make_unique<BlockSystem>(m_net.vertex_count(), links());
+    }
+
+    Net run(const std::function<void(double)>& go_on) {
+        for (int k = 0; k < k_steps; ++k) {
+            go_on(static_cast<double>(k) / k_steps);
+            if (m_options.length == 0 && k < k_soft_steps) m_length = fitting_length();
+            const double part = std::max(0.0, static_cast<double>(k - k_soft_steps) / (k_steps - k_soft_steps - 1));
+            m_hold = k_first_hold * std::pow(k_last_hold / k_first_hold, part);
+            step(k_first_stiffness * std::pow(k_last_stiffness / k_first_stiffness, part));
+        }
+        return exact();
+    }
+
+private:
+    int link(int a, int b) {
+        return m_links.emplace(std::pair(std::min(a, b), std::max(a, b)), static_cast<int>(m_links.size()))
+            .first->second;
+    }
+
+    struct Bar {
+        int a, b, link;
+    };
+    /// x_a − 2 x_b + x_c and the links of its three pairs.
+    struct Bend {
+        int a, b, c, link_ab, link_bc, link_ac;
+    };
+
+    void find_diagonals() {
+        for (int e = 0; e < m_net.edge_count(); ++e)
+            m_edges.push_back(
+                {m_net.edges()(0, e), m_net.edges()(1, e), link(m_net.edges()(0, e), m_net.edges()(1, e))});
+        for (int f = 0; f < m_net.face_count(); ++f)
+            for (int k = 0; k < 2; ++k) {
+                const int a = m_net.faces()[f][k], b = m_net.faces()[f][k + 2];
+                m_diagonals.push_back({a, b, link(a, b)});
+            }
+    }
+
+    void find_bends() {
+        for (const std::vector<int>& line : m_topology.net_lines()) {
+            const bool is_closed = line.front() == line.back();
+            for (std::size_t k = 0; k + 2 < line.size(); ++k) add_bend(line[k], line[k + 1], line[k + 2]);
+            if (is_closed && line.size() > 3) add_bend(line[line.size() - 2], line.front(), line[1]);
+        }
+    }
+
+    void add_bend(int a, int b, int c) {
+        if (a != c) m_bends.push_back({a, b, c, link(a, b), link(b, c), link(a, c)});
+    }
+
+    Eigen::Matrix2Xi links() const {
+        Eigen::Matrix2Xi result(2, static_cast<Eigen::Index>(m_links.size()));
+        for (const auto& [pair, number] : m_links) result.col(number) << pair.first, pair.second;
+        return result;
+    }
+
+    /// With edges of this length the quads, sheared as they are, have the area of the surface.
+    double fitting_length() const {
+        double area = 0;
+        for (int f = 0; f < m_net.face_count(); ++f) {
+            const std::span<const int> face = m_net.faces()[f];
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Eigen::Vector3d a = m_positions.col(face[(k + 1) % 4]) - m_positions.col(face[k]);
+                const Eigen::Vector3d b = m_positions.col(face[(k + 3) % 4]) - m_positions.col(face[k]);
+                area += length_of(a.cross(b)) / std::max(length_of(a) * length_of(b), 1e-300) / 4;
+            }
+        }
+        return std::sqrt(m_surface.area() / std::max(area, 1.0));
+    }
+
+    /// A Gauss–Newton step of Σ hold · (distance to the surface)² + straightness + stiffness · (lengths, sharp
+    /// corners).
+    void step(double stiffness) {
+        m_system->set_zero();
+        m_force.setZero(3, m_positions.cols());
+        draw_to_surface();
+        draw_to_border();
+        for (const Bend& bend : m_bends) straighten(bend);
+        for (const Bar& edge : m_edges) pull(edge, 1, stiffness);
+        const double shortest = 2 * std::sin(m_options.smallest_angle / 2) + k_diagonal_margin;
+        for (const Bar& diagonal : m_diagonals)
+            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest, stiffness);
+        if (!m_system->factorize()) return;
+        const Eigen::Matrix3Xd moves = m_system->solve(m_force);
+        for (int v = 0; v < m_positions.cols(); ++v) {
+            const double way = length_of(moves.col(v));
+            m_positions.col(v) += m_length * std::min(1.0, k_most_move / std::max(way, 1e-300)) * moves.col(v);
+        }
+    }
+
+    Eigen::Vector3d vector(const Bar& bar) const {
+        return (m_positions.col(bar.a) - m_positions.col(bar.b)) / m_length;
+    }
+
+    void draw_to_surface() {
+        for (int v = 0; v < m_positions.cols(); ++v) {
+            if (m_guess[v] < 0) m_guess[v] = m_tree.nearest(m_positions.col(v)).at.face;
+            const Height height = height_of(m_surface, m_tree, m_positions.col(v), m_guess[v]);
+            m_guess[v] = height.at.face;
+            const Eigen::Vector3d normal = height.normal;
+            m_system->add_at_node(v, m_hold * normal * normal.transpose() + k_inertia * Eigen::Matrix3d::Identity());
+            m_force.col(v) -= m_hold * height.height / m_length * normal;
+        }
+    }
+
+    /// The border of the net to that of the surface, along which it may slide.
+    void draw_to_border() {
+        for (const int v : m_border) {
+            const Eigen::Vector3d x = m_positions.col(v);
+            double least = std::numeric_limits<double>::infinity();
+            Eigen::Vector3d away = Eigen::Vector3d::Zero(), along = away;
+            for (const int s : m_border_sides) {
+                const Eigen::Vector3d from = m_surface.positions().col(m_surface.from(s));
+                const Eigen::Vector3d side = m_surface.positions().col(m_surface.to(s)) - from;
+                const double part = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
+                const Eigen::Vector3d difference = x - from - part * side;
+                if (difference.squaredNorm() >= least) continue;
+                least = difference.squaredNorm();
+                away = difference, along = side;
+            }
+            along /= length_of(along);
+            const double weight = k_border * m_hold;
+            m_system->add_at_node(v, weight * (Eigen::Matrix3d::Identity() - along * along.transpose()));
+            m_force.col(v) -= weight / m_length * (away - away.dot(along) * along);
+        }
+    }
+
+    void straighten(const Bend& bend) {
+        const Eigen::Matrix3d form = k_straight * Eigen::Matrix3d::Identity();
+        m_system->add_at_link(bend.link_ab, 2 * form);
+        m_system->add_at_link(bend.link_bc, 2 * form);
+        m_system->add_at_link(bend.link_ac, -form);
+        const Eigen::Vector3d difference =
+            k_straight / m_length * (m_positions.col(bend.a) - 2 * m_positions.col(bend.b) + m_positions.col(bend.c));
+        m_force.col(bend.a) -= difference;
+        m_force.col(bend.b) += 2 * difference;
+        m_force.col(bend.c) -= difference;
+    }
+
+    /// A spring between two vertices, as stiff across as it is stretched.
+    void pull(const Bar& bar, double rest, double stiffness) {
+        const Eigen::Vector3d d = vector(bar);
+        const double length = std::max(length_of(d), 1e-3);
+        const Eigen::Vector3d along = d / length;
+        const double across = std::max(0.0, 1 - rest / length);
+        const Eigen::Matrix3d form = (1 - across) * (along * along.transpose()) + across * Eigen::Matrix3d::Identity();
+        m_system->add_at_link(bar.link, stiffness * form);
+        const Eigen::Vector3d force = stiffness * (length - rest) * along;
+        m_force.col(bar.a) -= force;
+        m_force.col(bar.b) += force;
+    }
+
+    Net exact() {
+        const double mean = edge_ratios(m_net, m_positions).cwiseProduct(m_net.rest_lengths()).mean();
+        Net net((m_options.length > 0 ? m_options.length / mean : 1.0) * m_positions, m_net.faces(),
+                RestLengths::equal);
+        Positions x = net.rest_positions();
+        CornerLimit limit(net, m_options.smallest_angle + k_limit_margin * std::numbers::pi / 180);
+        limit.watch(x);
+        auto lengths = projection(net, limit);
+        for (int opening = 0; opening < k_most_openings; ++opening) {
+            for (int k = 0; k < k_most_projections; ++k) {
+                if (!lengths->project(x)) break;
+                lengths->system().assemble(x);
+                if (lengths->system().errors().lpNorm<Eigen::Infinity>() < k_exact_error) break;
+            }
+            if (limit.needs_more_rows(x)) {
+                limit.watch(x);
+                lengths = projection(net, limit);
+            }
+            if (limit.hold_short_ones(x) == 0) break;
+            limit.apply(lengths->system());
+        }
+        Net result(std::move(x), net.faces(), RestLengths::equal);
+        if (!(max_deviation(result, result.rest_positions()) < k_equal_deviation))
+            throw Error(ErrorCode::bad_option, "no net with edges of one length was found near the surface");
+        return result;
+    }
+
+    std::unique_ptr<LengthProjection> projection(const Net& net, const CornerLimit& limit) const {
+        auto lengths = std::make_unique<LengthProjection>(net, m_topology, limit.watched());
+        lengths->set_free(std::vector<bool>(static_cast<std::size_t>(net.vertex_count()), true));
+        limit.apply(lengths->system());
+        return lengths;
+    }
+
+    const Surface& m_surface;
+    const SurfaceTree& m_tree;
+    Net m_net;  // the mesh
+    Topology m_topology;
+    FitOptions m_options;
+    double m_length;
+    Positions m_positions;
+    std::vector<int> m_guess;
+    std::vector<int> m_border, m_border_sides;  // vertices of the net, sides of the surface
+    std::map<std::pair<int, int>, int> m_links;
+    std::vector<Bar> m_edges, m_diagonals;
+    std::vector<Bend> m_bends;
+    std::unique_ptr<BlockSystem> m_system;
+    double m_hold = k_first_hold;
+    Eigen::Matrix3Xd m_force;
+};
+
+}  // namespace
+
+Net fit_net(const Surface& surface, const SurfaceTree& tree, const Mesh& mesh, const FitOptions& options,
+            const std::function<void(double)>& go_on) {
+    return Fitter(surface, tree, mesh, options).run(go_on);
+}
+
+}  // namespace chebnet

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <numbers>
+
+#include "net/net.h"
+#include "surface/surface.h"
+#include "surface/surface_tree.h"
+
+namespace chebnet {
+
+/// How a whole surface is made a net.
+struct RemeshOptions {
+    int cells = 4000;                              ///< about so many; not asked for if there is a length
+    double length = 0;                             ///< L, of all edges; 0: the one that fits with so many cells
+    double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
+    /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
+    double smoothing = 1;
+};
+
+/// What is done, in this order.
+enum class RemeshPhase {
+    triangles,  ///< the surface made anew of even triangles
+    field,      ///< the directions of the net lines
+    grid,       ///< the map that has whole numbers of cells between singular vertices
+    fit         ///< edges of one length, near the surface
+};
+inline constexpr int k_remesh_phases = 4;
+/// The name of the enumerator.
+const char* to_string(RemeshPhase phase);
+
+/// Is told which phase has come how far (0 … 1). Whoever wants an end throws.
+using RemeshProgress = std::function<void(RemeshPhase phase, double part)>;
+
+/// A net on a whole surface, and how long each phase took.
+struct Remesh {
+    Net net;
+    std::array<double, k_remesh_phases> milliseconds{};
+};
+
+/// A net of quads over a whole surface, of any genus and with any number of pieces and boundaries, with singular
+/// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
+/// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
+/// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
+/// surface. The same input gives the same net.
+///
+/// Throws Error bad_option (numbers out of range; a surface that is too thin or too narrow somewhere for cells of this
+/// size, with what and where; no such net found), non_finite, too_large, and as the constructor of Surface does.
+Remesh remesh(const Surface& surface, const SurfaceTree& tree, const RemeshOptions& options,
+              const RemeshProgress& progress = {});
+
+/// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers alone.
+void check_remesh(const Surface& surface, const RemeshOptions& options);
+
+inline constexpr int k_least_remeshed_cells = 20, k_most_remeshed_cells = 100'000;
+
+}  // namespace chebnet
