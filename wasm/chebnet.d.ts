@@ -456,6 +456,29 @@ export interface Drape {
   met: number;
 }
 
+/** How a whole surface is made a net; see core/remesh/remesh.h. */
+export interface RemeshOptions {
+  /** About so many, 4000 unless said otherwise; not asked for if there is a length. */
+  cells?: number;
+  /** Of all edges, exactly. */
+  length?: number;
+  /** No corner is sharper, in radians; 30° unless said otherwise. */
+  smallestAngle?: number;
+  /** 0 … 100, 1 unless said otherwise: the more, the larger are the bumps that make no singular vertices. */
+  smoothing?: number;
+}
+
+/** What is done, in this order. */
+export type RemeshPhase = 'triangles' | 'field' | 'grid' | 'fit';
+
+/** A net over a whole surface, near it, each edge of one length. */
+export interface Remesh {
+  mesh: Mesh;
+  /** Ascending by valence. */
+  singularVertices: { valence: number; count: number }[];
+  milliseconds: Record<RemeshPhase, number>;
+}
+
 /** How well a net lies on a surface. */
 export interface DrapeReport {
   /** Part of the surface's area that is within half an edge of the net. */
@@ -492,6 +515,8 @@ export interface Surface {
   /** Of several trials the best beginnings, first those that cover most and are sheared least. */
   propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
+  /** The phases may begin anew where the first attempt does not do. @param progress is told how far a phase is, 0 … 1. */
+  remesh(options?: RemeshOptions, progress?: (phase: RemeshPhase, part: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   /** Frees the memory on the other side; the surface must not be used again. */
   dispose(): void;

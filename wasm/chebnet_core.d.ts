@@ -15,6 +15,9 @@ import type {
   NetInfo,
   OptionInfo,
   OwnSurfaceInfo,
+  Remesh,
+  RemeshOptions,
+  RemeshPhase,
   PatternFault,
   Point,
   RepairedMesh,
@@ -123,6 +126,7 @@ export interface CoreSurface {
   suggest(cells: number): { seed: Point; direction: Point; length: number };
   propose(options: Required<DrapeOptions>): DrapeProposal[];
   drape(options: Required<DrapeOptions>): Drape;
+  remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, part: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   delete(): void;
 }

@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, Point, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -482,6 +482,17 @@ class WasmSurface {
   /** @param {Core} core @param {Session} session */
   guide(core, session) {
     core.guide(session, this.#open);
+  }
+
+  /** @param {RemeshOptions} options @param {(phase: RemeshPhase, part: number) => void} progress */
+  remesh({ cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1 } = {}, progress = () => {}) {
+    const options = {
+      cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
+      length: size(length, 'an edge length'),
+      smallestAngle: size(smallestAngle, 'the shear limit'),
+      smoothing: size(smoothing, 'the smoothing'),
+    };
+    return this.#open.remesh(options, progress);
   }
 
   /** @param {Mesh} net */

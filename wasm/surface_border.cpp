@@ -1,4 +1,4 @@
-// Surfaces and draping, seen from JavaScript.
+// Surfaces and the nets made on them, seen from JavaScript.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,6 +11,8 @@
 #include "drape/drape.h"
 #include "drape/proposals.h"
 #include "mesh_border.h"
+#include "net/topology.h"
+#include "remesh/remesh.h"
 #include "session.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
@@ -144,18 +146,52 @@ val propose(const OpenSurface& open, val options) {
     return list;
 }
 
+val mesh_of_net(const Net& net) {
+    val mesh = val::object();
+    mesh.set("positions", copy_out(net.rest_positions()));
+    mesh.set("faceStart", copy_out(net.faces().start));
+    mesh.set("faceVertices", copy_out(net.faces().vertices));
+    return mesh;
+}
+
 /// `options`: an object with all fields of DrapeOptions.
 val drape_surface(const OpenSurface& open, val options) {
     const Drape draped = drape(open.surface, open.tree, options_in(options));
-    val mesh = val::object();
-    mesh.set("positions", copy_out(draped.net.rest_positions()));
-    mesh.set("faceStart", copy_out(draped.net.faces().start));
-    mesh.set("faceVertices", copy_out(draped.net.faces().vertices));
     val object = val::object();
-    object.set("mesh", mesh);
+    object.set("mesh", mesh_of_net(draped.net));
     object.set("places", copy_out(draped.places));
     object.set("locked", draped.locked);
     object.set("met", draped.met);
+    return object;
+}
+
+val singular_vertices_out(const Net& net) {
+    val list = val::array();
+    for (const auto& [valence, count] : Topology(net).singular_vertices()) {
+        val row = val::object();
+        row.set("valence", valence);
+        row.set("count", count);
+        list.call<void>("push", row);
+    }
+    return list;
+}
+
+/// `options`: an object with all fields of RemeshOptions; `progress`: a function of a phase and a part.
+val remesh_surface(const OpenSurface& open, val options, val progress) {
+    RemeshOptions wanted;
+    wanted.cells = options["cells"].as<int>();
+    wanted.length = options["length"].as<double>();
+    wanted.smallest_angle = options["smallestAngle"].as<double>();
+    wanted.smoothing = options["smoothing"].as<double>();
+    const Remesh made = remesh(open.surface, open.tree, wanted,
+                               [&](RemeshPhase phase, double part) { progress(std::string(to_string(phase)), part); });
+    val milliseconds = val::object();
+    for (int phase = 0; phase < k_remesh_phases; ++phase)
+        milliseconds.set(to_string(static_cast<RemeshPhase>(phase)), made.milliseconds[phase]);
+    val object = val::object();
+    object.set("mesh", mesh_of_net(made.net));
+    object.set("singularVertices", singular_vertices_out(made.net));
+    object.set("milliseconds", milliseconds);
     return object;
 }
 
@@ -196,6 +232,7 @@ EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
         .function("suggest", guarded<&suggest>)
         .function("propose", guarded<&propose>)
         .function("drape", guarded<&drape_surface>)
+        .function("remesh", guarded<&remesh_surface>)
         .function("measure", guarded<&measure>);
 }
 

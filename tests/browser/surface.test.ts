@@ -185,3 +185,34 @@ test('Escape gives up a drag of the seed, and then the dialog', async () => {
   await visit.page.keyboard.press('Escape');
   await draper().waitFor({ state: 'detached' });
 });
+
+test('a closed body gets a net over the whole of it, with progress and a stop', async () => {
+  const { vertices: first } = await script.stats();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  await draper().getByRole('slider', { name: 'Cells' }).press('End');
+  await press('Make the net');
+  await draper().getByRole('progressbar').waitFor();
+  await draper().getByText('Finding directions…').waitFor();
+  await press('Stop');
+  await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
+  expect(await draper().getByRole('button', { name: 'Open this net' }).isDisabled()).toBe(true);
+
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  for (let step = 0; step < 10; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowRight');
+  await press('Make the net');
+  await measured();
+  expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
+
+  await press('Open this net');
+  await draper().waitFor({ state: 'detached' });
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
+  await script.settled();
+  const edges = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
+  const positions = await script.positions();
+  const [a, b] = [positions.subarray(3 * edges[0]!), positions.subarray(3 * edges[1]!)];
+  expect(largestDeviation(positions, edges, distance(a.subarray(0, 3), b.subarray(0, 3)))).toBeLessThan(1e-9);
+});

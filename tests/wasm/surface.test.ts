@@ -123,6 +123,39 @@ describe('a net on it', () => {
   });
 });
 
+describe('a net over a whole surface', () => {
+  test('is of quads whose edges have one length, as the native program makes it', () => {
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      const told = new Set<string>();
+      const { mesh, singularVertices, milliseconds } = pebble.remesh({ cells: 200 }, (phase) => told.add(phase));
+      expect([...told]).toEqual(Object.keys(milliseconds));
+      expect(singularVertices).toEqual([{ valence: 3, count: 8 }]);
+      const { maxDeviation, smallestAngle, coverage } = pebble.measure(mesh);
+      expect(maxDeviation).toBeLessThan(1e-9);
+      expect(smallestAngle).toBeGreaterThan(Math.PI / 6 - 1e-9);
+      expect(coverage).toBeGreaterThan(0.95);
+
+      const { net } = JSON.parse(
+        execFileSync(PROGRAM, ['remesh', '--surface', 'pebble', '--cells', '200'], { encoding: 'utf8' }),
+      );
+      expect(net.cells).toBe(mesh.faceStart.length - 1);
+      expect(net.singular_vertices_by_valence).toEqual({ 3: 8 });
+    });
+  });
+
+  test('keeps to the length, and says why there is none', () => {
+    withSurface(chebnet.ownSurface('hypar'), (hypar) => {
+      const { mesh } = hypar.remesh({ length: 0.5 });
+      const editor = chebnet.openMesh(mesh);
+      for (const length of edgeLengths(mesh.positions, editor.edges)) expect(length).toBeCloseTo(0.5, 9);
+      editor.dispose();
+      expect(failure(() => hypar.remesh({ length: 50 }))).toMatchObject({ code: 'bad_option' });
+      expect(failure(() => hypar.remesh({ cells: 1e7 }))).toMatchObject({ code: 'too_large' });
+      expect(failure(() => hypar.remesh({ smoothing: NaN }))).toMatchObject({ code: 'non_finite' });
+    });
+  });
+});
+
 test('what makes no sense is refused with a code, and a disposed surface is of no use', () => {
   const square = chebnet.openSurface(SQUARE);
   const wish = { seed: [0, 0, 0] as Point, direction: [1, 0, 0] as Point, length: 0.1 };

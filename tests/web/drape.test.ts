@@ -72,6 +72,22 @@ describe('the worker', () => {
     expect(responses[2]).toMatchObject({ code: 'bad_option' });
   });
 
+  test('makes a net over the whole surface, tells how far it is, and measures it', () => {
+    const responses = answers(
+      { type: 'open', source: { own: 'pebble' } },
+      { type: 'remesh', options: { cells: 150 } },
+      { type: 'measure' },
+    );
+    const phases = responses.flatMap((response) => (response.type === 'progress' ? [response.phase] : []));
+    expect([...new Set(phases)]).toEqual(['triangles', 'field', 'grid', 'fit']);
+    const [remeshed, measured] = responses.slice(-2);
+    if (remeshed?.type !== 'remeshed' || measured?.type !== 'measured') return expect.fail();
+    expect(remeshed.net.info.isChebyshev).toBe(true);
+    const defects = remeshed.singularVertices.map(({ valence, count }) => (4 - valence) * count);
+    expect(defects.reduce((sum, each) => sum + each)).toBe(8);
+    expect(measured.report.coverage).toBeGreaterThan(0.95);
+  });
+
   test('lays a direction that stands upright along some other', () => {
     const [, draped] = answers(OPEN, { type: 'drape', wish: { ...WISH, direction: [0, 0, 1] } });
     expect(draped).toMatchObject({ type: 'draped' });
@@ -100,6 +116,8 @@ describe('while a net is being laid', () => {
       opened: () => told.push('opened'),
       proposed: () => told.push('proposed'),
       draped: () => told.push('draped'),
+      progressed: (phase) => told.push(phase),
+      remeshed: () => told.push('remeshed'),
       measured: () => told.push('measured'),
       refused: ({ code }) => told.push(code),
     });
@@ -129,6 +147,22 @@ describe('while a net is being laid', () => {
     worker.answer(opened);
     expect(lengths()).toEqual([WISH.length, 'open']);
     expect(told).toEqual(['opened']);
+    draping.close();
+  });
+
+  test('to stop opens the surface again in another worker, and says nothing of it', () => {
+    const { worker, told, draping, lengths } = start();
+    draping.open({ own: 'pebble' });
+    worker.answer(opened);
+    draping.remesh({ cells: 100 });
+    worker.answer({ type: 'progress', phase: 'field', part: 0 });
+    draping.stop();
+    expect(lengths()).toEqual(['open', 'remesh', 'open']);
+    worker.answer(opened);
+    expect(told).toEqual(['opened', 'field']);
+    draping.open({ own: 'torso' });
+    worker.answer(opened);
+    expect(told).toEqual(['opened', 'field', 'opened']);
     draping.close();
   });
 

@@ -4,7 +4,15 @@ import type { Mesh, Point } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
-import type { DrapedNet, Proposal, Seed, ShownSurface, SurfaceSource, Wish } from '../drape/drape_protocol';
+import type {
+  DrapedNet,
+  Proposal,
+  RemeshedNet,
+  Seed,
+  ShownSurface,
+  SurfaceSource,
+  Wish,
+} from '../drape/drape_protocol';
 import { Draping } from '../drape/draping';
 import type { DrapeWorkerLike } from '../drape/draping';
 import { suggestedHandles } from '../drape/handles';
@@ -13,6 +21,7 @@ import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
 import { DrapeForm } from './drape_form';
+import { DrapeMaker } from './drape_maker';
 import { DrapeProposals } from './drape_proposals';
 import { DrapeResults } from './drape_results';
 import './dialog.css';
@@ -44,14 +53,18 @@ export class DrapeDialog implements DraperLike {
   readonly #form: DrapeForm;
   readonly #results = new DrapeResults();
   readonly #proposals = new DrapeProposals((proposal) => this.#begin(proposal));
+  readonly #maker = new DrapeMaker({ begun: () => this.#remesh(), stopped: () => this.#stop() });
+  readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
   /** The name of the surface that is shown. */
   #name: string;
   /** Where the net is wanted to begin, until another seed is. */
   #seed: Wish['seed'] = [0, 0, 0];
-  #draped: DrapedNet | null = null;
+  #shown: DrapedNet | RemeshedNet | null = null;
+  #best: Proposal | null = null;
   /** The net is the first one of its proposal. */
   #isFirst = true;
+  #isMaking = false;
   #finish!: (net: TakenNet | null) => void;
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
@@ -61,17 +74,19 @@ export class DrapeDialog implements DraperLike {
     const heading = make('h2', { id: 'drape-title' }, TEXT.title);
     this.#form = new DrapeForm(given?.name ?? null, {
       surfaceChosen: (own) => this.#open(own),
+      kindChanged: () => this.#changeKind(),
       changed: () => this.#drape(),
       shearChanged: (shown) => this.#picture.setShear(shown),
     });
-    const figure = make(
-      'figure',
-      {},
-      picture,
-      make('figcaption', { class: 'quiet' }, TEXT.howTo),
-      this.#proposals.element,
+    const figure = make('figure', {}, picture, this.#howTo, this.#proposals.element);
+    const side = make(
+      'div',
+      { class: 'side' },
+      this.#results.prospect,
+      this.#form.element,
+      this.#maker.element,
+      this.#results.element,
     );
-    const side = make('div', { class: 'side' }, this.#results.prospect, this.#form.element, this.#results.element);
     this.#dialog = make(
       'dialog',
       { class: 'file pictured drape', 'aria-labelledby': heading.id },
@@ -97,7 +112,9 @@ export class DrapeDialog implements DraperLike {
       proposed: (proposals) => this.#onProposed(proposals),
       draped: (net) => this.#onDraped(net),
       measured: (report) => this.#results.setReport(report),
-      refused: ({ message }) => this.#results.setFault(words.core.sentence(message)),
+      progressed: (phase, part) => this.#maker.setProgress(phase, part),
+      remeshed: (net) => this.#onRemeshed(net),
+      refused: ({ message }) => this.#onRefused(message),
     });
     this.result = this.#untilFinished();
     this.#open(given === null ? FIRST : null);
@@ -122,7 +139,9 @@ export class DrapeDialog implements DraperLike {
   #open(own: string | null): void {
     const source: SurfaceSource = own === null ? { mesh: this.#given!.mesh } : { own };
     this.#name = own ?? this.#given!.name;
+    if (this.#isMaking) this.#stop();
     this.#setNet(null);
+    this.#best = null;
     this.#results.setSurface(null);
     this.#proposals.set([]);
     this.#draping.open(source);
@@ -137,8 +156,53 @@ export class DrapeDialog implements DraperLike {
 
   #onProposed(proposals: Proposal[]): void {
     this.#proposals.set(proposals);
-    this.#begin(proposals[0]!);
+    this.#best = proposals[0]!;
+    if (!this.#form.isWhole) this.#begin(this.#best);
   }
+
+  #onRefused(message: string): void {
+    this.#setMaking(false);
+    this.#results.setFault(words.core.sentence(message));
+  }
+
+  // ------------------------------------------------------------------------------------------- a net over the whole of it
+
+  #changeKind(): void {
+    const { isWhole } = this.#form;
+    if (this.#isMaking) this.#stop();
+    this.#maker.show(isWhole);
+    this.#proposals.element.hidden = isWhole;
+    this.#howTo.hidden = isWhole;
+    this.#setNet(null);
+    this.#picture.removeNet();
+    this.#results.removeNet();
+    if (!isWhole && this.#best !== null) this.#begin(this.#best);
+  }
+
+  #remesh(): void {
+    this.#setMaking(true);
+    this.#results.removeNet();
+    this.#draping.remesh(this.#form.readWhole());
+  }
+
+  #stop(): void {
+    this.#setMaking(false);
+    this.#draping.stop();
+  }
+
+  #setMaking(making: boolean): void {
+    this.#isMaking = making;
+    this.#maker.setBusy(making);
+  }
+
+  #onRemeshed(net: RemeshedNet): void {
+    this.#setMaking(false);
+    this.#setNet(net);
+    this.#picture.setNet(net, null);
+    this.#results.setNet(net);
+  }
+
+  // ---------------------------------------------------------------------------------------------- one piece from a seed
 
   #begin({ seed, direction }: Proposal): void {
     this.#isFirst = true;
@@ -146,17 +210,18 @@ export class DrapeDialog implements DraperLike {
   }
 
   #onDraped(net: DrapedNet): void {
+    if (this.#form.isWhole) return;
     if (this.#isFirst) this.#picture.face(net.seed);
     this.#isFirst = false;
     this.#setNet(net);
-    this.#picture.setNet(net);
+    this.#picture.setNet(net, net.seed);
     this.#results.setNet(net);
     this.#form.setSeed(net.seed);
     this.#seed = net.seed.position;
   }
 
-  #setNet(net: DrapedNet | null): void {
-    this.#draped = net;
+  #setNet(net: DrapedNet | RemeshedNet | null): void {
+    this.#shown = net;
     this.#take.disabled = net === null;
   }
 
@@ -172,15 +237,19 @@ export class DrapeDialog implements DraperLike {
   }
 
   #drape(): void {
+    if (this.#form.isWhole) return;
     this.#draping.drape({ ...this.#form.read(), seed: this.#seed });
   }
 
   #taken(): TakenNet | null {
-    if (this.#draped === null) return null;
-    const { net, places } = this.#draped;
+    if (this.#shown === null) return null;
+    const { net } = this.#shown;
     const { restPositions: positions, faceStart, faceVertices } = net;
     const mesh = { positions, faceStart, faceVertices };
-    return { net: { mesh, name: netName(this.#name) }, handles: suggestedHandles(places) };
+    return {
+      net: { mesh, name: netName(this.#name) },
+      handles: 'places' in this.#shown ? suggestedHandles(this.#shown.places) : [],
+    };
   }
 }
 

@@ -1,5 +1,5 @@
 /** What a net on a surface is to be like: its surface, how fine it is, and how it lies at the seed. */
-import type { Point } from '../../../wasm/chebnet';
+import type { Point, RemeshOptions } from '../../../wasm/chebnet';
 import type { Seed, Wish } from '../drape/drape_protocol';
 import { cellsOf, FEWEST_CELLS, lengthOf, MOST_CELLS } from '../drape/cells';
 import { turned, turnOf } from '../drape/seed';
@@ -16,6 +16,8 @@ const STEPS = 40;
 export interface FormEvents {
   /** The name of one of our own, or null: the visitor's. */
   surfaceChosen(own: string | null): void;
+  /** One piece from a seed, or a net over the whole surface. */
+  kindChanged(): void;
   changed(): void;
   shearChanged(shown: boolean): void;
 }
@@ -29,6 +31,9 @@ export class DrapeForm {
   readonly #angle = slider(TEXT.angle, 40, 140, 1, () => this.#show());
   readonly #beyond = makeSwitch(TEXT.beyond, () => this.#events.changed());
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
+  readonly #kinds: ReturnType<typeof makeSelect>;
+  /** What only a net from a seed has. */
+  readonly #pieceRows: HTMLElement[];
   #area = 1;
   #seed: Seed | null = null;
   #direction: Point = [1, 0, 0];
@@ -39,22 +44,37 @@ export class DrapeForm {
     const choices = Object.entries(TEXT.own).map(([value, text]) => ({ value, text }));
     const all = [...(name === null ? [] : [{ value: '', text: name }]), ...choices];
     const surfaces = makeSelect(TEXT.surface, all, (value) => events.surfaceChosen(value || null));
+    this.#kinds = makeSelect(
+      TEXT.kind,
+      Object.entries(TEXT.kinds).map(([value, text]) => ({ value, text })),
+      () => this.#chooseKind(),
+    );
     this.#length.addEventListener('change', () => this.#chooseLength());
     this.#angle.input.value = '90';
     this.#beyond.box.checked = true;
     this.#shear.box.checked = true;
+    const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
+    this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#beyond.row];
     this.element = make(
       'div',
       { class: 'wishes' },
       surfaces.row,
+      this.#kinds.row,
       this.#cells.row,
-      make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length),
-      this.#turn.row,
-      this.#angle.row,
-      this.#beyond.row,
+      ...this.#pieceRows,
       this.#shear.row,
     );
     this.#show();
+  }
+
+  /** Whether a net over the whole surface is wanted. */
+  get isWhole(): boolean {
+    return this.#kinds.select.value === 'whole';
+  }
+
+  /** Of a net over the whole surface. */
+  readWhole(): RemeshOptions {
+    return { cells: Math.round(cellsOf(this.#length.valueAsNumber, this.#area)) };
   }
 
   /** Another surface, and a length that suits it. */
@@ -82,6 +102,11 @@ export class DrapeForm {
       angle: this.#angle.input.valueAsNumber * DEGREE,
       border: this.#beyond.box.checked ? 'beyond' : 'inside',
     };
+  }
+
+  #chooseKind(): void {
+    for (const row of this.#pieceRows) row.hidden = this.isWhole;
+    this.#events.kindChanged();
   }
 
   #chooseCells(): void {

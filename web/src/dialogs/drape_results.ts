@@ -1,6 +1,6 @@
 /** What can be expected of a net on a surface, and how the one that is shown lies. */
 import type { DrapeReport, SurfaceReport } from '../../../wasm/chebnet';
-import type { DrapedNet } from '../drape/drape_protocol';
+import type { DrapedNet, RemeshedNet } from '../drape/drape_protocol';
 import { make, setText } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
 import { count, small } from '../language/numbers';
@@ -15,13 +15,23 @@ export function prospectWords({ prospect, hardestCurvature, components }: Surfac
   return components > 1 ? TEXT.pieces(sentence, components) : sentence;
 }
 
+function gapWords({ locked, met }: DrapedNet): string {
+  return locked + met > 0 ? TEXT.refusals(count(locked), count(met)) : TEXT.none;
+}
+
+function singularWords({ singularVertices }: RemeshedNet): string {
+  if (singularVertices.length === 0) return TEXT.none;
+  const total = singularVertices.reduce((sum, each) => sum + each.count, 0);
+  return TEXT.singularOf(count(total), singularVertices.map((each) => `${each.count} × ${each.valence}`).join(', '));
+}
+
 export class DrapeResults {
   // In the page from the start: screen readers announce changes of what is there.
   readonly #prospect = make('p', { class: 'prospect', role: 'status' });
   readonly #fault = make('p', { class: 'refusal', role: 'alert', hidden: true });
   readonly #facts = make('dl', { class: 'facts' });
   readonly element = make('div', { class: 'results' }, this.#fault, this.#facts);
-  #net: DrapedNet | null = null;
+  #net: DrapedNet | RemeshedNet | null = null;
 
   get prospect(): HTMLElement {
     return this.#prospect;
@@ -30,12 +40,16 @@ export class DrapeResults {
   /** Null: it is being opened. */
   setSurface(report: SurfaceReport | null): void {
     setText(this.#prospect, report === null ? TEXT.opening : prospectWords(report));
+    this.removeNet();
+  }
+
+  removeNet(): void {
     this.#net = null;
     this.#facts.replaceChildren();
     this.#fault.hidden = true;
   }
 
-  setNet(net: DrapedNet): void {
+  setNet(net: DrapedNet | RemeshedNet): void {
     this.#net = net;
     this.#fault.hidden = true;
     // The other rows stay until they are measured anew: they would flicker while the seed is dragged.
@@ -45,7 +59,7 @@ export class DrapeResults {
   setReport(report: DrapeReport): void {
     if (this.#net === null) return;
     this.#facts.classList.remove('stale');
-    const { net, locked, met } = this.#net;
+    const { net } = this.#net;
     const { meanLength: length, faces, vertices } = net.info;
     const inLengths = (distance: number): string => TEXT.lengths(small(distance / length));
     const rows: [string, string][] = [
@@ -55,7 +69,7 @@ export class DrapeResults {
       [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
       [TEXT.sheared, percentWords(report.sheared)],
       [TEXT.muchSheared, percentWords(report.muchSheared)],
-      [TEXT.gaps, locked + met > 0 ? TEXT.refusals(count(locked), count(met)) : TEXT.none],
+      'singularVertices' in this.#net ? [TEXT.singular, singularWords(this.#net)] : [TEXT.gaps, gapWords(this.#net)],
       [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
       [TEXT.deviation, small(report.maxDeviation)],

@@ -16,7 +16,7 @@ import type { Place } from '../view/overlay';
 import type { Projection } from '../view/picking';
 import { Space } from '../view/space';
 import { onThemeChange, readTheme } from '../view/theme';
-import type { DrapedNet, Ray, Seed, ShownSurface } from './drape_protocol';
+import type { Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
 import { SurfaceShade, turn } from './surface_shade';
@@ -33,7 +33,9 @@ export interface PictureEvents {
 /** What is wanted of either view: with WebGL, or without any. */
 export interface Picture {
   setSurface(surface: ShownSurface): void;
-  setNet(draped: DrapedNet): void;
+  /** @param seed from which it has been laid; null: it has none. */
+  setNet(shown: ShownNet, seed: Seed | null): void;
+  removeNet(): void;
   /** Looks at a seed from the front, if it faces away. */
   face(seed: Seed): void;
   /** For the arrow keys. */
@@ -56,6 +58,7 @@ export function createPicture(
   return {
     setSurface() {},
     setNet() {},
+    removeNet() {},
     face() {},
     focus() {},
     setShear() {},
@@ -103,7 +106,7 @@ class DrapePicture implements Picture {
   #surface: ShownSurface | null = null;
   #space: Space | null = null;
   #netData: NetData | null = null;
-  #draped: DrapedNet | null = null;
+  #seed: Seed | null = null;
   #showsShear = true;
   /** From where the whole surface is seen. */
   readonly #direction = directionFor(new Vector3()).clone();
@@ -142,24 +145,28 @@ class DrapePicture implements Picture {
   setSurface(surface: ShownSurface): void {
     this.#surface = surface;
     this.#space = new Space(surface.positions, this.#upAxis);
-    this.#removeNet();
+    this.#forgetNet();
     this.#shade.setSurface(surface, this.#space);
     this.#direction.copy(directionFor(new Vector3()));
     this.#rig.framed = true;
     this.#frameAll();
   }
 
-  setNet(draped: DrapedNet): void {
+  setNet({ net, fields }: ShownNet, seed: Seed | null): void {
     if (!this.#space) return;
-    this.#removeNet();
-    this.#draped = draped;
-    const { net, fields } = draped;
+    this.#forgetNet();
+    this.#seed = seed;
     this.#netData = new NetData(net, this.#space);
     this.#netData.putInto(this.#uniforms);
     this.#netData.setFrame({ positions: net.restPositions, fields }, fieldOf('shear'));
     this.#lines.setNet(this.#netData, net.strips);
     this.#faces.setTriangles(net.triangles);
     this.#shade.setBehind(BEHIND * this.#netData.edgeLength);
+    this.#requestDraw();
+  }
+
+  removeNet(): void {
+    this.#forgetNet();
     this.#requestDraw();
   }
 
@@ -189,7 +196,7 @@ class DrapePicture implements Picture {
     this.#listeners.abort();
     this.#resizing.disconnect();
     this.#stopThemes();
-    this.#removeNet();
+    this.#forgetNet();
     const parts = [this.#rig, this.#shade, this.#lines, this.#faces, this.#colours, this.#markers, this.#renderer];
     for (const part of parts) part.dispose();
     this.#renderer.domElement.remove();
@@ -212,14 +219,14 @@ class DrapePicture implements Picture {
 
   #down(event: PointerEvent): void {
     if (this.#grip !== null) return event.stopPropagation();
-    if (event.button !== 0 || !event.isPrimary || !this.#draped) return;
+    if (event.button !== 0 || !event.isPrimary || this.#seed === null) return;
     const marker = this.#markerAt(event);
     if (marker === null) return;
     event.stopPropagation();
     const canvas = this.#renderer.domElement;
     canvas.focus();
     canvas.setPointerCapture(event.pointerId);
-    this.#grip = { marker, pointer: event.pointerId, before: this.#draped.seed };
+    this.#grip = { marker, pointer: event.pointerId, before: this.#seed };
     canvas.style.cursor = 'grabbing';
   }
 
@@ -229,10 +236,10 @@ class DrapePicture implements Picture {
       return;
     }
     event.stopPropagation();
-    if (event.pointerId !== this.#grip.pointer || !this.#draped) return;
+    if (event.pointerId !== this.#grip.pointer || this.#seed === null) return;
     const ray = this.#rayThrough(this.#place(event));
     if (this.#grip.marker === SEED) this.#events.seedMoved(ray);
-    else this.#turnTo(ray, this.#draped.seed);
+    else this.#turnTo(ray, this.#seed);
   }
 
   /** Along the line from the seed to where the ray meets the plane that touches the surface there. */
@@ -257,10 +264,10 @@ class DrapePicture implements Picture {
 
   #key(event: KeyboardEvent): void {
     const arrow = ARROW_KEYS[event.key];
-    if (!arrow || !this.#draped) return;
+    if (!arrow || this.#seed === null) return;
     event.preventDefault();
     const step = event.shiftKey ? STEP.big : STEP.small;
-    const { x, y } = toScreen(this.#projection(), this.#scenePoint(this.#draped.seed.position));
+    const { x, y } = toScreen(this.#projection(), this.#scenePoint(this.#seed.position));
     this.#events.seedMoved(this.#rayThrough({ x: x + step * arrow[0], y: y + step * arrow[1] }));
   }
 
@@ -294,10 +301,10 @@ class DrapePicture implements Picture {
 
   // ------------------------------------------------------------------------------------------------------------ drawing
 
-  #removeNet(): void {
+  #forgetNet(): void {
     this.#netData?.dispose();
     this.#netData = null;
-    this.#draped = null;
+    this.#seed = null;
   }
 
   /** Light moves with the camera. */
@@ -357,9 +364,9 @@ class DrapePicture implements Picture {
 
   /** The knob keeps its distance from the seed on the screen. */
   #placeSeed(): void {
-    this.#markers.object.visible = this.#draped !== null;
-    if (!this.#draped || !this.#space) return this.#ring.hide();
-    const { position, normal, direction } = this.#draped.seed;
+    this.#markers.object.visible = this.#seed !== null;
+    if (this.#seed === null || !this.#space) return this.#ring.hide();
+    const { position, normal, direction } = this.#seed;
     const seed = this.#scenePoint(position);
     const { camera } = this.#rig;
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360) * camera.position.distanceTo(seed)) / this.#size.y;

@@ -5,6 +5,9 @@ import type {
   DrapeReport,
   Mesh,
   Point,
+  Remesh,
+  RemeshOptions,
+  RemeshPhase,
   SurfacePlace,
   SurfaceReport,
 } from '../../../wasm/chebnet';
@@ -39,16 +42,26 @@ export interface Seed extends SurfacePlace {
   direction: Point;
 }
 
-export interface DrapedNet {
+/** A net on the surface, as it is drawn. */
+export interface ShownNet {
   net: OpenedNet;
+  fields: CoreFields;
+  /** That it took to make, without opening and sending the net. */
+  milliseconds: number;
+}
+
+/** One piece, laid from a seed. */
+export interface DrapedNet extends ShownNet {
   /** Steps from the seed; see wasm/chebnet.d.ts. */
   places: Int32Array;
-  fields: CoreFields;
   seed: Seed;
   locked: number;
   met: number;
-  /** That draping took, without opening and sending the net. */
-  milliseconds: number;
+}
+
+/** Over the whole surface. */
+export interface RemeshedNet extends ShownNet {
+  singularVertices: Remesh['singularVertices'];
 }
 
 export type DrapeRequest =
@@ -58,6 +71,8 @@ export type DrapeRequest =
   | { type: 'drape'; wish: Wish }
   /** Where a net would begin well. Answered with `proposed`. */
   | { type: 'propose'; wish: Omit<Wish, 'seed' | 'direction'> }
+  /** Answered with `remeshed` or `error`, and `progress` before. */
+  | { type: 'remesh'; options: RemeshOptions }
   /** How the last net lies. Answered with `measured`. */
   | { type: 'measure' };
 
@@ -65,6 +80,8 @@ export type DrapeResponse =
   | { type: 'opened'; surface: ShownSurface; length: number }
   | { type: 'proposed'; proposals: Proposal[] }
   | ({ type: 'draped' } & DrapedNet)
+  | { type: 'progress'; phase: RemeshPhase; part: number }
+  | ({ type: 'remeshed' } & RemeshedNet)
   /** The ray does not meet the surface. */
   | { type: 'missed' }
   | { type: 'measured'; report: DrapeReport }

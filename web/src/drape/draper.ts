@@ -1,9 +1,9 @@
 /** Lays nets on one surface: the draping worker's part without the worker. */
-import type { Chebnet, Drape, Point, Surface, SurfacePlace } from '../../../wasm/chebnet';
+import type { Chebnet, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe } from '../worker/opened_net';
-import type { DrapedNet, DrapeRequest, DrapeResponse, SurfaceSource, Wish } from './drape_protocol';
+import type { DrapeRequest, DrapeResponse, ShownNet, SurfaceSource, Wish } from './drape_protocol';
 import { SUGGESTED_CELLS } from './cells';
 import { laidInto } from './seed';
 
@@ -15,7 +15,8 @@ export class Draper {
   readonly #core: Chebnet;
   readonly #post: (response: DrapeResponse) => void;
   #surface: Surface | null = null;
-  #drape: Drape | null = null;
+  /** The last net. */
+  #mesh: Mesh | null = null;
 
   constructor(core: Chebnet, post: (response: DrapeResponse) => void) {
     this.#core = core;
@@ -35,15 +36,16 @@ export class Draper {
     if (this.#surface === null) throw new Error('no surface is open');
     if (request.type === 'propose') return this.#propose(this.#surface, request.wish);
     if (request.type === 'drape') return this.#lay(this.#surface, request.wish);
-    if (this.#drape === null) throw new Error('no net has been laid');
-    return { type: 'measured', report: this.#surface.measure(this.#drape.mesh) };
+    if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
+    if (this.#mesh === null) throw new Error('no net has been laid');
+    return { type: 'measured', report: this.#surface.measure(this.#mesh) };
   }
 
   #open(source: SurfaceSource): DrapeResponse {
     const surface = 'own' in source ? this.#core.ownSurface(source.own) : this.#core.openSurface(source.mesh);
     this.#surface?.dispose();
     this.#surface = surface;
-    this.#drape = null;
+    this.#mesh = null;
     const { positions, normals, triangles } = surface;
     return {
       type: 'opened',
@@ -72,13 +74,22 @@ export class Draper {
     const start = performance.now();
     const drape = surface.drape({ ...wish, seed: place.position, direction });
     const milliseconds = performance.now() - start;
-    this.#drape = drape;
-    return { type: 'draped', seed: { ...place, direction }, milliseconds, ...this.#shown(drape) };
+    const { mesh, places, locked, met } = drape;
+    return { type: 'draped', seed: { ...place, direction }, places, locked, met, milliseconds, ...this.#shown(mesh) };
   }
 
-  #shown({ mesh, places, locked, met }: Drape): Omit<DrapedNet, 'seed' | 'milliseconds'> {
-    const shown = withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
-    return { ...shown, places, locked, met };
+  #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
+    const start = performance.now();
+    const { mesh, singularVertices } = surface.remesh(options, (phase, part) =>
+      this.#post({ type: 'progress', phase, part }),
+    );
+    const milliseconds = performance.now() - start;
+    return { type: 'remeshed', singularVertices, milliseconds, ...this.#shown(mesh) };
+  }
+
+  #shown(mesh: Mesh): Omit<ShownNet, 'milliseconds'> {
+    this.#mesh = mesh;
+    return withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
   }
 }
 

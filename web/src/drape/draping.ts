@@ -1,5 +1,5 @@
 /** The page's side of the draping worker. While a net is being laid only the latest wish waits. */
-import type { DrapeReport } from '../../../wasm/chebnet';
+import type { DrapeReport, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
 import type {
@@ -7,6 +7,7 @@ import type {
   DrapeRequest,
   DrapeResponse,
   Proposal,
+  RemeshedNet,
   ShownSurface,
   SurfaceSource,
   Wish,
@@ -29,6 +30,9 @@ export interface DrapingEvents {
   /** The best first. */
   proposed(proposals: Proposal[]): void;
   draped(net: DrapedNet): void;
+  /** @param part of the phase, 0 … 1. */
+  progressed(phase: RemeshPhase, part: number): void;
+  remeshed(net: RemeshedNet): void;
   /** Of the last net. */
   measured(report: DrapeReport): void;
   /** With the core's sentence; the net of before stays. */
@@ -36,20 +40,25 @@ export interface DrapingEvents {
 }
 
 export class Draping {
-  readonly #worker: DrapeWorkerLike;
+  readonly #spawn: () => DrapeWorkerLike;
   readonly #events: DrapingEvents;
+  #worker: DrapeWorkerLike;
+  #source: SurfaceSource | null = null;
+  /** The surface that is being opened was open before, in a worker that has been stopped. */
+  #isReopening = false;
   #isBusy = false;
   #next: DrapeRequest | null = null;
   #still: ReturnType<typeof setTimeout> | undefined;
 
   constructor(spawn: () => DrapeWorkerLike, events: DrapingEvents) {
+    this.#spawn = spawn;
     this.#events = events;
-    this.#worker = spawn();
-    this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = ({ message }) => this.#events.refused(new Failure('worker_lost', message));
+    this.#worker = this.#start();
   }
 
   open(source: SurfaceSource): void {
+    this.#source = source;
+    this.#isReopening = false;
     this.#ask({ type: 'open', source });
   }
 
@@ -62,10 +71,33 @@ export class Draping {
     if (this.#next?.type !== 'open') this.#ask({ type: 'drape', wish });
   }
 
+  /** A net over the whole surface, which takes a while. */
+  remesh(options: RemeshOptions): void {
+    if (this.#next?.type !== 'open') this.#ask({ type: 'remesh', options });
+  }
+
+  /** Gives up what is being made; the surface stays open. */
+  stop(): void {
+    this.close();
+    this.#worker = this.#start();
+    this.#isBusy = false;
+    this.#next = null;
+    if (this.#source === null) return;
+    this.#isReopening = true;
+    this.#ask({ type: 'open', source: this.#source });
+  }
+
   close(): void {
     clearTimeout(this.#still);
     this.#worker.onmessage = null; // some may be on their way
     this.#worker.terminate();
+  }
+
+  #start(): DrapeWorkerLike {
+    const worker = this.#spawn();
+    worker.onmessage = ({ data }) => this.#receive(data);
+    worker.onerror = ({ message }) => this.#events.refused(new Failure('worker_lost', message));
+    return worker;
   }
 
   #ask(request: DrapeRequest): void {
@@ -79,21 +111,28 @@ export class Draping {
   }
 
   #receive(response: DrapeResponse): void {
+    if (response.type === 'progress') return this.#events.progressed(response.phase, response.part);
     this.#isBusy = false;
     const next = this.#next;
     this.#next = null;
     if (next !== null) this.#ask(next);
     if (next?.type !== 'open') this.#tell(response);
-    if (response.type === 'draped' && next === null && !this.#isBusy)
+    if ((response.type === 'draped' || response.type === 'remeshed') && next === null && !this.#isBusy)
       this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
   }
 
   #tell(response: DrapeResponse): void {
-    if (response.type === 'opened') this.#events.opened(response.surface, response.length);
+    if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
     else if (response.type === 'draped') this.#events.draped(response);
+    else if (response.type === 'remeshed') this.#events.remeshed(response);
     else if (response.type === 'measured') this.#events.measured(response.report);
     else if (response.type === 'error')
       this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)));
+  }
+
+  #tellOpened(surface: ShownSurface, length: number): void {
+    if (!this.#isReopening) this.#events.opened(surface, length);
+    this.#isReopening = false;
   }
 }

@@ -71,6 +71,18 @@ export const dialogs = {
       torso: 'Torso',
       pebble: 'Pebble',
     },
+    kind: 'Net',
+    kinds: { piece: 'One piece', whole: 'The whole surface' },
+    make: 'Make the net',
+    stop: 'Stop',
+    phases: {
+      triangles: 'Making even triangles…',
+      field: 'Finding directions…',
+      grid: 'Fitting a grid…',
+      fit: 'Bringing all edges to one length…',
+    },
+    singular: 'Singular vertices, of so many edges',
+    singularOf: (total: string, byValence: string) => `${total}: ${byValence}`,
     cells: 'Cells',
     length: 'Edge length',
     tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
@@ -84,7 +96,7 @@ export const dialogs = {
         `One uncut piece may cover it, with sharp corners: its total curvature is ${has}\u00a0π, and one net can take 2\u00a0π.`,
       a_seam: (_has: string) => 'One piece goes round it and meets itself: expect a seam.',
       too_curved: (has: string) =>
-        `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or a net on a part of it.`,
+        `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
     },
     pieces: (sentence: string, pieces: number) =>
       `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,

@@ -1,0 +1,43 @@
+/** A net over a whole surface takes a while: the buttons that begin and stop it, and how far it is. */
+import type { RemeshPhase } from '../../../wasm/chebnet';
+import { make, makeButton, setText } from '../elements/dom';
+import { dialogWords } from '../language/dialogs';
+
+const TEXT = dialogWords.drape;
+const PHASES: readonly RemeshPhase[] = ['triangles', 'field', 'grid', 'fit'];
+
+export interface MakerEvents {
+  begun(): void;
+  stopped(): void;
+}
+
+export class DrapeMaker {
+  readonly #make: HTMLButtonElement;
+  readonly #stop: HTMLButtonElement;
+  readonly #words = make('label', { for: 'remesh-progress' });
+  readonly #progress = make('progress', { id: 'remesh-progress', max: PHASES.length });
+  readonly #row = make('p', { class: 'progress', role: 'status', hidden: true }, this.#words, this.#progress);
+  readonly element: HTMLElement;
+
+  constructor(events: MakerEvents) {
+    this.#make = makeButton(TEXT.make, () => events.begun());
+    this.#stop = makeButton(TEXT.stop, () => events.stopped(), { hidden: true });
+    this.element = make('div', { class: 'maker', hidden: true }, this.#make, this.#stop, this.#row);
+  }
+
+  show(shown: boolean): void {
+    this.element.hidden = !shown;
+  }
+
+  setBusy(busy: boolean): void {
+    this.#make.hidden = busy;
+    this.#stop.hidden = !busy;
+    this.#row.hidden = !busy;
+    if (busy) this.setProgress('triangles', 0);
+  }
+
+  setProgress(phase: RemeshPhase, part: number): void {
+    setText(this.#words, TEXT.phases[phase]);
+    this.#progress.value = PHASES.indexOf(phase) + part;
+  }
+}
