@@ -176,7 +176,7 @@ val handle_vertices(const Session& session) {
 
 val handle_targets(const Session& session) {
     std::vector<double> targets;
-    for (const Handle& handle : session.editor.handles())
+    for (const Handle& handle : session.editor.standing_handles())
         targets.insert(targets.end(), handle.target.begin(), handle.target.end());
     return copy_out(targets);
 }
@@ -221,6 +221,14 @@ val reach(const Session& session, int vertex) {
 val mobility(const Session& session, double radius, val origins) {
     return copy_out(session.editor.mobility(radius, emscripten::convertJSArrayToNumberVector<int>(origins)));
 }
+
+void drag_handle(Session& session, int vertex, double x, double y, double z) {
+    session.editor.drag_handle(vertex, Eigen::Vector3d(x, y, z));
+}
+
+void release_handles(Session& session) { session.editor.release_handles(); }
+
+bool holds_back(const Session& session) { return session.editor.holds_back(); }
 
 void move_handle(Session& session, int vertex, double x, double y, double z) {
     session.editor.move_handle(vertex, Eigen::Vector3d(x, y, z));
@@ -350,6 +358,9 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("reach", guarded<&reach>)
         .function("mobility", guarded<&mobility>)
         .function("moveHandle", guarded<&move_handle>)
+        .function("dragHandle", guarded<&drag_handle>)
+        .function("releaseHandles", guarded<&release_handles>)
+        .function("holdsBack", guarded<&holds_back>)
         .function("setState", guarded<&set_state>)
         .function("solve", guarded<&solve>)
         .function("reset", guarded<&reset>)

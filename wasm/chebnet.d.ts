@@ -272,9 +272,17 @@ export interface Editor {
    *  changed. */
   setState(state: EditState): void;
 
+  /** Those dragged where they stand. */
   handles(): Handle[];
   setHandles(handles: readonly Handle[]): void;
   moveHandle(vertex: number, target: readonly [number, number, number]): void;
+  /** Likewise by hand: with `equilibrium` every frame is then a net, and where none leads to the target the handle is held
+   *  back, as near as the net goes. Other methods: `moveHandle`. */
+  dragHandle(vertex: number, target: readonly [number, number, number]): void;
+  /** Lets go of what was dragged: when the solve ends, handles that are held back take the place where they stand as target. */
+  releaseHandles(): void;
+  /** Whether dragged handles are held back now. */
+  readonly holdsBack: boolean;
 
   /** From now on only what lies within `radius` edge lengths of the `origins`, along the net, may move; Infinity: everything. */
   setLocality(radius: number, origins: readonly number[]): void;

@@ -76,6 +76,9 @@ export interface Session {
   reach(vertex: number): Float64Array;
   mobility(radius: number, origins: Int32Array): Float32Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
+  dragHandle(vertex: number, x: number, y: number, z: number): void;
+  releaseHandles(): void;
+  holdsBack(): boolean;
   /** `options`: names and values in turn. */
   setState(
     method: string,

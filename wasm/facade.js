@@ -308,6 +308,19 @@ class WasmEditor {
     this.#open.moveHandle(vertexNumber(vertex), ...point(target, vertex));
   }
 
+  /** @param {number} vertex @param {readonly [number, number, number]} target */
+  dragHandle(vertex, target) {
+    this.#open.dragHandle(vertexNumber(vertex), ...point(target, vertex));
+  }
+
+  releaseHandles() {
+    this.#open.releaseHandles();
+  }
+
+  get holdsBack() {
+    return this.#open.holdsBack();
+  }
+
   /** @param {Budget} [budget] @returns {SolveReport} */
   solve(budget = {}) {
     const report = this.#open.solve(...limits(budget));

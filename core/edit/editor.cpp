@@ -14,6 +14,11 @@ namespace chebnet {
 
 namespace {
 
+/// A handle that is held back has the weight of so many edges, and no greater force than at this distance, in edge
+/// lengths: as hard as a pull can be without being stiff. Where it comes so close to its target, it may be held there
+/// after all.
+constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
+
 void check_target(int vertex, const Eigen::Vector3d& target) {
     if (!target.allFinite())
         throw Error(ErrorCode::non_finite, "the target of handle " + std::to_string(vertex) + " is not finite");
@@ -100,11 +105,96 @@ void Editor::set_handles(std::vector<Handle> handles) {
 
 void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     check_target(vertex, target);
-    Handle& handle = m_handles[place_of_handle(vertex)];
-    if (m_region && m_region->is_outside(vertex)) replace_region(std::nullopt);
-    handle.target = target;
+    const std::size_t place = place_of_handle(vertex);
+    let_go();
+    Handle& handle = m_handles[place];
+    move(handle, target);
     if (handle.is_exact()) m_positions.col(vertex) = target;
+}
+
+void Editor::move(Handle& handle, const Eigen::Vector3d& target) {
+    if (m_region && m_region->is_outside(handle.vertex)) replace_region(std::nullopt);
+    handle.target = target;
     m_running = false;
+}
+
+void Editor::drag_handle(int vertex, const Eigen::Vector3d& target) {
+    check_target(vertex, target);
+    const std::size_t place = place_of_handle(vertex);
+    if (!m_method->goes_from_net_to_net()) return move_handle(vertex, target);
+    if (m_is_released) let_go();
+    Handle& handle = m_handles[place];
+    if (handle.is_exact() && !is_in_hand(vertex)) {
+        m_in_hand.push_back(vertex);
+        if (m_holds_back) m_prepared = false;
+    }
+    move(handle, target);
+    m_was_nearly_there = false;
+}
+
+void Editor::release_handles() { m_is_released = !m_in_hand.empty(); }
+
+std::vector<Handle> Editor::standing_handles() const {
+    std::vector<Handle> handles = m_handles;
+    for (int vertex : m_in_hand) handles[m_handle_at[vertex]].target = m_positions.col(vertex);
+    return handles;
+}
+
+/// Those that are still on their way, or held back, stay where they are.
+void Editor::let_go() {
+    m_handles = standing_handles();
+    m_in_hand.clear();
+    hold_back(false);
+    m_is_released = false;
+}
+
+bool Editor::is_in_hand(int vertex) const {
+    return std::find(m_in_hand.begin(), m_in_hand.end(), vertex) != m_in_hand.end();
+}
+
+/// Held at its target by the method, rather than pulled there.
+bool Editor::is_held(const Handle& handle) const {
+    return handle.is_exact() && !(m_holds_back && is_in_hand(handle.vertex));
+}
+
+void Editor::snap_held(Positions& positions) const {
+    for (const Handle& handle : m_handles)
+        if (handle.is_exact() && !is_in_hand(handle.vertex)) positions.col(handle.vertex) = handle.target;
+}
+
+void Editor::hold_back(bool on) {
+    if (m_holds_back == on) return;
+    m_holds_back = on;
+    m_prepared = false;
+    m_running = false;
+}
+
+bool Editor::is_nearly_there() const {
+    const double near = k_nearly_there * m_net->mean_length();
+    return std::all_of(m_in_hand.begin(), m_in_hand.end(), [&](int vertex) {
+        return (m_positions.col(vertex) - m_handles[m_handle_at[vertex]].target).stableNorm() < near;
+    });
+}
+
+/// After a solve has ended: whether another way of holding what is in hand is to be tried. Where the net cannot follow,
+/// it is held back; where it has come near all the same, it is held again, once; and where even that is no net, because
+/// of other handles, it is moved as by move_handle().
+bool Editor::goes_on_otherwise(Status status) {
+    if (m_in_hand.empty()) return false;
+    if (status == Status::unreachable && m_holds_back) {
+        m_in_hand.clear();
+        m_is_released = false;
+        hold_back(false);
+        return true;
+    }
+    if (status == Status::unreachable) {
+        hold_back(true);
+        return true;
+    }
+    if (!m_holds_back || m_was_nearly_there || !is_nearly_there()) return false;
+    m_was_nearly_there = true;
+    hold_back(false);
+    return true;
 }
 
 const Handle* Editor::find_handle(int vertex) const {
@@ -133,6 +223,7 @@ void Editor::set_method(std::string_view name) {
 
 void Editor::set_method(std::unique_ptr<Method> method, std::string name) {
     check_softness(m_handles, *method, name);
+    let_go();
     m_method = std::move(method);
     m_method_name = std::move(name);
     m_prepared = false;
@@ -176,7 +267,7 @@ void Editor::reset() {
 }
 
 EditState Editor::state() const {
-    EditState state{m_handles, m_method_name, initialisation(), m_options, std::nullopt, m_guide, m_positions};
+    EditState state{standing_handles(), m_method_name, initialisation(), m_options, std::nullopt, m_guide, m_positions};
     if (m_region) {
         state.locality = Locality{m_region->radius, m_region->origins, m_positions};
         for (const Pull& pull : m_region->pulls) state.locality->held_at.col(pull.vertex) = pull.target;
@@ -195,8 +286,9 @@ void Editor::set_state(EditState next) {
     check_positions(*m_net, next.positions);
     if (next.locality) check_locality(*m_net, *next.locality);
     normalise(next);
-    if (next == present) return;  // a solve under way goes on
+    if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
     std::optional<Region> region = region_of(next.locality);
+    let_go();
 
     if (other_method) {
         m_method = std::move(other_method);
@@ -245,7 +337,7 @@ std::optional<Region> Editor::region_of(const std::optional<Locality>& locality)
 std::vector<int> Editor::fixed_vertices() const {
     std::vector<int> vertices;
     for (const Handle& handle : m_handles)
-        if (handle.is_exact()) vertices.push_back(handle.vertex);
+        if (is_held(handle)) vertices.push_back(handle.vertex);
     if (!m_region) return vertices;
     vertices.insert(vertices.end(), m_region->outside.begin(), m_region->outside.end());
     std::sort(vertices.begin(), vertices.end());
@@ -259,23 +351,34 @@ void Editor::collect_pulls() {
     if (m_region)
         for (const Pull& pull : m_region->pulls) {
             const Handle* handle = find_handle(pull.vertex);
-            if (handle == nullptr || !handle->is_exact())
+            if (handle == nullptr || !is_held(*handle))
                 m_pulls.push_back({pull.vertex, pull.target / m_unit, pull.weight});
         }
     const auto of_region = static_cast<std::ptrdiff_t>(m_pulls.size());  // ascending by vertex
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const Handle& handle = m_handles[i];
         const Eigen::Vector3d target = m_near_targets.col(static_cast<Eigen::Index>(i));
-        if (handle.is_exact() || (m_region && m_region->is_outside(handle.vertex))) continue;
+        if (is_held(handle) || (m_region && m_region->is_outside(handle.vertex))) continue;
+        Pull own{handle.vertex, target, handle.weight};
+        if (handle.is_exact()) {
+            own.weight = k_weight_in_hand;
+            own.yields = k_nearly_there * m_unit_net->mean_length();
+        }
         const auto other = std::lower_bound(m_pulls.begin(), m_pulls.begin() + of_region, handle.vertex,
                                             [](const Pull& pull, int vertex) { return pull.vertex < vertex; });
         if (other == m_pulls.begin() + of_region || other->vertex != handle.vertex) {
-            m_pulls.push_back({handle.vertex, target, handle.weight});
+            m_pulls.push_back(own);
             continue;
         }
-        other->weight += handle.weight;
-        other->target += handle.weight / other->weight * (target - other->target);
+        other->weight += own.weight;
+        other->target += own.weight / other->weight * (target - other->target);
+        other->yields = own.yields;
     }
+}
+
+Problem Editor::problem() const {
+    return {*m_unit_net,      *m_topology, m_fixed, m_pulls,           m_reachable,
+            &m_unit_last_net, m_guide,     m_unit,  !m_in_hand.empty()};
 }
 
 void Editor::prepare() {
@@ -294,8 +397,15 @@ void Editor::draw_targets_near() {
         rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
     }
     const double farthest = k_farthest_target * m_net->mean_length();
-    m_reachable = unreachable_pairs().empty() && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
+    const std::vector<UnreachablePair> pairs = unreachable_pairs();
+    m_reachable = pairs.empty() && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
     if (!m_reachable) targets = near_targets(handle_graph(), m_net->mean_length(), targets, rest);
+    // What is held back may be pulled anywhere.
+    const auto both_held = [this](const UnreachablePair& pair) {
+        const Handle* b = find_handle(pair.vertex_b);
+        return is_held(*find_handle(pair.vertex_a)) && (b == nullptr || is_held(*b));
+    };
+    if (m_holds_back) m_reachable = std::none_of(pairs.begin(), pairs.end(), both_held);
     m_near_targets = targets / m_unit;
 }
 
@@ -304,7 +414,7 @@ void Editor::load_positions() {
     const double farthest = k_farthest_target + m_unit_net->rest_positions().lpNorm<Eigen::Infinity>();
     m_unit_positions = (m_positions / m_unit).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
-        if (m_handles[i].is_exact())
+        if (is_held(m_handles[i]))
             m_unit_positions.col(m_handles[i].vertex) = m_near_targets.col(static_cast<Eigen::Index>(i));
     m_unit_last_net = m_last_net / m_unit;
 }
@@ -313,7 +423,7 @@ void Editor::store_positions() {
     const Positions kept = m_region ? Positions(m_positions(Eigen::all, m_region->outside)) : Positions();
     m_positions = m_unit * m_unit_positions;
     if (m_region) m_positions(Eigen::all, m_region->outside) = kept;
-    snap(m_handles, m_positions);
+    snap_held(m_positions);
 }
 
 /// Adds what the initialisation does to the trace.
@@ -327,8 +437,10 @@ Status Editor::begin_solve(Trace& trace) {
     load_positions();
     if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
         const double prepared_ms = watch.milliseconds();
-        trace = m_initialisation.apply(m_unit_positions);
-        for (TraceRow& row : trace) row.total_ms += prepared_ms;
+        for (TraceRow& row : m_initialisation.apply(m_unit_positions)) {
+            row.total_ms += prepared_ms;
+            trace.push_back(row);
+        }
     }
     return m_method->start(problem(), m_unit_positions, m_options);
 }
@@ -371,7 +483,13 @@ SolveReport Editor::go_on(const Budget& budget) {
     Stopwatch watch;
     SolveReport report;
     report.status = m_running ? Status::running : begin_solve(report.trace);
-    while (report.status == Status::running) {
+    for (;;) {
+        if (report.status != Status::running) {
+            if (m_iterations > 0) store_positions();
+            if (!goes_on_otherwise(report.status)) break;
+            report.status = begin_solve(report.trace);
+            continue;
+        }
         if (m_iterations >= m_options.max_iterations) {
             report.status = m_reachable ? Status::max_iterations : Status::unreachable;
             break;
@@ -392,6 +510,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (report.max_deviation < m_options.threshold) m_last_net = m_positions;
     if (keeps_lengths(report.status) && !(report.max_deviation < m_options.threshold))
         report.status = Status::unreachable;  // the net is exact, but only where the handles were drawn near
+    if (!m_running && m_is_released) let_go();
     report.milliseconds = watch.milliseconds();
     m_elapsed_ms += report.milliseconds;
     return report;

@@ -50,9 +50,11 @@ public:
 
     const Net& net() const { return *m_net; }
     const Topology& topology() const { return *m_topology; }
-    /// 3×V, the positions held now. Exact handles stand exactly at their targets.
+    /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand.
     const Positions& positions() const { return m_positions; }
     const std::vector<Handle>& handles() const { return m_handles; }
+    /// The same, those in hand where they stand.
+    std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
     /// E, Method::edge_forces() of the last solve; zeros where the method does not know them.
@@ -60,7 +62,7 @@ public:
     const std::string& initialisation() const { return m_initialisation.name(); }
     /// Null: none.
     const std::shared_ptr<const Guide>& guide() const { return m_guide; }
-    /// All of the above that can change, and the locality, as one value.
+    /// All of the above that can change, and the locality, as one value. Handles in hand are where they stand.
     EditState state() const;
     /// Goes to such a state, of this editor or of another of the same net; exact handles then snap to their targets. If
     /// it is the present one, nothing changes and a solve under way goes on. Symbolic work survives if method,
@@ -73,6 +75,16 @@ public:
     void set_handles(std::vector<Handle> handles);
     /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
+    /// Takes the handle at `vertex` in hand, or moves it there, as who drags it does: with a method that goes from net
+    /// to net (`equilibrium`) every frame is a net, and where none leads to the target the handle is held back, pulled
+    /// towards it as far as the net goes. For other methods, and where no net is known, it is move_handle(). Throws as
+    /// that does.
+    void drag_handle(int vertex, const Eigen::Vector3d& target);
+    /// Lets go of what is in hand: at the end of the solve under way, or of the next, handles that are held back take
+    /// the place where they stand as their target. Any other change of the state lets go at once.
+    void release_handles();
+    /// Whether handles in hand are held back now.
+    bool holds_back() const { return m_holds_back; }
     /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and
     /// the harder the closer to that border (see Region; methods that know no pulls have the border only). All else
     /// stays exactly where it stands, until the next call, or until other handles are moved or all set, positions are
@@ -128,7 +140,8 @@ public:
     const HandleGraph& handle_graph() const;
     /// V, how freely set_locality() would let each vertex move, 0 … 1; see chebnet::mobility(). Throws as it does.
     Eigen::VectorXf mobility(double radius, std::span<const int> origins) const;
-    /// Largest distance of an exact handle from its target at the present positions: 0 by construction.
+    /// Largest distance of an exact handle from its target at the present positions: 0 by construction, but for handles
+    /// in hand.
     double handle_error() const;
 
 private:
@@ -137,10 +150,16 @@ private:
     void replace_handles(std::vector<Handle> handles);
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
+    void move(Handle& handle, const Eigen::Vector3d& target);
     std::vector<int> fixed_vertices() const;
-    Problem problem() const {
-        return {*m_unit_net, *m_topology, m_fixed, m_pulls, m_reachable, &m_unit_last_net, m_guide, m_unit};
-    }
+    bool is_in_hand(int vertex) const;
+    bool is_held(const Handle& handle) const;
+    Problem problem() const;
+    void snap_held(Positions& positions) const;
+    bool is_nearly_there() const;
+    void hold_back(bool on);
+    bool goes_on_otherwise(Status status);
+    void let_go();
     void collect_pulls();
     void prepare();
     void draw_targets_near();
@@ -165,6 +184,10 @@ private:
     std::vector<int> m_handle_at;  // V, the place of the handle that holds a vertex, −1 where there is none
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
+    std::vector<int> m_in_hand;                         // exact handles, by vertex
+    bool m_holds_back = false;                          // those in hand are pulled, not held
+    bool m_was_nearly_there = false;                    // and holding them has been tried again
+    bool m_is_released = false;                         // in hand until the solve ends
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()

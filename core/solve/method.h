@@ -29,10 +29,16 @@ public:
 
     /// Begins a solve of the problem that was prepared, with the pulls of the moment, at `positions` (3×V), where the
     /// fixed vertices already stand. May move free vertices off degenerate places. Returns `running`, or `converged` if
-    /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`.
+    /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`. If only nets
+    /// are asked for, fixed vertices stand where the net has come on the way to their places, and the solve ends with
+    /// `unreachable` at the last net where none leads on, or before it begins where none is known.
     virtual Status start(const Problem& problem, Positions& positions, const Options& options) = 0;
 
-    /// One iteration: moves free vertices only and fills `row` (all but iteration and total_ms).
+    /// Whether Problem::only_nets is heeded.
+    virtual bool goes_from_net_to_net() const { return false; }
+
+    /// One iteration: moves free vertices only, or if only nets are asked for, all, and fills `row` (all but iteration
+    /// and total_ms).
     virtual Status iterate(Positions& positions, TraceRow& row) = 0;
 
     /// E, what holds each edge at its length, where the method finds that: the energy gained for a part of the length

@@ -22,6 +22,7 @@ struct Problem {
     const Positions* last_net = nullptr;  ///< the last positions in which every edge had its length; null: not known
     std::shared_ptr<const Guide> guide = nullptr;  ///< a surface for Options::guide_mode; null: none
     double unit = 1;                               ///< of the net, in the guide's
+    bool only_nets = false;                        ///< see Method::start(); for methods that go from net to net
 };
 
 }  // namespace chebnet

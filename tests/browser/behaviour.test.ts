@@ -88,6 +88,37 @@ test('the first net stays one that could be woven: pushed down, aside and far, a
   expect(apart(await script.positions(), rest)).toBeLessThan(0.02 * length);
 });
 
+test('a hand that goes beyond what the net can reach holds it there; the handle comes back to it', async () => {
+  const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+  const rest = await script.positions();
+  const edges = await visit.page.evaluate(() => window.chebnet.edges());
+  const length = chebnet.openRecipe(DOME).info.meanLength;
+  const { mouse } = visit.page;
+  const { x, y } = await script.screenPosition(vertex);
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 420, y - 60, { steps: 8 });
+  await script.settled();
+  await visit.page.getByText('As far as the net goes: every edge keeps its length').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-held-back.png') });
+  const held = await script.positions();
+  expect(largestDeviation(held, edges, length)).toBeLessThan(1e-9);
+  expect(apart(held, rest)).toBeGreaterThan(length);
+
+  await mouse.up();
+  await script.settled();
+  await visit.page.locator('.status-words', { hasText: /^Every edge keeps its length/ }).waitFor();
+  const letGo = await script.positions();
+  expect(apart(letGo, held)).toBeLessThan(0.05 * length);
+  const stands = Array.from(letGo.slice(3 * vertex, 3 * vertex + 3));
+  expect(await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.target)).toEqual(stands);
+  expect(await visit.page.locator('.stuck-notice').innerText()).toBe('');
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(apart(await script.positions(), rest)).toBeLessThan(0.01 * length);
+});
+
 async function lowest(): Promise<number> {
   return Math.min(...(await script.positions()).filter((_, i) => i % 3 === 2));
 }

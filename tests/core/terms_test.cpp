@@ -49,7 +49,8 @@ const Guide& tetrahedron() {
 
 std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     const Topology topology(net);
-    const std::vector<Pull> pulls{{0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}};
+    const std::vector<Pull> pulls{
+        {0, Eigen::Vector3d(1, 2, 3), 0.5}, {3, Eigen::Vector3d(-1, 0, 2), 20}, {5, Eigen::Vector3d(0, 1, 2), 3, 0.4}};
     std::vector<std::unique_ptr<Term>> terms;
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
         terms.push_back(std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference));

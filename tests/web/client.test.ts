@@ -103,10 +103,10 @@ describe('dragging', () => {
   test('keeps one target under way, and of those that come meanwhile the newest', async () => {
     const taken: number[] = [];
     for (let x = 1; x <= 5; ++x) void client.drag([{ vertex: 7, target: [x, 0, 0] }]).then(() => taken.push(x));
-    expect(worker().sent).toMatchObject([{ type: 'drag', targets: [{ vertex: 7, target: [1, 0, 0] }] }]);
+    expect(worker().sent).toMatchObject([{ type: 'drag', inHand: false, targets: [{ vertex: 7, target: [1, 0, 0] }] }]);
     await worker().do();
     expect(taken).toEqual([1]);
-    expect(worker().sent).toMatchObject([{ type: 'drag', targets: [{ vertex: 7, target: [5, 0, 0] }] }]);
+    expect(worker().sent).toMatchObject([{ type: 'drag', inHand: false, targets: [{ vertex: 7, target: [5, 0, 0] }] }]);
     await worker().do();
     expect(taken).toEqual([1, 2, 3, 4, 5]);
     expect(worker().sent).toEqual([]);

@@ -19,6 +19,8 @@ let editor: HandleEditor;
 let asked: Handle[][];
 let said: string[];
 let returning: boolean;
+/** How often the solver was told that the hand lets go. */
+let released: number;
 
 const at = (vertex: number): Vec3 => [vertex % 5, Math.floor(vertex / 5), 0];
 const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => ({
@@ -44,12 +46,13 @@ function undo() {
 const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
 
 beforeEach(() => {
-  [asked, said, history, returning] = [[], [], new UndoHistory(), false];
+  [asked, said, history, returning, released] = [[], [], new UndoHistory(), false, 0];
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
   const client = {
     drag: take,
+    release: async () => void (released += 1),
     setHandles: take,
     reach: async (of: number[]) => of.map(() => []),
     setLocality: async () => {},
@@ -108,10 +111,13 @@ test('a gesture of many moves is one entry, and cancelled it is none', () => {
       { vertex: 7, target: [2, 1, z] },
     ]);
   editor.endDrag(false);
+  expect(released).toBe(1);
   expect(handles()[2]!.target).toEqual([2, 1, 3]);
   editor.beginDrag();
   editor.drag([{ vertex: 0, target: [9, 9, 9] }]);
   editor.endDrag(true);
+  // It goes back to the state before, which lets go.
+  expect(released).toBe(1);
   expect(handles()[0]!.target).toEqual([0, 0, 3]);
   undo();
   expect(handles().map(({ target }) => target[2])).toEqual([0, 0, 0]);
@@ -207,6 +213,7 @@ describe('a solver that comes in the place of one that was lost', () => {
     change({ handles: [handle(7)] });
     editor.resumeDrag();
     expect(asked).toEqual([lifted, lifted]);
+    expect(released).toBe(1);
     expect(handles()).toEqual([handle(7, { target: [2, 1, 1] })]);
   });
 

@@ -133,7 +133,7 @@ describe('a scene', () => {
     expect(said[0]).toMatchObject({ type: 'opened', net: { edges, faceStart, faceVertices, restPositions } });
     expect(said[0]).toHaveProperty('net.triangles.length', 3 * (faceVertices.length - 2 * (faceStart.length - 1)));
     expect(moved[0]).toHaveLength(17);
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run();
     expect(settled().frame.status).toBe('converged');
     expect(settled().frame.positions).toHaveLength(3 * vertices);
@@ -230,14 +230,28 @@ describe('a drag', () => {
       { vertex: dragged, target: away },
       { vertex: first, target: [rest[0], rest[1], rest[2] + 0.1] as [number, number, number] },
     ];
-    ask({ type: 'drag', targets });
+    ask({ type: 'drag', inHand: false, targets });
     run();
     expect(settled().frame.status).toBe('converged');
     for (const { vertex, target } of targets) expect(at(settled().frame.positions, vertex)).toEqual(target);
   });
 
+  test('in hand and beyond reach shows nets only, and leaves the handle where the net goes when let go', () => {
+    const [x, y, z] = home;
+    ask({ type: 'drag', inHand: true, targets: [{ vertex: dragged, target: [x, y, z + 100] }] });
+    run();
+    for (const { maxDeviation } of frames('frame')) expect(maxDeviation).toBeLessThan(1e-6);
+    expect(settled().frame).toMatchObject({ holdsBack: true, status: expect.stringMatching(/converged|exact/) });
+    const id = ask({ type: 'release' });
+    run();
+    expect(settled()).toMatchObject({ id, frame: { holdsBack: false } });
+    const { handles, positions } = settled().frame;
+    expect(handles.at(-1)).toMatchObject({ vertex: dragged, target: at(positions, dragged) });
+    expect(at(positions, dragged)[2]).toBeLessThan(z + 50);
+  });
+
   test('is answered at once and ends settled', () => {
-    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    const id = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     expect(said).toEqual([{ id, type: 'done' }]);
     run();
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
@@ -246,9 +260,9 @@ describe('a drag', () => {
   });
 
   test('is interrupted by the next once it had its share of time, and only the last one settles', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run(20, 1);
-    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: home }] });
+    const id = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: home }] });
     expect(said).not.toContainEqual({ id, type: 'done' });
     run(20, 1);
     expect(said).toContainEqual({ id, type: 'done' });
@@ -258,16 +272,16 @@ describe('a drag', () => {
   });
 
   test('that waits for its turn goes before what is asked after it', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
-    const waiting = ask({ type: 'drag', targets: [{ vertex: dragged, target: home }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+    const waiting = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: home }] });
     const after = ask({ type: 'cancel' });
     expect(said.map(({ id }) => id)).toEqual([waiting - 1, waiting, after, after]);
     expect(at(settled().frame.positions, dragged)).toEqual(home);
   });
 
   test('of a vertex that is no handle is refused, and what goes on goes on', () => {
-    const id = ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
-    const wrong = ask({ type: 'drag', targets: [{ vertex: 5, target: home }] });
+    const id = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+    const wrong = ask({ type: 'drag', inHand: false, targets: [{ vertex: 5, target: home }] });
     run(40);
     expect(said).toContainEqual(expect.objectContaining({ id: wrong, type: 'error', code: 'index_out_of_range' }));
     expect(settled()).toMatchObject({ id, frame: { status: 'converged' } });
@@ -275,7 +289,7 @@ describe('a drag', () => {
 
   test('sends no frame before the last was seen, and none faster than a display shows', () => {
     ask({ type: 'seen' });
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run(40, 2);
     expect(frames('frame')).toHaveLength(1);
     ask({ type: 'seen' });
@@ -287,7 +301,7 @@ describe('a drag', () => {
   });
 
   test('gives each row of the trace once', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     while (tasks.length > 0) {
       run(20, 1);
       ask({ type: 'seen' });
@@ -305,7 +319,7 @@ describe('by hand', () => {
   });
 
   test('a step is one iteration, a cancel none', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     ask({ type: 'cancel' });
     run();
     expect(settled().frame).toMatchObject({ status: 'running', iterations: 0 });
@@ -331,7 +345,7 @@ describe('by hand', () => {
       expect.arrayContaining([...reference.suggestedHandles].slice(0, -1)),
     );
     expect(balls[0]!.length).toBeGreaterThan(reference.suggestedHandles.length);
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run();
     const { positions } = settled().frame;
     const beyond = [...mobility.keys()].filter((v) => mobility[v] === 0);
@@ -348,7 +362,7 @@ describe('by hand', () => {
   });
 
   test('reset and restore bring back what was', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run();
     const { positions, handles } = settled().frame;
     ask({ type: 'reset' });
@@ -372,7 +386,7 @@ describe('by hand', () => {
   });
 
   test('what is out of reach is said so', () => {
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: [0, 0, 500] }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: [0, 0, 500] }] });
     run();
     expect(settled().frame.status).toBe('unreachable');
     expect(settled().frame.unreachable[0]).toMatchObject({ vertexB: dragged });
@@ -393,13 +407,13 @@ describe('by hand', () => {
     server = new Server({ ...core, openRecipe: () => refusing }, { post: (response) => said.push(response), ...host });
     ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
     said = [];
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run();
     expect(said.map(({ type }) => type)).toEqual(['done', 'settled', 'error']);
     expect(settled().frame.status).toBe('running');
     expect(said.at(-1)).toMatchObject({ code: 'too_large', message: 'too many vertices' });
     room = true;
-    ask({ type: 'drag', targets: [{ vertex: dragged, target: away }] });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     run();
     expect(settled().frame.status).toBe('converged');
   });

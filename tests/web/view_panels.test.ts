@@ -152,12 +152,15 @@ test('numbers are put in words', () => {
 });
 
 test('a solve that has ended stands as it ended, one under way as its edges are', () => {
-  const frame = { status: 'running', iterations: 1, maxDeviation: 0.1 } as const;
+  const frame = { status: 'running', iterations: 1, maxDeviation: 0.1, holdsBack: false } as const;
   expect(standing(frame, true)).toBe('running');
   expect(standing({ ...frame, maxDeviation: 1e-9 }, true)).toBe('settling');
   expect(standing(frame, false)).toBe('stopped');
   expect(standing({ ...frame, iterations: 0 }, false)).toBe('unsolved');
   expect(standing({ ...frame, status: 'exact' }, false)).toBe('exact');
+  const beyond = { ...frame, maxDeviation: 1e-9, holdsBack: true };
+  expect(standing(beyond, true)).toBe('held_back');
+  expect(standing({ ...beyond, status: 'converged' }, false)).toBe('held_back');
 });
 
 test('a stage says its exponent, if it has one, and how many vertices move', () => {

@@ -13,7 +13,7 @@ const recipe = 'vault:vertices=300';
 const reference = first.openRecipe(recipe);
 const dragged = reference.suggestedHandles.at(-1) ?? -1;
 const [x = NaN, y = NaN, z = NaN] = reference.restPositions.subarray(3 * dragged, 3 * dragged + 3);
-const drag: Body = { type: 'drag', targets: [{ vertex: dragged, target: [x, y, z - 1] }] };
+const drag: Body = { type: 'drag', inHand: false, targets: [{ vertex: dragged, target: [x, y, z - 1] }] };
 const li2022: Body = {
   type: 'options',
   settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } },
@@ -90,7 +90,7 @@ test('a relaxed shape opens with it, a picture of one does not call for it', asy
 
 test('another method moves the net over as it stands, and is answered before what came after it', async () => {
   ask({ type: 'locality', radius: 5, origins: [dragged] });
-  ask({ type: 'drag', targets: [{ vertex: dragged, target: [x, y, z - 0.5] }] });
+  ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: [x, y, z - 0.5] }] });
   solve();
   const before = settled().frame;
   const id = ask(li2022);

@@ -27,6 +27,8 @@ namespace {
 // that would.
 constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.25, k_careful_step = 0.125;
 constexpr double k_least_stride = 1.0 / 100;  // of the way: far jumps end, too
+// Of a step: where so little is left of it, the net is about to be taut.
+constexpr double k_least_progress = 0.1;
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
 // rough in one does not grow from step to step.
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
@@ -78,6 +80,7 @@ public:
     explicit Equilibrium(RestShape rest_shape) : m_opens(rest_shape == RestShape::opened) {}
     void prepare(const Problem& problem) override;
     bool knows_pulls() const override { return true; }
+    bool goes_from_net_to_net() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
     std::span<const double> edge_forces() const override;
@@ -145,7 +148,7 @@ private:
     CornerLimit m_limit;
 
     Options m_options;
-    bool m_reachable = true;
+    bool m_reachable = true, m_only_nets = false;
     Stage m_stage = net;
     int m_steps = 0;                    // Newton steps of this solve
     double m_radius = 0;                // no vertex moves farther in the next step
@@ -194,7 +197,9 @@ Method& Equilibrium::projection() {
 }
 
 void Equilibrium::take_pulls(std::span<const Pull> pulls) {
-    const auto same_pull = [](const Pull& a, const Pull& b) { return a.vertex == b.vertex && a.weight == b.weight; };
+    const auto same_pull = [](const Pull& a, const Pull& b) {
+        return a.vertex == b.vertex && a.weight == b.weight && a.yields == b.yields;
+    };
     const auto same_target = [](const Pull& a, const Pull& b) { return a.target == b.target; };
     m_pulls_moved = !std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(), same_target);
     m_pulls_changed |= !std::equal(m_pulls.begin(), m_pulls.end(), pulls.begin(), pulls.end(), same_pull);
@@ -216,6 +221,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
     m_options = options;
     m_reachable = problem.reachable;
+    m_only_nets = problem.only_nets;
     m_max_deviation = max_deviation(*m_net, positions);
     if (m_reachable && same_energy && !m_pulls_moved && m_result == positions && is_at_rest()) return Status::converged;
     if (m_reachable && (m_opening || (m_rest_shape.cols() == 0 && begin_opening()))) {
@@ -266,6 +272,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy, const Position
     m_steps = 0;
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions, last_net) : net;
+    if (m_stage == net && m_only_nets) return Status::unreachable;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
@@ -402,12 +409,19 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     const double before = m_walked;
     Positions x = m_result;
     walk(std::min(1.0, m_walked + m_stride), x);
+    if (m_only_nets && m_walked - before < k_least_progress * std::min(m_stride, 1 - before)) {
+        positions = m_result;
+        return Status::unreachable;
+    }
     if (m_walked == before) return find_another_net(positions);
     enter_rest(x);
     take_step(x, row);
     m_last_move = x - m_result;
     m_result = x;
-    for (int v : m_part->vertices()) positions.col(v) = x.col(v);
+    if (m_only_nets)
+        positions = x;
+    else
+        for (int v : m_part->vertices()) positions.col(v) = x.col(v);
     m_max_deviation = max_deviation(*m_net, positions);
     if (m_walked < 1) {
         m_stage = follow;

@@ -9,7 +9,8 @@
 
 namespace chebnet {
 
-/// The pull of soft handles and of the border of a locality: E = Σ_h w_h ‖x_h − c_h‖² / L², L the net's mean length.
+/// The pull of soft handles and of the border of a locality: E = Σ_h w_h ‖x_h − c_h‖² / L², L the net's mean length. Of
+/// one that yields at r it is 2 w_h r² (√(1 + ‖x_h − c_h‖² / r²) − 1) / L², whose force is less than 2 w_h r / L².
 class PullTerm : public Term {
 public:
     PullTerm(const Net& net, std::span<const Pull> pulls);
@@ -23,6 +24,7 @@ public:
 private:
     double m_scale;  // 1 / L²
     std::vector<Pull> m_pulls;
+    std::vector<Eigen::Matrix3d> m_curvatures;  // of each, at the last positions
 };
 
 /// The net's own weight, E = −g Σ_e L_e / L · down · (x_a + x_b) / 2L: edges are heavy, each by its length, and `g` is

@@ -84,8 +84,11 @@ export class State {
   /** Takes a frame of the solver. */
   takeFrame(frame: FrameData, settled: boolean): void {
     if (this.#opening === null) return;
-    const document = { ...this.#opening.document, positions: frame.positions, settled };
+    const { document: before } = this.#opening;
+    const handles = settled || frame.holdsBack ? whereTheyStand(before.handles, frame) : before.handles;
+    const document = { ...before, handles, positions: frame.positions, settled };
     this.#set({ ...this.#opening, frame, document });
+    if (handles !== before.handles) this.#events.presentation();
   }
 
   /** A handle of the solver, with what only the document knows about it. */
@@ -102,6 +105,16 @@ export class State {
     this.#opening = opening;
     this.#events.document();
   }
+}
+
+/** Handles that are held back, or were until the hand let go, have other targets than the hand gave them. */
+function whereTheyStand(handles: HandleData[], frame: FrameData): HandleData[] {
+  const targets = new Map(frame.handles.map(({ vertex, target }) => [vertex, target]));
+  const moved = handles.map((handle) => {
+    const target = targets.get(handle.vertex) ?? handle.target;
+    return target.every((x, i) => x === handle.target[i]) ? handle : { ...handle, target };
+  });
+  return moved.some((handle, i) => handle !== handles[i]) ? moved : handles;
 }
 
 /** Those that the page has of an open net anyway, in place of the text it came from. */

@@ -227,7 +227,7 @@ export class HandleEditor implements HandleCommands {
   // ---------------------------------------------------------------------------------------------------- where they are
 
   place(vertex: number, target: Vec3): void {
-    this.#host.attempt(this.move([{ vertex, target }]));
+    this.#host.attempt(this.#moveByHand([{ vertex, target }]));
   }
 
   /** Moves, turns or scales the selection about its centre. */
@@ -238,18 +238,23 @@ export class HandleEditor implements HandleCommands {
       motion,
     );
     if (moving.length > 0)
-      this.#host.attempt(this.move(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
+      this.#host.attempt(this.#moveByHand(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
   }
 
   /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */
-  async move(targets: readonly Handle[], key: string | null = null): Promise<void> {
+  async move(targets: readonly Handle[], key: string | null = null, inHand = false): Promise<void> {
     const before = this.#host.snapshot();
     const both = this.#onBothSides(targets);
-    // Both requests are sent now, in this order, so that a caller's next request comes after them.
+    // The requests are sent now, in this order, so that a caller's next request comes after them.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
-    await Promise.all([limited, this.#client.drag(both)]);
+    await Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
     if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
     this.#host.change({ handles: this.#withTargets(both) });
+  }
+
+  /** As far as the net goes. */
+  #moveByHand(targets: readonly Handle[]): Promise<void> {
+    return this.move(targets, null, true);
   }
 
   beginDrag(): void {
@@ -273,6 +278,7 @@ export class HandleEditor implements HandleCommands {
     this.#pendingTargets = null;
     this.#host.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
     this.#carry(targets);
+    if (!this.#history.inGesture) this.#host.attempt(this.#client.release());
   }
 
   #carry(targets: readonly Handle[]): void {
@@ -281,7 +287,7 @@ export class HandleEditor implements HandleCommands {
     const both = this.#guide.within(mirrored);
     this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
-    this.#host.attempt(this.#client.drag(both));
+    this.#host.attempt(this.#client.drag(both, true));
   }
 
   endDrag(cancelled: boolean): void {
@@ -289,6 +295,8 @@ export class HandleEditor implements HandleCommands {
     if (cancelled || !this.#client.returning) this.#pendingTargets = null;
     const before = cancelled ? this.#history.cancelGesture() : null;
     if (before && this.#dragName !== null) this.#host.restore(before);
+    else if (this.#dragName !== null && this.#history.inGesture && !this.#client.returning)
+      this.#host.attempt(this.#client.release());
     this.#history.endGesture(this.#dragName);
     this.#guide.end();
   }

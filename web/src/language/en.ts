@@ -143,6 +143,7 @@ export const en = {
     unsolved: 'Ready to be solved',
     stopped: 'Stopped before the end',
     running: 'Solving',
+    held_back: 'As far as the net goes: every edge keeps its length',
     settling: 'Every edge keeps its length; settling',
     converged: 'Every edge keeps its length',
     exact: 'Every edge keeps its length; not quite at rest',

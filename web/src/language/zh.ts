@@ -136,6 +136,7 @@ export const zh: Words = {
     unsolved: '可以求解',
     stopped: '中途停止',
     running: '正在求解',
+    held_back: '网只能到这里：每条边的长度都保持不变',
     settling: '每条边的长度都保持不变；正在静止下来',
     converged: '每条边的长度都保持不变',
     exact: '每条边的长度都保持不变；尚未完全静止',

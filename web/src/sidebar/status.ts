@@ -5,11 +5,12 @@ import type { FrameData } from '../worker/protocol';
 /** Below it edges count as kept while a net is still on its way to rest. */
 const KEPT_DEVIATION = 1e-6;
 
-type StatusOfFrame = Pick<FrameData, 'status' | 'iterations' | 'maxDeviation'>;
-export type Standing = Status | 'settling' | 'stopped' | 'unsolved';
+type StatusOfFrame = Pick<FrameData, 'status' | 'iterations' | 'maxDeviation' | 'holdsBack'>;
+export type Standing = Status | 'held_back' | 'settling' | 'stopped' | 'unsolved';
 
 /** What is to be said of the solver, and the colour of its light: of a frame, while it is solving or not. */
-export function standing({ status, iterations, maxDeviation }: StatusOfFrame, solving: boolean): Standing {
+export function standing({ status, iterations, maxDeviation, holdsBack }: StatusOfFrame, solving: boolean): Standing {
+  if (holdsBack && maxDeviation < KEPT_DEVIATION) return 'held_back';
   if (status !== 'running') return status;
   if (solving) return maxDeviation < KEPT_DEVIATION ? 'settling' : 'running';
   return iterations > 0 ? 'stopped' : 'unsolved';

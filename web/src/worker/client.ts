@@ -54,6 +54,7 @@ interface Waiting {
 interface PendingDrag {
   /** The latest target of each vertex. */
   targets: Map<number, Vec3>;
+  inHand: boolean;
   taken(): void;
   refused(error: unknown): void;
   promise: Promise<void>;
@@ -147,12 +148,19 @@ export class Client {
   /**
    * Targets of the moment. At most one request is under way; of the targets that come meanwhile the newest of each vertex
    * are sent together. Resolves when the worker has taken these targets or newer ones.
+   * @param inHand whether they are held back where no net leads there, until `release`.
    */
-  drag(targets: readonly Handle[]): Promise<void> {
+  drag(targets: readonly Handle[], inHand = false): Promise<void> {
     const pending = (this.#pendingDrag ??= newPendingDrag());
+    pending.inHand = inHand;
     for (const { vertex, target } of targets) pending.targets.set(vertex, target);
     if (this.#dragsUnderWay === 0) this.#sendDrag();
     return pending.promise;
+  }
+
+  /** The hand lets go; see `drag`. */
+  release(): Promise<void> {
+    return this.#tell({ type: 'release' });
   }
 
   /** What may move from now on: `radius` in edge lengths, null: everything. */
@@ -231,16 +239,15 @@ export class Client {
 
   #sendDrag(): void {
     if (this.#pendingDrag === null) return;
-    const { targets, taken, refused } = this.#pendingDrag;
+    const { targets, inHand, taken, refused } = this.#pendingDrag;
     this.#pendingDrag = null;
     this.#dragsUnderWay += 1;
     const onward = (): void => {
       this.#dragsUnderWay -= 1;
       if (this.#dragsUnderWay === 0) this.#sendDrag();
     };
-    this.#ask({ type: 'drag', targets: Array.from(targets, ([vertex, target]) => ({ vertex, target })) }, 'done')
-      .then(taken, refused)
-      .finally(onward);
+    const list = Array.from(targets, ([vertex, target]) => ({ vertex, target }));
+    this.#ask({ type: 'drag', targets: list, inHand }, 'done').then(taken, refused).finally(onward);
   }
 
   // -------------------------------------------------------------------------------------------------------- answers
@@ -352,5 +359,5 @@ function newPendingDrag(): PendingDrag {
     taken = resolve;
     refused = reject;
   });
-  return { targets: new Map(), taken, refused, promise };
+  return { targets: new Map(), inHand: false, taken, refused, promise };
 }

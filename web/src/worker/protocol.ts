@@ -13,7 +13,7 @@ import type { Scene, SolverSettings } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 10;
+export const PROTOCOL_VERSION = 11;
 
 /** File formats that the solver's worker writes: a name from the core's table of formats, or `csv`, its edges with their lengths. */
 export type ExportFormat = string;
@@ -25,8 +25,10 @@ export type Request = { id: number } & (
   | { type: 'open'; scene: Omit<Scene, 'view'> }
   | { type: 'handles'; handles: Handle[] }
   /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
-   *  solve for those before has had its share of time. */
-  | { type: 'drag'; targets: Handle[] }
+   *  solve for those before has had its share of time. `inHand`: they are held back where no net leads there. */
+  | { type: 'drag'; targets: Handle[]; inHand: boolean }
+  /** The hand lets go: handles that are held back take the place where they stand as target when the solve ends. */
+  | { type: 'release' }
   /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;
    *  null: everything. */
   | { type: 'locality'; radius: number | null; origins: number[] }
@@ -91,7 +93,10 @@ export interface OpenedNet {
 export interface FrameData {
   positions: Float64Array;
   fields: CoreFields;
+  /** Those in hand where they stand. */
   handles: Handle[];
+  /** The hand is beyond what the net can reach. */
+  holdsBack: boolean;
   status: Status;
   maxDeviation: number;
   /** Of the solve under way, or just ended. */
@@ -127,7 +132,18 @@ export type Response = { id: number } & (
   | { type: 'error'; code: string; message: string }
 );
 
-const TOUCHING = ['open', 'handles', 'drag', 'options', 'solve', 'step', 'cancel', 'reset', 'restore'] as const;
+const TOUCHING = [
+  'open',
+  'handles',
+  'drag',
+  'release',
+  'options',
+  'solve',
+  'step',
+  'cancel',
+  'reset',
+  'restore',
+] as const;
 
 /** Whether a request changes the net, its targets or the solve; a `settled` follows it then. */
 export function touchesNet(type: Request['type']): type is (typeof TOUCHING)[number] {

@@ -18,6 +18,9 @@ const SLICE = 12;
  */
 const SHARE = 32;
 
+/** Requests after which the count of iterations goes on. */
+const GOES_ON: ReadonlySet<Request['type']> = new Set(['step', 'solve', 'cancel', 'release']);
+
 type Drag = Extract<Request, { type: 'drag' }>;
 type OpenScene = Extract<Request, { type: 'open' }>['scene'];
 type Answer = Response extends infer R ? (R extends { id: number } ? Omit<R, 'id'> : never) : never;
@@ -97,6 +100,9 @@ export class Server {
         if (this.#solving && !this.#hadItsShare()) this.#nextDrag = request;
         else this.#drag(request);
         return;
+      case 'release':
+        this.#net().releaseHandles();
+        return this.#accept(request, this.#solving || this.#net().holdsBack);
       case 'locality':
         this.#net().setLocality(request.radius ?? Infinity, request.origins);
         return this.#reply(request, { type: 'done' });
@@ -178,7 +184,11 @@ export class Server {
   }
 
   #drag(request: Drag): void {
-    for (const { vertex, target } of request.targets) this.#net().moveHandle(vertex, target);
+    const net = this.#net();
+    for (const { vertex, target } of request.targets) {
+      if (request.inHand) net.dragHandle(vertex, target);
+      else net.moveHandle(vertex, target);
+    }
     this.#accept(request, true);
   }
 
@@ -258,7 +268,7 @@ export class Server {
   /** Takes a request that touches the net: its id is that of the news from now on. */
   #accept(request: Request, solve: boolean): void {
     this.#net();
-    if (request.type !== 'step' && request.type !== 'solve' && request.type !== 'cancel') this.#row = null;
+    if (!GOES_ON.has(request.type)) this.#row = null;
     this.#touch = request.id;
     this.#post({ id: request.id, type: 'done' });
     this.#go(solve);
@@ -362,6 +372,7 @@ export class Server {
       positions: editor.positions(),
       fields,
       handles: editor.handles(),
+      holdsBack: editor.holdsBack,
       status: this.#status,
       maxDeviation: largest(fields.deviation),
       iterations: this.#row?.iteration ?? 0,

@@ -1,0 +1,133 @@
+// A handle in hand (Editor::drag_handle): every frame a net, and held back where none leads to where the hand is.
+#include <catch2/catch.hpp>
+
+#include "edit/editor.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr int k_middle = 60;
+constexpr double k_a_net = 1e-6, k_settled = 1e-9;
+
+/// An arched patch held at its corners and taken at its crown.
+struct Taken {
+    Net net = samples::patch(11, 11, 0.4);
+    Editor editor{net};
+    Eigen::Vector3d crown = net.rest_positions().col(k_middle);
+
+    Taken() {
+        editor.set_handles(samples::handles_at_rest(net, {0, 10, 110, 120, k_middle}));
+        editor.solve();
+    }
+
+    /// Drags the crown up by as much, in frames of two iterations, and lets the net settle; all are nets.
+    Status drag(double from, double to, int frames) {
+        for (int frame = 1; frame <= frames; ++frame) {
+            editor.drag_handle(k_middle, at(from + (to - from) * frame / frames));
+            if (frame < frames) editor.solve({.iterations = 2});
+            CHECK(max_deviation(net, editor.positions()) < k_a_net);
+        }
+        const Status status = editor.solve().status;
+        CHECK(max_deviation(net, editor.positions()) < k_settled);
+        return status;
+    }
+
+    Eigen::Vector3d at(double height) const { return crown + Eigen::Vector3d(0, 0, height); }
+    Eigen::Vector3d now() const { return editor.positions().col(k_middle); }
+    double distance(const Positions& a, const Positions& b) const {
+        return (a - b).colwise().norm().maxCoeff() / net.mean_length();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Drag: within reach the handle goes where the hand is") {
+    Taken taken;
+    CHECK(keeps_lengths(taken.drag(0, 0.5, 5)));
+    CHECK(!taken.editor.holds_back());
+    CHECK(taken.now() == taken.at(0.5));
+    CHECK(taken.editor.handle_error() == 0);
+}
+
+TEST_CASE("Drag: beyond reach it is held back, as far as the net goes, and comes home with the hand") {
+    Taken taken;
+    const Positions rest = taken.editor.positions();
+    CHECK(keeps_lengths(taken.drag(0, 30, 20)));
+    CHECK(taken.editor.holds_back());
+    CHECK(taken.editor.unreachable_pairs().size() > 0);
+    CHECK(corner_angle_range(taken.net, taken.editor.positions()).smallest > 29.99 * EIGEN_PI / 180);
+    const double reached = (taken.now() - taken.crown).z();
+    CHECK(reached > 1.7);
+    CHECK(reached < 1.8);
+    for (int corner : {0, 10, 110, 120})
+        CHECK(taken.editor.positions().col(corner) == taken.net.rest_positions().col(corner));
+    // Farther out it goes hardly farther.
+    taken.drag(30, 40, 2);
+    CHECK((taken.now() - taken.crown).z() < reached + 1e-3);
+
+    CHECK(taken.drag(40, 0, 20) == Status::converged);
+    CHECK(!taken.editor.holds_back());
+    CHECK(taken.now() == taken.crown);
+    CHECK(taken.distance(taken.editor.positions(), rest) < 0.02);
+}
+
+TEST_CASE("Drag: a jump beyond reach ends where a slow hand does") {
+    Taken slow, fast;
+    slow.drag(0, 12, 60);
+    fast.drag(0, 12, 1);
+    CHECK(slow.editor.holds_back());
+    CHECK(fast.editor.holds_back());
+    CHECK(slow.distance(slow.editor.positions(), fast.editor.positions()) < 0.05);
+}
+
+TEST_CASE("Drag: what was held back stays, once it is let go, where it stands when the net has settled") {
+    Taken taken;
+    taken.editor.drag_handle(k_middle, taken.at(30));
+    taken.editor.release_handles();
+    while (taken.editor.solve({.iterations = 3}).status == Status::running) {
+        CHECK(taken.editor.handles().back().target == taken.at(30));
+        CHECK(taken.editor.standing_handles().back().target == taken.now());
+    }
+    CHECK(!taken.editor.holds_back());
+    CHECK(taken.editor.handle_error() == 0);
+    CHECK(taken.now().z() < taken.at(8).z());
+    const Positions settled = taken.editor.positions();
+    CHECK(keeps_lengths(taken.editor.solve().status));
+    CHECK(taken.distance(taken.editor.positions(), settled) < 0.01);
+}
+
+TEST_CASE("Drag: the state in the middle of one is that of a net, its handles where they stand") {
+    Taken taken, other;
+    taken.editor.drag_handle(k_middle, taken.at(30));
+    taken.editor.solve({.iterations = 5});
+    const EditState state = taken.editor.state();
+    CHECK(state.handles.back().target == taken.now());
+    other.editor.set_state(state);
+    CHECK(other.editor.positions() == taken.editor.positions());
+    CHECK(max_deviation(other.net, other.editor.positions()) < k_a_net);
+    // Any other change lets go.
+    taken.editor.set_option("gravity", "0");
+    CHECK(!taken.editor.holds_back());
+    CHECK(taken.editor.handle_error() == 0);
+}
+
+TEST_CASE("Drag: methods that do not go from net to net stretch the net, as ever") {
+    Taken taken;
+    taken.editor.set_method("projection");
+    taken.editor.drag_handle(k_middle, taken.at(30));
+    CHECK(taken.editor.solve().status == Status::unreachable);
+    CHECK(!taken.editor.holds_back());
+    CHECK(taken.now() == taken.at(30));
+}
+
+TEST_CASE("Drag: where other handles leave no net, none is asked for") {
+    Taken taken;
+    taken.editor.move_handle(0, taken.net.rest_positions().col(0) - Eigen::Vector3d(100, 0, 0));
+    CHECK(taken.editor.solve().status == Status::unreachable);
+    taken.editor.drag_handle(k_middle, taken.at(1));
+    CHECK(taken.editor.solve().status == Status::unreachable);
+    CHECK(taken.now() == taken.at(1));
+}
