@@ -233,7 +233,7 @@ void Equalizer::begin_rest() {
     m_at_rest = std::make_unique<Editor>(Net(m_fair->positions(), net.faces(), RestLengths::equal));
     std::vector<Handle> handles;
     for (int v : m_options.handles) handles.push_back({v, m_fair->positions().col(v)});
-    for (const auto& [vertex, target, weight] : anchors()) handles.push_back({vertex, target, weight});
+    for (const Pull& pull : anchors()) handles.push_back({pull.vertex, pull.target, pull.weight});
     m_at_rest->set_handles(handles);
     m_at_rest->set_method("equilibrium");
     m_at_rest->set_guide(m_unit == 1 ? m_surface : surface_of(net, m_unit));

@@ -52,7 +52,7 @@ TEST_CASE("Handles are refused by name and then nothing changes") {
     CHECK(editor.solve().status == Status::converged);
 }
 
-TEST_CASE("Moving handles keeps the symbolic factorisation; changing the set renews it") {
+TEST_CASE("Moving handles keeps the symbolic factorisation, changing the set renews it") {
     int prepared = 0;
     Editor editor = held_patch();
     editor.set_method(std::make_unique<samples::CountingMethod>(k_li2022.make(), prepared), "counted");

@@ -143,7 +143,7 @@ TEST_CASE("Slope, true Hessian and gradient block agree with finite differences"
     }
 }
 
-TEST_CASE("Proposition 2: a majorizer is convex, bounds its energy, touches value and gradient; its Hessian is used") {
+TEST_CASE("Proposition 2: a majorizer is convex, bounds its energy, touches value and gradient, its Hessian is used") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);

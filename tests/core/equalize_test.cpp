@@ -206,7 +206,7 @@ TEST_CASE("A net with edges of one length comes back bit for bit") {
     CHECK(equalizer.positions() == net.rest_positions());
 }
 
-TEST_CASE("A length that is given is the length of all edges; without handles only the size depends on it") {
+TEST_CASE("A length that is given is the length of all edges, without handles only the size depends on it") {
     const Net mesh = noisy_patch();
     const double factor = GENERATE(0.01, 0.7, 1.0, 30.0);
     Equalizer given(mesh, {EqualLength::given, factor * mesh.mean_length(), {}});

@@ -51,7 +51,7 @@ Editor pulled_patch(std::string_view method) {
 
 }  // namespace
 
-TEST_CASE("L-BFGS without a history is gradient descent; with one it keeps the secant condition and descends") {
+TEST_CASE("L-BFGS without a history is gradient descent, with one it keeps the secant condition and descends") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);

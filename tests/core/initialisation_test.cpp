@@ -71,7 +71,7 @@ TEST_CASE("Other texts are refused and then nothing changes") {
     CHECK(editor.initialisation() == "arap:3");
 }
 
-TEST_CASE("The trace of a solve begins with what its initialisation did; iterations are the method's") {
+TEST_CASE("The trace of a solve begins with what its initialisation did, iterations are the method's") {
     Editor editor = pulled_patch();
     editor.set_initialisation("local_global:5");
     const SolveReport first = editor.solve({2});

@@ -197,7 +197,7 @@ TEST_CASE("Reduced iterations move only vertices within two rings of an edge wit
     CHECK(report.max_deviation < max_deviation(editor.net(), x));
 }
 
-TEST_CASE("Reduced once, as section 3.3 has it, the same vertices move to the end; else they are chosen anew") {
+TEST_CASE("Reduced once, as section 3.3 has it, the same vertices move to the end, else they are chosen anew") {
     for (const bool once : {true, false}) {
         Editor editor = spoilt_patch();
         editor.set_option("reduce_once", once ? "on" : "off");
@@ -215,7 +215,7 @@ TEST_CASE("Reduced once, as section 3.3 has it, the same vertices move to the en
     }
 }
 
-TEST_CASE("Reduced once, vertices that cannot mend the net end the solve; else all are freed again") {
+TEST_CASE("Reduced once, vertices that cannot mend the net end the solve, else all are freed again") {
     for (const bool once : {true, false}) {
         Editor editor = li2022_editor(samples::patch(30, 30));
         // All edges between two columns are too long; their ends alone cannot make room for that.

@@ -131,17 +131,17 @@ TEST_CASE("Every method keeps to the locality") {
     }
 }
 
-TEST_CASE("Each drag begins where the net stands; other edits free everything") {
+TEST_CASE("Each drag begins where the net stands, other edits free everything") {
     Editor editor = elephant();
-    CHECK(lift(editor, 1, 12) == Status::converged);
+    CHECK(keeps_lengths(lift(editor, 1, 12)));
     const Positions once = editor.positions();
-    CHECK(lift(editor, 1, 8) == Status::converged);
+    CHECK(keeps_lengths(lift(editor, 1, 8)));
     CHECK(farthest_moved(editor, once) < 8);
 
     const Handle first = editor.handles().front();
     const Positions twice = editor.positions();
     editor.move_handle(first.vertex, first.target + 0.5 * editor.net().mean_length() * Eigen::Vector3d::UnitX());
-    CHECK(editor.solve().status == Status::converged);
+    CHECK(keeps_lengths(editor.solve().status));
     CHECK(farthest_moved(editor, twice) > 8);
 }
 

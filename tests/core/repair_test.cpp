@@ -171,7 +171,7 @@ TEST_CASE("Faces that cannot be simplified are removed") {
     CHECK(faces_of(result.mesh) == faces_of(strip(2)));
 }
 
-TEST_CASE("Duplicate faces are removed, however they begin and turn; others on the same vertices stay") {
+TEST_CASE("Duplicate faces are removed, however they begin and turn, others on the same vertices stay") {
     Mesh mesh = strip(1);
     for (const auto& face : {std::vector{2, 3, 1, 0}, {1, 3, 2, 0}, {0, 3, 2, 1}}) mesh.faces.add(face);
     const RepairedMesh result = repair(mesh, {Defect::duplicate_faces});

@@ -146,7 +146,7 @@ TEST_CASE("A soft handle gives way to an exact one that is dragged, and every fr
     CHECK(distance_from_target(editor, handles.front()) > 0);
 }
 
-TEST_CASE("Weights and targets of soft handles keep the symbolic work; softening a handle renews it") {
+TEST_CASE("Weights and targets of soft handles keep the symbolic work, softening a handle renews it") {
     int prepared = 0;
     Editor editor = softly_held_patch(1);
     editor.set_method(std::make_unique<samples::CountingMethod>(k_projection.make(), prepared), "counted");

@@ -232,7 +232,7 @@ TEST_CASE("Where nothing is strained both curvatures are one") {
     }
 }
 
-TEST_CASE("A rigid motion costs neither bending nor shear; straight rods turn freely too") {
+TEST_CASE("A rigid motion costs neither bending nor shear, straight rods turn freely too") {
     Random random;
     CAPTURE(random.seed);
     const Net net = sample_net(GENERATE(0, 1, 2, 3, 4), random.engine);
