@@ -252,9 +252,9 @@ export class HandleEditor implements HandleCommands {
     this.#host.change({ handles: this.#withTargets(both) });
   }
 
-  /** As far as the net goes. */
+  /** As far as the net goes, if drags are kept within reach. */
   #moveByHand(targets: readonly Handle[]): Promise<void> {
-    return this.move(targets, null, true);
+    return this.move(targets, null, this.#guide.keepsWithin);
   }
 
   beginDrag(): void {
@@ -287,7 +287,7 @@ export class HandleEditor implements HandleCommands {
     const both = this.#guide.within(mirrored);
     this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
-    this.#host.attempt(this.#client.drag(both, true));
+    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin));
   }
 
   endDrag(cancelled: boolean): void {

@@ -51,7 +51,7 @@ export const panels = {
     everything: 'everything',
     radius: (edges: string) => `${edges} edges`,
     within: 'Keep within reach',
-    withinHint: 'A drag stops where the other handles and the edges between let the net come no farther',
+    withinHint: 'A drag holds the net where it can come no farther; otherwise edges are stretched',
     showReach: 'Always show reach',
     showReachHint: 'While a handle is dragged, show how far it can go; otherwise only near the limit',
   },

@@ -53,7 +53,7 @@ export const panels: Widened<typeof en> = {
     everything: '整个网',
     radius: (edges) => `${edges} 条边`,
     within: '限制在可达范围内',
-    withinHint: '其他手柄与其间的边不允许网再延伸时，拖动即停住',
+    withinHint: '拖动时网到不能再远处为止；否则边会被拉长',
     showReach: '始终显示可达范围',
     showReachHint: '拖动手柄时显示它能到达的范围；否则仅在接近极限时显示',
   },
