@@ -5,6 +5,7 @@
 #include "drape/drape.h"
 #include "net/measures.h"
 #include "net/topology.h"
+#include "net/triangulation.h"
 #include "surface/height.h"
 
 namespace chebnet {
@@ -37,8 +38,20 @@ void for_each_sample(const Surface& surface, double width, Visit visit) {
     }
 }
 
+/// The faces as triangles that share no vertices: cut, two of them may have an edge in common with a third.
+Surface loose_triangles(const Net& net) {
+    Mesh mesh;
+    const std::vector<Triangle> triangles = triangulated(net.rest_positions(), net.faces());
+    mesh.positions.resize(3, 3 * std::ssize(triangles));
+    for (int t = 0; t < std::ssize(triangles); ++t) {
+        for (int k = 0; k < 3; ++k) mesh.positions.col(3 * t + k) = net.rest_positions().col(triangles[t][k]);
+        mesh.faces.add({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    return Surface(mesh);
+}
+
 double coverage(const Surface& surface, const Net& net) {
-    const Surface cover({net.rest_positions(), net.faces()});
+    const Surface cover = loose_triangles(net);
     const SurfaceTree tree(cover);
     double covered = 0;
     int guess = 0;

@@ -30,7 +30,8 @@ constexpr double k_first_stiffness = 1, k_last_stiffness = 1e4;
 constexpr double k_border = 0.05;    // of the distance of borders, where that from the surface counts 1
 constexpr double k_straight = 0.02;  // of the second difference of a net line
 constexpr double k_inertia = 5e-4;   // what a step costs: nothing else keeps vertices from drifting along the surface
-constexpr int k_soft_steps = 14, k_steps = 32;
+constexpr int k_least_soft_steps = 4, k_most_soft_steps = 40, k_stiff_steps = 18;
+constexpr double k_least_gain = 0.99;  // of what a soft step leaves of the error of lengths
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
@@ -63,10 +64,10 @@ public:
     }
 
     Net run(const std::function<void(double)>& go_on) {
-        for (int k = 0; k < k_steps; ++k) {
-            go_on(static_cast<double>(k) / k_steps);
-            if (m_options.length == 0 && k < k_soft_steps) m_length = fitting_length();
-            const double part = std::max(0.0, static_cast<double>(k - k_soft_steps) / (k_steps - k_soft_steps - 1));
+        spread_edges(go_on);
+        for (int k = 0; k < k_stiff_steps; ++k) {
+            go_on((1 + static_cast<double>(k) / k_stiff_steps) / 2);
+            const double part = static_cast<double>(k) / (k_stiff_steps - 1);
             m_hold = k_first_hold * std::pow(k_last_hold / k_first_hold, part);
             step(k_first_stiffness * std::pow(k_last_stiffness / k_first_stiffness, part));
         }
@@ -74,6 +75,28 @@ public:
     }
 
 private:
+    /// On the surface, until that hardly brings lengths nearer to each other any more.
+    void spread_edges(const std::function<void(double)>& go_on) {
+        double error = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < k_most_soft_steps; ++k) {
+            go_on(static_cast<double>(k) / k_most_soft_steps / 2);
+            if (m_options.length == 0) m_length = fitting_length();
+            const double last = std::exchange(error, length_error());
+            if (k >= k_least_soft_steps && error > k_least_gain * last) return;
+            step(k_first_stiffness);
+        }
+    }
+
+    /// Root mean square, in L.
+    double length_error() const {
+        double sum = 0;
+        for (const Bar& edge : m_edges) {
+            const double error = length_of(vector(edge)) - 1;
+            sum += error * error;
+        }
+        return std::sqrt(sum / m_net.edge_count());
+    }
+
     int link(int a, int b) {
         return m_links.emplace(std::pair(std::min(a, b), std::max(a, b)), static_cast<int>(m_links.size()))
             .first->second;

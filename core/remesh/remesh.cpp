@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "remesh/cell_mesh.h"
@@ -30,11 +33,16 @@ constexpr double k_stretch = 1.05;
 // One round of smoothing for so many vertices: so it reaches as far on the surface, however small the cells are.
 constexpr double k_vertices_a_round = 600;
 constexpr double k_most_smoothing = 100;
-// Where a field leads to no net, others are tried: smoother and less smooth ones.
-constexpr std::array<double, 5> k_attempts = {1, 0.3, 3, 0, 10};
+// Where a field leads to no net, others are tried, smoother and less smooth ones, then cells of other sizes.
+constexpr double k_smoothings[] = {1, 0.3, 3};
+constexpr double k_sizes[] = {1, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5};
+constexpr double k_least_size_for_length = 0.9;
+// So many nets with corners beyond the limit are enough.
+constexpr int k_most_sharp_nets = 2;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
+constexpr int k_digits = 4;  // of coordinates in messages
 
 int euler_characteristic(const Surface& surface) {
     int edges = 0;
@@ -58,24 +66,12 @@ public:
     Remesh run() {
         begin(RemeshPhase::triangles);
         m_triangles.emplace(even_triangles(m_surface, m_tree, k_triangle_length * m_cell));
-        std::optional<Net> sharp;
-        std::optional<Error> first_error;
-        for (const double smoother : k_attempts) {
-            try {
-                Net net = attempt(smoother * m_options.smoothing);
-                if (corner_angle_range(net, net.rest_positions()).smallest >=
-                    m_options.smallest_angle - k_angle_tolerance)
-                    return result(std::move(net));
-                if (!sharp) sharp.emplace(std::move(net));
-            } catch (const Error& error) {
-                if (error.code() == ErrorCode::too_large) throw;
-                if (!first_error) first_error.emplace(error);
-            }
-        }
-        if (sharp) return result(*std::move(sharp));
-        throw Error(
-            ErrorCode::bad_option,
-            std::string("cells of this size do not cover the surface; smaller ones may: ") + first_error->what());
+        for (const double size : k_sizes)
+            for (const double smoothing : k_smoothings)
+                if (const auto net = try_once(size, smoothing * m_options.smoothing)) return result(*net);
+        if (!m_sharp_nets.empty()) return result(m_sharp_nets.front());
+        throw Error(ErrorCode::bad_option,
+                    "cells of this size do not cover the surface; smaller ones may: " + m_first_failure);
     }
 
 private:
@@ -92,7 +88,23 @@ private:
         if (m_progress) m_progress(m_phase, part);
     }
 
-    Net attempt(double smoothing) {
+    /// Nothing where no net comes of it, or corners are beyond the limit.
+    std::optional<Net> try_once(double size, double smoothing) {
+        if (std::ssize(m_sharp_nets) == k_most_sharp_nets) return std::nullopt;
+        if (m_options.length > 0 && size < k_least_size_for_length) return std::nullopt;
+        try {
+            Net net = attempt(size, smoothing);
+            if (corner_angle_range(net, net.rest_positions()).smallest >= m_options.smallest_angle - k_angle_tolerance)
+                return net;
+            m_sharp_nets.push_back(std::move(net));
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::too_large) throw;
+            if (m_first_failure.empty()) m_first_failure = error.what();
+        }
+        return std::nullopt;
+    }
+
+    Net attempt(double size, double smoothing) {
         begin(RemeshPhase::field);
         const int rounds = static_cast<int>(smoothing * m_triangles->vertex_count() / k_vertices_a_round);
         const DirectionField field = smoothest_field(*m_triangles, rounds);
@@ -100,7 +112,7 @@ private:
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
         begin(RemeshPhase::grid);
-        const Mesh mesh = mesh_of(cells_of(*m_triangles, fit_grid(*m_triangles, field, m_cell)));
+        const Mesh mesh = mesh_of(cells_of(*m_triangles, fit_grid(*m_triangles, field, size * m_cell)));
         check(mesh);
         begin(RemeshPhase::fit);
         return fit_net(m_surface, m_tree, mesh, {m_options.length, m_options.smallest_angle},
@@ -110,6 +122,15 @@ private:
     /// It has to be of one piece where the surface is, and have no other holes and handles.
     void check(const Mesh& mesh) const {
         if (mesh.faces.size() == 0) throw Error(ErrorCode::bad_option, "no cell fits on the surface");
+        for (int f = 0; f < mesh.faces.size(); ++f) {
+            const std::span<const int> face = mesh.faces[f];
+            if (face[0] == face[2] || face[1] == face[3] || face[0] == face[1] || face[2] == face[3])
+                throw Error(
+                    ErrorCode::bad_option,
+                    "the surface is thinner than a cell near " +
+                        row_text(std::span(mesh.positions.col(face[0] == face[2] ? face[0] : face[1]).data(), 3),
+                                 k_digits));
+        }
         const Net net(mesh.positions, mesh.faces, RestLengths::own);
         const int pieces = Topology(net).component_count();
         if (pieces != piece_count(m_surface))
@@ -136,6 +157,8 @@ private:
     const RemeshProgress& m_progress;
     double m_cell;  // the length of the grid's cells
     std::optional<Surface> m_triangles;
+    std::vector<Net> m_sharp_nets;
+    std::string m_first_failure;
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
     std::array<double, k_remesh_phases> m_milliseconds{};

@@ -12,7 +12,8 @@ namespace chebnet {
 
 /// How a whole surface is made a net.
 struct RemeshOptions {
-    int cells = 4000;                              ///< about so many; not asked for if there is a length
+    int cells = 4000;                              ///< about so many, or more where the surface is too thin for
+                                                   ///< them; not asked for if there is a length
     double length = 0;                             ///< L, of all edges; 0: the one that fits with so many cells
     double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.

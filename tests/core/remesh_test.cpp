@@ -148,7 +148,7 @@ TEST_CASE("The same surface gives the same net, whose progress is told in order 
 }
 
 TEST_CASE("What is too thin for its cells is refused, and says so") {
-    const Surface ring(samples::torus(200, 8, 10, 0.05));
+    const Surface ring(samples::torus(300, 8, 10, 0.01));
     const SurfaceTree tree(ring);
     CHECK_THROWS_WITH(remesh(ring, tree, of_cells(40)), Contains("smaller ones may"));
 }
