@@ -1,4 +1,5 @@
 /** A net on the visitor's own surface: a mesh of triangles is dropped, told about, a net laid on it by hand, opened and edited. */
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
@@ -22,6 +23,18 @@ function surfaceFile(name: string): string {
   return lines.join('\n');
 }
 
+/** Mean, of the vertices. */
+function distanceFromShell(positions: Float64Array): number {
+  const surface = chebnet.ownSurface('shell');
+  let sum = 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+    sum += distance(surface.nearest([x, y, z]).position, [x, y, z]);
+  }
+  surface.dispose();
+  return (3 * sum) / positions.length;
+}
+
 const { arrive } = visits();
 let visit: Visit;
 let script: Script;
@@ -35,6 +48,8 @@ const draper = () => dialog(/^A net on a surface$/);
 const press = (name: string) => draper().getByRole('button', { name, exact: true }).click();
 const results = () => draper().locator('.facts').innerText();
 const direction = () => draper().getByRole('slider', { name: 'Direction' });
+
+const picture = () => visit.page.locator('#view canvas').screenshot();
 
 /** Waits for the report of the net that is shown. */
 async function measured() {
@@ -84,6 +99,8 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-net.png') });
   expect(await results()).toMatch(/Covered\s+100 %/);
 
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await measured();
   const best = await places();
   await draper().getByRole('button', { name: 'Beginning 3' }).click();
   await expect.poll(places).not.toEqual(best);
@@ -125,7 +142,30 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   ).toBeGreaterThan(length / 4);
   expect(largestDeviation(edited, edges, length)).toBeLessThan(1e-6);
 
+  // It stays near the surface, which stays in sight, as long as it is wanted to.
+  const guide = visit.page.getByRole('group', { name: 'Surface: roof.obj' });
+  await guide.waitFor();
+  const near = distanceFromShell(edited);
+  await guide.getByRole('combobox', { name: 'Keeps the net' }).selectOption('free');
+  await script.settled();
+  expect(near).toBeLessThan(0.8 * distanceFromShell(await script.positions()));
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-guide.png') });
+  const shown = await picture();
+  await guide.getByRole('checkbox', { name: 'Show the surface' }).uncheck();
+  await expect.poll(async () => (await picture()).equals(shown)).toBe(false);
+
   await visit.page.keyboard.press('Control+z');
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(async () => largestError(await script.positions(), positions)).toBe(0);
+
+  const project = visit.page.waitForEvent('download');
+  await visit.page.keyboard.press('Control+s');
+  const saved = readFileSync(await (await project).path());
+  await visit.page.reload();
+  await script.waitForNet();
+  await script.open({ recipe: 'sheet' });
+  await dropFile(visit.page, 'roof.chebnet.json', saved);
+  await visit.page.getByRole('group', { name: 'Surface: roof.obj' }).waitFor();
   await expect.poll(async () => largestError(await script.positions(), positions)).toBe(0);
 
   await visit.page.getByRole('button', { name: 'Save', exact: true }).click();

@@ -59,6 +59,7 @@ beforeEach(() => {
       state,
       choice: () => ({ selection: [], selecting: false, mode: 'translate', onBoundary: false, lines: 0 }),
       solving: () => true,
+      guide: () => Promise.resolve(null),
     },
   );
   state.open(defaultScene(), { net: { numbering: 1 }, frame: frameAt(0) } as Opened);

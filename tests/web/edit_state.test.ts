@@ -181,3 +181,42 @@ test('with anything wrong in it changes nothing', async () => {
     expect(editor().state()).toEqual(before);
   }
 });
+
+test('has the surface beside the net, which undo, a project and a worker after the first keep', async () => {
+  page = await openPage(watched(first), watched(whole));
+  await page.app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });
+  await page.solve();
+  const { app } = page;
+  const height = () => Math.hypot(...app.opening!.frame.fields.height);
+  expect(height()).toBe(0);
+  const mesh = {
+    positions: Float64Array.of(-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0),
+    faceStart: Int32Array.of(0, 4),
+    faceVertices: Int32Array.of(0, 1, 2, 3),
+  };
+  await app.setGuide({ name: 'floor.obj', mesh });
+  await page.solve();
+  const near = height();
+  expect(near).toBeGreaterThan(0);
+  expect(app.history.names.at(-1)).toBe('Surface floor.obj');
+  await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { guide_mode: 0 } });
+  await app.handles.move([{ vertex: dragged, target: at(dragged, 0.4) }]);
+  await page.solve();
+  expect(height()).toBeGreaterThan(near);
+
+  page.loseWorker();
+  await page.solve();
+  expect(height()).toBeGreaterThan(near);
+  const project = parseProject(projectText(app.project()!));
+  const other = await openPage(first, whole);
+  await other.app.openProject(project);
+  await other.solve();
+  expect(other.app.opening!.document.guide).toEqual({ name: 'floor.obj', mesh });
+  expect(Math.hypot(...other.app.opening!.frame.fields.height)).toBeCloseTo(height(), 5);
+  for (let i = 0; i < 3; i++) {
+    other.app.undo();
+    await other.solve();
+  }
+  expect(other.app.opening!.document).not.toHaveProperty('guide');
+  expect(Math.hypot(...other.app.opening!.frame.fields.height)).toBe(0);
+});

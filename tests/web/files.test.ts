@@ -184,7 +184,7 @@ function makeOpener(
       const closed = new Promise<null>((resolve) => (close = () => resolve(null)));
       return { result: draped(surface, closed), close };
     },
-    open: async (net, handles) => {
+    open: async ({ net, handles }) => {
       opened.push(net);
       held.push(...handles);
     },

@@ -77,16 +77,20 @@ export function projectWithText({ entries, ...rest }: Project): Project {
 
 /** Positions as the numbers they are, all bits of them: JSON has no −0, so this one is a text. */
 function format(value: unknown): string {
-  const replace = (_key: string, each: unknown): unknown =>
-    each instanceof Float64Array ? Array.from(each, (x) => (Object.is(x, -0) ? '-0' : x)) : each;
+  const replace = (_key: string, each: unknown): unknown => {
+    if (each instanceof Int32Array) return Array.from(each);
+    return each instanceof Float64Array ? Array.from(each, (x) => (Object.is(x, -0) ? '-0' : x)) : each;
+  };
   const onOneLine = (list: string): string => list.replaceAll(/\n\s*/g, ' ');
   return `${JSON.stringify(value, replace, 1).replaceAll(/\[[^[\]{}]*\]/g, onOneLine)}\n`;
 }
 
 function parse(text: string): unknown {
-  return JSON.parse(text, (key, each: unknown) =>
-    key === 'positions' && Array.isArray(each) ? Float64Array.from(each, Number) : each,
-  );
+  return JSON.parse(text, (key, each: unknown) => {
+    if (!Array.isArray(each)) return each;
+    if (key === 'faceStart' || key === 'faceVertices') return Int32Array.from(each, Number);
+    return key === 'positions' ? Float64Array.from(each, Number) : each;
+  });
 }
 
 // ---------------------------------------------------------------------------------------------------- what a browser keeps

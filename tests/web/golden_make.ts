@@ -73,7 +73,13 @@ async function dragLast(page: Page, [dx, dy, dz]: [number, number, number]): Pro
 
 /** A change, a method or an option more is a file more. */
 function projects(core: Chebnet): Record<string, (core: Chebnet) => Promise<Project>> {
-  return { lesson, file, [`${names().length}-changes`]: changes, [`${allSettings(core).length}-settings`]: settings };
+  return {
+    lesson,
+    file,
+    guided,
+    [`${names().length}-changes`]: changes,
+    [`${allSettings(core).length}-settings`]: settings,
+  };
 }
 
 /** Of two nets, with two changes undone. */
@@ -106,6 +112,29 @@ async function file(core: Chebnet): Promise<Project> {
   await page.app.openScene(pulled({ ...SMALL, restLengths: 'equal' }, 8, [2, 2, 0.5]).scene);
   await page.solve();
   await dragLast(page, [0.1, -0.1, 0]);
+  return page.app.project()!;
+}
+
+/** Beside a surface that a visitor brought, then beside one of ours, then beside none. */
+async function guided(core: Chebnet): Promise<Project> {
+  const page = await openPage(core);
+  await page.app.openScene(pulled(SMALL, 8, [2, 2, 0.5]).scene);
+  await page.solve();
+  const mesh = {
+    positions: Float64Array.of(-1, -1, 0.1, 4, -1, 0, 4, 4, 0.1 + 0.2, -1, 4, 0),
+    faceStart: Int32Array.of(0, 4),
+    faceVertices: Int32Array.of(0, 1, 2, 3),
+  };
+  await page.app.setGuide({ name: 'scan 面.obj', mesh });
+  await page.solve();
+  await page.app.setGuide({ own: 'hypar' });
+  await page.solve();
+  await page.app.setGuide(undefined);
+  await page.solve();
+  page.app.undo();
+  await page.solve();
+  page.app.undo();
+  await page.solve();
   return page.app.project()!;
 }
 

@@ -48,6 +48,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
   numbering: 0x2fe61a83,
   symmetry: { axis: 'y', through: 'centre' },
   locality: 7.5,
+  guide: { own: 'hypar' },
   method: 'projection',
   initialisation: 'arap:3',
   options: { threshold: 1e-8, max_iterations: 150, adaptive_p: false },
@@ -62,7 +63,9 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
       fold: [0, 30],
       curvature: [-90, 180.5],
       force: [-2, 1.5],
+      height: [-1, 0.25],
     },
+    guideHidden: true,
     showFaces: false,
     upAxis: 'y',
   },
@@ -88,6 +91,10 @@ function seen(change: Partial<ViewState>): GoldenLink {
   return pulled(SMALL, 8, [2, 2, 0.5], { view: { ...DEFAULT_VIEW, ...change } });
 }
 
+function besideHypar(link: GoldenLink): GoldenLink {
+  return { ...link, scene: { ...link.scene, guide: { own: 'hypar' } } };
+}
+
 /** One table for each type that is a choice, with a link for each of its values. */
 const FIELDS: Record<FieldName, GoldenLink> = {
   deviation: seen({ field: 'deviation' }),
@@ -96,6 +103,7 @@ const FIELDS: Record<FieldName, GoldenLink> = {
   fold: seen({ field: 'fold', ends: { fold: [0, 30] } }),
   curvature: seen({ field: 'curvature', ends: { curvature: [-90, 180.5] } }),
   force: seen({ field: 'force', ends: { force: [-2, 1.5] } }),
+  height: besideHypar(seen({ field: 'height', ends: { height: [-1, 0.25] } })),
   longer: seen({ field: 'longer' }),
 };
 const COLOUR_MAPS: Record<ColourMap, GoldenLink> = {
@@ -237,6 +245,8 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   rename: [['rename', { handle: 'crown' }]],
   symmetry: [['symmetry']],
   noSymmetry: [['noSymmetry']],
+  guide: [['guide', 'hypar']],
+  noGuide: [['noGuide']],
   method: [['method', { method: 'li2022' }]],
   initialisation: [['initialisation', { method: 'arap' }]],
   option: [['option', { option: 'p_end' }, '50']],

@@ -55,6 +55,9 @@ test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   ['move', [0, [0, 0, NaN]], 'target[2] must be a number'],
   ['setLocality', ['far'], 'radius must be a number'],
   ['setLocality', [-1], 'radius must be a number above 0'],
+  ['setGuide', [{ own: 5 }], 'surface.own must be a text, not too long'],
+  ['setGuide', [{ vertices: [[0, 0]], faces: [] }], 'surface.vertices[0] must be a point: three numbers'],
+  ['setGuide', [{ vertices: [], faces: [[-1]] }], 'surface.faces[0][0] must be a whole number from 0 to 2147483647'],
   ['setOptions', [null], 'options must be a record with named fields'],
   ['setOptions', [{ method: 5 }], 'options.method must be a text, not too long'],
   ['setOptions', [{ threshold: '1e-8' }], 'options.threshold must be a number'],
@@ -73,6 +76,20 @@ test.each<[call: keyof Scripting, given: unknown[], code: string]>([
   ['open', [{ obj: 'v 0 0 0\nf 1 2 3\n' }], 'index_out_of_range'],
   ['setHandles', [[{ vertex: 1e6 }]], 'index_out_of_range'],
   ['move', [1e6, [0, 0, 0]], 'index_out_of_range'],
+  ['setGuide', [{ own: 'moon' }], 'bad_option'],
+  [
+    'setGuide',
+    [
+      {
+        vertices: [
+          [0, 0, 0],
+          [1, 0, 0],
+        ],
+        faces: [[0, 1, 2]],
+      },
+    ],
+    'index_out_of_range',
+  ],
   ['setOptions', [{ no_such_option: 1 }], 'bad_option'],
 ])('what only the core can judge it refuses: %s(%j)', async (call, given, code) => {
   const { script } = await pageWithDome();

@@ -131,6 +131,15 @@ describe('what is too large', () => {
     expect(linkAdvice(shared)).toMatch(/too large for a link/);
   });
 
+  test('is a surface that a visitor brought: it is left out, and this is said; one of ours is named', () => {
+    const brought = encodeScene({ ...documentAt(null), guide: { name: 'scan.obj', mesh: SQUARE } }, net, 1e-6);
+    expect(decodeScene(brought.hash ?? '')).not.toHaveProperty('guide');
+    expect(linkAdvice(brought)).toMatch(/leaves out the surface/);
+    const ours = encodeScene({ ...documentAt(null), guide: { own: 'shell' } }, net, 1e-6);
+    expect(decodeScene(ours.hash ?? '').guide).toEqual({ own: 'shell' });
+    expect(linkAdvice(ours)).toBeNull();
+  });
+
   test('for some programs is said', () => {
     expect(linkAdvice({ hash: '#'.repeat(LONG_LINK), positions: true })).toBeNull();
     expect(linkAdvice({ hash: '#'.repeat(LONG_LINK + 1), positions: true })).toMatch(/2,001 characters/);

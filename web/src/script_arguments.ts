@@ -17,6 +17,11 @@ export interface ScriptHandle {
   weight?: number;
 }
 
+/** One of our own by its name, or polygons by the numbers of their vertices. */
+export type ScriptSurface =
+  | { own: string }
+  | { vertices: readonly Vec3[]; faces: readonly (readonly number[])[]; name?: string };
+
 /** By the names in core/solve/options.h. */
 export type ScriptOptions = { method?: string; initialisation?: string } & Record<
   string,
@@ -62,6 +67,26 @@ export function readVertex(vertex: Untrusted): number {
 
 export function readLocality(radius: Untrusted): number | null {
   return radius.value === null ? null : radius.positive();
+}
+
+/** Whether there is such a surface, the core says.
+ *  @param most vertices or faces. */
+export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface | null {
+  if (surface.value === null) return null;
+  const own = surface.at('own').maybe(readText);
+  if (own !== undefined) return { own };
+  const name = surface.at('name').maybe(readText);
+  return {
+    vertices: surface
+      .at('vertices')
+      .list(most)
+      .map((each) => each.point()),
+    faces: surface
+      .at('faces')
+      .list(most)
+      .map((face) => face.list().map(readVertex)),
+    ...(name === undefined ? {} : { name }),
+  };
 }
 
 /** Whether there are such, the core says. */

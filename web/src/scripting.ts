@@ -13,11 +13,19 @@
  */
 import type { ChebnetError, Status } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
-import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
+import { type GuideSource, type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
 import { linking } from './projects/linking';
-import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from './script_arguments';
-import type { ScriptHandle, ScriptNet, ScriptOptions } from './script_arguments';
+import {
+  readEvent,
+  readHandles,
+  readLocality,
+  readNet,
+  readOptions,
+  readSurface,
+  readVertex,
+} from './script_arguments';
+import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
 import { Failure } from './failure';
 
 export interface Stats {
@@ -47,6 +55,9 @@ export interface Scripting {
   move(vertex: number, target: Vec3): Promise<void>;
   /** How far from a handle being moved the net moves with it, in edge lengths along the net; null: everywhere. */
   setLocality(radius: number | null): Promise<void>;
+  /** Puts a surface beside the net, one of our own or polygons, or takes it away; what it does the options `guide_mode` and
+   *  `guide_weight` say. */
+  setGuide(surface: ScriptSurface | null): Promise<void>;
   /** Resolves when nothing is under way and the net is settled. */
   settled(): Promise<void>;
   /** Where the vertices stand, 3 numbers each; a copy. */
@@ -97,6 +108,11 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
       await ready;
       app.handles.setLocality(given ?? undefined);
     },
+    setGuide: async (surface) => {
+      const given = readSurface(argument('surface', surface));
+      await ready;
+      await app.setGuide(given === null ? undefined : guideOf(given));
+    },
     settled: async () => {
       await ready;
       await app.settled();
@@ -139,6 +155,19 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight }: Sc
     ...(hidden ? { hidden } : {}),
     ...(weight === undefined ? {} : { weight }),
   };
+}
+
+function guideOf(surface: ScriptSurface): GuideSource {
+  if ('own' in surface) return surface;
+  const { vertices, faces, name = 'surface' } = surface;
+  const faceStart = new Int32Array(faces.length + 1);
+  faces.forEach((face, i) => (faceStart[i + 1] = faceStart[i]! + face.length));
+  const mesh = {
+    positions: Float64Array.from(vertices.flat()),
+    faceStart,
+    faceVertices: Int32Array.from(faces.flat()),
+  };
+  return { name, mesh };
 }
 
 async function setOptions(app: App, given: ScriptOptions): Promise<void> {

@@ -3,8 +3,16 @@
 import type { FlatPattern, FormatInfo, OptionInfo, PatternFault } from '../../../wasm/chebnet';
 import { Comparer } from '../compare/comparer';
 import type { ComparisonRequest, RunPlan, RunRequest } from '../compare/run';
-import { type NamedChange, settingsChange } from '../document/changes';
-import type { ChebnetDocument, HandleData, NetSource, Scene, SolverSettings, ViewState } from '../document/document';
+import { guideTitle, type NamedChange, settingsChange } from '../document/changes';
+import type {
+  ChebnetDocument,
+  GuideSource,
+  HandleData,
+  NetSource,
+  Scene,
+  SolverSettings,
+  ViewState,
+} from '../document/document';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
 import type { HistoryView } from '../document/undo';
@@ -82,6 +90,7 @@ export class App {
       state: this.#state,
       choice: () => this.handles.choice,
       solving: () => this.#client.solving,
+      guide: () => this.#client.guide(),
     });
     this.#opener = this.#createOpener();
     this.#comparer = new Comparer(parts.spawnWorker, (comparison) => this.#presenter.panels.setComparison(comparison));
@@ -240,6 +249,20 @@ export class App {
     this.#state.change(after);
   }
 
+  /** Puts a surface beside the net, or takes it away; the net is solved anew. */
+  async setGuide(guide: GuideSource | undefined): Promise<void> {
+    const before = this.#state.snapshot();
+    if (before === null || before.guide === guide) return;
+    const { guide: _, ...without } = before;
+    try {
+      await this.#opener.restore({ ...without, ...(guide ? { guide } : {}), settled: false });
+    } catch (error) {
+      await this.#opener.restore(before);
+      throw error;
+    }
+    this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
+  }
+
   /** One iteration, then stop. */
   step(): Promise<void> {
     return this.#client.step();
@@ -393,6 +416,7 @@ export class App {
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
       setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
       setView: (change) => this.setView(change),
+      letGoOfGuide: () => this.#attempt(this.setGuide(undefined)),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),

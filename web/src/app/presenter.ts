@@ -1,11 +1,11 @@
 /** Keeps view and panels up to date. All changes within one task are presented once, after it. */
 import { Beside } from '../compare/beside';
 import type { Run } from '../compare/run';
-import type { HandleData, ViewState } from '../document/document';
+import type { ChebnetDocument, GuideSource, HandleData, ViewState } from '../document/document';
 import type { Choice } from '../handles/commands';
 import type { PanelEvents, Panels } from '../panels';
 import type { View, ViewEvents } from '../view/view';
-import type { FrameData } from '../worker/protocol';
+import type { DrawnSurface, FrameData } from '../worker/protocol';
 import type { State } from './state';
 
 /** Factories for the parts of the page. */
@@ -22,6 +22,8 @@ export interface Presented {
   choice(): Choice;
   /** Whether the solver is at work. */
   solving(): boolean;
+  /** What is drawn of the surface beside the net. */
+  guide(): Promise<DrawnSurface | null>;
 }
 
 export class Presenter {
@@ -30,6 +32,7 @@ export class Presenter {
   readonly #beside: Beside;
   readonly #presented: Presented;
   #isScheduled = false;
+  #shownGuide: GuideSource | undefined;
   /** The run whose net the view shows in place of the user's. */
   #shownRun: Run | null = null;
   /** The runs whose nets stand beside it. */
@@ -66,9 +69,22 @@ export class Presenter {
     const { document } = opening;
     const choice = this.#presented.choice();
     this.view.setSymmetry(document.symmetry);
+    this.#presentGuide(document);
     this.view.setHandles(this.#shownHandles(), choice);
     this.panels.setDocument(document, choice);
     this.panels.setHistory(history);
+  }
+
+  #presentGuide({ guide, view }: ChebnetDocument): void {
+    const shown = view.guideHidden ? undefined : guide;
+    if (shown === this.#shownGuide) return;
+    this.#shownGuide = shown;
+    const show = (surface: DrawnSurface | null) => {
+      if (shown === this.#shownGuide) this.view.setGuide(surface);
+    };
+    if (shown === undefined) show(null);
+    // What is lost with the solver is asked for again with the next surface.
+    else this.#presented.guide().then(show, () => show(null));
   }
 
   /** Another net is open; before, the user's own was shown. */

@@ -1,7 +1,7 @@
 /** A net being laid on a surface: the seed is dragged in the picture, the rest is wished for at the side, and the net follows.
  *  Escape or Cancel ends it at any time. */
 import type { Mesh, Point } from '../../../wasm/chebnet';
-import type { ViewState } from '../document/document';
+import type { GuideSource, ViewState } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
 import type {
@@ -56,7 +56,9 @@ export class DrapeDialog implements DraperLike {
   readonly #maker = new DrapeMaker({ begun: () => this.#remesh(), stopped: () => this.#stop() });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
-  /** The name of the surface that is shown. */
+  /** The surface that is shown. */
+  #surface: GuideSource;
+  /** Its name. */
   #name: string;
   /** Where the net is wanted to begin, until another seed is. */
   #seed: Wish['seed'] = [0, 0, 0];
@@ -69,6 +71,7 @@ export class DrapeDialog implements DraperLike {
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
     this.#given = given;
+    this.#surface = given ?? { own: FIRST };
     this.#name = given?.name ?? FIRST;
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'drape-title' }, TEXT.title);
@@ -138,6 +141,7 @@ export class DrapeDialog implements DraperLike {
 
   #open(own: string | null): void {
     const source: SurfaceSource = own === null ? { mesh: this.#given!.mesh } : { own };
+    this.#surface = own === null ? this.#given! : { own };
     this.#name = own ?? this.#given!.name;
     if (this.#isMaking) this.#stop();
     this.#setNet(null);
@@ -249,6 +253,7 @@ export class DrapeDialog implements DraperLike {
     return {
       net: { mesh, name: netName(this.#name) },
       handles: 'places' in this.#shown ? suggestedHandles(this.#shown.places) : [],
+      guide: this.#surface,
     };
   }
 }

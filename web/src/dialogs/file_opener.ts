@@ -1,6 +1,6 @@
 /** Opens nets from files: reads one in a worker, asks the user how to open it, and passes it on. */
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
-import type { HandleSeed, NetSource } from '../document/document';
+import type { GuideSource, HandleSeed, NetSource } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
@@ -48,6 +48,8 @@ export interface DraperLike {
 export interface TakenNet {
   net: NetSource;
   handles: HandleSeed[];
+  /** The surface that it was laid on. */
+  guide?: GuideSource;
 }
 
 export interface OpenerParts {
@@ -55,7 +57,7 @@ export interface OpenerParts {
   createDialog(name: string): FileDialogLike;
   createEqualizer(subject: Subject): EqualizerLike;
   createDraper(surface: { name: string; mesh: Mesh }): DraperLike;
-  open(net: NetSource, handles: HandleSeed[]): Promise<void>;
+  open(taken: TakenNet): Promise<void>;
 }
 
 /** One file at a time: the next one takes the place of one that is still being read or asked about. */
@@ -81,7 +83,7 @@ export class FileOpener {
       const taken = await Promise.race([this.#readAndAsk(reading, file, dialog), dialog.closed]);
       if (taken === null) return;
       dialog.close();
-      await this.#parts.open(taken.net, taken.handles);
+      await this.#parts.open(taken);
     } finally {
       reading.close();
       dialog.close();

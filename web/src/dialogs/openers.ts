@@ -1,7 +1,7 @@
 /** The dialogs that open another net, from a file, by equalising or on a surface. Loaded on demand. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { freshScene } from '../document/defaults';
-import type { HandleSeed, NetSource, Scene } from '../document/document';
+import type { NetSource, Scene } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
 import { DrapeDialog } from './drape_dialog';
@@ -11,6 +11,7 @@ import { FileDialog } from './file_dialog';
 import { createView } from '../view/scene';
 import type { Opening } from '../worker/opening';
 import { FileOpener } from './file_opener';
+import type { TakenNet } from './file_opener';
 
 /** The part of the app that they use. */
 export interface OpenNet {
@@ -35,7 +36,7 @@ export class Openers {
       createDialog: (name) => new FileDialog(root, name),
       createEqualizer: (subject) => this.#createEqualizer(subject),
       createDraper: (surface) => this.#createDraper(surface),
-      open: (net, handles) => this.#open(net, handles),
+      open: (taken) => this.#open(taken),
     });
   }
 
@@ -54,14 +55,19 @@ export class Openers {
   /** On one of our own surfaces. */
   async drapeNet(): Promise<void> {
     const taken = await this.#createDraper(null).result;
-    if (taken !== null) await this.#open(taken.net, taken.handles);
+    if (taken !== null) await this.#open(taken);
   }
 
-  async #open(net: NetSource, handles: HandleSeed[]): Promise<void> {
-    if (handles.length === 0) return this.#app.openNet(net);
+  async #open({ net, handles, guide }: TakenNet): Promise<void> {
+    if (handles.length === 0 && guide === undefined) return this.#app.openNet(net);
     const { document } = this.#app.opening ?? {};
     const { camera: _, ...view } = document?.view ?? freshScene(net).view;
-    await this.#app.openScene({ ...freshScene(net), handles, view: { ...view, camera: null } });
+    await this.#app.openScene({
+      ...freshScene(net),
+      handles,
+      ...(guide && { guide }),
+      view: { ...view, camera: null },
+    });
   }
 
   #createDraper(given: GivenSurface | null): DrapeDialog {

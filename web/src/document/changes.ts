@@ -1,5 +1,5 @@
 /** Changes of a document, as the history names them. */
-import type { HandleData, NetSource, SolverSettings } from './document';
+import type { GuideSource, HandleData, NetSource, SolverSettings } from './document';
 import type { ChangeName, Term } from './naming';
 
 /** A file by its name, a recipe by that of its shape. */
@@ -28,6 +28,11 @@ export interface NamedChange {
   name: ChangeName;
   /** Changes of one key are one entry of the history; null: an entry of its own. */
   key: string | null;
+}
+
+/** Of a surface beside the net. */
+export function guideTitle(guide: GuideSource): Term {
+  return 'own' in guide ? guide.own : guide.name;
 }
 
 /** Another net; or the same shape with other parameters, as a slider gives one after another. */

@@ -30,10 +30,16 @@ export type State<Handle> = Omit<Snapshot, 'net' | 'positions' | 'handles'> & { 
 
 /** @param rest targets that are the rest positions need no place; null: all are written. */
 export function writeState(
-  { net, numbering, positions, handles, ...settings }: Snapshot,
+  { net, numbering, positions, handles, guide, ...settings }: Snapshot,
   rest: Float64Array | null,
 ): object {
-  return { ...settings, numbering: numbering ?? null, handles: handles.map((handle) => writeHandle(handle, rest)) };
+  return {
+    ...settings,
+    // A mesh is not for links; projects have it beside their states.
+    ...(guide && 'own' in guide ? { guide } : {}),
+    numbering: numbering ?? null,
+    handles: handles.map((handle) => writeHandle(handle, rest)),
+  };
 }
 
 /** `[vertex, anchor]`, the target unless the handle is at rest, and what else is said of it, if anything. */
@@ -71,6 +77,7 @@ export function readState(state: Untrusted): State<HandleSeed> {
     ...given({
       symmetry: state.at('symmetry').maybe(readSymmetry),
       locality: state.at('locality').maybe((each) => each.positive()),
+      guide: state.at('guide').maybe((each) => ({ own: each.at('own').text() })),
       experiment: state.at('experiment').maybe((each) => each.text()),
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
     }),
@@ -156,6 +163,7 @@ export function readView(view: Untrusted): Scene['view'] {
     showFaces: view.at('showFaces').flag(),
     ...given({
       ends: view.at('ends').maybe(readEnds),
+      guideHidden: view.at('guideHidden').maybe((each) => each.flag()),
       upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])),
     }),
   };

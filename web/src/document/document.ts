@@ -25,6 +25,15 @@ interface FileTraits {
   restLengths?: RestLengths;
 }
 
+/** A surface beside a net, which draws it as the options `guide_mode` and `guide_weight` say: one of our own by its name,
+ *  or what a visitor brought. */
+export type GuideSource = { own: string } | GuideFile;
+
+export interface GuideFile {
+  name: string;
+  mesh: Mesh;
+}
+
 /** Of a handle, in characters. */
 export const LONGEST_NAME = 40;
 
@@ -81,6 +90,8 @@ export interface ViewState extends Colouring {
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;
+  /** Whether the surface beside the net is not drawn. */
+  guideHidden?: boolean;
 }
 
 /** What a document says that was opened as an experiment. */
@@ -99,6 +110,7 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   symmetry?: Symmetry | undefined;
   /** How far from handles being moved the net moves with them, in edge lengths along it; without one, everywhere. */
   locality?: number | undefined;
+  guide?: GuideSource | undefined;
   view: ViewState;
   /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
   positions: Float64Array | null;
@@ -115,6 +127,7 @@ export interface Scene extends SolverSettings, ExperimentPart {
   handles: HandleSeed[] | 'suggested';
   symmetry?: Symmetry | undefined;
   locality?: number | undefined;
+  guide?: GuideSource | undefined;
   view: ViewState;
   /** null: the rest positions. */
   positions: Float64Array | PackedPositions | null;

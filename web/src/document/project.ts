@@ -7,7 +7,7 @@ import { Failure } from '../failure';
 import { words } from '../language/language';
 import { fromBase64, toBase64 } from './base64';
 import { netAsText, writeState, writeView } from './codec';
-import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
+import type { GuideFile, HandleData, HandleSeed, NetSource, ViewState } from './document';
 import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
@@ -30,7 +30,10 @@ export interface Project {
 }
 
 /** A project as plain data. Its arrays are not copied. */
-type ProjectRecord = { chebnet: number; positions: (Float64Array | string)[] } & Record<string, unknown>;
+type ProjectRecord = { chebnet: number; positions: (Float64Array | string)[]; guides?: GuideFile[] } & Record<
+  string,
+  unknown
+>;
 
 // ------------------------------------------------------------------------------------------------------------- writing
 
@@ -39,11 +42,13 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
   const { entries, present } = cut(project, largest);
   const nets = new Numbered<NetSource>();
   const positions = new Numbered<Float64Array>();
+  const guides = new Numbered<GuideFile>();
   const states = entries.map(({ name, state }) => ({
     ...writeName(name),
     ...writeState(state, null),
     net: nets.numberOf(state.net),
     positions: state.positions && positions.numberOf(state.positions),
+    ...(state.guide && 'mesh' in state.guide ? { guideFile: guides.numberOf(state.guide) } : {}),
   }));
   return {
     chebnet: nets.values.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION,
@@ -52,6 +57,7 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
     states,
     nets: nets.values,
     positions: positions.values,
+    ...(guides.values.length > 0 ? { guides: guides.values } : {}),
   };
 }
 
@@ -59,7 +65,23 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
 export function projectText(project: Project): string {
   const written = writeProject(withTexts(project), LARGEST_STATES);
   const positions = written.positions.map((each) => (typeof each === 'string' ? each : toBase64(bytesOf(each))));
-  return JSON.stringify({ ...written, positions });
+  return JSON.stringify({
+    ...written,
+    positions,
+    ...(written.guides ? { guides: written.guides.map(guideText) } : {}),
+  });
+}
+
+/** Its arrays as base64. */
+function guideText({ name, mesh }: GuideFile): object {
+  return {
+    name,
+    mesh: {
+      positions: toBase64(bytesOf(mesh.positions)),
+      faceStart: toBase64(bytesOf(mesh.faceStart)),
+      faceVertices: toBase64(bytesOf(mesh.faceVertices)),
+    },
+  };
 }
 
 function withTexts(project: Project): Project {
@@ -103,7 +125,7 @@ class Numbered<T> {
   }
 }
 
-function bytesOf({ buffer, byteOffset, byteLength }: Float64Array): Uint8Array {
+function bytesOf({ buffer, byteOffset, byteLength }: Float64Array | Int32Array): Uint8Array {
   return new Uint8Array(buffer, byteOffset, byteLength);
 }
 
@@ -129,9 +151,10 @@ export function readProject(value: unknown): Project {
     .list()
     .map((net) => reader.net(net));
   const positions = project.at('positions').list().map(readPositions);
+  const guides = project.at('guides').maybe((list) => list.list().map(readGuide)) ?? [];
   const states = project.at('states').list();
   if (states.length === 0 || states.length > MOST_STATES) project.at('states').fail(words.fields.states(MOST_STATES));
-  const entries = states.map((state) => readEntry(reader, state, nets, positions));
+  const entries = states.map((state) => readEntry(reader, state, nets, positions, guides));
   return { entries, present: project.at('present').index(entries.length), view: reader.view(project.at('view')) };
 }
 
@@ -148,12 +171,15 @@ function readEntry(
   field: Untrusted,
   nets: readonly NetSource[],
   positions: readonly Float64Array[],
+  guides: readonly GuideFile[],
 ): Entry {
   const net = nets[field.at('net').index(nets.length)]!;
   const place = field.at('positions');
+  const guide = field.at('guideFile').maybe((each) => guides[each.index(guides.length)]);
   const { handles, ...settings } = reader.state(field);
   const state: Snapshot = {
     ...settings,
+    ...(guide ? { guide } : {}),
     handles: handles.map((handle) => withTarget(handle, field.at('handles'))),
     net,
     positions: place.value === null ? null : positions[place.index(positions.length)]!,
@@ -165,16 +191,32 @@ function withTarget({ target, ...handle }: HandleSeed, handles: Untrusted): Hand
   return { ...handle, target: target ?? handles.fail(words.fields.targets) };
 }
 
+/** Whether it is a surface, the core says. */
+function readGuide(guide: Untrusted): GuideFile {
+  const mesh = guide.at('mesh');
+  const ints = (each: Untrusted): Int32Array =>
+    each.value instanceof Int32Array ? each.value : decode(each, (buffer) => new Int32Array(buffer));
+  return {
+    name: guide.at('name').text(),
+    mesh: {
+      positions: readPositions(mesh.at('positions')),
+      faceStart: ints(mesh.at('faceStart')),
+      faceVertices: ints(mesh.at('faceVertices')),
+    },
+  };
+}
+
 function readPositions(field: Untrusted): Float64Array {
-  const positions = field.value instanceof Float64Array ? field.value : decode(field);
+  const positions =
+    field.value instanceof Float64Array ? field.value : decode(field, (buffer) => new Float64Array(buffer));
   if (positions.length % 3 !== 0 || !positions.every(Number.isFinite)) field.fail(words.fields.positions);
   return positions;
 }
 
-function decode(field: Untrusted): Float64Array {
+function decode<T>(field: Untrusted, arrayOf: (buffer: ArrayBufferLike) => T): T {
   const text = field.text();
   try {
-    return new Float64Array(fromBase64(text).buffer);
+    return arrayOf(fromBase64(text).buffer);
   } catch {
     return field.fail(words.fields.positions);
   }

@@ -24,8 +24,9 @@ export const LARGEST_LINK = 64_000;
 /** A link read may inflate to so many bytes, no more. */
 const LARGEST_CONTENT = 8_000_000;
 
-/** A hash, and whether it holds the positions; null: the net is too large for one. */
-export type Shared = { hash: string; positions: boolean } | { hash: null };
+/** A hash, and whether it holds the positions; null: the net is too large for one. `surface` false: that of the document is
+ *  left out, which a visitor brought. */
+export type Shared = { hash: string; positions: boolean; surface?: boolean } | { hash: null };
 
 /**
  * The hash of a scene, `#` and all. Positions at rest need no place; others are left out if the link would be longer
@@ -41,9 +42,10 @@ export function encodeScene(
   const atRest = document.positions === null || document.positions.every((x, i) => x === net.restPositions[i]);
   const packed = atRest || document.positions === null ? null : packPositions(document.positions, net, threshold);
   const whole = toHash(header(document, net, document.settled), packed);
-  if (whole.length <= largest) return { hash: whole, positions: true };
+  const surface = document.guide && 'mesh' in document.guide ? { surface: false } : {};
+  if (whole.length <= largest) return { hash: whole, positions: true, ...surface };
   const small = toHash(header(document, net, false), null);
-  return small.length <= largest ? { hash: small, positions: false } : { hash: null };
+  return small.length <= largest ? { hash: small, positions: false, ...surface } : { hash: null };
 }
 
 /** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */
@@ -62,6 +64,12 @@ export function decodeScene(hash: string): Scene {
 /** What to tell a user about the link just made, or null if there is nothing to tell. */
 export function linkAdvice(shared: Shared): string | null {
   if (shared.hash === null) return words.link.tooLarge;
+  const advice = sizeAdvice(shared);
+  if (shared.surface !== false) return advice;
+  return advice === null ? words.link.withoutSurface : words.core.sentences([words.link.withoutSurface, advice]);
+}
+
+function sizeAdvice(shared: Extract<Shared, { hash: string }>): string | null {
   const size = shared.hash.length.toLocaleString(words.locale);
   if (!shared.positions) return words.link.withoutShape(size);
   if (shared.hash.length > HUGE_LINK) return words.link.huge(size);

@@ -183,14 +183,15 @@ function firstKept(states: readonly (Snapshot | null)[], last: number): number {
 /** Adds up the bytes of states; what they share counts once. */
 export class Measure {
   bytes = 0;
-  readonly #seen = new Set<Float64Array | NetSource | null>([null]);
+  readonly #seen = new Set<object | null>([null]);
 
-  add({ positions, net }: Snapshot): void {
+  add({ positions, net, guide }: Snapshot): void {
     this.#add(positions, positions?.byteLength ?? 0);
     this.#add(net, bytesOf(net));
+    if (guide && 'mesh' in guide) this.#add(guide, bytesOf(guide));
   }
 
-  #add(part: Float64Array | NetSource | null, bytes: number): void {
+  #add(part: object | null, bytes: number): void {
     if (this.#seen.has(part)) return;
     this.#seen.add(part);
     this.bytes += bytes;

@@ -19,7 +19,7 @@ import { onThemeChange, readTheme } from '../view/theme';
 import type { Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
-import { SurfaceShade, turn } from './surface_shade';
+import { SurfaceShade, turn } from '../view/surface_shade';
 
 export interface PictureEvents {
   /** The seed is wanted where a ray from the eye meets the surface. */

@@ -2,7 +2,15 @@
 import { Untrusted } from '../document/untrusted';
 import { codeOf, Failure, messageOf } from '../failure';
 import type { Scripting } from '../scripting';
-import { readEvent, readHandles, readLocality, readNet, readOptions, readVertex } from '../script_arguments';
+import {
+  readEvent,
+  readHandles,
+  readLocality,
+  readNet,
+  readOptions,
+  readSurface,
+  readVertex,
+} from '../script_arguments';
 import type { Answer, CallName, EmbedEvent, HostCall, HostFailure, News } from './protocol';
 
 /** Calls of a host that have no answer yet. */
@@ -10,6 +18,7 @@ const MOST_UNANSWERED = 100;
 const LONGEST_ID = 64;
 const LONGEST_OBJ = 20e6;
 const MOST_HANDLES = 10_000;
+const MOST_OF_SURFACE = 100_000;
 const BAD_ARGUMENTS = 'bad_arguments';
 
 type Post = (message: Answer | News) => void;
@@ -27,6 +36,7 @@ export class Host {
       setHandles: (handles) => script.setHandles(readHandles(handles, MOST_HANDLES)),
       move: (vertex, target) => script.move(readVertex(vertex), target.point()),
       setLocality: (radius) => script.setLocality(readLocality(radius)),
+      setGuide: (surface) => script.setGuide(readSurface(surface, MOST_OF_SURFACE)),
       settled: () => script.settled(),
       positions: () => script.positions(),
       edges: () => script.edges(),

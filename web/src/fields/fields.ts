@@ -124,6 +124,20 @@ export const FIELDS = {
         : words.legend.net(words.legend.range(low.toFixed(2), high.toFixed(2)));
     },
   },
+  /** Of each vertex over the surface beside the net, in edge lengths. */
+  height: {
+    place: 'vertex',
+    ends: 'any',
+    write: (numbers, { fields: { height } }, { restLengths }) => {
+      const length = meanOf(restLengths);
+      for (let vertex = 0; vertex < height.length; vertex++) numbers[vertex] = height[vertex]! / length;
+    },
+    scale: ({ narrow, right, wide }, _, ends = [-0.5, 0.5]) => diverging([narrow, right, wide], 0, ends, ''),
+    summary: (numbers) => {
+      const [low, high] = rangeOf(numbers);
+      return words.legend.net(words.legend.range(low.toFixed(2), high.toFixed(2)));
+    },
+  },
   /** 1 for edges longer than their rest length, 0 for others. */
   longer: {
     place: 'edge',
@@ -189,8 +203,10 @@ export function rangeOf(numbers: Float32Array): [number, number] {
   return [low, high];
 }
 
-function meanOf(numbers: Float32Array): number {
-  return numbers.reduce((sum, each) => sum + each, 0) / numbers.length;
+function meanOf(numbers: Float32Array | Float64Array): number {
+  let sum = 0;
+  for (const each of numbers) sum += each;
+  return sum / numbers.length;
 }
 
 /** The legend's range is wider than the narrow band between the ends. */

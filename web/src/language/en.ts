@@ -69,6 +69,7 @@ export const en = {
     fold: { choice: 'Fold between faces', title: 'Fold: angle between two faces' },
     curvature: { choice: 'Curvature', title: 'Curvature: saddle < 0 < dome' },
     force: { choice: 'Forces in edges', title: 'Force: pushes < 0 < pulls' },
+    height: { choice: 'Distance from the surface', title: 'Above the surface, in edge lengths' },
     longer: { choice: 'Longer than L', title: 'Edges by their length L' },
   },
   legend: {
@@ -179,6 +180,7 @@ export const en = {
     tooLarge: 'This net is too large for a link. Save it as a file instead.',
     withoutShape: (size: string) =>
       `The link leaves out the shape of the moment, which is too large; it will be solved again. It has ${size} characters.`,
+    withoutSurface: 'The link leaves out the surface; a project keeps it.',
     huge: (size: string) =>
       `The link has ${size} characters; many programs cut so long a link. Saving the net as a file is safer.`,
     long: (size: string) => `The link has ${size} characters; some chat programs cut so long a link.`,
@@ -223,6 +225,8 @@ export const en = {
     rename: (who: string) => `Rename ${who}`,
     symmetry: 'Symmetry',
     noSymmetry: 'No symmetry',
+    guide: (surface: string) => `Surface ${surface}`,
+    noGuide: 'No surface',
     method: (name: string) => `Method: ${name}`,
     initialisation: (name: string) => `Start: ${name}`,
     option: (name: string, value: string) => `${name}: ${value}`,

@@ -3,9 +3,12 @@
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import { make, makeSection, makeSelect, setValue } from '../elements/dom';
 import { words } from '../language/language';
+import { lazy } from '../lazy';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { OpenedNet } from '../worker/protocol';
+import type { GuideControls } from './guide_controls';
+import { makeSlider } from './slider';
 
 const METHOD = 'equilibrium';
 const WITHOUT_MATERIAL = 'projection';
@@ -18,6 +21,8 @@ const MATERIALS = {
 } as const;
 type Material = keyof typeof MATERIALS;
 const isMaterial = (name: string): name is Material => name in MATERIALS;
+
+const guideControls = lazy(() => import('./guide_controls'));
 
 /** Degrees in a step of the slider. */
 const DEGREES = 5;
@@ -37,6 +42,8 @@ export class BehaviourPanel implements Panel {
   readonly #about = make('p', { class: 'quiet' });
   readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, () => this.#chooseLimit());
   readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, () => this.#chooseWeight());
+  readonly #guidePlace = make('div', { hidden: true });
+  #guide: GuideControls | null = null;
   readonly #events: PanelEvents;
   #usual: SolverOptions = {};
   #document: ChebnetDocument | null = null;
@@ -59,6 +66,7 @@ export class BehaviourPanel implements Panel {
       this.#about,
       this.#limit.row,
       this.#weight.row,
+      this.#guidePlace,
     );
   }
 
@@ -83,6 +91,24 @@ export class BehaviourPanel implements Panel {
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
     this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#setWeight(this.#weightStep());
+    this.#guidePlace.hidden = document.guide === undefined;
+    if (document.guide) void this.#setGuide();
+  }
+
+  async #setGuide(): Promise<void> {
+    const { GuideControls } = await guideControls();
+    this.#guide ??= this.#createGuide(GuideControls);
+    if (this.#document?.guide) this.#guide.set(this.#document, this.#usual, this.#document.method === METHOD);
+  }
+
+  #createGuide(Controls: typeof GuideControls): GuideControls {
+    const guide = new Controls({
+      setOptions: (change) => this.#set(METHOD, change),
+      setHidden: (guideHidden) => this.#events.setView({ guideHidden }),
+      letGo: () => this.#events.letGoOfGuide(),
+    });
+    this.#guidePlace.append(guide.element);
+    return guide;
   }
 
   #option(name: string): number | boolean | undefined {
@@ -132,17 +158,4 @@ export class BehaviourPanel implements Panel {
     const { initialisation, options } = this.#document;
     this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } });
   }
-}
-
-/** A slider of whole steps with its value in words; `chosen` is called when it is released. */
-function makeSlider(label: string, steps: number, chosen: () => void) {
-  const input = make('input', { type: 'range', min: 0, max: steps, step: 1, value: 0 });
-  const output = make('output');
-  input.addEventListener('change', chosen);
-  const set = (step: number, text: string): void => {
-    if (input.valueAsNumber !== step) input.valueAsNumber = step;
-    output.value = text;
-    input.setAttribute('aria-valuetext', text);
-  };
-  return { row: make('label', { class: 'slider' }, make('span', {}, label), input, output), input, set };
 }

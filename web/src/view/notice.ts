@@ -45,6 +45,7 @@ export function createBlankView(container: HTMLElement): View {
     setNet() {},
     setFrame() {},
     setHandles() {},
+    setGuide() {},
     setSymmetry() {},
     setRegion() {},
     setReach() {},

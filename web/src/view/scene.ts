@@ -4,7 +4,8 @@ import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import { lazy } from '../lazy';
+import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, type Margins, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
@@ -26,6 +27,7 @@ import { ReachSurface } from './reach_surface';
 import { Space } from './space';
 import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
+import type { SurfaceShade } from './surface_shade';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
@@ -37,6 +39,9 @@ type Appearance = Omit<ViewState, 'camera'>;
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 /** The share of its margins that title and tools do cover. */
 const COVERED = 0.6;
+/** Of a surface beside the net: the net is what one looks at. */
+const GUIDE_OPACITY = 0.6;
+const surfaceShade = lazy(() => import('./surface_shade'));
 
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
@@ -77,6 +82,9 @@ class SceneView implements View {
   #appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
   #choice: ViewChoice = { selection: [], mode: 'translate', selecting: false };
   #symmetry: Symmetry | undefined;
+  #guide: DrawnSurface | null = null;
+  #shade: SurfaceShade | null = null;
+  #isDisposed = false;
   #regionShown = false;
   #preview: readonly number[] = [];
   #found: Found | null = null;
@@ -152,6 +160,7 @@ class SceneView implements View {
     this.#faces.setTriangles(net.triangles);
     this.#ground.setNet(this.#netData, this.#faces.object.geometry);
     this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
+    this.setGuide(this.#guide);
     this.setFrame(frame);
     const first = net.suggestedHandles.at(-1);
     this.#direction = directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first));
@@ -184,6 +193,26 @@ class SceneView implements View {
     if (symmetry === this.#symmetry) return;
     this.#symmetry = symmetry;
     if (this.#net && this.#netData) this.#sheet.update(symmetry, this.#net.restPositions, this.#netData.space);
+    this.#requestDraw();
+  }
+
+  setGuide(surface: DrawnSurface | null): void {
+    this.#guide = surface;
+    this.#drawGuide().catch((error: unknown) => this.#events.failed(error));
+  }
+
+  /** What draws it comes when it is first needed. */
+  async #drawGuide(): Promise<void> {
+    if (this.#guide === null && this.#shade === null) return;
+    const { SurfaceShade } = await surfaceShade();
+    if (this.#isDisposed) return;
+    if (this.#shade === null) {
+      this.#shade = new SurfaceShade(GUIDE_OPACITY);
+      this.#shade.setTheme(this.#theme);
+      this.#scene.add(this.#shade.object);
+    }
+    this.#shade.object.visible = this.#guide !== null;
+    if (this.#guide && this.#netData) this.#shade.setSurface(this.#guide, this.#netData.space);
     this.#requestDraw();
   }
 
@@ -263,6 +292,8 @@ class SceneView implements View {
   }
 
   dispose(): void {
+    this.#isDisposed = true;
+    this.#shade?.dispose();
     cancelAnimationFrame(this.#frame);
     this.#resizing.disconnect();
     this.#stopThemes();
@@ -398,6 +429,7 @@ class SceneView implements View {
       this.#reach,
     ])
       part.setTheme(this.#theme);
+    this.#shade?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     this.setAppearance(this.#appearance);
   }

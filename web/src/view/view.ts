@@ -5,7 +5,7 @@ import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/commands';
-import type { FrameData, OpenedNet } from '../worker/protocol';
+import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 
 /** Gestures in the view. */
 export interface ViewEvents {
@@ -57,6 +57,8 @@ export interface View {
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   setFrame(frame: FrameData): void;
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void;
+  /** The surface beside the net, faint, if there is one to be shown. */
+  setGuide(surface: DrawnSurface | null): void;
   /** The plane of symmetry, if there is one. */
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** Shades vertices by how freely they move, 1 … 0; null: nothing. */

@@ -4,7 +4,7 @@ import type { Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/cheb
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
-import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import type { ThumbnailNet } from './thumbnail_net';
 import { Failure, codeOf } from '../failure';
 
@@ -205,6 +205,11 @@ export class Client {
 
   async mobility(radius: number, origins: readonly number[]): Promise<Float32Array> {
     return (await this.#ask({ type: 'mobility', radius, origins: [...origins] }, 'mobility')).mobility;
+  }
+
+  /** What is drawn of the surface beside the net; null: there is none. */
+  async guide(): Promise<DrawnSurface | null> {
+    return (await this.#ask({ type: 'guide' }, 'guide')).surface;
   }
 
   async flatPattern(): Promise<FlatPattern | PatternFault> {

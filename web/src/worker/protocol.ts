@@ -53,6 +53,8 @@ export type Request = { id: number } & (
   | { type: 'reach'; vertices: number[] }
   /** How freely a locality would let each vertex move; see Editor.mobility(). */
   | { type: 'mobility'; radius: number; origins: number[] }
+  /** What is drawn of the surface beside the net. */
+  | { type: 'guide' }
   /** The net laid flat. */
   | { type: 'pattern' }
   /** A small net for the gallery; does not touch the one being edited. */
@@ -88,6 +90,15 @@ export interface OpenedNet {
   triangles: Uint32Array<ArrayBuffer>;
   strips: Uint32Array<ArrayBuffer>;
   handles: Handle[];
+}
+
+/** A surface as it is drawn. */
+export interface DrawnSurface {
+  /** 3 numbers a vertex. */
+  positions: Float64Array;
+  normals: Float64Array;
+  /** 3 vertices each. */
+  triangles: Int32Array;
 }
 
 export interface FrameData {
@@ -126,6 +137,8 @@ export type Response = { id: number } & (
   | { type: 'measured'; measures: Measures }
   | { type: 'reach'; balls: Ball[][] }
   | { type: 'mobility'; mobility: Float32Array }
+  /** null: there is none. */
+  | { type: 'guide'; surface: DrawnSurface | null }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }

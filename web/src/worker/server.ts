@@ -1,13 +1,13 @@
 /** The other side of client.ts, in the worker: answers requests, and solves in slices between them. */
-import type { EditState, Editor, Editors, SolveReport, TraceRow } from '../../../wasm/chebnet';
+import type { EditState, Editor, Editors, SolveReport, Surface, TraceRow } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
-import type { HandleSeed } from '../document/document';
+import type { GuideSource, HandleSeed } from '../document/document';
 import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
-import type { ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
+import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
 
 /** Milliseconds of solving between two checks for messages; at least one iteration. */
@@ -50,6 +50,8 @@ export class Server {
   #source: OpenScene['net'] | null = null;
   /** The last request that touched the net. */
   #touch = 0;
+  /** The last surface beside a net; that of the net before, if this one has none. */
+  #guide: { source: GuideSource; surface: Surface } | null = null;
   #solving = false;
   #sliceWaits = false;
   /** When the present solve began, or sent its last frame. */
@@ -140,6 +142,8 @@ export class Server {
         return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
       case 'mobility':
         return this.#mobility(request);
+      case 'guide':
+        return this.#reply(request, { type: 'guide', surface: this.#guide && drawn(this.#guide.surface) });
       case 'thumbnail':
         return this.#reply(request, { type: 'thumbnail', ...thumbnailOf(this.#core, request.recipe) });
     }
@@ -167,6 +171,7 @@ export class Server {
     try {
       checkNumbering(editor, scene);
       editor.setState(stateOf(scene, editor));
+      this.#setGuide(editor, scene.guide);
     } catch (error) {
       editor.dispose();
       throw error;
@@ -212,8 +217,21 @@ export class Server {
 
   #restore({ scene }: Extract<Request, { type: 'restore' }>): void {
     const editor = this.#net();
+    this.#setGuide(editor, scene.guide);
     editor.setState(stateOf(scene, editor));
     this.#assess();
+  }
+
+  /** The surface beside the net; it is kept open as long as it is the same. */
+  #setGuide(editor: Editor, source: GuideSource | undefined): void {
+    if (source === undefined) editor.setGuide(null);
+    else if (this.#guide !== null && isSameGuide(this.#guide.source, source)) editor.setGuide(this.#guide.surface);
+    else {
+      const surface = 'own' in source ? this.#core.ownSurface(source.own) : this.#core.openSurface(source.mesh);
+      editor.setGuide(surface);
+      this.#guide?.surface.dispose();
+      this.#guide = { source, surface };
+    }
   }
 
   #export(id: number, format: ExportFormat): void {
@@ -420,6 +438,18 @@ function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
 
 function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
   return format === 'csv' ? new TextEncoder().encode(editor.edgeTable()) : editor.toFile(format);
+}
+
+/** Of messages, which copy what they carry. */
+function isSameGuide(a: GuideSource, b: GuideSource): boolean {
+  if ('own' in a || 'own' in b) return 'own' in a && 'own' in b && a.own === b.own;
+  const same = (p: Float64Array | Int32Array, q: Float64Array | Int32Array): boolean =>
+    p.length === q.length && p.every((each, i) => each === q[i]);
+  return same(a.mesh.positions, b.mesh.positions) && same(a.mesh.faceVertices, b.mesh.faceVertices);
+}
+
+function drawn({ positions, normals, triangles }: Surface): DrawnSurface {
+  return { positions, normals, triangles };
 }
 
 /** The editor's state for a scene. */

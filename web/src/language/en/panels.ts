@@ -37,6 +37,16 @@ export const panels = {
     remove: 'Remove',
     removeAt: (vertex: number) => `Remove the handle at vertex ${vertex}`,
   },
+  guide: {
+    title: (surface: string) => `Surface: ${surface}`,
+    mode: 'Keeps the net',
+    modes: ['free', 'near it', 'on it', 'outside of it'],
+    weight: 'How strongly',
+    times: (factor: string) => `× ${factor}`,
+    shown: 'Show the surface',
+    letGo: 'Take the surface away',
+    elsewhere: 'It acts on nets that come to rest; this one keeps its lengths alone.',
+  },
   symmetry: {
     label: 'Symmetry',
     off: 'Off',

@@ -39,6 +39,16 @@ export const panels: Widened<typeof en> = {
     remove: '移除',
     removeAt: (vertex) => `移除顶点 ${vertex} 处的手柄`,
   },
+  guide: {
+    title: (surface) => `曲面：${surface}`,
+    mode: '使网',
+    modes: ['自由', '贴近曲面', '紧贴曲面', '留在曲面外侧'],
+    weight: '强度',
+    times: (factor) => `× ${factor}`,
+    shown: '显示曲面',
+    letGo: '移除曲面',
+    elsewhere: '曲面只作用于趋于静止的网；此网只保持边长。',
+  },
   symmetry: {
     label: '对称',
     off: '关闭',

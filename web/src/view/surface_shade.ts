@@ -2,9 +2,9 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial, Vector3 } from 'three';
 import type { Point } from '../../../wasm/chebnet';
 import { mix } from '../fields/colour_map';
-import type { Space } from '../view/space';
-import type { Theme } from '../view/theme';
-import type { ShownSurface } from './drape_protocol';
+import type { DrawnSurface } from '../worker/protocol';
+import type { Space } from './space';
+import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
 uniform float behind;
@@ -17,17 +17,19 @@ void main() {
 
 const FRAGMENT = /* glsl */ `
 uniform vec3 front, back;
+uniform float opacity;
 in vec3 upright;
 out vec4 colour;
 void main() {
   vec3 normal = normalize(gl_FrontFacing ? upright : -upright);
-  colour = vec4(mix(back, front, 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)))), 1.0);
+  colour = vec4(mix(back, front, 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)))), opacity);
 }`;
 
 export class SurfaceShade {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
 
-  constructor() {
+  /** @param opacity below 1, what is behind shows through. */
+  constructor(opacity = 1) {
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -37,13 +39,20 @@ export class SurfaceShade {
       polygonOffset: true,
       polygonOffsetFactor: 6,
       polygonOffsetUnits: 8,
-      uniforms: { behind: { value: 0 }, front: { value: new Color() }, back: { value: new Color() } },
+      transparent: opacity < 1,
+      depthWrite: opacity === 1,
+      uniforms: {
+        opacity: { value: opacity },
+        behind: { value: 0 },
+        front: { value: new Color() },
+        back: { value: new Color() },
+      },
     });
     this.object = new Mesh(new BufferGeometry(), material);
     this.object.frustumCulled = false;
   }
 
-  setSurface({ positions, normals, triangles }: ShownSurface, space: Space): void {
+  setSurface({ positions, normals, triangles }: DrawnSurface, space: Space): void {
     this.object.geometry.dispose();
     const geometry = new BufferGeometry();
     geometry.setAttribute(
