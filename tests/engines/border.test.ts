@@ -23,8 +23,18 @@ const SAFE = [
     'suggestedHandles',
   ],
   ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
-  ...['reset', 'positions', 'fields', 'bend', 'smallestAngle', 'handleError', 'unreachablePairs'],
-  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest'],
+  ...[
+    'reset',
+    'positions',
+    'fields',
+    'bend',
+    'smallestAngle',
+    'handleError',
+    'unreachablePairs',
+    'releaseHandles',
+    'holdsBack',
+  ],
+  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest', 'guide', 'unguide'],
 ];
 
 const { open } = visitors(() => ROOT);
@@ -73,6 +83,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     reach: () => editor.reach(999_999),
     mobility: () => editor.mobility(1, [999_999]),
     moveHandle: () => editor.moveHandle(999_999, [0, 0, 0]),
+    dragHandle: () => editor.dragHandle(999_999, [0, 0, 0]),
     setState: () => editor.setState({ ...editor.state(), ...spoilt[turn++ % spoilt.length] }),
     flatPattern: () => editor.flatPattern(),
     toObj: () => editor.toObj(),
@@ -86,6 +97,7 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     ownSurface: () => core.ownSurface('nonsense'),
     propose: () => surface.propose({ length: -1 }),
     drape: () => surface.drape({ ...surface.suggest(100), length: -1 }),
+    remesh: () => surface.remesh({ smallestAngle: 9 }),
     measure: () => surface.measure(broken),
   };
   const codes: Record<string, string[]> = {};
@@ -113,6 +125,7 @@ const CODES = {
   reach: ['index_out_of_range'],
   mobility: ['index_out_of_range'],
   moveHandle: ['index_out_of_range'],
+  dragHandle: ['index_out_of_range'],
 };
 const LEFT_OUT = {
   setState: ['bad_option', 'index_out_of_range', 'non_finite', 'left_out'],
@@ -135,6 +148,7 @@ const WHOLE = {
   ownSurface: ['bad_option'],
   propose: ['bad_option'],
   drape: ['bad_option'],
+  remesh: ['bad_option'],
   measure: ['index_out_of_range'],
 };
 
