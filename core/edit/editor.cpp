@@ -432,8 +432,6 @@ Status Editor::begin_solve(Trace& trace) {
     if (!m_prepared) prepare();
     draw_targets_near();
     collect_pulls();
-    m_iterations = 0;
-    m_elapsed_ms = 0;
     load_positions();
     if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
         const double prepared_ms = watch.milliseconds();
@@ -482,12 +480,18 @@ void Editor::refuse_size(const std::string& reason) {
 SolveReport Editor::go_on(const Budget& budget) {
     Stopwatch watch;
     SolveReport report;
-    report.status = m_running ? Status::running : begin_solve(report.trace);
+    bool has_moved = m_running;  // since the method began
+    if (!m_running) {
+        m_iterations = 0;
+        m_elapsed_ms = 0;
+        report.status = begin_solve(report.trace);
+    }
     for (;;) {
         if (report.status != Status::running) {
-            if (m_iterations > 0) store_positions();
+            if (has_moved) store_positions();
             if (!goes_on_otherwise(report.status)) break;
             report.status = begin_solve(report.trace);
+            has_moved = false;
             continue;
         }
         if (m_iterations >= m_options.max_iterations) {
@@ -498,6 +502,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         if (budget_spent && report.iterations > 0) break;
         TraceRow row;
         report.status = iterate(row);
+        has_moved = true;
         row.iteration = ++m_iterations;
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
@@ -589,7 +594,8 @@ bool Editor::are_joined(int a, int b) const {
 double Editor::handle_error() const {
     double largest = 0;
     for (const Handle& handle : m_handles)
-        if (handle.is_exact()) largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
+        if (handle.is_exact() && !is_in_hand(handle.vertex))
+            largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
     return largest;
 }
 

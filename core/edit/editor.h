@@ -140,8 +140,8 @@ public:
     const HandleGraph& handle_graph() const;
     /// V, how freely set_locality() would let each vertex move, 0 … 1; see chebnet::mobility(). Throws as it does.
     Eigen::VectorXf mobility(double radius, std::span<const int> origins) const;
-    /// Largest distance of an exact handle from its target at the present positions: 0 by construction, but for handles
-    /// in hand.
+    /// Largest distance of an exact handle that is not in hand from its target at the present positions: 0 by
+    /// construction.
     double handle_error() const;
 
 private:

@@ -32,7 +32,7 @@ inline double reckoned_deviation(const Net& net, const Positions& positions) {
     return static_cast<double>(largest);
 }
 
-/// Of the state: positions are finite, exact handles stand exactly at their targets.
+/// Of the state: positions are finite, exact handles stand exactly at their targets, those in hand where the net is.
 inline Violations of_state(const Editor& editor) {
     Violations violations;
     const Positions& positions = editor.positions();
@@ -41,7 +41,7 @@ inline Violations of_state(const Editor& editor) {
             violations.push_back("vertex " + std::to_string(v) + " is not finite");
             break;
         }
-    for (const Handle& handle : editor.handles())
+    for (const Handle& handle : editor.standing_handles())
         if (handle.is_exact() && positions.col(handle.vertex) != handle.target)
             violations.push_back("handle " + std::to_string(handle.vertex) + " is not at its target");
     if (editor.handle_error() != 0) violations.push_back("the editor itself finds handles off their targets");
@@ -93,7 +93,7 @@ struct Snapshot {
 
     explicit Snapshot(const Editor& editor)
         : positions(editor.positions()),
-          handles(editor.handles()),
+          handles(editor.standing_handles()),
           method(editor.method()),
           initialisation(editor.initialisation()) {
         for (const OptionInfo& info : option_table()) options.push_back(get_option(editor.options(), info.name));

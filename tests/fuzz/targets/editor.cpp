@@ -73,6 +73,10 @@ private:
                 return attempt("queries", [&] { ask(); });
             case 9:
                 return attempt("move", [&] { m_editor = Editor(std::move(m_editor)); });
+            case 10:
+                return attempt("drag_handle", [&] { drag_any_handle(); });
+            case 11:
+                return attempt("release_handles", [&] { m_editor.release_handles(); });
             default:
                 return solve();
         }
@@ -162,6 +166,11 @@ private:
     void move_any_handle() {
         const int vertex = any_vertex();
         m_editor.move_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)));
+    }
+
+    void drag_any_handle() {
+        const int vertex = any_vertex();
+        m_editor.drag_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)));
     }
 
     void set_any_option() {
