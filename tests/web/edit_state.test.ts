@@ -207,6 +207,11 @@ test('has the surface beside the net, which undo, a project and a worker after t
   page.loseWorker();
   await page.solve();
   expect(height()).toBeGreaterThan(near);
+  await app.putHandlesOnGuide();
+  expect(app.opening!.document.handles.find(({ vertex }) => vertex === dragged)?.target[2]).toBe(0);
+  expect(app.opening!.document.handles.find(({ anchor }) => anchor)?.target[2]).not.toBe(0);
+  app.undo();
+  await page.solve();
   const project = parseProject(projectText(app.project()!));
   const other = await openPage(first, whole);
   await other.app.openProject(project);

@@ -38,6 +38,8 @@ export interface PanelEvents {
   /** As setOptions, and the net comes to rest by them at once. */
   setBehaviour(settings: SolverSettings): void;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
+  /** Move the handles onto the surface beside the net. */
+  putHandlesOnGuide(): void;
   /** Take the surface beside the net away. */
   letGoOfGuide(): void;
   solve(): void;

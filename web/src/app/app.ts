@@ -263,6 +263,13 @@ export class App {
     this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
   }
 
+  /** Moves the handles that are not locked onto the surface beside the net. */
+  async putHandlesOnGuide(): Promise<void> {
+    const handles = this.#state.handles.filter(({ anchor }) => !anchor);
+    const targets = await this.#client.nearest(handles.map(({ target }) => target));
+    await this.handles.move(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
+  }
+
   /** One iteration, then stop. */
   step(): Promise<void> {
     return this.#client.step();
@@ -416,6 +423,7 @@ export class App {
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
       setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
       setView: (change) => this.setView(change),
+      putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),
       letGoOfGuide: () => this.#attempt(this.setGuide(undefined)),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),

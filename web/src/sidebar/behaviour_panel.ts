@@ -105,6 +105,7 @@ export class BehaviourPanel implements Panel {
     const guide = new Controls({
       setOptions: (change) => this.#set(METHOD, change),
       setHidden: (guideHidden) => this.#events.setView({ guideHidden }),
+      putHandlesOn: () => this.#events.putHandlesOnGuide(),
       letGo: () => this.#events.letGoOfGuide(),
     });
     this.#guidePlace.append(guide.element);

@@ -11,6 +11,7 @@ const [STEPS, STEP] = [6, 4];
 export interface GuideEvents {
   setOptions(change: SolverOptions): void;
   setHidden(hidden: boolean): void;
+  putHandlesOn(): void;
   letGo(): void;
 }
 
@@ -37,6 +38,7 @@ export class GuideControls {
       this.#weight.row,
       this.#elsewhere,
       this.#shown.row,
+      makeButton(TEXT.putHandlesOn, () => events.putHandlesOn()),
       makeButton(TEXT.letGo, () => events.letGo()),
     );
   }

@@ -212,6 +212,11 @@ export class Client {
     return (await this.#ask({ type: 'guide' }, 'guide')).surface;
   }
 
+  /** Of each point the nearest one of that surface. */
+  async nearest(points: readonly Vec3[]): Promise<Vec3[]> {
+    return (await this.#ask({ type: 'nearest', points: [...points] }, 'nearest')).points;
+  }
+
   async flatPattern(): Promise<FlatPattern | PatternFault> {
     return (await this.#ask({ type: 'pattern' }, 'pattern')).pattern;
   }

@@ -9,7 +9,7 @@ import type {
   TraceRow,
   UnreachablePair,
 } from '../../../wasm/chebnet';
-import type { Scene, SolverSettings } from '../document/document';
+import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
@@ -55,6 +55,8 @@ export type Request = { id: number } & (
   | { type: 'mobility'; radius: number; origins: number[] }
   /** What is drawn of the surface beside the net. */
   | { type: 'guide' }
+  /** Of each point the nearest one of that surface; without one, the point itself. */
+  | { type: 'nearest'; points: Vec3[] }
   /** The net laid flat. */
   | { type: 'pattern' }
   /** A small net for the gallery; does not touch the one being edited. */
@@ -139,6 +141,7 @@ export type Response = { id: number } & (
   | { type: 'mobility'; mobility: Float32Array }
   /** null: there is none. */
   | { type: 'guide'; surface: DrawnSurface | null }
+  | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   | { type: 'done' }

@@ -142,6 +142,13 @@ export class Server {
         return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
       case 'mobility':
         return this.#mobility(request);
+      case 'nearest': {
+        const surface = this.#guide?.surface;
+        return this.#reply(request, {
+          type: 'nearest',
+          points: request.points.map((point) => surface?.nearest(point).position ?? point),
+        });
+      }
       case 'guide':
         return this.#reply(request, { type: 'guide', surface: this.#guide && drawn(this.#guide.surface) });
       case 'thumbnail':

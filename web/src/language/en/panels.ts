@@ -44,7 +44,8 @@ export const panels = {
     weight: 'How strongly',
     times: (factor: string) => `× ${factor}`,
     shown: 'Show the surface',
-    letGo: 'Take the surface away',
+    putHandlesOn: 'Handles onto it',
+    letGo: 'Take it away',
     elsewhere: 'It acts on nets that come to rest; this one keeps its lengths alone.',
   },
   symmetry: {

@@ -46,6 +46,7 @@ export const panels: Widened<typeof en> = {
     weight: '强度',
     times: (factor) => `× ${factor}`,
     shown: '显示曲面',
+    putHandlesOn: '手柄移到曲面上',
     letGo: '移除曲面',
     elsewhere: '曲面只作用于趋于静止的网；此网只保持边长。',
   },
