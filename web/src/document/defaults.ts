@@ -3,15 +3,18 @@ import type { NetSource, Scene, ViewState } from './document';
 
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
-/** The net at rest, as long as a hand can wait for it; beyond so many vertices, edges that keep their lengths. */
-const [DEFAULT_METHOD, METHOD_OF_LARGE_NETS] = ['equilibrium', 'projection'];
+/** The method that brings a net to rest, as long as a hand can wait for it; beyond so many vertices, edges keep their
+ *  lengths. */
+export const METHOD_AT_REST = 'equilibrium';
+const METHOD_OF_LARGE_NETS = 'projection';
 const MOST_VERTICES_AT_REST = 12_000;
 export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };
 
+/** What a net is solved with unless somebody chooses otherwise. */
 export function usualMethod(net: NetSource): string {
-  return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : DEFAULT_METHOD;
+  return vertexCount(net) > MOST_VERTICES_AT_REST ? METHOD_OF_LARGE_NETS : METHOD_AT_REST;
 }
 
 /** Of a recipe: the vertices asked for. */

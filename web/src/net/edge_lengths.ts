@@ -9,6 +9,9 @@ export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64
   });
 }
 
+/** A net with smaller deviations has its lengths, however its solve ended: ε₃ of Li et al. 2022. */
+export const KEPT_DEVIATION = 1e-6;
+
 /** dL = r + 1/r - 2 of an edge with r = length / rest length, without cancellation; see core/net/measures.h. */
 export function deviation(ratio: number): number {
   return (ratio - 1) * ((ratio - 1) / ratio);

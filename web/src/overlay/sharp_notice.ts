@@ -1,4 +1,5 @@
 /** A net that came with nearly closed quads has been opened: how many, how far it moved, and the way back. */
+import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument } from '../document/document';
 import { longestMove } from '../document/longest_move';
 import { make, makeButton, setText } from '../elements/dom';
@@ -9,7 +10,6 @@ import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import './messages.css';
 
-const METHOD = 'equilibrium';
 const LIMIT = 'shear_limit';
 /** In edge lengths: shorter moves are not seen. */
 const SEEN_MOVE = 0.01;
@@ -54,7 +54,7 @@ export class SharpNotice implements Panel {
   }
 
   setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    if (solving || !this.#isNew || this.#net === null || this.#document?.method !== METHOD) return;
+    if (solving || !this.#isNew || this.#net === null || this.#document?.method !== METHOD_AT_REST) return;
     this.#isNew = false;
     const { info, restPositions } = this.#net;
     const move = longestMove(restPositions, frame.positions) / info.meanLength;

@@ -6,14 +6,13 @@ import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
+import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import './messages.css';
 
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
 const SOFT = 0.01;
-/** A net with smaller deviations has its lengths, however its solve ended: ε₃ of Li et al. 2022. */
-const RIGHT = 1e-6;
 
 export class StuckNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
@@ -63,8 +62,8 @@ export class StuckNotice implements Panel {
 
   setFrame({ status, unreachable, maxDeviation }: FrameData, _framesPerSecond: number, solving: boolean): void {
     if (solving) return;
-    const isStuck = status !== 'running' && !(maxDeviation <= RIGHT);
-    if (maxDeviation <= RIGHT) this.#good = this.#present;
+    const isStuck = status !== 'running' && !(maxDeviation <= KEPT_DEVIATION);
+    if (maxDeviation <= KEPT_DEVIATION) this.#good = this.#present;
     this.#worst = unreachable[0];
     this.#soften.hidden = this.#candidates.length === 0;
     if (isStuck) setText(this.#words, this.#reason());

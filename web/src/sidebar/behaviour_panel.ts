@@ -1,5 +1,6 @@
 /** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, and how narrow its corners may get. In
  *  terms of designers, for options of the method `equilibrium`. */
+import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
 import { make, makeSection, makeSelect, setValue } from '../elements/dom';
 import { words } from '../language/language';
@@ -10,7 +11,6 @@ import type { OpenedNet } from '../worker/protocol';
 import type { GuideControls } from './guide_controls';
 import { makeSlider } from './slider';
 
-const METHOD = 'equilibrium';
 const WITHOUT_MATERIAL = 'projection';
 
 /** Only ratios of bending, shear and weight matter. */
@@ -87,7 +87,7 @@ export class BehaviourPanel implements Panel {
     setValue(this.#choice.select, behaviour);
     this.#choice.select.querySelector<HTMLOptionElement>('[value=own]')!.hidden = behaviour !== 'own';
     this.#about.textContent = words.behaviour.about[behaviour];
-    const isMaterial = document.method === METHOD;
+    const isMaterial = document.method === METHOD_AT_REST;
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
     this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#setWeight(this.#weightStep());
@@ -98,12 +98,12 @@ export class BehaviourPanel implements Panel {
   async #setGuide(): Promise<void> {
     const { GuideControls } = await guideControls();
     this.#guide ??= this.#createGuide(GuideControls);
-    if (this.#document?.guide) this.#guide.set(this.#document, this.#usual, this.#document.method === METHOD);
+    if (this.#document?.guide) this.#guide.set(this.#document, this.#usual, this.#document.method === METHOD_AT_REST);
   }
 
   #createGuide(Controls: typeof GuideControls): GuideControls {
     const guide = new Controls({
-      setOptions: (change) => this.#set(METHOD, change),
+      setOptions: (change) => this.#set(METHOD_AT_REST, change),
       setHidden: (guideHidden) => this.#events.setView({ guideHidden }),
       putHandlesOn: () => this.#events.putHandlesOnGuide(),
       letGo: () => this.#events.letGoOfGuide(),
@@ -117,7 +117,8 @@ export class BehaviourPanel implements Panel {
   }
 
   #behaviour(): Material | 'lengths' | 'own' {
-    if (this.#document?.method !== METHOD) return this.#document?.method === WITHOUT_MATERIAL ? 'lengths' : 'own';
+    if (this.#document?.method !== METHOD_AT_REST)
+      return this.#document?.method === WITHOUT_MATERIAL ? 'lengths' : 'own';
     const fits = (material: Material) =>
       Object.entries(MATERIALS[material]).every(([name, value]) => this.#option(name) === value);
     return (['shape', 'rods', 'cloth'] as const).find(fits) ?? 'own';
@@ -125,19 +126,19 @@ export class BehaviourPanel implements Panel {
 
   #choose(name: string): void {
     if (name === 'lengths') this.#set(WITHOUT_MATERIAL, {});
-    else if (isMaterial(name)) this.#set(METHOD, MATERIALS[name]);
+    else if (isMaterial(name)) this.#set(METHOD_AT_REST, MATERIALS[name]);
   }
 
   #chooseLimit(): void {
     this.#setLimit(this.#limit.input.valueAsNumber);
-    this.#set(METHOD, { shear_limit: DEGREES * this.#limit.input.valueAsNumber });
+    this.#set(METHOD_AT_REST, { shear_limit: DEGREES * this.#limit.input.valueAsNumber });
   }
 
   #chooseWeight(): void {
     const step = this.#weight.input.valueAsNumber;
     this.#setWeight(step);
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
-    this.#set(METHOD, { gravity });
+    this.#set(METHOD_AT_REST, { gravity });
   }
 
   #setLimit(step: number): void {

@@ -1,9 +1,7 @@
 /** How it stands with the solver. */
 import type { Status } from '../../../wasm/chebnet';
+import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { FrameData } from '../worker/protocol';
-
-/** Below it edges count as kept while a net is still on its way to rest. */
-const KEPT_DEVIATION = 1e-6;
 
 type StatusOfFrame = Pick<FrameData, 'status' | 'iterations' | 'maxDeviation' | 'holdsBack'>;
 export type Standing = Status | 'held_back' | 'settling' | 'stopped' | 'unsolved';
