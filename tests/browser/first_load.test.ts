@@ -15,13 +15,19 @@ function compressed(file: string): number {
   return gzipSync(readFileSync(file), { level: 9 }).length;
 }
 
+/** A slow machine may have asked for what comes after the first net before the test asks what came. */
+function beforeLateSections(files: readonly string[]): readonly string[] {
+  const first = files.findIndex((file) => file.includes('late_sections'));
+  return first < 0 ? files : files.slice(0, first);
+}
+
 test.each([
   ['en', 'zh'],
   ['zh-CN', 'en'],
 ])('in %s the first net is dragged after less than 350 kB, without the words of %s', async (locale, other) => {
   const before = served().length;
   const { script } = await arrive('', { locale });
-  const files = served().slice(before);
+  const files = beforeLateSections(served().slice(before));
   const { vertex } = (await script.page.evaluate(() => window.chebnet.handles())).at(-1)!;
   const from = await script.position(vertex);
   await dragBy(script, vertex, [-60, -40]);
