@@ -142,9 +142,10 @@ function whatIs(recipe: string): { vertices: number; meanLength: number; dragged
   return { vertices, meanLength, dragged };
 }
 
-/** A picture with the net on it has been drawn. */
+/** A picture with the net on it has been drawn: in the frame after it came, at the latest. Frames per second do not tell: a
+ *  software renderer takes longer than one. */
 async function drawn() {
-  await visit.page.waitForFunction(() => window.chebnet.stats().framesPerSecond > 0);
+  await visit.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
 async function placeOf(vertex: number): Promise<[number, number, number]> {

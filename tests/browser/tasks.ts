@@ -18,8 +18,13 @@ export async function mainThreadTasks(
   doing: () => Promise<void>,
 ): Promise<{ own: number[]; clock: number[]; unmeasured: number }> {
   await browser.startTracing(undefined, { categories: ['__metadata', 'disabled-by-default-devtools.timeline'] });
-  await doing();
-  const { traceEvents } = JSON.parse(String(await browser.stopTracing())) as { traceEvents: TraceEvent[] };
+  let trace: Buffer;
+  try {
+    await doing();
+  } finally {
+    trace = await browser.stopTracing();
+  }
+  const { traceEvents } = JSON.parse(String(trace)) as { traceEvents: TraceEvent[] };
   const isMain = ({ name, args }: TraceEvent) => name === 'thread_name' && args?.name === 'CrRendererMain';
   const mainThreads = new Set(traceEvents.filter(isMain).map(({ pid, tid }) => `${pid} ${tid}`));
   const tasks = traceEvents.filter(({ name, pid, tid }) => name === 'RunTask' && mainThreads.has(`${pid} ${tid}`));

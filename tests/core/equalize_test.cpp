@@ -314,7 +314,7 @@ TEST_CASE("What cannot be is refused honestly, with the best that was found") {
 }
 
 TEST_CASE("In slices it comes to the same result, and can be left at any of them") {
-    const Net mesh = raw_mesh("steps:vertices=1500", 0.3);
+    const Net mesh = raw_mesh("steps:vertices=400", 0.3);
     Equalizer whole(mesh), sliced(mesh);
     const EqualizeReport at_once = whole.solve();
     EqualizeReport report;
