@@ -89,10 +89,13 @@ test('the first net stays one that could be woven: pushed down, aside and far, a
 });
 
 test('a hand that goes beyond what the net can reach holds it there; the handle comes back to it', async () => {
+  const recipe = 'dome:vertices=500,reach=55';
+  await script.open({ recipe });
+  await script.settled();
   const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
   const rest = await script.positions();
   const edges = await visit.page.evaluate(() => window.chebnet.edges());
-  const length = chebnet.openRecipe(DOME).info.meanLength;
+  const length = chebnet.openRecipe(recipe).info.meanLength;
   const { mouse } = visit.page;
   const { x, y } = await script.screenPosition(vertex);
   await mouse.move(x, y);
