@@ -93,6 +93,7 @@ Editor::Editor(Net net)
       m_positions(m_net->rest_positions()),
       m_last_net(m_positions),
       m_handle_at(static_cast<std::size_t>(m_net->vertex_count()), -1),
+      m_is_in_hand(static_cast<std::size_t>(m_net->vertex_count()), false),
       m_method_name(k_default_method),
       m_method(make_method(k_default_method)) {}
 
@@ -124,8 +125,9 @@ void Editor::drag_handle(int vertex, const Eigen::Vector3d& target) {
     if (!m_method->goes_from_net_to_net()) return move_handle(vertex, target);
     if (m_is_released) let_go();
     Handle& handle = m_handles[place];
-    if (handle.is_exact() && !is_in_hand(vertex)) {
+    if (handle.is_exact() && !m_is_in_hand[vertex]) {
         m_in_hand.push_back(vertex);
+        m_is_in_hand[vertex] = true;
         if (m_holds_back) m_prepared = false;
     }
     move(handle, target);
@@ -143,23 +145,24 @@ std::vector<Handle> Editor::standing_handles() const {
 /// Those that are still on their way, or held back, stay where they are.
 void Editor::let_go() {
     m_handles = standing_handles();
+    empty_hand();
+}
+
+void Editor::empty_hand() {
+    for (int vertex : m_in_hand) m_is_in_hand[vertex] = false;
     m_in_hand.clear();
     hold_back(false);
     m_is_released = false;
 }
 
-bool Editor::is_in_hand(int vertex) const {
-    return std::find(m_in_hand.begin(), m_in_hand.end(), vertex) != m_in_hand.end();
-}
-
 /// Held at its target by the method, rather than pulled there.
 bool Editor::is_held(const Handle& handle) const {
-    return handle.is_exact() && !(m_holds_back && is_in_hand(handle.vertex));
+    return handle.is_exact() && !(m_holds_back && m_is_in_hand[handle.vertex]);
 }
 
 void Editor::snap_held(Positions& positions) const {
     for (const Handle& handle : m_handles)
-        if (handle.is_exact() && !is_in_hand(handle.vertex)) positions.col(handle.vertex) = handle.target;
+        if (handle.is_exact() && !m_is_in_hand[handle.vertex]) positions.col(handle.vertex) = handle.target;
 }
 
 void Editor::hold_back(bool on) {
@@ -182,9 +185,7 @@ bool Editor::is_nearly_there() const {
 bool Editor::goes_on_otherwise(Status status) {
     if (m_in_hand.empty()) return false;
     if (status == Status::unreachable && m_holds_back) {
-        m_in_hand.clear();
-        m_is_released = false;
-        hold_back(false);
+        empty_hand();
         return true;
     }
     if (status == Status::unreachable) {
@@ -594,7 +595,7 @@ bool Editor::are_joined(int a, int b) const {
 double Editor::handle_error() const {
     double largest = 0;
     for (const Handle& handle : m_handles)
-        if (handle.is_exact() && !is_in_hand(handle.vertex))
+        if (handle.is_exact() && !m_is_in_hand[handle.vertex])
             largest = std::max(largest, (m_positions.col(handle.vertex) - handle.target).norm());
     return largest;
 }

@@ -152,13 +152,13 @@ private:
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
     void move(Handle& handle, const Eigen::Vector3d& target);
     std::vector<int> fixed_vertices() const;
-    bool is_in_hand(int vertex) const;
     bool is_held(const Handle& handle) const;
     Problem problem() const;
     void snap_held(Positions& positions) const;
     bool is_nearly_there() const;
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
+    void empty_hand();
     void let_go();
     void collect_pulls();
     void prepare();
@@ -185,6 +185,7 @@ private:
     mutable std::optional<HandleGraph> m_handle_graph;  // made when needed
     std::optional<Region> m_region;                     // none: everything may move
     std::vector<int> m_in_hand;                         // exact handles, by vertex
+    std::vector<bool> m_is_in_hand;                     // V
     bool m_holds_back = false;                          // those in hand are pulled, not held
     bool m_was_nearly_there = false;                    // and holding them has been tried again
     bool m_is_released = false;                         // in hand until the solve ends

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -92,8 +93,10 @@ void Net::choose_rest_lengths(RestLengths choice) {
     m_rest_lengths.resize(edge_count());
     for (int e = 0; e < edge_count(); ++e) {
         const int a = m_edges(0, e), b = m_edges(1, e);
-        m_rest_lengths[e] = (m_rest_positions.col(a) - m_rest_positions.col(b)).norm();
-        if (m_rest_lengths[e] > 0) continue;
+        const double square = (m_rest_positions.col(a) - m_rest_positions.col(b)).squaredNorm();
+        m_rest_lengths[e] = std::sqrt(square);
+        // A square that underflows has lost digits.
+        if (square >= std::numeric_limits<double>::min()) continue;
         if (m_rest_positions.col(a) != m_rest_positions.col(b))
             throw Error(ErrorCode::bad_scale, edge_name(a, b) + " is too short to be measured");
         throw Error(ErrorCode::zero_length_edge, edge_name(a, b) + " has length zero");

@@ -81,6 +81,20 @@ async function drag(from: { x: number; y: number }, dx: number, dy: number) {
   await mouse.up();
 }
 
+/** Opens what the dialog shows, in place of a net of so many vertices: its edges all have one length. */
+async function openExactNet(before: number) {
+  await press('Open this net');
+  await draper().waitFor({ state: 'detached' });
+  await expect.poll(async () => (await script.stats()).vertices).not.toBe(before);
+  await script.settled();
+  const edges = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
+  const positions = await script.positions();
+  const [a, b] = [positions.subarray(3 * edges[0]!), positions.subarray(3 * edges[1]!)];
+  const length = distance(a.subarray(0, 3), b.subarray(0, 3));
+  expect(largestDeviation(positions, edges, length)).toBeLessThan(1e-9);
+  return { edges, positions, length };
+}
+
 /** 40 pixels to the right or to the left, so that a drag stays on the surface. */
 async function towardsMiddle({ x }: { x: number }) {
   const { x: left, width } = (await draper().locator('.picture canvas').boundingBox())!;
@@ -121,15 +135,7 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   await measured();
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-turned.png') });
 
-  await press('Open this net');
-  await draper().waitFor({ state: 'detached' });
-  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
-  await script.settled();
-  const edges = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
-  const positions = await script.positions();
-  const end = (edge: number, k: 0 | 1) => positions.subarray(3 * edges[2 * edge + k]!, 3 * edges[2 * edge + k]! + 3);
-  const length = distance(end(0, 0), end(0, 1));
-  expect(largestDeviation(positions, edges, length)).toBeLessThan(1e-9);
+  const { edges, positions, length } = await openExactNet(first);
 
   const handles = await visit.page.evaluate(() => window.chebnet.handles());
   expect(handles.map(({ anchor }) => anchor)).toEqual([true, true, true, false]);
@@ -250,12 +256,5 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 
-  await press('Open this net');
-  await draper().waitFor({ state: 'detached' });
-  await expect.poll(async () => (await script.stats()).vertices).not.toBe(first);
-  await script.settled();
-  const edges = Int32Array.from(await visit.page.evaluate(() => Array.from(window.chebnet.edges())));
-  const positions = await script.positions();
-  const [a, b] = [positions.subarray(3 * edges[0]!), positions.subarray(3 * edges[1]!)];
-  expect(largestDeviation(positions, edges, distance(a.subarray(0, 3), b.subarray(0, 3)))).toBeLessThan(1e-9);
+  await openExactNet(first);
 });

@@ -1,5 +1,6 @@
 // Runs the targets, two at a time, and prints what each has done. Started by tests/fuzz/run.
 import { spawn } from 'node:child_process';
+import { randomInt } from 'node:crypto';
 import { createWriteStream, existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
@@ -27,7 +28,7 @@ function lastNumber(text, pattern) {
 
 /** A target in C++, driven by libFuzzer. */
 function coreTarget(name) {
-  return async (seconds) => {
+  return async (seconds, seed) => {
     const folder = join(kept, name);
     const corpus = join(folder, 'corpus');
     mkdirSync(corpus, { recursive: true });
@@ -40,6 +41,7 @@ function coreTarget(name) {
         join(here, 'corpus', name),
         ...(existsSync(dictionary) ? [`-dict=${dictionary}`] : []),
         `-max_total_time=${seconds}`,
+        `-seed=${seed}`,
         // An input that takes longer, or more memory, counts as one that breaks something.
         '-timeout=20',
         '-rss_limit_mb=2048',
@@ -63,13 +65,13 @@ function coreTarget(name) {
 
 /** A target in TypeScript, driven by fast-check within a test. */
 function pageTarget(name) {
-  return async (seconds) => {
+  return async (seconds, seed) => {
     const folder = join(kept, name);
     mkdirSync(folder, { recursive: true });
     const log = join(folder, 'log.txt');
     const code = await run('npx', ['vitest', 'run', '--project', 'fuzz', `${name}.test.ts`], log, {
       cwd: 'web',
-      env: { ...process.env, CHEBNET_FUZZ_SECONDS: String(seconds) },
+      env: { ...process.env, CHEBNET_FUZZ_SECONDS: String(seconds), CHEBNET_SEED: String(seed) },
     });
     const counts = [...readFileSync(log, 'utf8').matchAll(/executions: (\d+)/g)];
     return {
@@ -100,14 +102,23 @@ function fail(message) {
 function readArguments(targets) {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { seconds: { type: 'string' }, minutes: { type: 'string' }, 'one-at-a-time': { type: 'boolean' } },
+    options: {
+      seconds: { type: 'string' },
+      minutes: { type: 'string' },
+      seed: { type: 'string' },
+      'one-at-a-time': { type: 'boolean' },
+    },
   });
   const seconds = values.minutes === undefined ? Number(values.seconds ?? 10) : 60 * Number(values.minutes);
   if (!(seconds >= 1)) fail('the time is a number of at least one second');
+  // libFuzzer takes 0 for none.
+  const seed = Number(values.seed ?? randomInt(1, 2 ** 31));
+  if (!Number.isInteger(seed) || seed < 1 || seed >= 2 ** 31) fail('the seed is a whole number from 1 to 2147483647');
   const unknown = positionals.find((name) => !targets.has(name));
   if (unknown !== undefined) fail(`there is no target ${unknown}; known are ${[...targets.keys()].join(', ')}`);
   return {
     seconds: Math.round(seconds),
+    seed,
     names: positionals.length > 0 ? positionals : [...targets.keys()],
     lanes: values['one-at-a-time'] ? 1 : 2,
   };
@@ -119,13 +130,14 @@ const row = (cells) =>
 
 async function main() {
   const targets = findTargets();
-  const { seconds, names, lanes } = readArguments(targets);
+  const { seconds, seed, names, lanes } = readArguments(targets);
   const waiting = [...names];
   const failures = [];
+  console.log(`seed ${seed}`);
   console.log(row(['target', 'executions', 'coverage', 'features', 'found']));
   const work = async () => {
     for (let name = waiting.shift(); name !== undefined; name = waiting.shift()) {
-      const { executions, coverage, features, failed, log } = await targets.get(name)(seconds);
+      const { executions, coverage, features, failed, log } = await targets.get(name)(seconds, seed);
       console.log(row([name, executions, coverage, features, failed ? 'a fault' : 'nothing']));
       if (failed) failures.push({ name, log });
     }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
@@ -52,10 +53,13 @@ inline Violations of_state(const Editor& editor) {
 inline Violations of_solve(const Editor& editor, const SolveReport& report, const Budget& budget,
                            const Positions& before) {
     Violations violations = of_state(editor);
-    const auto require = [&violations](bool holds, const char* otherwise) {
-        if (!holds) violations.push_back(otherwise);
-    };
     const double reckoned = reckoned_deviation(editor.net(), editor.positions());
+    const auto require = [&](bool holds, const char* otherwise) {
+        if (holds) return;
+        char numbers[80];
+        std::snprintf(numbers, sizeof numbers, " (dL %.3g, reported %.3g)", reckoned, report.max_deviation);
+        violations.push_back(std::string(otherwise) + numbers);
+    };
     // An edge so far off that the square of its length is no number may be reported as infinitely so.
     const auto is_lost = [](double dL) { return dL > 1e100; };
     // Lengths in double precision are known to some 1e-16 of themselves, so that a dL above 1e-30 keeps three digits

@@ -223,7 +223,8 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
     m_max_deviation = max_deviation(*m_net, positions);
-    if (m_reachable && same_energy && !m_pulls_moved && m_result == positions && is_at_rest()) return Status::converged;
+    const bool is_where_left = m_result.cols() > 0 && m_result == positions;
+    if (m_reachable && same_energy && !m_pulls_moved && is_where_left && is_at_rest()) return Status::converged;
     if (m_reachable && (m_opening || (m_rest_shape.cols() == 0 && begin_opening()))) {
         m_stage = open;
         return Status::running;

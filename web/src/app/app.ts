@@ -267,7 +267,7 @@ export class App {
   async putHandlesOnGuide(): Promise<void> {
     const handles = this.#state.handles.filter(({ anchor }) => !anchor);
     const targets = await this.#client.nearest(handles.map(({ target }) => target));
-    await this.handles.move(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
+    await this.handles.moveByHand(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
   }
 
   /** One iteration, then stop. */

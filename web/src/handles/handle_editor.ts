@@ -227,7 +227,7 @@ export class HandleEditor implements HandleCommands {
   // ---------------------------------------------------------------------------------------------------- where they are
 
   place(vertex: number, target: Vec3): void {
-    this.#host.attempt(this.#moveByHand([{ vertex, target }]));
+    this.#host.attempt(this.moveByHand([{ vertex, target }]));
   }
 
   /** Moves, turns or scales the selection about its centre. */
@@ -238,7 +238,7 @@ export class HandleEditor implements HandleCommands {
       motion,
     );
     if (moving.length > 0)
-      this.#host.attempt(this.#moveByHand(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
+      this.#host.attempt(this.moveByHand(moving.map(({ vertex }, i) => ({ vertex, target: targets[i]! }))));
   }
 
   /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */
@@ -252,8 +252,8 @@ export class HandleEditor implements HandleCommands {
     this.#host.change({ handles: this.#withTargets(both) });
   }
 
-  /** As far as the net goes, if drags are kept within reach. */
-  #moveByHand(targets: readonly Handle[]): Promise<void> {
+  /** Likewise, as far as the net goes if drags are kept within reach. */
+  moveByHand(targets: readonly Handle[]): Promise<void> {
     return this.move(targets, null, this.#guide.keepsWithin);
   }
 
