@@ -150,6 +150,7 @@ test('the link comes as a QR code, and as a frame for another page', async () =>
   await visit.page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'detached' });
 
+  await visit.page.evaluate(() => window.chebnet.setOptions({ method: 'projection' }));
   const [x, y, z] = await visit.script.position(0);
   await visit.script.move(0, [x, y, z - 5]);
   await visit.script.settled();

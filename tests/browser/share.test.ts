@@ -1,45 +1,69 @@
 /** Links: what one visitor copies, another one sees. */
+import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { hashWithZeros } from '../web/hash_with_zeros';
 import { distance, dragBy } from './geometry';
 import type { Visit } from './page';
-import { visits } from './page';
+import { OUTPUT, visits } from './page';
 
 const { address, arrive } = visits();
 
-test('a copied link shows the same scene', async () => {
+/** Opens "Share", waits until the link is copied, and returns it. */
+async function copied({ page }: Visit): Promise<string> {
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  await page.getByRole('dialog', { name: 'Share' }).getByText('The link is copied.').waitFor();
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+/** Largest distance between the places of a vertex. */
+function farthest(a: Float64Array, b: Float64Array): number {
+  expect(a).toHaveLength(b.length);
+  const places = Array.from({ length: a.length / 3 }, (_, v) => 3 * v);
+  return Math.max(...places.map((at) => distance(a.subarray(at, at + 3), b.subarray(at, at + 3))));
+}
+
+test('a copied link is short, and shows the same scene; at choice it has all positions', async () => {
   const recipe = 'vault:vertices=1000';
   const reference = (await load()).openRecipe(recipe);
   const dragged = reference.suggestedHandles.at(-1)!;
-  const { meanLength, vertices } = reference.info;
-
+  const { meanLength } = reference.info;
   const sender = await arrive();
   await sender.script.open({ recipe });
   await dragBy(sender.script, dragged, [-60, -40]);
   await sender.script.settled();
-  await sender.page
-    .getByRole('button', { name: /copy link|share/i })
-    .first()
-    .click();
-  await sender.page.waitForTimeout(500);
-  const link = await sender.page.evaluate(() => navigator.clipboard.readText());
-  console.log(`link of ${link.length} characters`);
-  expect(link.startsWith(`${address()}#`)).toBe(true);
-  expect(link.length).toBeLessThan(8000);
+  const sent = await sender.script.positions();
+  const short = await copied(sender);
+  await sender.page.screenshot({ path: join(OUTPUT, 'share-short.png') });
+  await sender.page.getByRole('radio', { name: /^Exactly these positions/ }).click();
+  await expect.poll(() => sender.page.evaluate(() => navigator.clipboard.readText())).not.toBe(short);
+  const exact = await sender.page.evaluate(() => navigator.clipboard.readText());
+  console.log(`links of ${short.length} and ${exact.length} characters`);
+  expect(short.length).toBeLessThan(500);
+  expect(exact.length).toBeLessThan(8000);
 
-  const receiver = await arrive(link);
-  await receiver.script.settled();
-  const [sent, received] = [await sender.script.positions(), await receiver.script.positions()];
-  expect(received).toHaveLength(3 * vertices);
-  const errors = Array.from({ length: vertices }, (_, v) =>
-    distance(sent.subarray(3 * v, 3 * v + 3), received.subarray(3 * v, 3 * v + 3)),
-  );
-  expect(Math.max(...errors)).toBeLessThan(1e-4 * meanLength);
-  expect((await receiver.script.stats()).handles).toBe((await sender.script.stats()).handles);
-  const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
-  expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
+  for (const link of [short, exact]) {
+    expect(link.startsWith(`${address()}#`)).toBe(true);
+    const receiver = await arrive(link);
+    await receiver.script.settled();
+    expect(farthest(await receiver.script.positions(), sent)).toBeLessThan(1e-4 * meanLength);
+    expect((await receiver.script.stats()).handles).toBe((await sender.script.stats()).handles);
+    const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
+    expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
+  }
+});
+
+test('where solving again would give another shape, the link has the positions', async () => {
+  const sender = await arrive();
+  await sender.script.open({ recipe: 'dome:vertices=300' });
+  await sender.page.evaluate(() => window.chebnet.setOptions({ method: 'projection' }));
+  const { vertex, target } = (await sender.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await sender.script.move(vertex, [target[0], target[1], target[2] + 1]);
+  await sender.script.settled();
+  const receiver = await arrive(await copied(sender));
+  expect(await sender.page.getByRole('radio').count()).toBe(0);
+  expect(farthest(await receiver.script.positions(), await sender.script.positions())).toBeLessThan(1e-4);
 });
 
 test('ends of colours set by hand come with the link, each field with its own; a click leads back to those of the map', async () => {

@@ -1,7 +1,6 @@
 /** Entry point: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app/app';
 import type { AppServices } from './app/app';
-import { copyText } from './files/clipboard';
 import { download } from './files/download';
 import { fileNameOf } from './document/file_name';
 import type { SaveRequest } from './export/kinds';
@@ -15,7 +14,6 @@ import { keepOffline } from './offline/offline';
 import { RecordingNotice } from './overlay/recording_notice';
 import { createPanels } from './sidebar/sidebar';
 import { lazy } from './lazy';
-import { linking } from './projects/linking';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
 import type { Scripting } from './scripting';
@@ -61,7 +59,7 @@ const projects = new Projects(app, !embedded);
 const openers = lazy(async () => new (await import('./dialogs/openers')).Openers(app, element('panels')));
 const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(app));
 const saving = lazy(() => import('./export/save'));
-const shareDialog = lazy(() => import('./dialogs/share_dialog'));
+const sharing = lazy(() => import('./projects/sharing'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
 const handleRow = lazy(() => import('./sidebar/handle_row'));
 const embedding = lazy(() => import('./embed/embed'));
@@ -119,31 +117,7 @@ async function followLink(): Promise<void> {
 
 async function share(): Promise<void> {
   followed('share');
-  const { hashOf, linkAdvice } = await linking();
-  const shared = hashOf(app);
-  const advice = linkAdvice(shared) ?? '';
-  if (shared.hash === null) return app.say(advice);
-  const link = linkOf(shared.hash);
-  const { ShareDialog } = await shareDialog();
-  new ShareDialog(element('panels'), {
-    linkWithin: (characters) => {
-      const short = hashOf(app, characters - linkOf('').length);
-      return short.hash === null ? null : { link: linkOf(short.hash), positions: short.positions };
-    },
-    embedded: linkOf(shared.hash, '?embed'),
-    copyLink: () => copyLink(link, advice),
-  });
-}
-
-function linkOf(hash: string, query = ''): string {
-  return new URL(`${location.pathname}${query}${hash}`, location.href).href;
-}
-
-/** Resolves with a message about the result. */
-async function copyLink(link: string, advice: string): Promise<string> {
-  if (await copyText(link)) return words.link.copied(advice);
-  history.replaceState(null, '', link);
-  return words.link.inAddressBar(advice);
+  (await sharing()).share(app, element('panels'), spawnSolver);
 }
 
 /** A hint is not needed any more. */

@@ -1,6 +1,6 @@
-/** The link that was just copied: to copy again, as a QR code, or as code for a page. */
+/** The link that was just copied: to copy again, with or without the positions, as a QR code, or as code for a page. */
 import { frameCode } from '../export/frame_code';
-import type { QrCode } from '../export/qr_code';
+import { qrCode, type QrCode } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
@@ -8,36 +8,43 @@ import { make, makeButton, makeSvg, setText } from '../elements/dom';
 import './dialog.css';
 import './share_dialog.css';
 
-export interface ShareParts {
-  /** For a QR code: the link in so many characters, without the positions if need be; null: it takes more. */
-  linkWithin(characters: number): { link: string; positions: boolean } | null;
+export interface ShareLink {
+  /** `solved`: without positions, for which whoever opens it solves; they come out the same. */
+  kind: 'solved' | 'exact';
+  link: string;
   /** The same for a frame in another page. */
   embedded: string;
-  /** Copies the link and says how that went. */
-  copyLink(): Promise<string>;
+  /** What to tell the user about it, if anything. */
+  advice: string;
+  /** For a QR code: the link, without the positions if need be; null: it is too long. */
+  code: { link: string; positions: boolean } | null;
+}
+
+export interface ShareParts {
+  /** To choose from; the first is copied. */
+  links: Promise<ShareLink[]>;
+  /** Copies a link and says how that went. */
+  copyLink(link: ShareLink): Promise<string>;
 }
 
 export class ShareDialog {
   readonly #dialog: HTMLDialogElement;
-  readonly #said = make('p', { role: 'status' });
+  readonly #said = make('p', { role: 'status' }, panelWords.share.making);
+  readonly #choice = make('fieldset', { class: 'lengths', hidden: true }, make('legend', {}, panelWords.share.choice));
   readonly #code = make('figure', { class: 'qr' });
+  readonly #snippet = make('textarea', {
+    readonly: true,
+    rows: 3,
+    'aria-label': panelWords.share.embed,
+    spellcheck: 'false',
+  });
+  readonly #copyLink: ShareParts['copyLink'];
+  #chosen: ShareLink | null = null;
 
-  constructor(root: HTMLElement, parts: ShareParts) {
-    const { linkWithin, embedded, copyLink } = parts;
+  constructor(root: HTMLElement, { links, copyLink }: ShareParts) {
+    this.#copyLink = copyLink;
     const heading = make('h2', { id: 'share-title' }, words.toolbar.link.label);
-    const copy = async (): Promise<void> => setText(this.#said, await copyLink());
-    const snippet = make(
-      'textarea',
-      { readonly: true, rows: 3, 'aria-label': panelWords.share.embed, spellcheck: 'false' },
-      frameCode(embedded),
-    );
-    snippet.addEventListener('focus', () => snippet.select());
-    const copySnippet = async (): Promise<void> => {
-      setText(
-        this.#said,
-        (await copyText(snippet.value)) ? panelWords.share.embedCopied : panelWords.share.clipboardClosed,
-      );
-    };
+    this.#snippet.addEventListener('focus', () => this.#snippet.select());
     this.#dialog = make(
       'dialog',
       { class: 'file share', 'aria-labelledby': heading.id },
@@ -45,20 +52,21 @@ export class ShareDialog {
       make(
         'div',
         { class: 'body' },
+        this.#choice,
         this.#said,
         this.#code,
         make(
           'div',
           { class: 'embed' },
           make('h3', {}, panelWords.share.embed),
-          makeButton(panelWords.share.copyEmbed, copySnippet),
+          makeButton(panelWords.share.copyEmbed, () => void this.#copySnippet()),
         ),
-        snippet,
+        this.#snippet,
       ),
       make(
         'div',
         { class: 'buttons' },
-        makeButton(panelWords.share.copy, copy, { class: 'primary', autofocus: true }),
+        makeButton(panelWords.share.copy, () => void this.#copy(), { class: 'primary', autofocus: true }),
         makeButton(panelWords.share.close, () => this.#dialog.close()),
       ),
     );
@@ -67,16 +75,44 @@ export class ShareDialog {
     this.#dialog.addEventListener('close', () => this.#dialog.remove());
     root.append(this.#dialog);
     this.#dialog.showModal();
-    void copy();
-    void this.#showCode(linkWithin);
+    void links.then((all) => this.#offer(all));
   }
 
-  async #showCode(linkWithin: ShareParts['linkWithin']): Promise<void> {
-    const { qrCode, QR_CAPACITY } = await import('../export/qr_code');
-    const short = linkWithin(QR_CAPACITY);
-    if (short) this.#code.append(drawn(qrCode(short.link)));
-    if (!short?.positions)
-      this.#code.append(make('figcaption', {}, short ? panelWords.share.qrWithoutShape : panelWords.share.qrTooLong));
+  #offer(links: ShareLink[]): void {
+    const chosen = links[0]!;
+    this.#choice.append(...links.map((link) => this.#option(link, link === chosen)));
+    this.#choice.hidden = links.length < 2;
+    this.#choose(chosen);
+  }
+
+  #option(link: ShareLink, isChosen: boolean): HTMLElement {
+    const radio = make('input', { type: 'radio', name: 'share-link', checked: isChosen });
+    radio.addEventListener('change', () => this.#choose(link));
+    const { label, about } = panelWords.share[link.kind];
+    const size = link.link.length.toLocaleString(words.locale);
+    return make('label', {}, radio, make('span', {}, label, make('small', {}, about(size))));
+  }
+
+  #choose(link: ShareLink): void {
+    this.#chosen = link;
+    this.#snippet.value = frameCode(link.embedded);
+    this.#showCode(link.code);
+    void this.#copy();
+  }
+
+  async #copy(): Promise<void> {
+    if (this.#chosen) setText(this.#said, await this.#copyLink(this.#chosen));
+  }
+
+  async #copySnippet(): Promise<void> {
+    const isCopied = await copyText(this.#snippet.value);
+    setText(this.#said, isCopied ? panelWords.share.embedCopied : panelWords.share.clipboardClosed);
+  }
+
+  #showCode(code: ShareLink['code']): void {
+    this.#code.replaceChildren(...(code ? [drawn(qrCode(code.link))] : []));
+    if (!code?.positions)
+      this.#code.append(make('figcaption', {}, code ? panelWords.share.qrWithoutShape : panelWords.share.qrTooLong));
   }
 }
 

@@ -44,8 +44,13 @@ export function encodeScene(
   const whole = toHash(header(document, net, document.settled), packed);
   const surface = document.guide && 'mesh' in document.guide ? { surface: false } : {};
   if (whole.length <= largest) return { hash: whole, positions: true, ...surface };
-  const small = toHash(header(document, net, false), null);
+  const small = encodeEdit(document, net);
   return small.length <= largest ? { hash: small, positions: false, ...surface } : { hash: null };
+}
+
+/** The hash of a scene without its positions: whoever opens it solves for them. */
+export function encodeEdit(document: ChebnetDocument, net: PackingNet): string {
+  return toHash(header(document, net, false), null);
 }
 
 /** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */

@@ -1,4 +1,4 @@
-/** A QR code as one path, a square of side 1 for each dark module. Loaded when it is asked for. */
+/** A QR code as one path, a square of side 1 for each dark module. */
 import { encode } from 'uqr';
 
 /** Most characters of a link that fit into the largest code. */

@@ -5,8 +5,6 @@ import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';
 import { experimentScene, experimentTitle, isExperimentLink } from '../experiments/links';
 
-export { linkAdvice } from '../document/share';
-
 /** The present scene as the hash of a link of at most so many characters. */
 export function hashOf(app: App, largest?: number): Shared {
   const present = app.toShare();

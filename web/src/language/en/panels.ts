@@ -199,6 +199,16 @@ export const panels = {
     },
   },
   share: {
+    making: 'Making the link…',
+    choice: 'Link',
+    solved: {
+      label: 'Short',
+      about: (size: string) => `${size} characters. The shape is solved again as it opens, and comes out the same.`,
+    },
+    exact: {
+      label: 'Exactly these positions',
+      about: (size: string) => `${size} characters. Nothing is left to be solved.`,
+    },
     copy: 'Copy link',
     qr: 'QR code of the link',
     qrWithoutShape: 'The code leaves out the shape of the moment, which is too large for it; it will be solved again.',

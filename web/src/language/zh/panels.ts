@@ -188,6 +188,16 @@ export const panels: Widened<typeof en> = {
     },
   },
   share: {
+    making: '正在生成链接…',
+    choice: '链接',
+    solved: {
+      label: '短链接',
+      about: (size) => `${size} 个字符。打开时重新求解形状，结果相同。`,
+    },
+    exact: {
+      label: '保留全部位置',
+      about: (size) => `${size} 个字符。无需再求解。`,
+    },
     copy: '复制链接',
     qr: '链接的二维码',
     qrWithoutShape: '当前形状太大，未放入二维码，打开时将重新求解。',

@@ -1,0 +1,62 @@
+/** "Share": makes the links to the present scene and offers them. Loaded on demand. */
+import type { App } from '../app/app';
+import { ShareDialog, type ShareLink } from '../dialogs/share_dialog';
+import { encodeScene, linkAdvice } from '../document/share';
+import { QR_CAPACITY } from '../export/qr_code';
+import { copyText } from '../files/clipboard';
+import { words } from '../language/language';
+import type { WorkerLike } from '../worker/client';
+import { solvedHash } from './solved_link';
+
+/** A link whose positions make it so much longer is worth the trial whether it does without. */
+const WORTH_A_TRIAL = 1_000;
+
+/** @param root parent of the dialog. @param spawn starts a solver, to try whether a link does without positions. */
+export function share(app: App, root: HTMLElement, spawn: () => WorkerLike): void {
+  const exact = exactLink(app);
+  if (exact === null) return;
+  new ShareDialog(root, {
+    links: exact.link.length < WORTH_A_TRIAL ? Promise.resolve([exact]) : linksBeside(exact, app, spawn),
+    copyLink,
+  });
+}
+
+async function linksBeside(exact: ShareLink, app: App, spawn: () => WorkerLike): Promise<ShareLink[]> {
+  const hash = await solvedHash(app, spawn);
+  if (hash === null) return [exact];
+  const link = linkOf(hash);
+  const code = { link, positions: true };
+  return [{ kind: 'solved', link, embedded: linkOf(hash, '?embed'), advice: '', code }, exact];
+}
+
+/** With all positions, if they are not too many; null: even without them it is too long, which is said. */
+function exactLink(app: App): ShareLink | null {
+  const present = app.toShare();
+  if (present === null) return null;
+  const { document, net, threshold } = present;
+  const shared = encodeScene(document, net, threshold);
+  const advice = linkAdvice(shared) ?? '';
+  if (shared.hash === null) {
+    app.say(advice);
+    return null;
+  }
+  const small = encodeScene(document, net, threshold, QR_CAPACITY - linkOf('').length);
+  return {
+    kind: 'exact',
+    link: linkOf(shared.hash),
+    embedded: linkOf(shared.hash, '?embed'),
+    advice,
+    code: small.hash === null ? null : { link: linkOf(small.hash), positions: small.positions },
+  };
+}
+
+function linkOf(hash: string, query = ''): string {
+  return new URL(`${location.pathname}${query}${hash}`, location.href).href;
+}
+
+/** Resolves with a message about the result. */
+async function copyLink({ link, advice }: ShareLink): Promise<string> {
+  if (await copyText(link)) return words.link.copied(advice);
+  history.replaceState(null, '', link);
+  return words.link.inAddressBar(advice);
+}

@@ -1,0 +1,45 @@
+/** A link without positions, a tenth as long. At rest a net has one shape, but for buckling, so that solving for it again
+ *  usually gives that shape; whether it does is tried here, as whoever opens the link will. */
+import type { App } from '../app/app';
+import { RunSolver } from '../compare/run_solver';
+import { METHOD_AT_REST } from '../document/defaults';
+import type { ChebnetDocument } from '../document/document';
+import { longestMove } from '../document/longest_move';
+import { decodeScene, encodeEdit } from '../document/share';
+import type { WorkerLike } from '../worker/client';
+
+/** How far a vertex may come out from where it stands, in edge lengths: as far as in a link with positions. */
+const SAME = 1e-4;
+/** Milliseconds that a visitor waits for it. */
+const PATIENCE = 8_000;
+
+/** The hash of the present scene without its positions, if it opens into the present shape all the same; else null. */
+export async function solvedHash(app: App, spawn: () => WorkerLike): Promise<string | null> {
+  const present = app.toShare();
+  if (present === null || !canBeSolvedAgain(present.document)) return null;
+  const { document, net } = present;
+  const hash = encodeEdit(document, net);
+  const positions = await solved(hash, spawn);
+  const isSame = positions !== null && longestMove(document.positions!, positions) <= SAME * net.info.meanLength;
+  return isSame ? hash : null;
+}
+
+function canBeSolvedAgain({ net, method, settled, positions }: ChebnetDocument): boolean {
+  return 'recipe' in net && method === METHOD_AT_REST && settled && positions !== null;
+}
+
+/** Where the vertices of a hash come to rest; null: it takes too long, or fails. */
+async function solved(hash: string, spawn: () => WorkerLike): Promise<Float64Array | null> {
+  const solver = new RunSolver(spawn);
+  const timer = setTimeout(() => solver.dispose(), PATIENCE);
+  let positions: Float64Array | null = null;
+  try {
+    await solver.solve(decodeScene(hash), (frame) => (positions = frame.positions));
+    return positions;
+  } catch {
+    return null;
+  } finally {
+    clearTimeout(timer);
+    solver.dispose();
+  }
+}
