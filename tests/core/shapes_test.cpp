@@ -240,7 +240,8 @@ TEST_CASE("Every shape is exact, oriented and in place by default") {
 }
 
 TEST_CASE(
-    "Every shape is exact and has about as many vertices as asked for, at the ends of its ranges and at every size") {
+    "Every shape is exact and has about as many vertices as asked for, at the ends of its ranges and at every size",
+    "[large]") {
     for (const ShapeInfo& shape : shape_table()) {
         for (const double vertices : {1000., 4000., largest_size(shape)})
             check_shape(recipe_text(shape.name, {{"vertices", vertices}}), vertices);
@@ -367,7 +368,8 @@ TEST_CASE("Smooth figures have the faces of those of blocks") {
 }
 
 TEST_CASE(
-    "A smooth shape is the same at every number of vertices, its net lines turn the more gently the more there are") {
+    "A smooth shape is the same at every number of vertices, its net lines turn the more gently the more there are",
+    "[large]") {
     for (const std::string& recipe : smooth_shapes()) {
         const Shape coarse = make_shape(with_vertices(recipe, 1000)), fine = make_shape(with_vertices(recipe, 8000));
         const Turns few_turns = turns(coarse.net), many_turns = turns(fine.net);
@@ -392,7 +394,7 @@ TEST_CASE(
     CHECK(of_blocks.largest > 1.4);
 }
 
-TEST_CASE("A smooth shape has as many vertices as one of the paper, and no narrow corner") {
+TEST_CASE("A smooth shape has as many vertices as one of the paper, and no narrow corner", "[large]") {
     const auto check = [](const std::string& shape, int vertices) {
         INFO(with_vertices(shape, vertices));
         const Net net = make_shape(with_vertices(shape, vertices)).net;
