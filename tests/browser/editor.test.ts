@@ -114,6 +114,63 @@ test('the first handle, dragged up to the tools, can be taken again: the view fo
   expect(distance((await handle()).target, before)).toBeGreaterThan(0);
 });
 
+test('after undo the view follows a handle that would be out of sight', async () => {
+  const { page } = visit;
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [-60, 0]);
+  await script.settled();
+  await page.locator('#view canvas').focus();
+  for (let i = 0; i < 30; ++i) await page.keyboard.press('Shift+ArrowLeft');
+  const seen = async () => (await script.screenPosition(vertex)).x;
+  await expect.poll(async () => Math.abs((await seen()) - 640)).toBeGreaterThan(640);
+  await page.keyboard.press('Control+z');
+  const { x, width } = (await page.locator('#view').boundingBox())!;
+  await expect.poll(seen).toBeLessThan(x + width);
+  expect(await seen()).toBeGreaterThan(x);
+});
+
+test('standard views and parallel projection, by keys and buttons: a hand drags in the picture, and a link has both', async () => {
+  const { page } = visit;
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+  await page.keyboard.press('7');
+  await page.keyboard.press('5');
+  /** Pixels to the right for each unit of x, from one vertex to others at other heights. */
+  const scales = () =>
+    page.evaluate(() => {
+      const positions = window.chebnet.positions();
+      const vertices = window.chebnet.handles().map(({ vertex }) => vertex);
+      const [first, ...others] = vertices.map((vertex) => [
+        window.chebnet.screenPosition(vertex).x,
+        positions[3 * vertex]!,
+      ]);
+      return others.flatMap(([x, at]) =>
+        Math.abs(at! - first![1]!) > 0.5 ? [(x! - first![0]!) / (at! - first![1]!)] : [],
+      );
+    });
+  await expect.poll(async () => Math.max(...(await scales())) - Math.min(...(await scales()))).toBeLessThan(0.01);
+  const [scale = 0] = await scales();
+  await page.screenshot({ path: join(OUTPUT, 'top-parallel.png') });
+
+  const [x, , z] = await script.position(dragged);
+  await dragBy(script, dragged, [30, 0]);
+  await script.settled();
+  const [movedX, , movedZ] = await script.position(dragged);
+  expect(movedX - x).toBeCloseTo(30 / scale, 2);
+  expect(movedZ).toBeCloseTo(z, 3);
+  const there = await arrive(await page.evaluate(() => window.chebnet.link()));
+  const [here, seen] = [await script.screenPosition(dragged), await there.script.screenPosition(dragged)];
+  expect(Math.hypot(here.x - seen.x, here.y - seen.y)).toBeLessThan(1);
+
+  await page.getByText('Appearance', { exact: true }).click();
+  expect(await page.getByLabel('Parallel projection').isChecked()).toBe(true);
+  await page.getByRole('button', { name: 'Front', exact: true }).click();
+  const height = () => page.evaluate((v) => window.chebnet.screenPosition(v).y, dragged);
+  const fromTop = here.y;
+  await expect.poll(height).not.toBeCloseTo(fromTop, 0);
+  await page.screenshot({ path: join(OUTPUT, 'front-parallel.png') });
+});
+
 describe('on a vault', () => {
   beforeEach(async () => {
     await script.open({ recipe: SHAPE });

@@ -65,6 +65,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
       force: [-2, 1.5],
       height: [-1, 0.25],
     },
+    parallel: true,
     guideHidden: true,
     showFaces: false,
     upAxis: 'y',

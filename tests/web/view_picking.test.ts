@@ -1,8 +1,9 @@
-import { PerspectiveCamera, Vector3 } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { halfHeight } from '../../web/src/view/camera_rig';
 import { directionFor, fitCamera } from '../../web/src/view/camera_fit';
 import { fanTriangles } from '../../web/src/worker/triangles';
-import { isInside, nearestMarker, nearestVertex, project } from '../../web/src/view/picking';
+import { isInside, nearestMarker, nearestVertex, project, projectionOf } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
 import { random } from './random';
 
@@ -21,19 +22,14 @@ function lookAlongX(): PerspectiveCamera {
   return camera;
 }
 
-function projectionOf(camera: PerspectiveCamera) {
-  const matrix = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).elements;
-  return { matrix, width: 800, height: 400 };
-}
-
-const projection = projectionOf(lookAlongX());
+const projection = projectionOf(lookAlongX(), 800, 400);
 
 describe('from the scene to the canvas', () => {
   test('what is looked at is in the middle', () => {
     const { x, y, depth } = project(projection, 0, 0, 0);
     expect(x).toBeCloseTo(400);
     expect(y).toBeCloseTo(200);
-    expect(depth).toBeCloseTo(10);
+    expect(depth).toBeCloseTo(9.9); // beyond the near plane
   });
   test('up is up, left is left', () => {
     expect(project(projection, 0, 0, 1).y).toBeLessThan(200);
@@ -90,28 +86,35 @@ describe('the whole net in sight', () => {
   );
 
   test.each([
-    [2, { top: 0.1, right: 0.05, bottom: 0.2, left: 0.1 }],
-    [0.5, { top: 0.2, right: 0.1, bottom: 0.1, left: 0 }],
-  ])('aspect %d: every vertex is within the margins, and two sides are touched', (aspect, margins) => {
-    const camera = new PerspectiveCamera(32, aspect, 0.01, 100);
-    camera.up.set(0, 0, 1);
-    const { position, target } = fitCamera(cloud, 400, camera, margins);
-    camera.position.copy(position);
-    camera.lookAt(target);
-    camera.updateMatrixWorld();
-    const flat = { ...projectionOf(camera), width: 1, height: 1 };
-    const seen = Array.from({ length: 400 }, (_, i) =>
-      project(flat, cloud[4 * i]!, cloud[4 * i + 1]!, cloud[4 * i + 2]!),
-    );
-    const gaps = {
-      left: Math.min(...seen.map(({ x }) => x)) - margins.left,
-      right: 1 - Math.max(...seen.map(({ x }) => x)) - margins.right,
-      top: Math.min(...seen.map(({ y }) => y)) - margins.top,
-      bottom: 1 - Math.max(...seen.map(({ y }) => y)) - margins.bottom,
-    };
-    for (const gap of Object.values(gaps)) expect(gap).toBeGreaterThan(-1e-6);
-    expect(Math.min(gaps.left + gaps.right, gaps.top + gaps.bottom)).toBeLessThan(1e-5);
-  });
+    [2, false, { top: 0.1, right: 0.05, bottom: 0.2, left: 0.1 }],
+    [0.5, false, { top: 0.2, right: 0.1, bottom: 0.1, left: 0 }],
+    [2, true, { top: 0.1, right: 0.05, bottom: 0.2, left: 0.1 }],
+  ])(
+    'aspect %d, parallel %s: every vertex is within the margins, and two sides are touched',
+    (aspect, isParallel, margins) => {
+      const camera = new PerspectiveCamera(32, aspect, 0.01, 100);
+      camera.up.set(0, 0, 1);
+      const { position, target } = fitCamera(cloud, 400, camera, margins, undefined, isParallel);
+      camera.position.copy(position);
+      camera.lookAt(target);
+      const top = halfHeight(camera, position.distanceTo(target));
+      const parallel = new OrthographicCamera(-top * aspect, top * aspect, top, -top);
+      parallel.position.copy(camera.position);
+      parallel.quaternion.copy(camera.quaternion);
+      const flat = projectionOf(isParallel ? parallel : camera, 1, 1);
+      const seen = Array.from({ length: 400 }, (_, i) =>
+        project(flat, cloud[4 * i]!, cloud[4 * i + 1]!, cloud[4 * i + 2]!),
+      );
+      const gaps = {
+        left: Math.min(...seen.map(({ x }) => x)) - margins.left,
+        right: 1 - Math.max(...seen.map(({ x }) => x)) - margins.right,
+        top: Math.min(...seen.map(({ y }) => y)) - margins.top,
+        bottom: 1 - Math.max(...seen.map(({ y }) => y)) - margins.bottom,
+      };
+      for (const gap of Object.values(gaps)) expect(gap).toBeGreaterThan(-1e-6);
+      expect(Math.min(gaps.left + gaps.right, gaps.top + gaps.bottom)).toBeLessThan(1e-5);
+    },
+  );
 });
 
 test('the handle to begin with is in front', () => {

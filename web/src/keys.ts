@@ -25,6 +25,11 @@ export const PAGE_KEYS: readonly PageKey[] = [
   { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },
   { keys: ['R'], does: 'rotate', run: (app) => app.handles.setMode('rotate') },
   { keys: ['S'], does: 'scale', run: (app) => app.handles.setMode('scale') },
+  // As on the number pad of programs for shapes.
+  { keys: ['1'], does: 'front', run: (app) => app.frameAll('front') },
+  { keys: ['3'], does: 'side', run: (app) => app.frameAll('side') },
+  { keys: ['7'], does: 'top', run: (app) => app.frameAll('top') },
+  { keys: ['5'], does: 'parallel', run: (app) => app.setView({ parallel: !app.opening?.document.view.parallel }) },
   { keys: ['?'], does: 'keys', run: (_, services) => services.showKeys() },
 ];
 

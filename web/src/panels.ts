@@ -7,6 +7,7 @@ import type { SaveRequest } from './export/kinds';
 import type { Language } from './language/choice';
 import type { Choice, HandleCommands, LineName } from './handles/commands';
 import type { Tables } from './net/tables';
+import type { StandardView } from './view/camera_fit';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
 /** Lessons that the net can demonstrate. */
@@ -66,7 +67,8 @@ export interface PanelEvents {
   save(request: SaveRequest): void;
   /** Record the view as a video. */
   record(): void;
-  frameAll(): void;
+  /** Shows the whole net. */
+  frameAll(from?: StandardView): void;
 }
 
 /** A button beside a message. */

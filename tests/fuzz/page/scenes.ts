@@ -82,6 +82,7 @@ export const view: fc.Arbitrary<ViewState> = fc
     partial({
       ends: partial({ deviation: ends('deviation'), angle: ends('angle') }),
       upAxis: fc.constantFrom('y' as const, 'z' as const),
+      parallel: fc.boolean(),
     }),
   )
   .map(([needed, more]) => ({ ...needed, ...more }));

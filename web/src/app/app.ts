@@ -20,6 +20,7 @@ import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import type { Action, PanelEvents } from '../panels';
+import type { StandardView } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';
 import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
@@ -227,6 +228,10 @@ export class App {
   /** What the view shows from now on. */
   film(): Film {
     return this.#presenter.view.film();
+  }
+
+  frameAll(from?: StandardView): void {
+    this.#presenter.view.frameAll(from);
   }
 
   setView(change: Partial<ViewState>): void {
@@ -438,7 +443,7 @@ export class App {
       undo: () => this.undo(),
       redo: () => this.redo(),
       goTo: (index) => this.goTo(index),
-      frameAll: () => this.#presenter.view.frameAll(),
+      frameAll: (from) => this.frameAll(from),
     };
   }
 

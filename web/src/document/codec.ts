@@ -163,6 +163,7 @@ export function readView(view: Untrusted): Scene['view'] {
     showFaces: view.at('showFaces').flag(),
     ...given({
       ends: view.at('ends').maybe(readEnds),
+      parallel: view.at('parallel').maybe((each) => each.flag()),
       guideHidden: view.at('guideHidden').maybe((each) => each.flag()),
       upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])),
     }),

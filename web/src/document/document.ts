@@ -90,6 +90,8 @@ export interface ViewState extends Colouring {
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;
+  /** Seen in parallel projection rather than in perspective. */
+  parallel?: boolean;
   /** Whether the surface beside the net is not drawn. */
   guideHidden?: boolean;
 }

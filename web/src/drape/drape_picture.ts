@@ -1,6 +1,6 @@
 /** The picture of a surface and the net being laid on it. The sphere at the seed is dragged over the surface, the hollow
  *  one beside it around the seed; a drag elsewhere moves the camera. Arrow keys move the seed, too. */
-import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, HemisphereLight, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { Point } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
@@ -13,7 +13,7 @@ import { NetFaces } from '../view/net_faces';
 import { NetLines } from '../view/net_lines';
 import { createNotice, probeGraphics } from '../view/notice';
 import type { Place } from '../view/overlay';
-import type { Projection } from '../view/picking';
+import { type Projection, projectionOf } from '../view/picking';
 import { Space } from '../view/space';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
@@ -389,9 +389,6 @@ class DrapePicture implements Picture {
   }
 
   #projection(): Projection {
-    const { camera } = this.#rig;
-    camera.updateMatrixWorld();
-    const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    return { matrix: matrix.elements, width: this.#size.x, height: this.#size.y };
+    return projectionOf(this.#rig.camera, this.#size.x, this.#size.y);
   }
 }

@@ -6,6 +6,13 @@ const FRONT = new Vector3(0.55, -1, 0.62).normalize();
 const BACK = new Vector3(-FRONT.x, -FRONT.y, FRONT.z);
 const UP = new Vector3(0, 0, 1);
 
+/** Those that are drawn from far above or aside. From the top a little to the front, for which way is up in the picture. */
+const STANDARD = {
+  front: new Vector3(0, -1, 0),
+  side: new Vector3(1, 0, 0),
+  top: new Vector3(0, -1e-4, 1).normalize(),
+};
+
 /** How far behind the middle of the scene is clearly behind. */
 const CLEARLY = 0.1;
 
@@ -14,8 +21,12 @@ export interface Stand {
   target: Vector3;
 }
 
-/** From where to see the whole net: from the front, unless the handle to begin with would be at the back. */
-export function directionFor(first: Vector3): Vector3 {
+/** `free`: from the front and from above. */
+export type StandardView = 'free' | keyof typeof STANDARD;
+
+/** From where to see the whole net; freely: from the front, unless the handle to begin with would be at the back. */
+export function directionFor(first: Vector3, from: StandardView = 'free'): Vector3 {
+  if (from !== 'free') return STANDARD[from];
   return first.x * FRONT.x + first.y * FRONT.y < -CLEARLY ? BACK : FRONT;
 }
 
@@ -27,13 +38,15 @@ export interface Margins {
   left: number;
 }
 
-/** The nearest stand from which all points (4 numbers each) are in the picture, within the margins. */
+/** The nearest stand from which all points (4 numbers each) are in the picture, within the margins.
+ *  @param isParallel they are seen in parallel, as large as at the target. */
 export function fitCamera(
   points: Float32Array,
   count: number,
   camera: PerspectiveCamera,
   margins: Margins,
   direction = FRONT,
+  isParallel = false,
 ): Stand {
   const basis = new Matrix4().lookAt(direction, new Vector3(), UP);
   const right = new Vector3();
@@ -45,7 +58,7 @@ export function fitCamera(
   const p = new Vector3();
   for (let i = 0; i < count; i++) {
     p.fromArray(points, 4 * i);
-    const towards = p.dot(direction);
+    const towards = isParallel ? 0 : p.dot(direction);
     across.include(p.dot(right), towards);
     upright.include(p.dot(up), towards);
   }

@@ -1,9 +1,12 @@
-/** The camera and its motion: three's OrbitControls, and animations to a given place. */
-import { PerspectiveCamera, Vector3 } from 'three';
+/** The camera and its motion: three's OrbitControls, and animations to a given place. What is seen is drawn in perspective or
+ *  in parallel; a hand moves the camera in perspective all the same, and the other goes with it. */
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Stand } from './camera_fit';
 
 const FIELD_OF_VIEW = 32;
+/** In parallel, depth that is seen on either side of the target, in the scene. */
+const PARALLEL_DEPTH = 8;
 const GLIDE_MS = 280;
 /** Damping: fraction of the camera's momentum lost in 1/60 s. */
 const DAMPING = 0.16;
@@ -17,8 +20,20 @@ export interface RigEvents {
   rested(): void;
 }
 
+/** What a picture is drawn with. */
+export type Eye = PerspectiveCamera | OrthographicCamera;
+
+/** Half the height of the picture at this depth, in the scene. */
+export function halfHeight(eye: Eye, depth: number): number {
+  return eye instanceof OrthographicCamera ? eye.top : Math.tan((eye.fov * Math.PI) / 360) * depth;
+}
+
 export class CameraRig {
+  /** What the hand moves. */
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW);
+  /** Whether it is seen in parallel. */
+  isParallel = false;
+  readonly #parallel = new OrthographicCamera();
   readonly orbit: OrbitControls;
   /** The camera has not been moved by hand since it was fitted to the whole net. */
   framed = true;
@@ -41,6 +56,21 @@ export class CameraRig {
     this.orbit.addEventListener('start', () => this.#begin());
     this.orbit.addEventListener('end', () => this.#end());
     this.orbit.addEventListener('change', () => this.#changed());
+  }
+
+  /** The camera that draws. Both show what is at the target in the same size. */
+  get eye(): Eye {
+    if (!this.isParallel) return this.camera;
+    const { camera, distance } = this;
+    const eye = this.#parallel;
+    const top = halfHeight(camera, distance);
+    eye.position.copy(camera.position);
+    eye.quaternion.copy(camera.quaternion);
+    [eye.top, eye.bottom, eye.right, eye.left] = [top, -top, top * camera.aspect, -top * camera.aspect];
+    [eye.near, eye.far] = [distance - PARALLEL_DEPTH, distance + PARALLEL_DEPTH];
+    eye.updateProjectionMatrix();
+    eye.updateMatrixWorld();
+    return eye;
   }
 
   get distance(): number {
@@ -68,10 +98,10 @@ export class CameraRig {
 
   /** Shifts the picture, so that this point of the scene is so many pixels further right and down. */
   glideBy(right: number, down: number, point: Vector3, height: number): void {
-    const { camera } = this;
-    const depth = -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
-    const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360) * depth) / height;
-    const shift = new Vector3(-right * pixel, down * pixel, 0).applyQuaternion(camera.quaternion);
+    const { eye } = this;
+    const depth = -point.clone().applyMatrix4(eye.matrixWorldInverse).z;
+    const pixel = (2 * halfHeight(eye, depth)) / height;
+    const shift = new Vector3(-right * pixel, down * pixel, 0).applyQuaternion(eye.quaternion);
     const { position, target } = this.stand;
     this.framed = false;
     this.glideTo({ position: position.add(shift), target: target.add(shift) });

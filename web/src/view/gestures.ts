@@ -2,7 +2,7 @@
  *  draws a box around handles; a drag elsewhere moves the camera. A long touch on a handle does what Shift and a click do.
  *  While several are being selected, each click adds, and a drag beside what is selected draws a lasso. Two fingers move
  *  the camera, even if the first has just begun a drag. */
-import { Matrix4, TOUCH, Vector2, Vector3, type PerspectiveCamera } from 'three';
+import { type Camera, Matrix4, TOUCH, Vector2, Vector3 } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
 import { words } from '../language/language';
@@ -19,7 +19,7 @@ import type { ViewEvents } from './view';
 /** The part of the scene that gestures use. */
 export interface GestureContext {
   canvas: HTMLCanvasElement;
-  camera: PerspectiveCamera;
+  camera(): Camera;
   orbit: OrbitControls;
   gizmo: Gizmo;
   markers: HandleMarkers;
@@ -150,7 +150,7 @@ export class Gestures {
     if (isCameras || onGizmo) return;
     gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
-    if (handle) this.#plane.grab(this.#context.camera, handle.from, this.#toDevice(at));
+    if (handle) this.#plane.grab(this.#context.camera(), handle.from, this.#toDevice(at));
   }
 
   /** Another finger: a gesture of the camera, unless a drag is well under way; then it is ignored. */
@@ -193,7 +193,7 @@ export class Gestures {
   }
 
   #carry({ from }: NonNullable<Press['handle']>, at: Place): void {
-    const point = this.#plane.carry(this.#context.camera, this.#toDevice(at));
+    const point = this.#plane.carry(this.#context.camera(), this.#toDevice(at));
     if (point) this.#context.carry(shift(point.sub(from)));
   }
 
@@ -356,7 +356,7 @@ export class Gestures {
 
   /** Moves the selection in the view plane; held keys and their repeats make one drag. */
   #nudge(dx: number, dy: number, edges: number): void {
-    const { camera } = this.#context;
+    const camera = this.#context.camera();
     const moving = this.#context.moving();
     const data = this.#context.data();
     if (!data || this.#press) return;

@@ -1,20 +1,11 @@
 /** Arrows, rings and boxes along x, y, z at the selected handles: three's TransformControls, bound to this page's way of
  *  dragging. Loaded when the first handle is selected. */
-import {
-  Color,
-  Group,
-  Matrix4,
-  Mesh,
-  Object3D,
-  type PerspectiveCamera,
-  SRGBColorSpace,
-  type Vector2,
-  Vector3,
-} from 'three';
+import { Color, Group, Matrix4, Mesh, Object3D, SRGBColorSpace, type Vector2, Vector3 } from 'three';
 import type { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { UpAxis } from '../document/document';
 import type { GizmoMode } from '../handles/commands';
 import { lazy } from '../lazy';
+import type { Eye } from './camera_rig';
 import type { Theme } from './theme';
 
 export interface GizmoEvents {
@@ -44,15 +35,21 @@ export class Gizmo {
   #enabled = true;
   #point: Vector3 | null = null;
   #disposed = false;
-  readonly #camera: PerspectiveCamera;
+  #camera: Eye;
   readonly #canvas: HTMLCanvasElement;
   readonly #events: GizmoEvents;
 
-  constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, events: GizmoEvents) {
+  constructor(camera: Eye, canvas: HTMLCanvasElement, events: GizmoEvents) {
     this.#camera = camera;
     this.#canvas = canvas;
     this.#events = events;
     this.object.add(this.#pivot);
+  }
+
+  /** What it is seen with. */
+  setCamera(camera: Eye): void {
+    this.#camera = camera;
+    if (this.#controls) this.#controls.camera = camera;
   }
 
   setMode(mode: GizmoMode): void {

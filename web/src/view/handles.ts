@@ -11,7 +11,7 @@ import {
   Matrix4,
   MeshBasicMaterial,
   MeshLambertMaterial,
-  type PerspectiveCamera,
+  OrthographicCamera,
   Quaternion,
   RingGeometry,
   SphereGeometry,
@@ -20,6 +20,7 @@ import {
 } from 'three';
 import type { HandleData } from '../document/document';
 import type { Selection } from '../handles/selection';
+import { type Eye, halfHeight } from './camera_rig';
 import type { Place } from './overlay';
 import { isInside, nearestMarker, project, type Projection, type ScreenPoint } from './picking';
 import type { Space } from './space';
@@ -122,11 +123,10 @@ export class HandleMarkers {
     this.#rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
   }
 
-  beforeDraw(camera: PerspectiveCamera, canvasHeight: number, edgeLength: number, distance: number): void {
-    // Scene length of a pixel, at a distance of one.
-    const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / canvasHeight;
-    this.#radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / (pixel * distance)));
-    const size = this.#radius * pixel;
+  beforeDraw(camera: Eye, canvasHeight: number, edgeLength: number, distance: number): void {
+    const pixel = (2 * halfHeight(camera, distance)) / canvasHeight;
+    this.#radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / pixel));
+    const size = (2 * this.#radius) / canvasHeight;
     const points = (which: (marker: Marker) => boolean) => this.#visible.filter(which).map(({ point }) => point);
     const plain = points(({ locked, soft }) => !locked && !soft);
     this.#spheres.place(plain.length > MANY ? [] : plain, camera, size);
@@ -198,15 +198,18 @@ class Shape {
     this.#ghost.color.copy(colour);
   }
 
-  /** `size` on the screen, as scene length at a distance of one. Each stands in front of its point by its own radius, on the
-   *  line of sight: it looks the same, but no face cuts through it. */
-  place(points: Vector3[], camera: PerspectiveCamera, size: number): void {
+  /** `size` on the screen, as a part of half its height. Each stands in front of its point by its own radius, on the line of
+   *  sight: it looks the same, but no face cuts through it. */
+  place(points: Vector3[], camera: Eye, size: number): void {
     if (points.length > this.#capacity) this.#grow(2 * points.length);
     points.forEach((point, i) => {
-      const distance = depth(camera, point);
-      const nearer = 1 - 1.2 * size;
-      this.#scale.setScalar(size * distance * nearer);
-      this.#centre.lerpVectors(camera.position, point, nearer);
+      const radius = size * halfHeight(camera, depth(camera, point));
+      towards(camera, point, this.#centre);
+      const nearer = Math.min(1.2 * radius, 0.5 * this.#centre.length());
+      this.#scale.setScalar(
+        camera instanceof OrthographicCamera ? radius : radius * (1 - nearer / this.#centre.length()),
+      );
+      this.#centre.setLength(nearer).add(point);
       this.#matrix.compose(this.#centre, this.#facing ? camera.quaternion : UPRIGHT, this.#scale);
       for (const mesh of this.#meshes) mesh.setMatrixAt(i, this.#matrix);
     });
@@ -238,6 +241,12 @@ class Shape {
 
 const forward = new Vector3();
 
-function depth(camera: PerspectiveCamera, point: Vector3): number {
+function depth(camera: Eye, point: Vector3): number {
   return Math.max(camera.near, forward.copy(point).applyMatrix4(camera.matrixWorldInverse).z * -1);
+}
+
+/** From a point to the camera. */
+function towards(camera: Eye, point: Vector3, way: Vector3): Vector3 {
+  if (camera instanceof OrthographicCamera) return way.setFromMatrixColumn(camera.matrixWorld, 2);
+  return way.subVectors(camera.position, point);
 }

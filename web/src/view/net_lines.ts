@@ -2,16 +2,8 @@
  *  net's textures (net_data.ts), so nothing is written per edge when the net moves. That draws half the vertices of three's
  *  LineSegments2 and uploads a sixth as much, so one kind of line serves nets of every size. Plain vertices, not instances:
  *  graphics cards, and still more their stand-ins in software, are slow at instances as small as these. */
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  GLSL3,
-  Mesh,
-  type PerspectiveCamera,
-  ShaderMaterial,
-  Vector2,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Color, GLSL3, Mesh, ShaderMaterial, Vector2 } from 'three';
+import { type Eye, halfHeight } from './camera_rig';
 import { type ColourTexture, type NetData, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
@@ -32,7 +24,7 @@ ${PLACE_ON_MAP}
 vec3 cut(vec3 p, vec3 q) { return p.z > -near ? mix(p, q, (p.z + near) / (p.z - q.z)) : p; }
 
 /** A little nearer on the line of sight: in front of faces that are not quite flat. */
-vec3 lifted(vec3 p) { return p * (1.0 - lift / max(length(p), lift)); }
+vec3 lifted(vec3 p) { return isOrthographic ? p + vec3(0.0, 0.0, lift) : p * (1.0 - lift / max(length(p), lift)); }
 
 void main() {
   // Of the four vertices of an edge, odd ones stand at its second end, the latter two at its other side.
@@ -53,7 +45,7 @@ void main() {
   across = side * reach;
   value = placeOnMap(readNumber(atVertices ? (second ? vertex.y : vertex.x) : edge));
   mobility = readMobility(second ? vertex.y : vertex.x);
-  away = smoothstep(fadeRange.x, fadeRange.y, gl_Position.w);
+  away = smoothstep(fadeRange.x, fadeRange.y, second ? -q.z : -p.z);
 }`;
 
 const FRAGMENT = /* glsl */ `
@@ -135,9 +127,9 @@ export class NetLines {
     this.object.material.uniforms.inkShare!.value = over ? INK_SHARE : 0;
   }
 
-  beforeDraw(camera: PerspectiveCamera, size: Vector2, pixelRatio: number, distance: number): void {
+  beforeDraw(camera: Eye, size: Vector2, pixelRatio: number, distance: number): void {
     const { viewport, width, near, fadeRange } = this.object.material.uniforms;
-    const pixelsPerLength = size.y / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
+    const pixelsPerLength = size.y / (2 * halfHeight(camera, distance));
     viewport!.value.copy(size).multiplyScalar(pixelRatio);
     width!.value = lineWidth(this.#edgeLength * pixelsPerLength) * pixelRatio;
     near!.value = camera.near;

@@ -1,9 +1,15 @@
 /** Finds what lies under the pointer. Plain loops over flat numbers: no scene graph, no allocation, quick enough to run at
  *  every pointer move on 100,000 vertices. */
+import { Matrix4 } from 'three';
+import type { Eye } from './camera_rig';
 
-/** From the scene to the canvas: a column-major 4×4 matrix (projection · view) and the canvas in CSS pixels. */
+/** From the scene to the canvas. */
 export interface Projection {
+  /** Column-major 4×4, projection · view. */
   matrix: ArrayLike<number>;
+  /** Of x, y, z, 1: the depth. */
+  depth: ArrayLike<number>;
+  /** The canvas in CSS pixels. */
   width: number;
   height: number;
 }
@@ -11,15 +17,28 @@ export interface Projection {
 export interface ScreenPoint {
   x: number;
   y: number;
-  /** Distance along the line of sight; not positive: behind the camera. */
+  /** Beyond the near plane, along the line of sight; not positive: not to be seen. */
   depth: number;
 }
 
-export function project({ matrix: m, width, height }: Projection, x: number, y: number, z: number): ScreenPoint {
+/** What this camera sees on a canvas of so many CSS pixels. */
+export function projectionOf(camera: Eye, width: number, height: number): Projection {
+  camera.updateMatrixWorld();
+  const view = camera.matrixWorldInverse.elements;
+  const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
+  return { matrix, depth: [-view[2]!, -view[6]!, -view[10]!, -view[14]! - camera.near], width, height };
+}
+
+export function project(
+  { matrix: m, depth: d, width, height }: Projection,
+  x: number,
+  y: number,
+  z: number,
+): ScreenPoint {
   const w = m[3]! * x + m[7]! * y + m[11]! * z + m[15]!;
   const u = (m[0]! * x + m[4]! * y + m[8]! * z + m[12]!) / w;
   const v = (m[1]! * x + m[5]! * y + m[9]! * z + m[13]!) / w;
-  return { x: (0.5 + 0.5 * u) * width, y: (0.5 - 0.5 * v) * height, depth: w };
+  return { x: (0.5 + 0.5 * u) * width, y: (0.5 - 0.5 * v) * height, depth: d[0]! * x + d[1]! * y + d[2]! * z + d[3]! };
 }
 
 /** The vertex nearest to (x, y) on the screen among those within `radius` pixels that belong to the frontmost layer:
@@ -27,7 +46,7 @@ export function project({ matrix: m, width, height }: Projection, x: number, y: 
 export function nearestVertex(
   points: Float32Array,
   count: number,
-  { matrix: m, width, height }: Projection,
+  { matrix: m, depth: d, width, height }: Projection,
   x: number,
   y: number,
   radius: number,
@@ -35,6 +54,7 @@ export function nearestVertex(
 ): number | null {
   const [m0, m1, m3, m4, m5, m7] = [m[0]!, m[1]!, m[3]!, m[4]!, m[5]!, m[7]!];
   const [m8, m9, m11, m12, m13, m15] = [m[8]!, m[9]!, m[11]!, m[12]!, m[13]!, m[15]!];
+  const [d0, d1, d2, d3] = [d[0]!, d[1]!, d[2]!, d[3]!];
   const hits: number[] = [];
   let front = Infinity;
   for (let i = 0, at = 0; i < count; i++, at += 4) {
@@ -42,14 +62,15 @@ export function nearestVertex(
     const py = points[at + 1]!;
     const pz = points[at + 2]!;
     const w = m3 * px + m7 * py + m11 * pz + m15;
-    if (w <= 0) continue;
+    const depth = d0 * px + d1 * py + d2 * pz + d3;
+    if (depth <= 0) continue;
     const dx = (0.5 + (0.5 * (m0 * px + m4 * py + m8 * pz + m12)) / w) * width - x;
     if (dx > radius || dx < -radius) continue;
     const dy = (0.5 - (0.5 * (m1 * px + m5 * py + m9 * pz + m13)) / w) * height - y;
     const distance = dx * dx + dy * dy;
     if (distance > radius * radius) continue;
-    hits.push(i, w, distance);
-    if (w < front) front = w;
+    hits.push(i, depth, distance);
+    if (depth < front) front = depth;
   }
   let nearest: number | null = null;
   let smallest = Infinity;

@@ -1,5 +1,5 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
-import { DirectionalLight, HemisphereLight, Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
@@ -7,7 +7,7 @@ import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
-import { directionFor, fitCamera, type Margins, type Stand } from './camera_fit';
+import { directionFor, fitCamera, type Margins, type StandardView, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { takeFilm, takePicture } from './capture';
 import { type DragEvents, DragReport } from './drag';
@@ -22,7 +22,7 @@ import { NetFaces } from './net_faces';
 import { NetLines } from './net_lines';
 import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
-import type { Projection } from './picking';
+import { type Projection, projectionOf } from './picking';
 import { ReachSurface } from './reach_surface';
 import { Space } from './space';
 import { StepArrows } from './step_arrows';
@@ -70,7 +70,6 @@ class SceneView implements View {
   readonly #resizing: ResizeObserver;
   readonly #stopThemes: () => void;
   readonly #size = new Vector2(1, 1);
-  readonly #viewProjection = new Matrix4();
   #theme: Theme;
   /** From where the whole net is seen. */
   #direction = directionFor(new Vector3());
@@ -162,8 +161,7 @@ class SceneView implements View {
     this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
     this.setGuide(this.#guide);
     this.setFrame(frame);
-    const first = net.suggestedHandles.at(-1);
-    this.#direction = directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first));
+    this.#lookFrom('free');
     this.#rig.framed = camera === null;
     this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
   }
@@ -179,6 +177,7 @@ class SceneView implements View {
 
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void {
     if (!this.#netData) return;
+    const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, handles);
     this.#handles = handles;
     this.#choice = choice;
     this.#markers.update(handles, this.#netData.space, choice.selection, this.#report.vertices);
@@ -186,6 +185,7 @@ class SceneView implements View {
     this.#gizmo.setMode(choice.mode);
     this.#gizmo.setPosition(this.#gizmoPlace());
     if (this.#found && !this.#found.handle && this.#markers.point(this.#found.vertex)) this.#found = null;
+    if (moved !== undefined) this.#keepInReach(moved);
     this.#requestDraw();
   }
 
@@ -241,6 +241,7 @@ class SceneView implements View {
     const { place } = fieldOf(field);
     if (appearance.upAxis !== before.upAxis) this.#turn();
     else if (field !== before.field && this.#latest) this.#netData?.setFrame(this.#latest, fieldOf(field));
+    this.#setParallel(appearance.parallel ?? false);
     this.#colours.setScale(scaleOf(appearance, this.#theme), place);
     this.#faces.object.visible = showFaces;
     this.#lines.setOverColours(showFaces && place === 'vertex');
@@ -252,8 +253,9 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
-  frameAll(): void {
+  frameAll(from: StandardView = 'free'): void {
     if (!this.#netData) return;
+    this.#lookFrom(from);
     this.#rig.framed = true;
     this.#rig.glideTo(this.#wholeNet());
   }
@@ -322,7 +324,7 @@ class SceneView implements View {
   #createGestures(canvas: HTMLCanvasElement): Gestures {
     return new Gestures({
       canvas,
-      camera: this.#rig.camera,
+      camera: () => this.#rig.eye,
       orbit: this.#rig.orbit,
       gizmo: this.#gizmo,
       markers: this.#markers,
@@ -366,7 +368,7 @@ class SceneView implements View {
     };
   }
 
-  /** The view follows a handle that was dragged under the title or the tools, where it could not be taken again. */
+  /** The view follows a handle that came under the title or the tools, where it could not be taken again. */
   #keepInReach(vertex: number): void {
     const point = this.#markers.point(vertex);
     if (!point) return;
@@ -400,6 +402,7 @@ class SceneView implements View {
   #removeNet(): void {
     this.#netData?.dispose();
     this.#netData = null;
+    this.#handles = [];
     this.#found = null;
     this.#regionShown = false;
     this.#reach.object.visible = false;
@@ -409,8 +412,21 @@ class SceneView implements View {
   #turn(): void {
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
+    const handles = this.#handles;
     this.setNet(this.#net, this.#latest, null);
-    this.setHandles(this.#handles, this.#choice);
+    this.setHandles(handles, this.#choice);
+  }
+
+  #lookFrom(from: StandardView): void {
+    const first = this.#net?.suggestedHandles.at(-1);
+    this.#direction = directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first), from);
+  }
+
+  #setParallel(isParallel: boolean): void {
+    if (isParallel === this.#rig.isParallel) return;
+    this.#rig.isParallel = isParallel;
+    this.#gizmo.setCamera(this.#rig.eye);
+    if (this.#rig.framed && this.#netData) this.#rig.glideTo(this.#wholeNet());
   }
 
   #readTheme(): void {
@@ -475,19 +491,19 @@ class SceneView implements View {
     this.#prepare(this.#netData);
     if (this.#netMoved) this.#ground.drawShadow(this.#renderer);
     this.#netMoved = false;
-    this.#renderer.render(this.#scene, this.#rig.camera);
+    this.#renderer.render(this.#scene, this.#rig.eye);
     this.#drawAnnotations();
     this.#countDraw();
   }
 
   #prepare({ edgeLength }: NetData): void {
-    const { camera, distance } = this.#rig;
-    this.#lines.beforeDraw(camera, this.#size, this.#renderer.getPixelRatio(), distance);
+    const { eye, distance } = this.#rig;
+    this.#lines.beforeDraw(eye, this.#size, this.#renderer.getPixelRatio(), distance);
     this.#stepArrows.beforeDraw(this.#size, this.#renderer.getPixelRatio());
-    this.#markers.beforeDraw(camera, this.#size.y, edgeLength, distance);
+    this.#markers.beforeDraw(eye, this.#size.y, edgeLength, distance);
     this.#gizmo.setPosition(this.#gizmoPlace());
     // From below, the floor would hide the net.
-    this.#ground.object.visible = camera.position.z > this.#ground.object.position.z;
+    this.#ground.object.visible = eye.position.z > this.#ground.object.position.z;
   }
 
   /** Hidden while handles are being selected, so as not to cover them. */
@@ -504,7 +520,8 @@ class SceneView implements View {
 
   #wholeNet(): Stand {
     const { points, vertexCount } = this.#netData!;
-    return fitCamera(points, vertexCount, this.#rig.camera, this.#margins(), this.#direction);
+    const { camera, isParallel } = this.#rig;
+    return fitCamera(points, vertexCount, camera, this.#margins(), this.#direction, isParallel);
   }
 
   /** The pixels that title, tools and legend cover at top, right, bottom, left, from the style sheet. */
@@ -516,10 +533,7 @@ class SceneView implements View {
   }
 
   #projection(): Projection {
-    const { camera } = this.#rig;
-    camera.updateMatrixWorld();
-    this.#viewProjection.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    return { matrix: this.#viewProjection.elements, width: this.#size.x, height: this.#size.y };
+    return projectionOf(this.#rig.eye, this.#size.x, this.#size.y);
   }
 
   #vertexPoint(vertex: number): Vector3 {
@@ -546,4 +560,12 @@ class SceneView implements View {
     this.#drawTimes.push(now);
     if (this.#drawTimes.length > 240) this.#drawTimes = this.#drawTimes.filter((time) => time > now - 1000);
   }
+}
+
+/** A handle that can be taken and has another target than before, e.g. after undo. */
+function movedBetween(before: readonly HandleData[], after: readonly HandleData[]): number | undefined {
+  const targets = new Map(before.map(({ vertex, target }) => [vertex, target]));
+  const isMoved = ({ vertex, target, anchor }: HandleData): boolean =>
+    !anchor && (targets.get(vertex) ?? target).some((x, axis) => x !== target[axis]);
+  return after.find(isMoved)?.vertex;
 }

@@ -5,6 +5,7 @@ import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/commands';
+import type { StandardView } from './camera_fit';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 
 /** Gestures in the view. */
@@ -71,7 +72,7 @@ export interface View {
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
-  frameAll(): void;
+  frameAll(from?: StandardView): void;
   camera(): { position: Vec3; target: Vec3 };
   /** Moves the camera there without animation. */
   setCamera(camera: { position: Vec3; target: Vec3 }): void;
