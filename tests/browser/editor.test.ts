@@ -171,6 +171,53 @@ test('standard views and parallel projection, by keys and buttons: a hand drags 
   await page.screenshot({ path: join(OUTPUT, 'front-parallel.png') });
 });
 
+test('edges as rods, live in a drag; a section plane leaves out what is beyond it, also for clicks, but no handle', async () => {
+  const { page } = visit;
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+  const picture = () => page.locator('#view canvas').screenshot();
+  await page.getByText('Appearance', { exact: true }).click();
+  const lines = await picture();
+  await page.getByLabel('Edges as rods').check();
+  await expect.poll(picture).not.toEqual(lines);
+  expect(await page.getByLabel('Thickness').inputValue()).toBe('12');
+  await page.screenshot({ path: join(OUTPUT, 'rods.png') });
+  const thin = await picture();
+  await page.getByLabel('Thickness').fill('30');
+  await expect.poll(picture).not.toEqual(thin);
+  const still = await picture();
+  await dragBy(script, dragged, [-30, -30], { atEnd: () => expect.poll(picture).not.toEqual(still) });
+  await script.settled();
+
+  const whole = await picture();
+  await page.getByLabel('Section').selectOption('x');
+  await expect.poll(picture).not.toEqual(whole);
+  await page.screenshot({ path: join(OUTPUT, 'section.png') });
+  const [first, last] = [restPositions.length / 6, restPositions.length / 3 - 1].map((vertex) => Math.floor(vertex));
+  const count = async () => (await script.stats()).handles;
+  const before = await count();
+  const beyond = suggestedHandles.find((vertex) => restPositions[3 * vertex]! > meanLength)!;
+  const inside = (x: number) => {
+    for (let v = first!; v < last!; ++v) if (Math.abs(restPositions[3 * v]! - x) < meanLength) return v;
+    throw new Error('no such vertex');
+  };
+  const clickOn = async (vertex: number) => {
+    const { x, y } = await script.screenPosition(vertex);
+    await page.mouse.click(x, y);
+  };
+  await clickOn(inside(restPositions[3 * beyond]! / 2));
+  await clickOn(beyond); // a handle: it is selected
+  await page.getByRole('group', { name: 'Selected handles' }).waitFor();
+  expect(await count()).toBe(before);
+  await clickOn(inside(-restPositions[3 * beyond]! / 2));
+  await expect.poll(count).toBe(before + 1);
+
+  const there = await arrive(await page.evaluate(() => window.chebnet.link()));
+  await there.page.getByText('Appearance', { exact: true }).click();
+  expect(await there.page.getByLabel('Thickness').inputValue()).toBe('30');
+  expect(await there.page.getByLabel('Section').inputValue()).toBe('x');
+});
+
 describe('on a vault', () => {
   beforeEach(async () => {
     await script.open({ recipe: SHAPE });

@@ -2,7 +2,16 @@
  *  have is in one of them: a new field is added here, and the golden files that are missing are made (golden.test.ts). */
 import type { Chebnet, RestLengths } from '../../wasm/chebnet';
 import { DEFAULT_VIEW, freshScene } from '../../web/src/document/defaults';
-import type { HandleSeed, NetSource, Scene, Symmetry, UpAxis, Vec3, ViewState } from '../../web/src/document/document';
+import type {
+  HandleSeed,
+  NetSource,
+  Scene,
+  Section,
+  Symmetry,
+  UpAxis,
+  Vec3,
+  ViewState,
+} from '../../web/src/document/document';
 import type { ChangeName } from '../../web/src/document/naming';
 import type { ColourMap, FieldName } from '../../web/src/fields/fields';
 import { uneven } from './nets';
@@ -66,6 +75,8 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
       height: [-1, 0.25],
     },
     parallel: true,
+    rods: 0.12,
+    section: { axis: 'z', at: 0.625 },
     guideHidden: true,
     showFaces: false,
     upAxis: 'y',
@@ -112,6 +123,11 @@ const COLOUR_MAPS: Record<ColourMap, GoldenLink> = {
   log: seen({ colourMap: 'log' }),
 };
 const UP_AXES: Record<UpAxis, GoldenLink> = { y: seen({ upAxis: 'y' }), z: seen({ upAxis: 'z' }) };
+const SECTIONS: Record<Section['axis'], GoldenLink> = {
+  x: seen({ section: { axis: 'x', at: 0.5 } }),
+  y: seen({ section: { axis: 'y', at: 0.5 } }),
+  z: seen({ section: { axis: 'z', at: 0.5 } }),
+};
 const AXES: Record<Symmetry['axis'], GoldenLink> = {
   x: withSymmetry({ axis: 'x', through: 'centre' }),
   y: withSymmetry({ axis: 'y', through: 'centre' }),
@@ -183,6 +199,7 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
     ...named('field', FIELDS),
     ...named('colours', COLOUR_MAPS),
     ...named('up', UP_AXES),
+    ...named('section', SECTIONS),
     ...named('symmetry', AXES),
     ...named('plane', PLANES),
     ...named('lengths', REST_LENGTHS),

@@ -83,6 +83,11 @@ export const view: fc.Arbitrary<ViewState> = fc
       ends: partial({ deviation: ends('deviation'), angle: ends('angle') }),
       upAxis: fc.constantFrom('y' as const, 'z' as const),
       parallel: fc.boolean(),
+      rods: fc.constantFrom(0.02, 0.4),
+      section: fc.record({
+        axis: fc.constantFrom('x' as const, 'y' as const, 'z' as const),
+        at: fc.constantFrom(0, 0.5, 1),
+      }),
     }),
   )
   .map(([needed, more]) => ({ ...needed, ...more }));

@@ -12,6 +12,7 @@ import type {
   HandleSeed,
   NetSource,
   Scene,
+  Section,
   SolverOptions,
   Symmetry,
   UpAxis,
@@ -163,11 +164,17 @@ export function readView(view: Untrusted): Scene['view'] {
     showFaces: view.at('showFaces').flag(),
     ...given({
       ends: view.at('ends').maybe(readEnds),
+      rods: view.at('rods').maybe((each) => each.positive()),
+      section: view.at('section').maybe(readSection),
       parallel: view.at('parallel').maybe((each) => each.flag()),
       guideHidden: view.at('guideHidden').maybe((each) => each.flag()),
       upAxis: view.at('upAxis').maybe((each) => each.oneOf<UpAxis>(['y', 'z'])),
     }),
   };
+}
+
+function readSection(section: Untrusted): Section {
+  return { axis: section.at('axis').oneOf<Section['axis']>(['x', 'y', 'z']), at: section.at('at').number() };
 }
 
 function readEnds(ends: Untrusted): ViewState['ends'] {

@@ -85,11 +85,21 @@ export interface SolverSettings {
 
 export type UpAxis = 'y' | 'z';
 
+/** What is beyond a plane across an axis of the net is not drawn. */
+export interface Section {
+  axis: 'x' | 'y' | 'z';
+  /** From 0 to 1, through a box somewhat larger than the rest net's diagonal. */
+  at: number;
+}
+
 export interface ViewState extends Colouring {
   camera: { position: Vec3; target: Vec3 } | null;
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;
+  /** Edges are drawn as rods of this diameter, as a part of their length; without one, as lines. */
+  rods?: number | undefined;
+  section?: Section | undefined;
   /** Seen in parallel projection rather than in perspective. */
   parallel?: boolean;
   /** Whether the surface beside the net is not drawn. */

@@ -13,7 +13,7 @@ import type { HandleMarkers } from './handles';
 import type { NetData } from './net_data';
 import { Outline } from './outline';
 import type { Place } from './overlay';
-import { nearestVertex, type Projection } from './picking';
+import { nearestVertex, type Plane, type Projection } from './picking';
 import type { ViewEvents } from './view';
 
 /** The part of the scene that gestures use. */
@@ -26,6 +26,8 @@ export interface GestureContext {
   report: DragReport;
   events: ViewEvents;
   data(): NetData | null;
+  /** What is beyond is not drawn. */
+  section: Plane;
   selection(): Selection;
   /** Whether several are being selected. */
   selecting(): boolean;
@@ -283,7 +285,16 @@ export class Gestures {
     const layer = LAYER * data.edgeLength;
     const { points, vertexCount } = data;
     const projection = this.#context.projection();
-    const vertex = nearestVertex(points, vertexCount, projection, at.x, at.y, REACH[kind(event)], layer);
+    const vertex = nearestVertex(
+      points,
+      vertexCount,
+      projection,
+      at.x,
+      at.y,
+      REACH[kind(event)],
+      layer,
+      this.#context.section,
+    );
     if (vertex === null || this.#context.markers.isHidden(vertex)) return null;
     return { vertex, handle: this.#context.markers.point(vertex) !== undefined };
   }

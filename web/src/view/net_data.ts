@@ -11,6 +11,7 @@ import {
   RGIntegerFormat,
   type Texture,
   type TextureDataType,
+  Vector4,
 } from 'three';
 import { lookupTable, type Scale } from '../fields/colour_map';
 import type { ColourField, Placed } from '../fields/fields';
@@ -34,17 +35,31 @@ float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(m
 float readNumber(int i) { return texelFetch(numbers, place(i, textureSize(numbers, 0).x), 0).r; }
 `;
 
-/** Uniforms with the textures of the present net. All materials of a view share them and outlive the net: recompiling them
+/** Shaders that include this leave out what is beyond the section plane, where the number is positive. */
+export const IN_SECTION = /* glsl */ `
+uniform vec4 section;
+float beyondSection(vec3 p) { return dot(section.xyz, p) - section.w; }
+`;
+
+/** Uniforms with the section plane and the textures of the present net. All materials of a view share them and outlive the net: recompiling them
  *  for each net would block the page. */
 export interface NetUniforms {
   vertices: { value: Texture | null };
   numbers: { value: Texture | null };
   mobilities: { value: Texture | null };
   ends: { value: Texture | null };
+  /** Its normal, and how far it is from the origin along that; 0: there is none. */
+  section: { value: Vector4 };
 }
 
 export function netUniforms(): NetUniforms {
-  return { vertices: { value: null }, numbers: { value: null }, mobilities: { value: null }, ends: { value: null } };
+  return {
+    vertices: { value: null },
+    numbers: { value: null },
+    mobilities: { value: null },
+    ends: { value: null },
+    section: { value: new Vector4() },
+  };
 }
 
 export class NetData {

@@ -1,16 +1,20 @@
 /** The faces as fans of triangles, offset in depth so that the lines lie on them. */
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial } from 'three';
-import { type ColourTexture, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
+import { type ColourTexture, IN_SECTION, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
 out vec3 seen;
 out float onMap;
 out float mobility;
+out float beyond;
 ${READ_NET}
 ${PLACE_ON_MAP}
+${IN_SECTION}
 void main() {
-  vec4 inView = modelViewMatrix * vec4(readVertex(gl_VertexID), 1.0);
+  vec3 p = readVertex(gl_VertexID);
+  beyond = beyondSection(p);
+  vec4 inView = modelViewMatrix * vec4(p, 1.0);
   seen = inView.xyz;
   onMap = atVertices ? placeOnMap(readNumber(gl_VertexID)) : 0.0;
   mobility = readMobility(gl_VertexID);
@@ -25,8 +29,10 @@ uniform vec3 front, back, still;
 in vec3 seen;
 in float onMap;
 in float mobility;
+in float beyond;
 out vec4 colour;
 void main() {
+  if (beyond > 0.0) discard;
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
   // A light over the viewer's left shoulder, soft enough that no fold turns black.
   float light = 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)));

@@ -4,7 +4,7 @@
  *  graphics cards, and still more their stand-ins in software, are slow at instances as small as these. */
 import { BufferAttribute, BufferGeometry, Color, GLSL3, Mesh, ShaderMaterial, Vector2 } from 'three';
 import { type Eye, halfHeight } from './camera_rig';
-import { type ColourTexture, type NetData, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
+import { type ColourTexture, IN_SECTION, type NetData, type NetUniforms, PLACE_ON_MAP, READ_NET } from './net_data';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
@@ -17,8 +17,10 @@ out float value;
 out float across;
 out float away;
 out float mobility;
+out float beyond;
 ${READ_NET}
 ${PLACE_ON_MAP}
+${IN_SECTION}
 
 /** Clips a line at the near plane. */
 vec3 cut(vec3 p, vec3 q) { return p.z > -near ? mix(p, q, (p.z + near) / (p.z - q.z)) : p; }
@@ -43,6 +45,7 @@ void main() {
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
   across = side * reach;
+  beyond = beyondSection(second ? b : a);
   value = placeOnMap(readNumber(atVertices ? (second ? vertex.y : vertex.x) : edge));
   mobility = readMobility(second ? vertex.y : vertex.x);
   away = smoothstep(fadeRange.x, fadeRange.y, second ? -q.z : -p.z);
@@ -56,8 +59,10 @@ in float value;
 in float across;
 in float away;
 in float mobility;
+in float beyond;
 out vec4 colour;
 void main() {
+  if (beyond > 0.0) discard;
   vec3 mapped = texture(colours, vec2((value - low) / (high - low), 0.5)).rgb;
   mapped = mix(mapped, ink, inkShare);
   // Lines thinner than a pixel are drawn one pixel wide and lighter.

@@ -29,6 +29,8 @@ export function projectionOf(camera: Eye, width: number, height: number): Projec
   return { matrix, depth: [-view[2]!, -view[6]!, -view[10]!, -view[14]! - camera.near], width, height };
 }
 
+const NO_PLANE: Plane = { x: 0, y: 0, z: 0, w: 0 };
+
 export function project(
   { matrix: m, depth: d, width, height }: Projection,
   x: number,
@@ -41,8 +43,12 @@ export function project(
   return { x: (0.5 + 0.5 * u) * width, y: (0.5 - 0.5 * v) * height, depth: d[0]! * x + d[1]! * y + d[2]! * z + d[3]! };
 }
 
+/** A plane, by its normal and how far it is from the origin along that. */
+export type Plane = Readonly<Record<'x' | 'y' | 'z' | 'w', number>>;
+
 /** The vertex nearest to (x, y) on the screen among those within `radius` pixels that belong to the frontmost layer:
- *  not farther behind the nearest of them than `layer` (scene units). `points` holds 4 numbers a vertex. null: none. */
+ *  not farther behind the nearest of them than `layer` (scene units), and not beyond the section plane. `points` holds 4
+ *  numbers a vertex. null: none. */
 export function nearestVertex(
   points: Float32Array,
   count: number,
@@ -51,6 +57,7 @@ export function nearestVertex(
   y: number,
   radius: number,
   layer: number,
+  section: Plane = NO_PLANE,
 ): number | null {
   const [m0, m1, m3, m4, m5, m7] = [m[0]!, m[1]!, m[3]!, m[4]!, m[5]!, m[7]!];
   const [m8, m9, m11, m12, m13, m15] = [m[8]!, m[9]!, m[11]!, m[12]!, m[13]!, m[15]!];
@@ -63,7 +70,7 @@ export function nearestVertex(
     const pz = points[at + 2]!;
     const w = m3 * px + m7 * py + m11 * pz + m15;
     const depth = d0 * px + d1 * py + d2 * pz + d3;
-    if (depth <= 0) continue;
+    if (depth <= 0 || section.x * px + section.y * py + section.z * pz > section.w) continue;
     const dx = (0.5 + (0.5 * (m0 * px + m4 * py + m8 * pz + m12)) / w) * width - x;
     if (dx > radius || dx < -radius) continue;
     const dy = (0.5 - (0.5 * (m1 * px + m5 * py + m9 * pz + m13)) / w) * height - y;

@@ -23,6 +23,7 @@ import { NetLines } from './net_lines';
 import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
+import type { Rods } from './rods';
 import { ReachSurface } from './reach_surface';
 import { Space } from './space';
 import { StepArrows } from './step_arrows';
@@ -41,7 +42,10 @@ const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 const COVERED = 0.6;
 /** Of a surface beside the net: the net is what one looks at. */
 const GUIDE_OPACITY = 0.6;
+/** How far from the middle the section plane goes, in the scene. */
+const SECTION_RANGE = 1.1;
 const surfaceShade = lazy(() => import('./surface_shade'));
+const rods = lazy(() => import('./rods'));
 
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
@@ -83,6 +87,7 @@ class SceneView implements View {
   #symmetry: Symmetry | undefined;
   #guide: DrawnSurface | null = null;
   #shade: SurfaceShade | null = null;
+  #rods: Rods | null = null;
   #isDisposed = false;
   #regionShown = false;
   #preview: readonly number[] = [];
@@ -159,6 +164,8 @@ class SceneView implements View {
     this.#faces.setTriangles(net.triangles);
     this.#ground.setNet(this.#netData, this.#faces.object.geometry);
     this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
+    this.#rods?.setNet(this.#netData, net.edges.length / 2);
+    this.#cut();
     this.setGuide(this.#guide);
     this.setFrame(frame);
     this.#lookFrom('free');
@@ -216,6 +223,42 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
+  /** Edges as lines, or as rods; what draws these comes when it is first needed. */
+  async #drawRods(): Promise<void> {
+    if (this.#appearance.rods !== undefined && this.#rods === null) {
+      const { Rods } = await rods();
+      if (this.#isDisposed) return;
+      this.#rods ??= this.#createRods(Rods);
+    }
+    const { rods: thickness } = this.#appearance;
+    this.#lines.object.visible = this.#rods === null || thickness === undefined;
+    if (this.#rods === null) return;
+    this.#rods.object.visible = thickness !== undefined;
+    if (thickness !== undefined) this.#rods.setThickness(thickness);
+    this.#requestDraw();
+  }
+
+  #createRods(Kind: typeof Rods): Rods {
+    const made = new Kind(this.#uniforms, this.#colours);
+    made.setTheme(this.#theme);
+    if (this.#net && this.#netData) made.setNet(this.#netData, this.#net.edges.length / 2);
+    this.#scene.add(made.object);
+    return made;
+  }
+
+  /** Where the section plane is. */
+  #cut(): void {
+    const plane = this.#uniforms.section.value.set(0, 0, 0, 0);
+    const { section } = this.#appearance;
+    if (section === undefined || !this.#netData) return;
+    const { axisY, signY } = this.#netData.space;
+    const axis = { x: 0, y: 1, z: 2 }[section.axis];
+    if (axis === 0) plane.x = 1;
+    else if (axis === axisY) plane.y = signY;
+    else plane.z = 1;
+    plane.w = (2 * section.at - 1) * SECTION_RANGE;
+  }
+
   setRegion(mobility: Float32Array | null): void {
     if (!this.#netData || (mobility === null && !this.#regionShown)) return;
     this.#regionShown = mobility !== null;
@@ -242,6 +285,8 @@ class SceneView implements View {
     if (appearance.upAxis !== before.upAxis) this.#turn();
     else if (field !== before.field && this.#latest) this.#netData?.setFrame(this.#latest, fieldOf(field));
     this.#setParallel(appearance.parallel ?? false);
+    this.#drawRods().catch((error: unknown) => this.#events.failed(error));
+    this.#cut();
     this.#colours.setScale(scaleOf(appearance, this.#theme), place);
     this.#faces.object.visible = showFaces;
     this.#lines.setOverColours(showFaces && place === 'vertex');
@@ -296,6 +341,7 @@ class SceneView implements View {
   dispose(): void {
     this.#isDisposed = true;
     this.#shade?.dispose();
+    this.#rods?.dispose();
     cancelAnimationFrame(this.#frame);
     this.#resizing.disconnect();
     this.#stopThemes();
@@ -331,6 +377,7 @@ class SceneView implements View {
       report: this.#report,
       events: this.#events,
       data: () => this.#netData,
+      section: this.#uniforms.section.value,
       selection: () => this.#choice.selection,
       selecting: () => this.#choice.selecting,
       moving: (handle) => this.#hand.moving(handle),
@@ -446,6 +493,7 @@ class SceneView implements View {
     ])
       part.setTheme(this.#theme);
     this.#shade?.setTheme(this.#theme);
+    this.#rods?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     this.setAppearance(this.#appearance);
   }
