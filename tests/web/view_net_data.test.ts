@@ -86,11 +86,11 @@ describe('the textures of a net', () => {
 
   test('stay the same objects from frame to frame, and each frame is one upload', () => {
     const { section: _, ...textures } = uniforms;
-    const kept = Object.values(textures).map(({ value }) => value);
+    const kept = Object.values(textures).map(({ value }) => value!);
     const arrays = kept.map((texture) => (texture.image as { data: unknown }).data);
     const versions = kept.map(({ version }) => version);
     for (const shift of [0.1, 0.2, 0.3]) data.setFrame(frameOf(net, shift), FIELDS.deviation);
-    expect(Object.values(textures).map(({ value }) => value)).toEqual(kept);
+    expect(Object.values(textures).map(({ value }) => value!)).toEqual(kept);
     kept.forEach((texture, i) => expect((texture.image as { data: unknown }).data).toBe(arrays[i]));
     expect(kept.map(({ version }, i) => version - versions[i]!)).toEqual([3, 3, 0, 0]);
   });

@@ -66,22 +66,6 @@ export function decodeScene(hash: string): Scene {
   return readScene(reader, content.subarray(4, headerEnd), packed.length > 0 ? packed : null);
 }
 
-/** What to tell a user about the link just made, or null if there is nothing to tell. */
-export function linkAdvice(shared: Shared): string | null {
-  if (shared.hash === null) return words.link.tooLarge;
-  const advice = sizeAdvice(shared);
-  if (shared.surface !== false) return advice;
-  return advice === null ? words.link.withoutSurface : words.core.sentences([words.link.withoutSurface, advice]);
-}
-
-function sizeAdvice(shared: Extract<Shared, { hash: string }>): string | null {
-  const size = shared.hash.length.toLocaleString(words.locale);
-  if (!shared.positions) return words.link.withoutShape(size);
-  if (shared.hash.length > HUGE_LINK) return words.link.huge(size);
-  if (shared.hash.length > LONG_LINK) return words.link.long(size);
-  return null;
-}
-
 // ------------------------------------------------------------------------------------------------------------- writing
 
 function header({ view, ...state }: ChebnetDocument, net: PackingNet, settled: boolean): object {

@@ -3,7 +3,7 @@ import type { FlatPattern, FormatInfo, PatternFault } from '../../../wasm/chebne
 import { baseNameOf, fileNameOf } from '../document/file_name';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { download } from '../files/download';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Theme } from '../view/theme';
 import type { Opening } from '../worker/opening';
 import type { ExportFormat } from '../worker/protocol';
@@ -84,7 +84,7 @@ function jobOf(
   const { positions } = frame;
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   if (kind === '3dm')
-    return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: words.save.layers };
+    return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: panelWords.saving.layers };
   const { field, upAxis: up = 'z' } = document.view;
   const colours = vertexColours(scaleOf(document.view, theme), fieldOf(field), frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
@@ -102,11 +102,11 @@ function made(job: ExportJob, worker: Worker): Promise<Uint8Array<ArrayBuffer>> 
 
 function bytesOf(answer: ExportAnswer): Uint8Array<ArrayBuffer> {
   if ('bytes' in answer) return answer.bytes;
-  throw new Failure('not_saved', words.save.failed(answer.message));
+  throw new Failure('not_saved', panelWords.saving.failed(answer.message));
 }
 
 function patternFaultWords(fault: PatternFault): string {
-  const { pattern } = words.save;
+  const { pattern } = panelWords.saving;
   switch (fault.reason) {
     case 'singular':
       return pattern.singular(fault.vertex, fault.valence);

@@ -171,19 +171,9 @@ export const en = {
     showingAll: (names: string[]) => `From left to right: ${names.join(' | ')}`,
   },
   link: {
-    copied: (advice: string) => `The link is copied. ${advice}`.trim(),
-    inAddressBar: (advice: string) =>
-      `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
     otherVersion: 'This link was made by another version of chebnet.',
     foreign: 'This link is not one of chebnet.',
     damaged: 'This link is damaged: perhaps a part of it was cut off.',
-    tooLarge: 'This net is too large for a link. Save it as a file instead.',
-    withoutShape: (size: string) =>
-      `The link leaves out the shape of the moment, which is too large; it will be solved again. It has ${size} characters.`,
-    withoutSurface: 'The link leaves out the surface; a project keeps it.',
-    huge: (size: string) =>
-      `The link has ${size} characters; many programs cut so long a link. Saving the net as a file is safer.`,
-    long: (size: string) => `The link has ${size} characters; some chat programs cut so long a link.`,
   },
   keys: {
     title: 'Keys',
@@ -299,20 +289,6 @@ export const en = {
     },
     edgeLength: 'Length of an edge on the pattern in millimetres',
     magnification: 'Size of the picture',
-    layers: { mesh: 'Mesh', lines: 'Net lines' },
-    failed: (reason: string) => `The file could not be made: ${reason}`,
-    pattern: {
-      singular: (vertex: number, valence: number) =>
-        `There is no flat pattern: vertex ${vertex} is singular (${valence} edges meet there), so the net does not lie flat as a square grid. Cut it into patches without singular vertices.`,
-      closed: (vertex: number) =>
-        `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
-      not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
-      overlap: (face: number) =>
-        `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
-      unequal:
-        'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
-      pieces: 'There is no flat pattern: the net is in several pieces, or its faces meet at a vertex only.',
-    },
   },
   recording: {
     kind: 'Video',

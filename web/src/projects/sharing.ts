@@ -1,10 +1,11 @@
 /** "Share": makes the links to the present scene and offers them. Loaded on demand. */
 import type { App } from '../app/app';
 import { ShareDialog, type ShareLink } from '../dialogs/share_dialog';
-import { encodeScene, linkAdvice } from '../document/share';
+import { linkAdvice } from '../document/link_advice';
+import { encodeScene } from '../document/share';
 import { QR_CAPACITY } from '../export/qr_code';
 import { copyText } from '../files/clipboard';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { WorkerLike } from '../worker/client';
 import { solvedHash } from './solved_link';
 
@@ -56,7 +57,7 @@ function linkOf(hash: string, query = ''): string {
 
 /** Resolves with a message about the result. */
 async function copyLink({ link, advice }: ShareLink): Promise<string> {
-  if (await copyText(link)) return words.link.copied(advice);
+  if (await copyText(link)) return panelWords.link.copied(advice);
   history.replaceState(null, '', link);
-  return words.link.inAddressBar(advice);
+  return panelWords.link.inAddressBar(advice);
 }

@@ -219,6 +219,34 @@ export const panels = {
       rename: 'Rename a handle',
     },
   },
+  saving: {
+    layers: { mesh: 'Mesh', lines: 'Net lines' },
+    failed: (reason: string) => `The file could not be made: ${reason}`,
+    pattern: {
+      singular: (vertex: number, valence: number) =>
+        `There is no flat pattern: vertex ${vertex} is singular (${valence} edges meet there), so the net does not lie flat as a square grid. Cut it into patches without singular vertices.`,
+      closed: (vertex: number) =>
+        `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
+      not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
+      overlap: (face: number) =>
+        `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
+      unequal:
+        'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
+      pieces: 'There is no flat pattern: the net is in several pieces, or its faces meet at a vertex only.',
+    },
+  },
+  link: {
+    copied: (advice: string) => `The link is copied. ${advice}`.trim(),
+    inAddressBar: (advice: string) =>
+      `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
+    tooLarge: 'This net is too large for a link. Save it as a file instead.',
+    withoutShape: (size: string) =>
+      `The link leaves out the shape of the moment, which is too large; it will be solved again. It has ${size} characters.`,
+    withoutSurface: 'The link leaves out the surface; a project keeps it.',
+    huge: (size: string) =>
+      `The link has ${size} characters; many programs cut so long a link. Saving the net as a file is safer.`,
+    long: (size: string) => `The link has ${size} characters; some chat programs cut so long a link.`,
+  },
   share: {
     making: 'Making the link…',
     choice: 'Link',

@@ -203,6 +203,28 @@ export const panels: Widened<typeof en> = {
       rename: '重命名手柄',
     },
   },
+  saving: {
+    layers: { mesh: '网格', lines: '网线' },
+    failed: (reason) => `无法生成文件：${reason}`,
+    pattern: {
+      singular: (vertex, valence) =>
+        `无法展开：顶点 ${vertex} 是奇异顶点（有 ${valence} 条边相交），网不能平铺成正方形网格。请先将网分割为不含奇异顶点的片。`,
+      closed: (vertex) => `无法展开：网自身闭合，顶点 ${vertex} 会得到两个位置。请先将网剪开。`,
+      not_quads: (face) => `无法展开：面 ${face} 不是四边形。`,
+      overlap: (face) => `无法展开：面 ${face} 会与另一个面重叠。请先将网分开。`,
+      unequal: '无法展开：各边长度不同，只有等边长的网才能展开为正方形网格。',
+      pieces: '无法展开：网由多片组成，或有些面仅在顶点处相接。',
+    },
+  },
+  link: {
+    copied: (advice) => `链接已复制。${advice}`,
+    inAddressBar: (advice) => `此页面无法使用剪贴板，链接已放入地址栏。${advice}`,
+    tooLarge: '这张网太大，无法放入链接。请保存为文件。',
+    withoutShape: (size) => `当前形状太大，未放入链接，打开时将重新求解。链接有 ${size} 个字符。`,
+    withoutSurface: '链接不含曲面；项目文件会保留它。',
+    huge: (size) => `链接有 ${size} 个字符，许多程序会截断这么长的链接。保存为文件更稳妥。`,
+    long: (size) => `链接有 ${size} 个字符，有些聊天程序会截断这么长的链接。`,
+  },
   share: {
     making: '正在生成链接…',
     choice: '链接',
