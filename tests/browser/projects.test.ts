@@ -182,6 +182,65 @@ test('a net that has not come to rest is kept when a project takes its place', a
   expect((await standing(script)).handles).toBeGreaterThan(0);
 });
 
+test('several projects with names and pictures: opened, renamed, copied, deleted and brought back; one open elsewhere stays whole', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const dialog = page.getByRole('dialog', { name: 'My projects' });
+  const show = async () => {
+    await press(visit, 'File');
+    await page.getByRole('button', { name: /^My projects/ }).click();
+    await dialog.waitFor();
+  };
+  const lines = () =>
+    dialog.getByRole('textbox').evaluateAll((all) => all.map((each) => (each as HTMLInputElement).value));
+  await show();
+  await dialog.getByText('Nothing is kept yet').waitFor();
+  await page.screenshot({ path: join(OUTPUT, 'projects-empty.png') });
+  await dialog.getByRole('button', { name: 'Keep it' }).click();
+  await dialog.getByText('open now').waitFor();
+  await dialog.getByRole('button', { name: 'Close' }).click();
+
+  await script.open({ recipe: SHAPE });
+  const hall = await standing(script);
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
+  await show();
+  await dialog.getByRole('textbox').fill('Hall');
+  await dialog.getByRole('textbox').press('Enter');
+  await dialog.getByRole('button', { name: 'Duplicate Hall' }).click();
+  await expect.poll(lines).toEqual(['Hall', 'Copy of Hall']);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await press(visit, 'File');
+  await page.getByRole('button', { name: /^New/ }).click();
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
+  await show();
+  await expect.poll(lines).toEqual(['', 'Hall', 'Copy of Hall']);
+  await page.screenshot({ path: join(OUTPUT, 'projects-desktop.png') });
+  await dialog.getByRole('button', { name: 'Delete Copy of Hall' }).click();
+  await expect.poll(lines).toEqual(['', 'Hall']);
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(lines).toEqual(['', 'Hall', 'Copy of Hall']);
+
+  const other = await newTab(visit);
+  await other.page.goto(page.url());
+  await other.script.waitForNet();
+  await press(other, 'File');
+  await other.page.getByRole('button', { name: /^My projects/ }).click();
+  await other.page.getByText('open in another tab').waitFor();
+  await other.page.close();
+
+  await dialog.getByRole('button', { name: 'Open Hall', exact: true }).click();
+  await dialog.waitFor({ state: 'detached' });
+  expect(await standing(script)).toEqual(hall);
+  await page.reload();
+  await script.waitForNet();
+  expect(await standing(script)).toEqual(hall);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await show();
+  await expect.poll(lines).toEqual(['Hall', '', 'Copy of Hall']);
+  await page.screenshot({ path: join(OUTPUT, 'projects-phone.png') });
+});
+
 test('a broken project is refused with what is wrong, and the net stays', async () => {
   const { page, script } = await arrive();
   const before = await standing(script);

@@ -32,6 +32,7 @@ const services: AppServices = {
   pickFile: () => attempt(pickAndOpen),
   newNet: () => attempt(() => projects.newNet()),
   saveProject,
+  chooseProject: () => attempt(() => projects.choose(element('panels'))),
   restoreLast: () => attempt(() => projects.restoreLast()),
   equalize: () => attempt(async () => (await openers()).equalizeNet()),
   drape: () => attempt(async () => (await openers()).drapeNet()),

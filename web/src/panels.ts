@@ -29,6 +29,8 @@ export interface PanelEvents {
   /** Open the default net in place of the present one. */
   newNet(): void;
   saveProject(): void;
+  /** Show the projects that the browser keeps. */
+  chooseProject(): void;
   /** Open the project stored before the present one. */
   restoreLast(): void;
   chooseLanguage(language: Language): void;

@@ -44,6 +44,7 @@ export type AppServices = Pick<
   | 'pickFile'
   | 'newNet'
   | 'saveProject'
+  | 'chooseProject'
   | 'restoreLast'
   | 'equalize'
   | 'drape'

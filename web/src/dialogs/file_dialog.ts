@@ -112,8 +112,8 @@ function makeList(facts: [string, string][]): HTMLElement {
 
 function makeDefects({ findings, refusal }: FileReport): HTMLElement {
   const rows = findings.map((finding) => {
-    const name = dialogWords.file.defect(words.core.name(finding.defect), count(finding.count));
-    return make('li', {}, make('strong', {}, name), make('span', {}, words.core.finding(finding)));
+    const name = dialogWords.file.defect(dialogWords.defect(finding.defect), count(finding.count));
+    return make('li', {}, make('strong', {}, name), make('span', {}, dialogWords.finding(finding)));
   });
   return make(
     'section',

@@ -27,7 +27,8 @@ export function sentenceOf(name: ChangeName): string {
   return typeof sentence === 'string' ? sentence : (sentence as (...said: string[]) => string)(...terms.map(textOf));
 }
 
-function textOf(term: Term): string {
+/** In the present language. */
+export function textOf(term: Term): string {
   if (typeof term === 'string') return term;
   return Object.entries(term)
     .map(([kind, value]) => KINDS[kind as keyof typeof KINDS](value))

@@ -47,6 +47,16 @@ export function drawThumbnail(canvas: HTMLCanvasElement, net: Wireframe): void {
   canvas.height = height * ratio;
   context.scale(ratio, ratio);
   context.strokeStyle = getComputedStyle(canvas).color;
+  paintThumbnail(context, net, width, height);
+}
+
+/** In the colour that strokes have. */
+export function paintThumbnail(
+  context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
+  net: Wireframe,
+  width: number,
+  height: number,
+): void {
   context.lineWidth = 0.7;
   const flat = project(net, width, height);
   const layers = edgeLayers(net);

@@ -234,6 +234,7 @@ export const en = {
       newNet: { title: 'New', hint: 'the first net; undo brings this one back' },
       open: { title: 'Open…', hint: 'a project, or a mesh (Ctrl+O)' },
       save: { title: 'Save project', hint: 'all of it, with its history (Ctrl+S)' },
+      mine: { title: 'My projects…', hint: 'named or not, as this browser keeps them' },
       restore: { title: 'Restore my last net', hint: 'as this browser kept it' },
     },
     restored: 'Your net is as you left it.',
@@ -242,6 +243,7 @@ export const en = {
     noOther: 'This browser has kept no other net.',
     lastRestored: 'Your last net is back.',
     opened: 'The project is open.',
+    copyOpened: 'The project is open in another tab, too: this is a copy.',
     linkOpened: (title: string | null) => (title === null ? 'The link is open.' : `${title}.`),
     linkFollowed: (title: string | null) =>
       `${title === null ? 'The link is open' : title}. Undo brings back what was here before.`,

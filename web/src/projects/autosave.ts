@@ -3,7 +3,10 @@ import type { App } from '../app/app';
 import type { ViewState } from '../document/document';
 import { type Project, writeProject } from '../document/project';
 import { Measure } from '../document/undo';
-import { keep, newId } from './kept';
+import { keep, newId, release } from './kept';
+import { lazy } from '../lazy';
+
+const collection = lazy(() => import('./collection'));
 
 const PAUSE_MS = 400;
 /** Bytes of nets and positions of the history that are stored beside the present state: so many are written in some
@@ -48,6 +51,7 @@ export class Autosave {
 
   /** Stores the present net under `id` from now on; unless it is `worth` it already, only after the next change. */
   begin(id: string, worth: boolean): void {
+    if (id !== this.#id) release(this.#id);
     this.#id = id;
     this.#revision = worth ? -1 : this.#app.history.revision;
     this.#view = null;
@@ -80,12 +84,22 @@ export class Autosave {
     try {
       await keep(this.#id, writeProject(project, present.bytes + LARGEST_HISTORY));
       this.#refused = false;
+      void this.#noteLook(this.#id);
     } catch {
       this.#refused = true;
       // So that the next occasion tries again.
       this.#revision = -1;
       this.#failed();
     }
+  }
+
+  /** For the list of projects, which does without if need be. */
+  async #noteLook(id: string): Promise<void> {
+    const { opening } = this.#app;
+    if (opening)
+      await collection()
+        .then(({ noteLook }) => noteLook(id, opening))
+        .catch(() => {});
   }
 
   #soon(): void {

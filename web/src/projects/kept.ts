@@ -1,4 +1,5 @@
-/** Projects kept in this browser, the newest few. Each tab has one of its own, and every write is whole. */
+/** Projects kept in this browser: the newest few, and those with a name. Each tab has one of its own, and every write is whole.
+ *  What is listed of them, and what can be done with them: collection.ts. */
 import { createStore, delMany, get, set, update } from 'idb-keyval';
 
 /** A stored project. Not validated here: it may be of another version of the page; readProject() checks it. */
@@ -7,32 +8,52 @@ export interface KeptProject {
   project: unknown;
 }
 
+/** Without a name. */
 const MOST = 6;
 /** Holds the ids, newest first. */
-const INDEX = 'index';
+export const INDEX = 'index';
+/** Holds the names that were given, by id. */
+export const NAMES = 'names';
 /** Key in sessionStorage, which belongs to the tab and survives a reload. */
 const TAB = 'chebnet.tab';
 
-const store = createStore('chebnet', 'projects');
+export const store = createStore('chebnet', 'projects');
+
+export function freshId(): string {
+  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+}
 
 /** Of this tab alone. */
 export function newId(): string {
-  const id = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+  const id = freshId();
   void claim(id);
   return id;
 }
 
-/** Locks an id for this tab. False: another tab holds it, of which this one is a duplicate. The lock ends with the tab. */
+/** The locks of this tab, and what ends them. */
+const held = new Map<string, () => void>();
+
+export function lockOf(id: string): string {
+  return `chebnet.${id}`;
+}
+
+/** Locks an id for this tab, which ends it by `release` or by its own end. False: another tab holds it, e.g. one of which
+ *  this is a duplicate. */
 export function claim(id: string): Promise<boolean> {
   const { locks } = navigator;
-  if (locks === undefined) return Promise.resolve(true);
+  if (locks === undefined || held.has(id)) return Promise.resolve(true);
   return new Promise((resolve) => {
     const take = (lock: Lock | null): Promise<never> | null => {
       resolve(lock !== null);
-      return lock && new Promise(() => {});
+      return lock && new Promise((done) => held.set(id, () => done(undefined as never)));
     };
-    locks.request(`chebnet.${id}`, { ifAvailable: true }, take).catch(() => resolve(true));
+    locks.request(lockOf(id), { ifAvailable: true }, take).catch(() => resolve(true));
   });
+}
+
+export function release(id: string): void {
+  held.get(id)?.();
+  held.delete(id);
 }
 
 /** This tab's project from before the reload, else the newest; undefined: there is none. */
@@ -61,17 +82,18 @@ export async function keep(id: string, project: unknown): Promise<void> {
   let forgotten: string[] = [];
   const note = (ids: string[] = []): string[] => {
     const all = [id, ...ids.filter((other) => other !== id)];
-    forgotten = all.slice(MOST);
-    return all.slice(0, MOST);
+    forgotten = all.filter((each) => !Object.hasOwn(names, each)).slice(MOST);
+    return all.filter((each) => !forgotten.includes(each));
   };
   // Firefox refuses the first write after one for which there was no room.
   await set(id, project, store).catch(() => set(id, project, store));
+  const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
   await update(INDEX, note, store);
   await delMany(forgotten, store);
   sessionStorage.setItem(TAB, id);
 }
 
-async function read(id: string): Promise<KeptProject | undefined> {
+export async function read(id: string): Promise<KeptProject | undefined> {
   const project: unknown = await get(id, store);
   return project === undefined ? undefined : { id, project };
 }

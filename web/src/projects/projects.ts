@@ -5,13 +5,16 @@ import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject
 import { download } from '../files/download';
 import { baseNameOf } from '../document/file_name';
 import { words } from '../language/language';
+import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
-import { claim, findLast, findNewest, isOwn, newId } from './kept';
+import { claim, findLast, findNewest, isOwn, newId, read } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
 import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
 import { Failure, messageOf } from '../failure';
+
+const choosing = lazy(() => import('./choosing'));
 
 export class Projects {
   readonly #app: App;
@@ -76,7 +79,15 @@ export class Projects {
   // ----------------------------------------------------------------------------------------------------------- what is open
 
   async newNet(): Promise<void> {
+    await this.#autosave.save();
     await this.#app.openScene(defaultScene(), { name: ['newNet'], key: null });
+    await this.#keepAs(newId());
+  }
+
+  /** At once: after a reload the tab opens what it kept last. */
+  #keepAs(id: string): Promise<void> {
+    this.#autosave.begin(id, true);
+    return this.#autosave.save();
   }
 
   async followLink(): Promise<void> {
@@ -92,6 +103,28 @@ export class Projects {
     if (last === undefined) return this.#app.say(words.projects.noOther);
     await this.#restore(last);
     this.#app.say(words.projects.lastRestored);
+  }
+
+  /** The projects that the browser keeps, to choose from. */
+  async choose(root: HTMLElement): Promise<void> {
+    const { chooseProject } = await choosing();
+    await this.#autosave.save();
+    chooseProject(root, {
+      present: this.#autosave.id,
+      open: (id) => this.#openKept(id),
+      keepPresent: () => this.#keepAs(this.#autosave.id),
+    });
+  }
+
+  /** Where another tab has it open, a copy. */
+  async #openKept(id: string): Promise<void> {
+    await this.#autosave.save();
+    const kept = await read(id);
+    if (kept === undefined) return;
+    const isFree = await claim(id);
+    await this.#openFlagged(id, () => this.#app.openProject(readProject(kept.project)));
+    await this.#keepAs(isFree ? id : newId());
+    this.#app.say(isFree ? words.projects.opened : words.projects.copyOpened);
   }
 
   /** Reloads the page with the edited net rather than with the link it came from; where the browser stores nothing, a new

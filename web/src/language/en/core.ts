@@ -1,6 +1,6 @@
 /** What the core says. It speaks English: its sentences stand as they are, its names are made readable. */
-import type { Finding } from '../../../../wasm/chebnet';
 import type { Tables } from '../../net/tables';
+import { readable } from './readable';
 
 /** Methods and initialisations that are more than their words. */
 const METHODS: Record<string, string> = {
@@ -17,13 +17,12 @@ const METHODS: Record<string, string> = {
 export const core = {
   /** With titles and sentences for people. */
   tables: (tables: Tables) => tables,
-  /** A parameter, an option or a defect. */
+  /** A parameter or an option. */
   name: (name: string) => readable(name),
   /** A shape within a sentence. */
   shape: (name: string) => name.replaceAll('_', ' '),
   /** A method or an initialisation. */
   method: (name: string) => METHODS[name] ?? readable(name),
-  finding: ({ sentence }: Finding) => sentence,
   /** What went wrong. */
   failure: (_code: string, message: string) => message,
   /** As a sentence to be shown by itself. The name of a file stays as it is. */
@@ -34,10 +33,3 @@ export const core = {
   /** One after the other; an empty one does not count. */
   sentences: (all: string[]) => all.filter((each) => each !== '').join(' '),
 };
-
-/** `switch_deviation` → `Switch deviation`; but `p_end` → `p end`, for p is a letter of the paper. */
-function readable(name: string): string {
-  const words = name.replaceAll('_', ' ');
-  if (words.charAt(1) === ' ') return words;
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}

@@ -1,6 +1,32 @@
 /** The dialogs that lead to another net, from a file, by equalising or on a surface. */
+import type { Defect, Finding } from '../../../../wasm/chebnet';
+import { readable } from './readable';
 
 export const dialogs = {
+  projects: {
+    title: 'My projects',
+    hint: 'Those with a name stay until you delete them; of the others, the newest six.',
+    empty: 'Nothing is kept yet: whatever you change is kept here by itself.',
+    notKept: 'The net that is open is not kept yet.',
+    keep: 'Keep it',
+    isOpen: 'open now',
+    isElsewhere: 'open in another tab',
+    name: (project: string) => `Name of ${project}`,
+    open: 'Open',
+    openOne: (project: string) => `Open ${project}`,
+    copy: 'Duplicate',
+    copyOne: (project: string) => `Duplicate ${project}`,
+    copyOf: (project: string) => `Copy of ${project}`,
+    delete: 'Delete',
+    deleteOne: (project: string) => `Delete ${project}`,
+    deleted: (project: string) => `“${project}” is deleted.`,
+    back: 'Undo',
+    refused: 'The browser refused: its storage is full, or closed to this page.',
+    close: 'Close',
+  },
+  defect: (defect: Defect) => readable(defect),
+  /** In full. */
+  finding: ({ sentence }: Finding) => sentence,
   file: {
     steps: {
       loading: 'Loading the file',

@@ -1,5 +1,4 @@
 /** What the core says, by the names in its tables and the codes of its errors. */
-import type { Defect, Finding } from '../../../../wasm/chebnet';
 import type { Tables } from '../../net/tables';
 
 interface ShapeWords {
@@ -161,7 +160,7 @@ export const OPTIONS: Record<string, string> = {
   rest_tolerance: '剩余梯度低于此值时，平衡方法视为静止。',
 };
 
-/** Parameters of shapes, options, defects. */
+/** Parameters of shapes, options. */
 export const NAMES: Record<string, string> = {
   vertices: '顶点数',
   rise: '拱高',
@@ -199,22 +198,6 @@ export const NAMES: Record<string, string> = {
   guide_mode: '参考曲面的作用',
   guide_weight: '参考曲面的强度',
   rest_tolerance: '静止容差',
-  duplicate_vertices: '重复顶点',
-  degenerate_faces: '退化面',
-  duplicate_faces: '重复面',
-  non_manifold_edges: '非流形边',
-  inconsistent_winding: '绕向不一致',
-  unused_vertices: '未使用的顶点',
-};
-
-/** What was found, and what repair does. */
-export const DEFECTS: Record<Defect, { found: string; repair: string }> = {
-  duplicate_vertices: { found: '个顶点与先前的顶点重合', repair: '将合并' },
-  degenerate_faces: { found: '个面有重合的角', repair: '将简化或删除' },
-  duplicate_faces: { found: '个面与先前的面有相同的边', repair: '将删除' },
-  non_manifold_edges: { found: '个面是同一条边上的第三个或更多的面', repair: '将删除' },
-  inconsistent_winding: { found: '个面的绕向与其他面相反', repair: '将翻转' },
-  unused_vertices: { found: '个顶点不属于任何面', repair: '将舍弃' },
 };
 
 /** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */
@@ -265,11 +248,6 @@ export const core = {
   name: (name: string) => NAMES[name] ?? name,
   shape: (name: string) => SHAPES[name]?.title ?? name,
   method: (name: string) => METHODS[name]?.title ?? INITIALISATIONS[name]?.title ?? name,
-  finding: ({ defect, repaired, count, examples }: Finding) => {
-    const { found, repair } = DEFECTS[defect];
-    const more = count > examples.length ? '…' : '';
-    return `${count.toLocaleString('zh-CN')} ${found}${repaired ? `，${repair}` : ''}：${examples.join('、')}${more}`;
-  },
   failure: (code: string, message: string) => {
     const said = CORE_ERRORS[code];
     return said === undefined ? (WORKER_ERRORS[code] ?? message) : `${said}（${message.replace(/\.$/, '')}）`;

@@ -1,9 +1,47 @@
+import type { Defect, Finding } from '../../../../wasm/chebnet';
 import type { dialogs as en } from '../en/dialogs';
 import type { Widened } from '../words';
 
 const POLYGONS: Record<number, string> = { 3: '三角形', 4: '四边形', 5: '五边形', 6: '六边形' };
 
+/** A defect, what was found, and what repair does. */
+export const DEFECTS: Record<Defect, { name: string; found: string; repair: string }> = {
+  duplicate_vertices: { name: '重复顶点', found: '个顶点与先前的顶点重合', repair: '将合并' },
+  degenerate_faces: { name: '退化面', found: '个面有重合的角', repair: '将简化或删除' },
+  duplicate_faces: { name: '重复面', found: '个面与先前的面有相同的边', repair: '将删除' },
+  non_manifold_edges: { name: '非流形边', found: '个面是同一条边上的第三个或更多的面', repair: '将删除' },
+  inconsistent_winding: { name: '绕向不一致', found: '个面的绕向与其他面相反', repair: '将翻转' },
+  unused_vertices: { name: '未使用的顶点', found: '个顶点不属于任何面', repair: '将舍弃' },
+};
+
 export const dialogs: Widened<typeof en> = {
+  projects: {
+    title: '我的项目',
+    hint: '已命名的项目保留到您删除为止；其余的保留最新六个。',
+    empty: '尚未保存任何项目：您的改动会自动保存在这里。',
+    notKept: '当前打开的网尚未保存。',
+    keep: '保存',
+    isOpen: '当前打开',
+    isElsewhere: '在另一标签页中打开',
+    name: (project) => `${project} 的名称`,
+    open: '打开',
+    openOne: (project) => `打开 ${project}`,
+    copy: '复制',
+    copyOne: (project) => `复制 ${project}`,
+    copyOf: (project) => `${project} 副本`,
+    delete: '删除',
+    deleteOne: (project) => `删除 ${project}`,
+    deleted: (project) => `已删除“${project}”。`,
+    back: '撤销',
+    refused: '浏览器拒绝：存储已满，或不允许本页使用。',
+    close: '关闭',
+  },
+  defect: (defect: Defect) => DEFECTS[defect].name,
+  finding: ({ defect, repaired, count, examples }: Finding) => {
+    const { found, repair } = DEFECTS[defect];
+    const more = count > examples.length ? '…' : '';
+    return `${count.toLocaleString('zh-CN')} ${found}${repaired ? `，${repair}` : ''}：${examples.join('、')}${more}`;
+  },
   file: {
     steps: {
       loading: '正在加载文件',
