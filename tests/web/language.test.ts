@@ -8,12 +8,12 @@ import { learn as learnInEnglish } from '../../web/src/language/en/learn';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { panels as panelsInEnglish } from '../../web/src/language/en/panels';
 import { zh } from '../../web/src/language/zh';
-import { CORE_ERRORS, FORMATS, INITIALISATIONS, METHODS, NAMES, OPTIONS, SHAPES } from '../../web/src/language/zh/core';
+import { CORE_ERRORS, FORMATS, INITIALISATIONS, METHODS, NAMES, SHAPES } from '../../web/src/language/zh/core';
 import { DEFECTS, dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { learn as learnInChinese } from '../../web/src/language/zh/learn';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
-import { panels as panelsInChinese } from '../../web/src/language/zh/panels';
+import { OPTIONS, panels as panelsInChinese } from '../../web/src/language/zh/panels';
 import { load, ROOT } from '../wasm/load';
 
 /** Every text and every function, by the names that lead to it. */
@@ -75,7 +75,8 @@ describe('what the core says has Chinese words:', () => {
       formats: core.formats(),
       options: core.options(),
     };
-    const { shapes, methods, initialisations, formats, options } = zh.core.tables(tables);
+    const { shapes, methods, initialisations, formats } = zh.core.tables(tables);
+    const options = tables.options.map((each) => ({ ...each, sentence: panelsInChinese.solver.option(each) }));
     expect(names(SHAPES)).toEqual(byName(shapes));
     for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
     expect(names(METHODS)).toEqual(byName(methods));

@@ -108,13 +108,8 @@ export class ProjectsDialog {
       'li',
       {},
       this.#picture(line),
-      make(
-        'div',
-        { class: 'about' },
-        field,
-        make('small', {}, [when, standing].filter(Boolean).join(' · ')),
-        make('div', { class: 'ways' }, open, copy, remove),
-      ),
+      make('div', { class: 'about' }, field, make('small', {}, [when, standing].filter(Boolean).join(' · '))),
+      make('div', { class: 'ways' }, open, copy, remove),
     );
   }
 

@@ -86,7 +86,7 @@ export class SolverPanel implements Panel {
   #makeSetting(option: OptionInfo): Setting {
     if (option.kind === 'flag') {
       const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.#change(option, on));
-      row.title = option.sentence;
+      row.title = panelWords.solver.option(option);
       return { option, input: box, row };
     }
     const step = option.kind === 'integer' ? 1 : 'any';
@@ -97,7 +97,7 @@ export class SolverPanel implements Panel {
     });
     const row = make(
       'label',
-      { class: 'row', title: option.sentence },
+      { class: 'row', title: panelWords.solver.option(option) },
       make('span', {}, words.core.name(option.name)),
       input,
     );

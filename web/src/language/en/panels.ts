@@ -1,4 +1,5 @@
 /** What the panels say that come after the first picture. */
+import type { OptionInfo } from '../../../../wasm/chebnet';
 
 export const panels = {
   /** Heads the sections about methods. */
@@ -103,6 +104,8 @@ export const panels = {
     stage: (stage: number) => (stage === 0 ? 'Start' : `Stage ${stage}`),
   },
   solver: {
+    /** What it is for. */
+    option: ({ sentence }: OptionInfo) => sentence,
     solve: 'Solve',
     solveHint: 'Iterate until the solve ends',
     cancel: 'Cancel',

@@ -1,6 +1,32 @@
+import type { OptionInfo } from '../../../../wasm/chebnet';
 import type { panels as en } from '../en/panels';
 import type { Widened } from '../words';
 import { spaced } from './spaced';
+
+export const OPTIONS: Record<string, string> = {
+  threshold: '最大 dL 低于此值即为收敛（ε3）。',
+  energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
+  gradient_tolerance: '梯度的范数低于此值时，一个阶段结束（ε2）。',
+  max_iterations: '一次求解最多迭代这么多次。',
+  p_start: '边长相差较大时能量的指数。',
+  p_end: '用于抹平最后偏差的指数。',
+  adaptive_p: '从小指数开始；关闭则一开始就用大指数。',
+  switch_deviation: '最大 dL 低于此值时改用大指数。',
+  adaptive_reduction: '接近结束时，只移动仍有偏差的边附近的顶点。',
+  reduction_deviation: '最大 dL 低于此值时减少变量。',
+  active_fraction: 'dL 高于阈值的这一比例时，该边视为仍有偏差（ε4）。',
+  active_rings: '有偏差的边周围保持自由的邻域环数。',
+  reduce_once: '像论文那样，临近结束时只选定一次要移动的顶点，而不是每次重新选定。',
+  direct_energy: '方法 li2022 直接最小化 dL 的 p 次幂（式 2）。',
+  shear_limit: '平衡方法不让四边形的任何角小于此度数；0 表示不限。',
+  bending_weight: '平衡方法中网线抵抗弯曲的程度。',
+  shear_weight: '平衡方法中四边形抵抗剪切的程度。',
+  straight_rods: '平衡方法中网线趋于伸直，而非保持初始的弯曲。',
+  gravity: '平衡方法中一条边的重量，沿 z 轴向下。',
+  guide_mode: '平衡方法中参考曲面的作用：0 无，1 使网靠近，2 使网贴住，3 使网留在外侧。',
+  guide_weight: '平衡方法中参考曲面的作用强度。',
+  rest_tolerance: '剩余梯度低于此值时，平衡方法视为静止。',
+};
 
 export const panels: Widened<typeof en> = {
   /** Heads the sections about methods. */
@@ -100,6 +126,7 @@ export const panels: Widened<typeof en> = {
     stage: (stage) => (stage === 0 ? '起始' : `阶段 ${stage}`),
   },
   solver: {
+    option: ({ name, sentence }: OptionInfo) => OPTIONS[name] ?? sentence,
     solve: '求解',
     solveHint: '一直迭代，直到求解结束',
     cancel: '取消',
