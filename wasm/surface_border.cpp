@@ -183,7 +183,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.length = options["length"].as<double>();
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
-    const Remesh made = remesh(open.surface, open.tree, wanted,
+    const Remesh made = remesh(open.guide, wanted,
                                [&](RemeshPhase phase, double part) { progress(std::string(to_string(phase)), part); });
     val milliseconds = val::object();
     for (int phase = 0; phase < k_remesh_phases; ++phase)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "base/stopwatch.h"
 #include "command.h"
@@ -36,19 +37,19 @@ Json remesh_report(const Net& net, const DrapeReport& measured) {
 }
 
 int run_remesh(const RemeshArguments& arguments) {
-    const Surface surface = load_surface(arguments.surface);
+    Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
-    const SurfaceTree tree(surface);
+    const auto guide = std::make_shared<const Guide>(std::move(loaded));
     Json milliseconds = {{"tree", watch.milliseconds()}};
     RemeshOptions options = arguments.options;
     options.smallest_angle = arguments.smallest_angle * std::numbers::pi / 180;
-    const Remesh made = remesh(surface, tree, options);
+    const Remesh made = remesh(guide, options);
     for (int phase = 0; phase < k_remesh_phases; ++phase)
         milliseconds[to_string(static_cast<RemeshPhase>(phase))] = made.milliseconds[phase];
     write_net(arguments.output, made.net.rest_positions(), made.net.faces());
-    const DrapeReport measured = measure_drape(surface, tree, made.net);
+    const DrapeReport measured = measure_drape(guide->surface(), guide->tree(), made.net);
     print({{"surface", name_of(arguments.surface)},
-           {"described", surface_report(describe(surface))},
+           {"described", surface_report(describe(guide->surface()))},
            {"net", remesh_report(made.net, measured)},
            {"milliseconds", milliseconds}});
     return k_success;

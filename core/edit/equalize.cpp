@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/stopwatch.h"
+#include "edit/resting_near.h"
 #include "net/measures.h"
 #include "solve/parts/nearest_rotation.h"
 
@@ -24,11 +25,8 @@ constexpr const char* k_threshold = "1e-9";  // k_equal_deviation as the text of
 // nets; from there, shaking succeeds in a fraction of the time if anything does.
 constexpr const char* k_first_iterations = "150";
 constexpr const char* k_second_iterations = "300";
-// Beside the bending of rods: how near the surface they come.
-constexpr const char* k_guide_weight = "2";
 // Coming to rest makes it little fairer in the end.
 constexpr const char* k_iterations_to_rest = "30";
-constexpr const char* k_rest_tolerance = "0.01";
 // What holds vertices where they were in the original: enough for the net not to slide over its surface.
 constexpr double k_anchor_weight = 0.02;
 // How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
@@ -230,21 +228,14 @@ void Equalizer::make_fair() {
 
 void Equalizer::begin_rest() {
     const Net& net = m_editor.net();
-    m_at_rest = std::make_unique<Editor>(Net(m_fair->positions(), net.faces(), RestLengths::equal));
+    m_at_rest = std::make_unique<Editor>(resting_near(Net(m_fair->positions(), net.faces(), RestLengths::equal),
+                                                      m_unit == 1 ? m_surface : surface_of(net, m_unit),
+                                                      m_options.shear_limit));
     std::vector<Handle> handles;
     for (int v : m_options.handles) handles.push_back({v, m_fair->positions().col(v)});
     for (const Pull& pull : anchors()) handles.push_back({pull.vertex, pull.target, pull.weight});
     m_at_rest->set_handles(handles);
-    m_at_rest->set_method("equilibrium");
-    m_at_rest->set_guide(m_unit == 1 ? m_surface : surface_of(net, m_unit));
-    const double degrees = m_options.shear_limit * 180 / std::numbers::pi;
-    for (const auto& [key, value] : {std::pair<const char*, std::string>{"threshold", k_threshold},
-                                     {"max_iterations", k_iterations_to_rest},
-                                     {"rest_tolerance", k_rest_tolerance},
-                                     {"straight_rods", "on"},
-                                     {"guide_weight", k_guide_weight},
-                                     {"shear_limit", number_text(degrees, 17)}})
-        m_at_rest->set_option(key, value);
+    m_at_rest->set_option("max_iterations", k_iterations_to_rest);
     m_stage = Stage::rest;
 }
 

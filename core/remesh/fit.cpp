@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "edit/fair_start.h"
+#include "edit/resting_near.h"
 #include "linear/graph_system.h"
 #include "net/measures.h"
 #include "net/topology.h"
@@ -23,15 +25,14 @@ namespace chebnet {
 
 namespace {
 
-// Lengths are reckoned in L. The weight of the distance from the surface falls, so that lengths are found on the
-// surface first, by shear; that of edges, and of corners that are too sharp, grows.
-constexpr double k_first_hold = 100, k_last_hold = 1;
-constexpr double k_first_stiffness = 1, k_last_stiffness = 1e4;
+// Lengths are reckoned in L. To even out the edges vertices are held on the surface, so that the lengths are found by
+// shear, which costs nothing but the straightness of net lines.
+constexpr double k_hold = 100, k_stiffness = 1;
 constexpr double k_border = 0.05;    // of the distance of borders, where that from the surface counts 1
 constexpr double k_straight = 0.02;  // of the second difference of a net line
 constexpr double k_inertia = 5e-4;   // what a step costs: nothing else keeps vertices from drifting along the surface
-constexpr int k_least_soft_steps = 4, k_most_soft_steps = 40, k_stiff_steps = 18;
-constexpr double k_least_gain = 0.99;  // of what a soft step leaves of the error of lengths
+constexpr int k_least_steps = 4, k_most_steps = 40;
+constexpr double k_least_gain = 0.99;  // of what a step leaves of the error of lengths
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
@@ -40,14 +41,22 @@ constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
 constexpr double k_exact_error = 1e-11;
 constexpr double k_equal_deviation = 1e-9;  // the largest dL of a net that is exact
 constexpr int k_most_projections = 60, k_most_openings = 30;
+// Towards rest near the surface: beyond so many steps little changes.
+constexpr double k_pull_of_border = 0.3;
+constexpr int k_steps_to_rest = 20;
+// The part of the work that is done after each of its stages.
+constexpr double k_even_at = 0.3, k_fair_at = 0.7, k_exact_at = 0.75;
 
 double length_of(const Eigen::Vector3d& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
 
 class Fitter {
 public:
-    Fitter(const Surface& surface, const SurfaceTree& tree, const Mesh& mesh, const FitOptions& options)
-        : m_surface(surface),
-          m_tree(tree),
+    Fitter(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
+           const std::function<void(double)>& go_on)
+        : m_guide(guide),
+          m_surface(guide->surface()),
+          m_tree(guide->tree()),
+          m_go_on(go_on),
           m_net(mesh.positions, mesh.faces, RestLengths::own),
           m_topology(m_net),
           m_options(options),
@@ -63,28 +72,44 @@ public:
         m_system = std::make_unique<BlockSystem>(m_net.vertex_count(), links());
     }
 
-    Net run(const std::function<void(double)>& go_on) {
-        spread_edges(go_on);
-        for (int k = 0; k < k_stiff_steps; ++k) {
-            go_on((1 + static_cast<double>(k) / k_stiff_steps) / 2);
-            const double part = static_cast<double>(k) / (k_stiff_steps - 1);
-            m_hold = k_first_hold * std::pow(k_last_hold / k_first_hold, part);
-            step(k_first_stiffness * std::pow(k_last_stiffness / k_first_stiffness, part));
-        }
-        return exact();
+    Net run() {
+        spread_edges();
+        make_fair();
+        return come_to_rest(exact());
     }
 
 private:
     /// On the surface, until that hardly brings lengths nearer to each other any more.
-    void spread_edges(const std::function<void(double)>& go_on) {
+    void spread_edges() {
         double error = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < k_most_soft_steps; ++k) {
-            go_on(static_cast<double>(k) / k_most_soft_steps / 2);
+        for (int k = 0; k < k_most_steps; ++k) {
+            m_go_on(k_even_at * k / k_most_steps);
             if (m_options.length == 0) m_length = fitting_length();
             const double last = std::exchange(error, length_error());
-            if (k >= k_least_soft_steps && error > k_least_gain * last) return;
-            step(k_first_stiffness);
+            if (k >= k_least_steps && error > k_least_gain * last) return;
+            step();
         }
+    }
+
+    /// As a net of edges of length L near the surface that bends least, but for what its lengths still err.
+    void make_fair() {
+        const bool fits = m_options.length == 0;
+        const Net net = with_length(m_length);
+        for (const int v : m_border) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
+        FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
+        double part = 0;
+        do {
+            m_go_on(k_even_at + (k_fair_at - k_even_at) * part);
+            part += (1 - part) / 10;  // it does not know how many steps it takes
+        } while (start.step());
+        m_positions = start.unit() * start.positions();
+        m_length *= start.unit();
+    }
+
+    /// The mesh of the moment scaled to edges of a mean length.
+    Net with_length(double length) const {
+        const double mean = edge_ratios(m_net, m_positions).cwiseProduct(m_net.rest_lengths()).mean();
+        return Net(length / mean * m_positions, m_net.faces(), RestLengths::equal);
     }
 
     /// Root mean square, in L.
@@ -155,16 +180,16 @@ private:
 
     /// A Gauss–Newton step of Σ hold · (distance to the surface)² + straightness + stiffness · (lengths, sharp
     /// corners).
-    void step(double stiffness) {
+    void step() {
         m_system->set_zero();
         m_force.setZero(3, m_positions.cols());
         draw_to_surface();
         draw_to_border();
         for (const Bend& bend : m_bends) straighten(bend);
-        for (const Bar& edge : m_edges) pull(edge, 1, stiffness);
+        for (const Bar& edge : m_edges) pull(edge, 1);
         const double shortest = 2 * std::sin(m_options.smallest_angle / 2) + k_diagonal_margin;
         for (const Bar& diagonal : m_diagonals)
-            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest, stiffness);
+            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest);
         if (!m_system->factorize()) return;
         const Eigen::Matrix3Xd moves = m_system->solve(m_force);
         for (int v = 0; v < m_positions.cols(); ++v) {
@@ -183,8 +208,8 @@ private:
             const Height height = height_of(m_surface, m_tree, m_positions.col(v), m_guess[v]);
             m_guess[v] = height.at.face;
             const Eigen::Vector3d normal = height.normal;
-            m_system->add_at_node(v, m_hold * normal * normal.transpose() + k_inertia * Eigen::Matrix3d::Identity());
-            m_force.col(v) -= m_hold * height.height / m_length * normal;
+            m_system->add_at_node(v, k_hold * normal * normal.transpose() + k_inertia * Eigen::Matrix3d::Identity());
+            m_force.col(v) -= k_hold * height.height / m_length * normal;
         }
     }
 
@@ -204,7 +229,7 @@ private:
                 away = difference, along = side;
             }
             along /= length_of(along);
-            const double weight = k_border * m_hold;
+            const double weight = k_border * k_hold;
             m_system->add_at_node(v, weight * (Eigen::Matrix3d::Identity() - along * along.transpose()));
             m_force.col(v) -= weight / m_length * (away - away.dot(along) * along);
         }
@@ -223,22 +248,20 @@ private:
     }
 
     /// A spring between two vertices, as stiff across as it is stretched.
-    void pull(const Bar& bar, double rest, double stiffness) {
+    void pull(const Bar& bar, double rest) {
         const Eigen::Vector3d d = vector(bar);
         const double length = std::max(length_of(d), 1e-3);
         const Eigen::Vector3d along = d / length;
         const double across = std::max(0.0, 1 - rest / length);
         const Eigen::Matrix3d form = (1 - across) * (along * along.transpose()) + across * Eigen::Matrix3d::Identity();
-        m_system->add_at_link(bar.link, stiffness * form);
-        const Eigen::Vector3d force = stiffness * (length - rest) * along;
+        m_system->add_at_link(bar.link, k_stiffness * form);
+        const Eigen::Vector3d force = k_stiffness * (length - rest) * along;
         m_force.col(bar.a) -= force;
         m_force.col(bar.b) += force;
     }
 
     Net exact() {
-        const double mean = edge_ratios(m_net, m_positions).cwiseProduct(m_net.rest_lengths()).mean();
-        Net net((m_options.length > 0 ? m_options.length / mean : 1.0) * m_positions, m_net.faces(),
-                RestLengths::equal);
+        const Net net = with_length(m_length);
         Positions x = net.rest_positions();
         CornerLimit limit(net, m_options.smallest_angle + k_limit_margin * std::numbers::pi / 180);
         limit.watch(x);
@@ -262,6 +285,20 @@ private:
         return result;
     }
 
+    /// Of all nets of this length the one that bends least near the surface, or what comes close to it.
+    Net come_to_rest(const Net& net) {
+        Editor editor = resting_near(net, m_guide, m_options.smallest_angle);
+        std::vector<Handle> handles;
+        for (const Pull& pull : m_pulls) handles.push_back({pull.vertex, pull.target, pull.weight});
+        editor.set_handles(handles);
+        for (int k = 0; k < k_steps_to_rest; ++k) {
+            m_go_on(k_exact_at + (1 - k_exact_at) * k / k_steps_to_rest);
+            if (editor.solve({.iterations = 1}).status != Status::running) break;
+        }
+        const Positions& x = editor.positions();
+        return max_deviation(net, x) < k_equal_deviation ? Net(x, net.faces(), RestLengths::equal) : net;
+    }
+
     std::unique_ptr<LengthProjection> projection(const Net& net, const CornerLimit& limit) const {
         auto lengths = std::make_unique<LengthProjection>(net, m_topology, limit.watched());
         lengths->set_free(std::vector<bool>(static_cast<std::size_t>(net.vertex_count()), true));
@@ -269,28 +306,30 @@ private:
         return lengths;
     }
 
+    std::shared_ptr<const Guide> m_guide;
     const Surface& m_surface;
     const SurfaceTree& m_tree;
+    const std::function<void(double)>& m_go_on;
     Net m_net;  // the mesh
     Topology m_topology;
     FitOptions m_options;
     double m_length;
     Positions m_positions;
     std::vector<int> m_guess;
+    std::vector<Pull> m_pulls;                  // of the border, to where it is once edges are even
     std::vector<int> m_border, m_border_sides;  // vertices of the net, sides of the surface
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;
     std::vector<Bend> m_bends;
     std::unique_ptr<BlockSystem> m_system;
-    double m_hold = k_first_hold;
     Eigen::Matrix3Xd m_force;
 };
 
 }  // namespace
 
-Net fit_net(const Surface& surface, const SurfaceTree& tree, const Mesh& mesh, const FitOptions& options,
+Net fit_net(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
             const std::function<void(double)>& go_on) {
-    return Fitter(surface, tree, mesh, options).run(go_on);
+    return Fitter(guide, mesh, options, go_on).run();
 }
 
 }  // namespace chebnet

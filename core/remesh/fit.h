@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "net/mesh.h"
 #include "net/net.h"
-#include "surface/surface.h"
-#include "surface/surface_tree.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 
@@ -16,11 +16,12 @@ struct FitOptions {
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.
 ///
-/// First springs that get stiffer draw the edges towards L and the corners out of the limit, while vertices are drawn
-/// to the tangent planes of the surface and net lines to be straight (Gauss–Newton steps); then edges and corners are
-/// projected onto what they have to be (LengthProjection, CornerLimit). `go_on` is told the part that is done, and may
-/// end it all by an exception. Throws Error as Net does, and bad_option where no such net is found.
-Net fit_net(const Surface& surface, const SurfaceTree& tree, const Mesh& mesh, const FitOptions& options,
+/// First edges are evened out while vertices slide over the surface and corners stay open (Gauss–Newton steps); then
+/// net lines bend as little as they can near it (FairStart); then edges and corners are projected onto what they have
+/// to be (LengthProjection, CornerLimit), and the net comes to rest near the surface (method `equilibrium`). `go_on` is
+/// told the part that is done, and may end it all by an exception. Throws Error as Net does, and bad_option where no
+/// such net is found.
+Net fit_net(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
             const std::function<void(double)>& go_on);
 
 }  // namespace chebnet

@@ -57,15 +57,14 @@ int piece_count(const Surface& surface) {
 
 class Remesher {
 public:
-    Remesher(const Surface& surface, const SurfaceTree& tree, const RemeshOptions& options,
-             const RemeshProgress& progress)
-        : m_surface(surface), m_tree(tree), m_options(options), m_progress(progress) {
-        m_cell = options.length > 0 ? options.length / k_stretch : std::sqrt(surface.area() / options.cells);
+    Remesher(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress)
+        : m_guide(guide), m_surface(guide->surface()), m_options(options), m_progress(progress) {
+        m_cell = options.length > 0 ? options.length / k_stretch : std::sqrt(m_surface.area() / options.cells);
     }
 
     Remesh run() {
         begin(RemeshPhase::triangles);
-        m_triangles.emplace(even_triangles(m_surface, m_tree, k_triangle_length * m_cell));
+        m_triangles.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell));
         for (const double size : k_sizes)
             for (const double smoothing : k_smoothings)
                 if (const auto net = try_once(size, smoothing * m_options.smoothing)) return result(*net);
@@ -115,7 +114,7 @@ private:
         const Mesh mesh = mesh_of(cells_of(*m_triangles, fit_grid(*m_triangles, field, size * m_cell)));
         check(mesh);
         begin(RemeshPhase::fit);
-        return fit_net(m_surface, m_tree, mesh, {m_options.length, m_options.smallest_angle},
+        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle},
                        [this](double part) { tell(part); });
     }
 
@@ -151,8 +150,8 @@ private:
         return {std::move(net), m_milliseconds};
     }
 
+    std::shared_ptr<const Guide> m_guide;
     const Surface& m_surface;
-    const SurfaceTree& m_tree;
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
     double m_cell;  // the length of the grid's cells
@@ -191,10 +190,10 @@ void check_remesh(const Surface& surface, const RemeshOptions& options) {
                                               " are not made of a whole surface");
 }
 
-Remesh remesh(const Surface& surface, const SurfaceTree& tree, const RemeshOptions& options,
+Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress) {
-    check_remesh(surface, options);
-    return Remesher(surface, tree, options, progress).run();
+    check_remesh(surface->surface(), options);
+    return Remesher(surface, options, progress).run();
 }
 
 }  // namespace chebnet

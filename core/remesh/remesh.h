@@ -2,11 +2,11 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include "net/net.h"
-#include "surface/surface.h"
-#include "surface/surface_tree.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 
@@ -48,7 +48,7 @@ struct Remesh {
 ///
 /// Throws Error bad_option (numbers out of range; a surface that is too thin or too narrow somewhere for cells of this
 /// size, with what and where; no such net found), non_finite, too_large, and as the constructor of Surface does.
-Remesh remesh(const Surface& surface, const SurfaceTree& tree, const RemeshOptions& options,
+Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 
 /// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers alone.

@@ -44,15 +44,15 @@ int singular_count(const Net& net) {
 
 /// A net over the whole of it, with all that is promised.
 Net remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
-    const SurfaceTree tree(surface);
-    const Net net = remesh(surface, tree, options).net;
+    const auto guide = std::make_shared<const Guide>(surface);
+    const Net net = remesh(guide, options).net;
     CHECK(faces_by_arity(net.faces()).count(4) == 1);
     CHECK(faces_by_arity(net.faces()).size() == 1);
     CHECK(euler_characteristic(net) == characteristic);
     CHECK(valence_defects(net) == 4 * characteristic);
     CHECK(max_deviation(net, net.rest_positions()) < 1e-9);
     CHECK(corner_angle_range(net, net.rest_positions()).smallest >= options.smallest_angle - 1e-9);
-    const DrapeReport report = measure_drape(surface, tree, net);
+    const DrapeReport report = measure_drape(surface, guide->tree(), net);
     CHECK(report.mean_distance < 0.3 * net.mean_length());
     CHECK(report.coverage > 0.85);
     return net;
@@ -99,6 +99,22 @@ TEST_CASE("A surface with borders gets a net with borders") {
     CHECK(singular_count(hypar) == 0);
 }
 
+TEST_CASE("Net lines do not wave: from vertex to vertex they go on bending to the same side") {
+    const Net net = remeshed(Surface(samples::sphere(24)), of_cells(1500), 2);
+    const Positions& x = net.rest_positions();
+    const auto turn = [&](const std::vector<int>& line, std::size_t k) {
+        return Eigen::Vector3d(x.col(line[k - 1]) - 2 * x.col(line[k]) + x.col(line[k + 1]));
+    };
+    double turns = 0, changes = 0;
+    for (const std::vector<int>& line : Topology(net).net_lines())
+        for (std::size_t k = 2; k + 1 < line.size(); ++k) {
+            turns += turn(line, k).squaredNorm();
+            changes += (turn(line, k) - turn(line, k - 1)).squaredNorm();
+        }
+    // Turns that have nothing to do with one another would change by √2 of their size, those of a zigzag by 2.
+    CHECK(std::sqrt(changes / turns) < 1.3);
+}
+
 TEST_CASE("A rough scan gets a net with as few singular vertices as the shape without its noise") {
     Mesh mesh = samples::sphere(24);
     std::mt19937 random(7);
@@ -129,28 +145,26 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
 }
 
 TEST_CASE("The same surface gives the same net, whose progress is told in order and can be ended") {
-    const Surface surface = make_own_surface("pebble");
-    const SurfaceTree tree(surface);
+    const auto surface = std::make_shared<const Guide>(make_own_surface("pebble"));
     std::vector<RemeshPhase> phases;
-    const Remesh first = remesh(surface, tree, of_cells(200), [&](RemeshPhase phase, double part) {
+    const Remesh first = remesh(surface, of_cells(200), [&](RemeshPhase phase, double part) {
         CHECK((part >= 0 && part <= 1));
         if (phases.empty() || phases.back() != phase) phases.push_back(phase);
     });
     CHECK(phases == std::vector{RemeshPhase::triangles, RemeshPhase::field, RemeshPhase::grid, RemeshPhase::fit});
-    const Remesh second = remesh(surface, tree, of_cells(200));
+    const Remesh second = remesh(surface, of_cells(200));
     CHECK(first.net.rest_positions() == second.net.rest_positions());
     CHECK(first.net.faces().vertices == second.net.faces().vertices);
 
     const auto stop = [](RemeshPhase phase, double) {
         if (phase == RemeshPhase::fit) throw std::string("enough");
     };
-    CHECK_THROWS_AS(remesh(surface, tree, of_cells(200), stop), std::string);
+    CHECK_THROWS_AS(remesh(surface, of_cells(200), stop), std::string);
 }
 
 TEST_CASE("What is too thin for its cells is refused, and says so") {
-    const Surface ring(samples::torus(300, 8, 10, 0.01));
-    const SurfaceTree tree(ring);
-    CHECK_THROWS_WITH(remesh(ring, tree, of_cells(40)), Contains("smaller ones may"));
+    const auto ring = std::make_shared<const Guide>(Surface(samples::torus(300, 8, 10, 0.01)));
+    CHECK_THROWS_WITH(remesh(ring, of_cells(40)), Contains("smaller ones may"));
 }
 
 TEST_CASE("Even triangles keep topology and lie on the surface") {

@@ -1,0 +1,33 @@
+#include "edit/resting_near.h"
+
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/number.h"
+
+namespace chebnet {
+
+namespace {
+
+constexpr const char* k_threshold = "1e-9";
+// Coming to rest makes it little fairer in the end.
+constexpr const char* k_rest_tolerance = "0.01";
+// Beside the bending of rods: how near the surface they come.
+constexpr const char* k_closeness = "2";
+
+}  // namespace
+
+Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit) {
+    Editor editor(std::move(net));
+    editor.set_method("equilibrium");
+    editor.set_guide(std::move(guide));
+    editor.set_option("threshold", k_threshold);
+    editor.set_option("rest_tolerance", k_rest_tolerance);
+    editor.set_option("straight_rods", "on");
+    editor.set_option("guide_weight", k_closeness);
+    editor.set_option("shear_limit", number_text(shear_limit * 180 / std::numbers::pi, 17));
+    return editor;
+}
+
+}  // namespace chebnet

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "edit/editor.h"
+#include "surface/guide.h"
+
+namespace chebnet {
+
+/// An editor in which a net without handles comes to rest near a surface: straight rods by method `equilibrium`, no
+/// corner sharper than the limit (radians, from 0, none, to π/3; else Error bad_option).
+Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit);
+
+}  // namespace chebnet
