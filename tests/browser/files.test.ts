@@ -58,7 +58,8 @@ test('a PLY is dropped, reported on, opened, dragged, and saved in every format'
   expect(text).toMatch(new RegExp(`Vertices\\s+${vertices}`));
   expect(text).toMatch(new RegExp(`${reference.info.faces} quads`));
   expect(text).toMatch(/Boundary loops\s+1/);
-  expect(await dialog().getByRole('radio').count()).toBe(0);
+  expect(await dialog().getByRole('radio').count()).toBe(2);
+  expect(await dialog().getByRole('radio', { name: 'z is up' }).isChecked()).toBe(true);
   await visit.page.screenshot({ path: join(OUTPUT, 'file-report.png') });
   await visit.page.keyboard.press('Enter');
   await waitForVertices(vertices);
@@ -119,6 +120,29 @@ function cornerAndCoverage(png: Uint8Array) {
     [...png],
   );
 }
+
+test('a net that lies on its back is guessed to have y up, asked about with pictures, and stands', async () => {
+  const place = (v: number) => reference.restPositions.subarray(3 * v, 3 * v + 3);
+  const rows = Array.from({ length: vertices }, (_, v) => `v ${place(v)[0]} ${place(v)[2]} ${-place(v)[1]!}`);
+  const faces = Array.from({ length: faceStart.length - 1 }, (_, face) =>
+    ['f', ...faceVertices.subarray(faceStart[face], faceStart[face + 1]).map((v) => v + 1)].join(' '),
+  );
+  await drop('back.obj', [...rows, ...faces, ''].join('\n'));
+  await report();
+  const up = (axis: string) => dialog().getByRole('radio', { name: `${axis} is up` });
+  expect(await up('y').isChecked()).toBe(true);
+  await up('y').scrollIntoViewIfNeeded();
+  await visit.page.screenshot({ path: join(OUTPUT, 'file-up.png') });
+  await press('Open');
+  await waitForVertices(vertices);
+  const seen = async (v: number) => (await script.screenPosition(v)).y;
+  const corner = suggestedHandles[0]!;
+  expect(await seen(dragged)).toBeLessThan(await seen(corner));
+  await visit.page.getByText('Appearance', { exact: true }).click();
+  expect(await visit.page.getByLabel('Up axis').inputValue()).toBe('y');
+  await script.open({ recipe: 'dome:vertices=300' });
+  await expect.poll(() => visit.page.getByLabel('Up axis').inputValue()).toBe('z');
+});
 
 test('a broken mesh is opened only after its repair is agreed to', async () => {
   const { vertices: first } = await script.stats();

@@ -9,6 +9,7 @@ import { kindsFor, typeOf } from '../../web/src/export/kinds';
 import type { FileRequest, FileResponse, ReadStep } from '../../web/src/files/file_protocol';
 import type { FileWorkerLike } from '../../web/src/files/file_reading';
 import type { FileReport } from '../../web/src/files/file_report';
+import { postureOf } from '../../web/src/files/posture';
 import { FileImporter } from '../../web/src/files/file_importer';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
 import type {
@@ -199,6 +200,35 @@ function makeOpener(
   };
 }
 
+describe('which way a mesh is up', () => {
+  const nets = core.shapes().map(({ name }) => name);
+  const upright = (name: string): Mesh => {
+    const { restPositions: positions, faceStart, faceVertices } = core.openRecipe(`${name}:vertices=600`);
+    return { positions, faceStart, faceVertices };
+  };
+  /** With y up: (x, y, z) becomes (x, z, -y). */
+  const onItsBack = (mesh: Mesh): Mesh => {
+    const { positions: p } = mesh;
+    return { ...mesh, positions: p.map((_, i) => (i % 3 === 0 ? p[i]! : i % 3 === 1 ? p[i + 1]! : -p[i - 1]!)) };
+  };
+
+  test.each(nets)('%s, as it is and on its back, is guessed right or not at all', (name) => {
+    for (const [mesh, up] of [
+      [upright(name), 'z'],
+      [onItsBack(upright(name)), 'y'],
+    ] as const) {
+      const posture = postureOf(mesh);
+      if (posture.isClear) expect(posture.up).toBe(up);
+      expect(Math.max(...posture.sketch.edges)).toBeLessThan(posture.sketch.positions.length / 3);
+    }
+  });
+
+  test('most of them show it clearly', () => {
+    const clear = nets.filter((name) => postureOf(onItsBack(upright(name))).isClear);
+    expect(clear.length).toBeGreaterThan(0.7 * nets.length);
+  });
+});
+
 describe('a file', () => {
   test('is read in steps, told about and opened', async () => {
     const { open, opened, dialogs, workers } = makeOpener();
@@ -220,6 +250,7 @@ describe('a file', () => {
       findings: [],
       refusal: null,
       surface: null,
+      posture: { up: 'z', isClear: true, sketch: expect.anything() },
     });
     expect(opened).toEqual([{ mesh: meshOf(SQUARES), name: 'net.obj', restLengths: 'automatic' }]);
     expect(workers[0]?.terminated).toBe(true);

@@ -11,6 +11,7 @@ import type {
   NetSource,
   Scene,
   SolverSettings,
+  UpAxis,
   ViewState,
 } from '../document/document';
 import type { ChangeName } from '../document/naming';
@@ -181,9 +182,9 @@ export class App {
     return this.#opener.openProject(project);
   }
 
-  /** Opens a net at rest, with the settings and the view of the present document. */
-  openNet(net: NetSource): Promise<void> {
-    return this.#opener.openNet(net);
+  /** Opens a net at rest, with the settings and the view of the present document, its own axis up. */
+  openNet(net: NetSource, upAxis?: UpAxis): Promise<void> {
+    return this.#opener.openNet(net, upAxis);
   }
 
   /** Whether a net is being opened, and can be cancelled in favour of the present one. */

@@ -1,7 +1,7 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
 import { freshScene, usualMethod } from '../document/defaults';
-import type { NetSource, Scene } from '../document/document';
+import type { NetSource, Scene, UpAxis } from '../document/document';
 import type { Project } from '../document/project';
 import type { Snapshot } from '../document/undo';
 import { words } from '../language/language';
@@ -70,13 +70,20 @@ export class Opener {
 
   /** Opens a net at rest, with the settings and the view of the present document; with its usual method, if the present one
    *  has its own. */
-  openNet(net: NetSource): Promise<void> {
+  openNet(net: NetSource, upAxis: UpAxis = 'z'): Promise<void> {
     const fresh = freshScene(net);
     if (this.#state.opening === null) return this.openScene(fresh);
     const { document } = this.#state.opening;
-    const { initialisation, options, view } = document;
+    const { initialisation, options } = document;
+    const { upAxis: _, ...view } = document.view;
     const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
-    const scene = { ...fresh, method, initialisation, options, view: { ...view, camera: null } };
+    const scene = {
+      ...fresh,
+      method,
+      initialisation,
+      options,
+      view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
+    };
     return this.openScene(scene, netChange(document.net, net));
   }
 

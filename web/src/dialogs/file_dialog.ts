@@ -12,6 +12,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import { prospectWords } from './drape_results';
 import { faceWords, largestDifference, lengthWords, percentWords, singularWords } from './file_words';
 import { count } from '../language/numbers';
+import { UpChoice } from './up_choice';
 import './dialog.css';
 import './file_dialog.css';
 
@@ -26,6 +27,7 @@ export class FileDialog implements FileDialogLike {
   readonly #buttons = make('div', { class: 'buttons' }, this.#cancel);
   #lengths: LengthChoice | null = null;
   #kind: KindChoice | null = null;
+  #up: UpChoice | null = null;
 
   constructor(root: HTMLElement, name: string) {
     const heading = make('h2', { id: 'file-title' }, name);
@@ -48,12 +50,15 @@ export class FileDialog implements FileDialogLike {
       const lengths = this.#lengths;
       if (report.surface !== null) this.#kind ??= new KindChoice(report, report.surface);
       const kind = this.#kind;
+      const up = (this.#up ??= new UpChoice(report.posture));
       const facts = make('div');
       this.#body.replaceChildren(...(kind ? [kind.element] : []), facts);
       if (report.findings.length > 0) this.#body.append(makeDefects(report));
       if (lengths) this.#body.append(lengths.element);
+      this.#body.append(up.element);
+      up.draw();
       const chosen = (): FileChoice['restLengths'] => (kind?.isSurface ? 'draped' : (lengths?.chosen ?? 'automatic'));
-      const open = (repaired: boolean): void => choose({ repaired, restLengths: chosen() });
+      const open = (repaired: boolean): void => choose({ repaired, restLengths: chosen(), upAxis: up.chosen });
       const [first, ...others] = openButtons(report, open);
       this.#buttons.replaceChildren(first, ...others, this.#cancel);
       const changed = (): void => {

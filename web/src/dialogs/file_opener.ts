@@ -1,6 +1,6 @@
 /** Opens nets from files: reads one in a worker, asks the user how to open it, and passes it on. */
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
-import type { GuideSource, HandleSeed, NetSource } from '../document/document';
+import type { GuideSource, HandleSeed, NetSource, UpAxis } from '../document/document';
 import { dialogWords } from '../language/dialogs';
 import type { Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
@@ -18,6 +18,8 @@ export interface FileChoice {
   repaired: boolean;
   /** `equalized`: as a net near it whose edges have one length; `draped`: as a surface, on which a net is laid. */
   restLengths: RestLengths | 'equalized' | 'draped';
+  /** z unless it says y. */
+  upAxis?: UpAxis;
 }
 
 /** The dialog with progress and questions. */
@@ -50,13 +52,14 @@ export interface TakenNet {
   handles: HandleSeed[];
   /** The surface that it was laid on. */
   guide?: GuideSource;
+  upAxis?: UpAxis;
 }
 
 export interface OpenerParts {
   spawnWorker(): FileWorkerLike;
   createDialog(name: string): FileDialogLike;
-  createEqualizer(subject: Subject): EqualizerLike;
-  createDraper(surface: { name: string; mesh: Mesh }): DraperLike;
+  createEqualizer(subject: Subject, upAxis: UpAxis): EqualizerLike;
+  createDraper(surface: { name: string; mesh: Mesh }, upAxis: UpAxis): DraperLike;
   open(taken: TakenNet): Promise<void>;
 }
 
@@ -94,27 +97,27 @@ export class FileOpener {
     const { name } = file;
     const report = await reading.report(file, name);
     for (;;) {
-      const { repaired, restLengths } = await dialog.ask(report);
+      const { repaired, restLengths, upAxis = 'z' } = await dialog.ask(report);
       if (restLengths === 'draped') {
-        const taken = await this.#draped(name, await reading.mesh(repaired), dialog);
-        if (taken !== null) return taken;
+        const taken = await this.#draped({ name, mesh: await reading.mesh(repaired) }, upAxis, dialog);
+        if (taken !== null) return { ...taken, upAxis };
       } else if (restLengths === 'equalized') {
-        const mesh = await this.#equalized(name, await reading.net(repaired), dialog);
-        if (mesh !== null) return { net: { mesh, name }, handles: [] };
+        const mesh = await this.#equalized(name, await reading.net(repaired), upAxis, dialog);
+        if (mesh !== null) return { net: { mesh, name }, handles: [], upAxis };
       } else {
-        return { net: { mesh: await reading.mesh(repaired), name, restLengths }, handles: [] };
+        return { net: { mesh: await reading.mesh(repaired), name, restLengths }, handles: [], upAxis };
       }
     }
   }
 
-  #draped(name: string, mesh: Mesh, dialog: FileDialogLike): Promise<TakenNet | null> {
-    const draper = this.#parts.createDraper({ name, mesh });
+  #draped(surface: { name: string; mesh: Mesh }, upAxis: UpAxis, dialog: FileDialogLike): Promise<TakenNet | null> {
+    const draper = this.#parts.createDraper(surface, upAxis);
     void dialog.closed.then(() => draper.close());
     return draper.result;
   }
 
-  #equalized(name: string, net: OpenedNet, dialog: FileDialogLike): Promise<Mesh | null> {
-    const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] });
+  #equalized(name: string, net: OpenedNet, upAxis: UpAxis, dialog: FileDialogLike): Promise<Mesh | null> {
+    const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] }, upAxis);
     void dialog.closed.then(() => equalizer.close());
     return equalizer.result;
   }

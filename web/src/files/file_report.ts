@@ -1,5 +1,6 @@
 /** The report on a file that is shown before it is opened. */
 import type { Chebnet, Editor, Finding, Mesh, NetInfo, SurfaceReport } from '../../../wasm/chebnet';
+import { type Posture, postureOf } from './posture';
 
 export interface FileReport extends NetInfo {
   /** What repair changes; the numbers above are those of the repaired mesh. Empty: it is sound as it is. */
@@ -8,6 +9,7 @@ export interface FileReport extends NetInfo {
   refusal: Refusal | null;
   /** The repaired mesh as a surface to make nets on, or why it is none; null: it is a net beyond doubt. */
   surface: SurfaceReport | Refusal | null;
+  posture: Posture;
 }
 
 export interface Refusal {
@@ -35,6 +37,7 @@ export function reportOf(core: Chebnet, { given, repaired, findings }: CheckedMe
     findings,
     refusal: findings.length > 0 ? orRefusal(() => withEditor(core, given, () => null)) : null,
     surface: isNetBeyondDoubt(info) ? null : orRefusal(() => surfaceReport(core, repaired)),
+    posture: postureOf(repaired),
   };
 }
 

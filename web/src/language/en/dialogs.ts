@@ -28,6 +28,8 @@ export const dialogs = {
   /** In full. */
   finding: ({ sentence }: Finding) => sentence,
   file: {
+    up: 'Which way is up?',
+    isUp: (axis: string) => `${axis} is up`,
     steps: {
       loading: 'Loading the file',
       reading: 'Reading the mesh',

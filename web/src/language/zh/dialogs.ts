@@ -43,6 +43,8 @@ export const dialogs: Widened<typeof en> = {
     return `${count.toLocaleString('zh-CN')} ${found}${repaired ? `，${repair}` : ''}：${examples.join('、')}${more}`;
   },
   file: {
+    up: '哪个方向朝上？',
+    isUp: (axis) => `${axis} 轴朝上`,
     steps: {
       loading: '正在加载文件',
       reading: '正在读取网格',

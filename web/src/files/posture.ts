@@ -1,0 +1,82 @@
+/** Which axis of a mesh points up. Files do not say: some programs have z up, others y, and a net then lies on its back. */
+import type { Mesh } from '../../../wasm/chebnet';
+import type { UpAxis } from '../document/document';
+
+export interface Posture {
+  up: UpAxis;
+  /** Whether the mesh shows it clearly. */
+  isClear: boolean;
+  /** Some of its edges, for a picture. */
+  sketch: { edges: Int32Array; positions: Float32Array };
+}
+
+/** A vertex so near the lowest or the highest, as a part of the height, is at the bottom or at the top. */
+const NEAR = 0.03;
+/** The mean of |n · axis| of a body round about is half; from here on most of a mesh looks up or down. */
+const LEVEL = 0.65;
+/** By so much one axis has to be more likely than the other. */
+const CLEARLY = 0.01;
+const MOST_FACES = 3_000;
+
+export function postureOf(mesh: Mesh): Posture {
+  const [y, z] = [likelihood(mesh, 1), likelihood(mesh, 2)];
+  return { up: y > z ? 'y' : 'z', isClear: Math.abs(y - z) > CLEARLY, sketch: sketchOf(mesh) };
+}
+
+/** How much speaks for an axis: that the mesh stands on more vertices than it has at the top, and that it lies level. */
+function likelihood(mesh: Mesh, axis: 1 | 2): number {
+  return standing(mesh, axis) + Math.max(0, meanSlope(mesh, axis) - LEVEL);
+}
+
+/** The part of the vertices at the bottom, less that at the top; 0 of a mesh that is flat across the axis. */
+function standing({ positions }: Mesh, axis: 1 | 2): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (let i = axis; i < positions.length; i += 3) {
+    low = Math.min(low, positions[i]!);
+    high = Math.max(high, positions[i]!);
+  }
+  const near = NEAR * (high - low);
+  let difference = 0;
+  for (let i = axis; i < positions.length; i += 3) {
+    if (positions[i]! <= low + near) difference += 1;
+    if (positions[i]! >= high - near) difference -= 1;
+  }
+  return difference / (positions.length / 3);
+}
+
+/** The mean of |n · axis| over the area. */
+function meanSlope({ positions, faceStart, faceVertices }: Mesh, axis: 1 | 2): number {
+  let [along, whole] = [0, 0];
+  for (let face = 0; face + 1 < faceStart.length; face += 1) {
+    const normal = [0, 0, 0];
+    // Newell's sum: twice the area, along the normal.
+    for (let k = faceStart[face]!; k < faceStart[face + 1]!; k += 1) {
+      const a = 3 * faceVertices[k]!;
+      const b = 3 * faceVertices[k + 1 < faceStart[face + 1]! ? k + 1 : faceStart[face]!]!;
+      for (let i = 0; i < 3; i += 1) {
+        const [j, l] = [(i + 1) % 3, (i + 2) % 3];
+        normal[i]! += (positions[a + j]! - positions[b + j]!) * (positions[a + l]! + positions[b + l]!);
+      }
+    }
+    along += Math.abs(normal[axis]!);
+    whole += Math.hypot(...normal);
+  }
+  return whole > 0 ? along / whole : 0;
+}
+
+function sketchOf({ positions, faceStart, faceVertices }: Mesh): Posture['sketch'] {
+  const places = new Map<number, number>();
+  const place = (vertex: number): number => {
+    const known = places.get(vertex) ?? places.size;
+    places.set(vertex, known);
+    return known;
+  };
+  const step = Math.ceil((faceStart.length - 1) / MOST_FACES) || 1;
+  const edges: number[] = [];
+  for (let face = 0; face + 1 < faceStart.length; face += step) {
+    const corners = faceVertices.subarray(faceStart[face], faceStart[face + 1]);
+    corners.forEach((vertex, k) => edges.push(place(vertex), place(corners[(k + 1) % corners.length]!)));
+  }
+  const drawn = [...places.keys()].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]);
+  return { edges: Int32Array.from(edges), positions: Float32Array.from(drawn) };
+}
