@@ -1,4 +1,4 @@
-/** Demonstrates lessons on the open net. Any input of the user ends a lesson and restores the net. */
+/** Demonstrates lessons on the open net. Any input of the user but to a lesson ends them, and the net is as it was. */
 import type { App } from '../app/app';
 import type { HandleData, Vec3 } from '../document/document';
 import { learnWords } from '../language/learn';
@@ -18,32 +18,39 @@ const MOST_STEPS = 60;
 export class Teacher {
   readonly #app: App;
   #lesson = new AbortController();
-  /** The method to return to after the lesson. */
-  #usualMethod: string | null = null;
-  #stepping = false;
+  /** A handle is ahead of the net: lessons about the solver go on from there. */
+  #isAhead = false;
 
   constructor(app: App) {
     this.#app = app;
     // In the capture phase: before the view handles the event.
     for (const touch of ['pointerdown', 'keydown'])
-      addEventListener(touch, () => this.#lesson.abort(), { capture: true });
-    app.on('settled', () => this.#lookAtEnd());
+      addEventListener(touch, (event) => isOfLessons(event) || this.#end(), { capture: true });
   }
 
   async show(lesson: Lesson): Promise<void> {
     this.#lesson.abort();
     this.#lesson = new AbortController();
     const { signal } = this.#lesson;
+    if (lesson !== 'stages') this.#letGo();
     if (lesson === 'deviation') return this.#app.setView({ field: 'deviation', colourMap: 'log' });
     const handle = this.#app.opening?.document.handles.filter(({ anchor, hidden }) => !anchor && !hidden).at(-1);
     if (handle === undefined) return this.#app.say(learnWords.noHandle);
-    if (lesson === 'net') return this.#pull(handle, signal);
-    this.#stepping = true;
-    if (lesson === 'energy') await this.#stepAhead(handle);
+    if (lesson === 'net') await this.#pull(handle, signal);
+    else if (lesson === 'energy') await this.#stepAhead(handle);
     else await this.#stage(handle, signal);
-    if (signal !== this.#lesson.signal) return; // the next has begun
-    this.#stepping = false;
-    this.#lookAtEnd();
+  }
+
+  #end(): void {
+    this.#lesson.abort();
+    this.#letGo();
+  }
+
+  /** The net is as it was before the handle went ahead: shape, handles and method. */
+  #letGo(): void {
+    if (!this.#isAhead) return;
+    this.#isAhead = false;
+    this.#app.handles.endDrag(true);
   }
 
   /** There and back again; nothing is left of it. */
@@ -64,42 +71,34 @@ export class Teacher {
 
   /** The handle far ahead of the net, which has made one step after it. */
   async #stepAhead({ vertex, target }: HandleData): Promise<void> {
-    await this.#useTaughtMethod();
+    this.#letGo();
+    this.#isAhead = true;
+    this.#app.handles.beginDrag();
+    await this.#setMethod(TAUGHT);
     // The step is requested before the solver starts by itself.
-    const moved = this.#app.handles.move([{ vertex, target: this.#inwards(target, MUCH) }], 'lesson');
-    await Promise.all([moved, this.#app.step()]);
+    this.#app.handles.drag([{ vertex, target: this.#inwards(target, MUCH) }]);
+    await this.#app.step();
     await this.#app.settled();
   }
 
   /** Step by step to the next stage, or to the end. */
   async #stage(handle: HandleData, signal: AbortSignal): Promise<void> {
-    if (this.#usualMethod === null || this.#frame()?.status !== 'running') await this.#stepAhead(handle);
+    if (!this.#isAhead) await this.#stepAhead(handle);
     const stage = this.#frame()?.stage;
     for (let steps = 0; steps < MOST_STEPS && !signal.aborted; ++steps) {
       if (this.#frame()?.status !== 'running' || this.#frame()?.stage !== stage) break;
       await new Promise((resolve) => setTimeout(resolve, STEP_MS));
+      if (signal.aborted) return;
       await this.#app.step();
       await this.#app.settled();
     }
+    if (signal.aborted || this.#frame()?.status === 'running') return;
+    this.#letGo();
+    this.#app.say(learnWords.stagesDone);
   }
 
   #frame() {
     return this.#app.opening?.frame;
-  }
-
-  async #useTaughtMethod(): Promise<void> {
-    const { method } = this.#app.opening!.document;
-    if (method === TAUGHT) return;
-    this.#usualMethod = method;
-    await this.#setMethod(TAUGHT);
-  }
-
-  /** After the solve has ended, in the lesson or by the user, sets the usual method again. */
-  #lookAtEnd(): void {
-    if (this.#stepping || this.#usualMethod === null || this.#frame()?.status === 'running') return;
-    void this.#setMethod(this.#usualMethod).catch((error: unknown) => this.#app.report(error));
-    this.#usualMethod = null;
-    this.#app.say(learnWords.stagesDone);
   }
 
   #setMethod(method: string): Promise<void> {
@@ -114,6 +113,12 @@ export class Teacher {
     const away = Math.hypot(...point.map((x, axis) => middle[axis]! - x));
     return mix(point, middle, Math.min(0.4, (edges * info.meanLength) / (away || 1)));
   }
+}
+
+/** Their own buttons, and the way from one to another. */
+function isOfLessons(event: Event): boolean {
+  const isTab = event instanceof KeyboardEvent && event.key === 'Tab';
+  return isTab || (event.target instanceof Element && event.target.closest('.lesson') !== null);
 }
 
 function mix(from: Vec3, to: readonly number[], share: number): Vec3 {

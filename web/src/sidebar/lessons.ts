@@ -5,13 +5,14 @@ import { worstRatio } from '../net/energy';
 import type { Lesson, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { EnergyGraph } from './energy_graph';
+import { withFormulas } from './formulas';
 import './lessons.css';
 
 export class Lessons {
   readonly content: HTMLElement[];
   readonly #graph = new EnergyGraph();
   readonly #now = make('p', { class: 'quiet' });
-  readonly #stages = TEXT.stageTexts.map((text) => make('li', {}, text));
+  readonly #stages = TEXT.stageTexts.map((text) => make('li', {}, ...withFormulas(text)));
 
   constructor(events: PanelEvents) {
     const lesson = (name: Lesson, ...more: Node[]): HTMLElement => {
@@ -20,7 +21,14 @@ export class Lessons {
         title: show,
         'aria-label': `${TEXT.showMe} ${show}`,
       });
-      return make('section', { class: 'lesson' }, make('h3', {}, title), make('p', {}, text), ...more, button);
+      return make(
+        'section',
+        { class: 'lesson' },
+        make('h3', {}, title),
+        make('p', {}, ...withFormulas(text)),
+        ...more,
+        button,
+      );
     };
     const licences = make('a', { href: './licences.txt', target: '_blank', rel: 'noopener' }, TEXT.licences);
     this.content = [
