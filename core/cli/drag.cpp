@@ -82,11 +82,12 @@ Json frame_list(const std::vector<SolveReport>& frames) {
     return list;
 }
 
-Json drag_report(const DragArguments& arguments, const Editor& editor, const std::vector<SolveReport>& frames) {
+Json drag_report(const DragArguments& arguments, const Editor& editor, Status status,
+                 const std::vector<SolveReport>& frames) {
     const auto times = sorted_milliseconds(frames);
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
-                {"status", to_string(frames.back().status)},
+                {"status", to_string(status)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
     report.update(shape_report(editor));
@@ -98,10 +99,13 @@ int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
     const auto frames = drag(editor, goal, arguments.frames);
+    const Status status = adapt_lengths(arguments.solver, editor, frames.back().status);
     write_results(arguments.solver, editor, to_csv(frames));
-    print(drag_report(arguments, editor, frames));
+    print(drag_report(arguments, editor, status, frames));
     const auto is_net = [](const SolveReport& frame) { return keeps_lengths(frame.status); };
-    return std::ranges::all_of(frames, is_net) ? k_success : k_not_converged;
+    const bool was_always = std::ranges::all_of(frames, is_net);
+    const bool is_adapted = arguments.solver.adapts_lengths && keeps_lengths(status);
+    return was_always || is_adapted ? k_success : k_not_converged;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Json shape_report(const Editor& editor) {
                 {"bend", bend(editor.net(), editor.topology(), editor.positions())},
                 {"smallest_corner_angle_degrees", degrees(angles.smallest)},
                 {"largest_corner_angle_degrees", degrees(angles.largest)},
+                {"length_scale", editor.options().length_scale},
                 {"unreachable_pairs", unreachable_report(editor.unreachable_pairs())}};
     if (editor.guide()) report["distance_from_guide_in_lengths"] = distance_report(editor);
     return report;

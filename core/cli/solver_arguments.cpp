@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "edit/length_adapter.h"
 #include "fabricate/edge_table.h"
 #include "io/file.h"
 #include "surface/gallery.h"
@@ -83,6 +84,12 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     command.add_option("--shear-limit", arguments.shear_limit, "Short for --set shear_limit=..., degrees; 0: none")
         ->type_name("NUMBER");
     command
+        .add_option("--length-scale", arguments.length_scale,
+                    "Short for --set length_scale=..., every edge so many times as long")
+        ->type_name("NUMBER");
+    command.add_flag("--adapt-lengths", arguments.adapts_lengths,
+                     "If handles are out of reach, let all edges grow by one factor, as small as does");
+    command
         .add_option("--guide", arguments.guide,
                     "A surface beside the net, for method equilibrium: a file, or the name of one of ours (see drape)")
         ->type_name("SURFACE");
@@ -107,10 +114,19 @@ Editor open_editor(const SolverArguments& arguments) {
     if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
     if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
     if (!arguments.shear_limit.empty()) editor.set_option("shear_limit", arguments.shear_limit);
+    if (!arguments.length_scale.empty()) editor.set_option("length_scale", arguments.length_scale);
     if (!arguments.guide_mode.empty()) editor.set_option("guide_mode", guide_mode_number(arguments.guide_mode));
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
     if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide));
     return editor;
+}
+
+Status adapt_lengths(const SolverArguments& arguments, Editor& editor, Status solved) {
+    if (!arguments.adapts_lengths || keeps_lengths(solved)) return solved;
+    LengthAdapter adapter(editor, {});
+    const Status status = adapter.solve().status;
+    if (status == Status::converged) editor.set_state(adapter.state());
+    return status;
 }
 
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {

@@ -17,9 +17,10 @@ struct SolverArguments {
     std::string edit;
     std::string method;  ///< empty: usual_method()
     std::string initialisation{"naive"};
-    std::string threshold, max_iterations, shear_limit;  ///< empty: the default
-    std::string guide, guide_mode;                       ///< empty: no guide; the default
-    std::vector<std::string> settings;                   ///< each "key=value"
+    std::string threshold, max_iterations, shear_limit, length_scale;  ///< empty: the default
+    bool adapts_lengths = false;                                       ///< see adapt_lengths()
+    std::string guide, guide_mode;                                     ///< empty: no guide; the default
+    std::vector<std::string> settings;                                 ///< each "key=value"
     NetOutput output;
     std::string trace;  ///< file to write; empty: none
     std::string edges;  ///< likewise
@@ -33,6 +34,10 @@ std::string usual_methods();
 
 /// The net with method and options as asked for, at rest, without handles. Throws Error.
 Editor open_editor(const SolverArguments& arguments);
+
+/// If that was asked for and the net does not keep its lengths: the smallest scale of them with which it meets the
+/// handles, see LengthAdapter. How that ended, or `solved`.
+Status adapt_lengths(const SolverArguments& arguments, Editor& editor, Status solved);
 
 /// Writes the files that were asked for. Throws Error file_access, too_large.
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);

@@ -86,7 +86,8 @@ void normalise(EditState& state) {
 }  // namespace
 
 Editor::Editor(Net net)
-    : m_net(std::make_unique<const Net>(std::move(net))),
+    : m_original(std::make_shared<const Net>(std::move(net))),
+      m_net(m_original),
       m_unit(m_net->unit()),
       m_unit_net(std::make_unique<const Net>(m_net->scaled(1 / m_unit))),
       m_topology(std::make_unique<const Topology>(*m_net)),
@@ -288,9 +289,18 @@ void Editor::set_state(EditState next) {
     if (next.locality) check_locality(*m_net, *next.locality);
     normalise(next);
     if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
-    std::optional<Region> region = region_of(next.locality);
     let_go();
 
+    if (next.options.length_scale != present.options.length_scale) {
+        const double factor = next.options.length_scale / present.options.length_scale;
+        if (next.positions == present.positions) {
+            next.locality.reset();
+            next.positions = grown(next.positions, factor);
+            snap(next.handles, next.positions);
+        }
+        m_last_net = grown(m_last_net, factor);
+        set_length_scale(next.options.length_scale);
+    }
     if (other_method) {
         m_method = std::move(other_method);
         m_method_name = std::move(next.method);
@@ -302,11 +312,31 @@ void Editor::set_state(EditState next) {
     }
     m_options = next.options;
     m_guide = std::move(next.guide);
+    if (next.positions != m_positions) m_unit_positions.resize(3, 0);
     replace_handles(std::move(next.handles));
-    replace_region(std::move(region));
+    replace_region(region_of(next.locality));
     m_positions = std::move(next.positions);
     if (max_deviation(*m_net, m_positions) < m_options.threshold) m_last_net = m_positions;
     m_running = false;
+}
+
+/// The solver, whose unit grows too, knows of handles that have come closer, and of nothing else.
+void Editor::set_length_scale(double scale) {
+    m_net = scale == 1 ? m_original : std::make_shared<const Net>(m_original->grown(scale));
+    m_unit = scale * m_original->unit();
+    m_handle_graph.reset();
+}
+
+/// About the middle of the exact handles in the last net; of all vertices, if there are none.
+Positions Editor::grown(const Positions& positions, double factor) const {
+    std::vector<int> vertices;
+    for (const Handle& handle : m_handles)
+        if (handle.is_exact()) vertices.push_back(handle.vertex);
+    const Positions middle = vertices.empty() ? m_last_net : Positions(m_last_net(Eigen::all, vertices));
+    const Eigen::Vector3d centre = middle.rowwise().mean();
+    // Vertices that were far handles once may be anywhere.
+    constexpr double farthest = std::numeric_limits<double>::max();
+    return ((factor * (positions.colwise() - centre)).colwise() + centre).cwiseMax(-farthest).cwiseMin(farthest);
 }
 
 void Editor::replace_handles(std::vector<Handle> handles) {
@@ -410,14 +440,22 @@ void Editor::draw_targets_near() {
     m_near_targets = targets / m_unit;
 }
 
+/// What stands where the solver has left it has the solver's own digits.
+Positions Editor::in_unit(const Positions& positions) const {
+    Positions x = positions / m_unit;
+    for (int v = 0; v < m_unit_positions.cols(); ++v)
+        if (positions.col(v) == m_unit * m_unit_positions.col(v)) x.col(v) = m_unit_positions.col(v);
+    return x;
+}
+
 /// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere.
 void Editor::load_positions() {
     const double farthest = k_farthest_target + m_unit_net->rest_positions().lpNorm<Eigen::Infinity>();
-    m_unit_positions = (m_positions / m_unit).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
+    m_unit_last_net = in_unit(m_last_net);
+    m_unit_positions = in_unit(m_positions).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
         if (is_held(m_handles[i]))
             m_unit_positions.col(m_handles[i].vertex) = m_near_targets.col(static_cast<Eigen::Index>(i));
-    m_unit_last_net = m_last_net / m_unit;
 }
 
 void Editor::store_positions() {
@@ -425,6 +463,10 @@ void Editor::store_positions() {
     m_positions = m_unit * m_unit_positions;
     if (m_region) m_positions(Eigen::all, m_region->outside) = kept;
     snap_held(m_positions);
+    for (int vertex : m_in_hand) {
+        const Eigen::Vector3d& target = m_handles[m_handle_at[vertex]].target;
+        if (m_unit_positions.col(vertex) == target / m_unit) m_positions.col(vertex) = target;
+    }
 }
 
 /// Adds what the initialisation does to the trace.

@@ -48,11 +48,16 @@ class Editor {
 public:
     explicit Editor(Net net);
 
+    /// With the lengths that its edges have now, see Options::length_scale.
     const Net& net() const { return *m_net; }
+    /// As it came, whatever the scale of its lengths.
+    const Net& original() const { return *m_original; }
     const Topology& topology() const { return *m_topology; }
     /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand.
     const Positions& positions() const { return m_positions; }
     const std::vector<Handle>& handles() const { return m_handles; }
+    /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
+    const Positions& last_net() const { return m_last_net; }
     /// The same, those in hand where they stand.
     std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }
@@ -66,8 +71,10 @@ public:
     EditState state() const;
     /// Goes to such a state, of this editor or of another of the same net; exact handles then snap to their targets. If
     /// it is the present one, nothing changes and a solve under way goes on. Symbolic work survives if method,
-    /// initialisation, handles and what may move are as before. Throws as the functions below do, each of which but
-    /// move_handle() sets the present state with one thing changed, and then changes nothing.
+    /// initialisation, handles and what may move are as before. If the lengths change and the positions are the present
+    /// ones, these grow with them about the middle of the handles, and everything may move again. Throws as the
+    /// functions below do, each of which but move_handle() sets the present state with one thing changed, and then
+    /// changes nothing.
     void set_state(EditState next);
 
     /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite,
@@ -110,8 +117,8 @@ public:
     /// everything may move again.
     /// Throws Error index_out_of_range for a wrong size, non_finite, bad_scale for one beyond k_largest_size.
     void set_positions(const Positions& positions);
-    /// Back to the rest positions; handles keep their vertices and take the rest positions as targets. Everything may
-    /// move again.
+    /// Back to the rest positions of net(); handles keep their vertices and take the rest positions as targets.
+    /// Everything may move again.
     void reset();
 
     /// Goes on with the present solve until it ends or the budget runs out (status `running`; call again to go on).
@@ -150,6 +157,9 @@ private:
     void replace_handles(std::vector<Handle> handles);
     void replace_region(std::optional<Region> region);
     std::optional<Region> region_of(const std::optional<Locality>& locality) const;
+    void set_length_scale(double scale);
+    Positions grown(const Positions& positions, double factor) const;
+    Positions in_unit(const Positions& positions) const;
     void move(Handle& handle, const Eigen::Vector3d& target);
     std::vector<int> fixed_vertices() const;
     bool is_held(const Handle& handle) const;
@@ -174,8 +184,8 @@ private:
     void add_worst_of_border(std::vector<UnreachablePair>& pairs) const;
 
     // On the heap, so that references to them survive moving the editor.
-    std::unique_ptr<const Net> m_net;
-    double m_unit;  // of the solver: in it the mean edge is 1 … 2 long, whatever the net's size
+    std::shared_ptr<const Net> m_original, m_net;
+    double m_unit;  // of the solver: in it the mean edge is 1 … 2 long, whatever the net's size and scale
     std::unique_ptr<const Net> m_unit_net;  // the net in this unit
     std::unique_ptr<const Topology> m_topology;
     Positions m_positions;

@@ -124,4 +124,13 @@ Net Net::scaled(double factor) const {
     return net;
 }
 
+Net Net::grown(double factor) const {
+    Net net(*this);
+    const Eigen::Vector3d centre = m_rest_positions.rowwise().mean();
+    net.m_rest_positions = (factor * (m_rest_positions.colwise() - centre)).colwise() + centre;
+    net.m_rest_lengths *= factor;
+    net.m_mean_length *= factor;
+    return net;
+}
+
 }  // namespace chebnet

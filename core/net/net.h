@@ -54,6 +54,9 @@ public:
 
     /// The same net in another unit: all lengths times `factor`, a power of two, which changes no digit of them.
     Net scaled(double factor) const;
+    /// The net whose edges are all to be `factor` times as long, above 0: at rest it is the same shape of another size,
+    /// about the same centre.
+    Net grown(double factor) const;
 
     int vertex_count() const { return static_cast<int>(m_rest_positions.cols()); }
     int edge_count() const { return static_cast<int>(m_edges.cols()); }

@@ -70,6 +70,8 @@ const Entry k_entries[] = {
      &Options::guide_weight},
     {{"rest_tolerance", k_number, 0, 1e6, "Method equilibrium is at rest when the gradient left is below this."},
      &Options::rest_tolerance},
+    {{"length_scale", k_number, 0.5, 4, "Every edge is so many times as long as in the net as it came."},
+     &Options::length_scale},
 };
 
 const Entry& find_entry(std::string_view key) {

@@ -39,6 +39,7 @@ struct Options {
     int guide_mode = 1;                 ///< equilibrium: a GuideMode, of no effect without a guide
     double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm
     double rest_tolerance = 1e-4;       ///< equilibrium: at rest when the gradient that constraints leave is below
+    double length_scale = 1;            ///< every edge is to be so many times as long as in the net as it came
 
     bool operator==(const Options&) const = default;
 };

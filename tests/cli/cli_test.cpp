@@ -227,6 +227,28 @@ TEST_CASE("the shear limit is asked for by name") {
     CHECK(status("60") == "stalled");
 }
 
+TEST_CASE("edges grow as little as handles beyond reach ask for, or by the scale that is given") {
+    const Sandbox box;
+    // Ten quads in a row, 9 edges along each side, pulled by the ends of a side to 1.5 times as far.
+    const double length = box.run("info sheet:vertices=100").json().at("mean_length");
+    box.write(
+        "edit.json",
+        json{{"handles", {{{"vertex", 0}, {"target", {0, 0, 0}}}, {{"vertex", 9}, {"target", {13.5 * length, 0, 0}}}}}}
+            .dump());
+    const std::string edit = "sheet:vertices=100 --edit edit.json ";
+    const auto scale = [&](const std::string& arguments) {
+        const auto done = box.run(arguments);
+        CHECK(done.json().at("max_dL") < 1e-9);
+        CHECK(done.json().at("max_handle_error") == 0);
+        return done.json().at("length_scale").get<double>();
+    };
+    CHECK(box.run("solve " + edit).json().at("status") == "unreachable");
+    CHECK(scale("solve " + edit + "--adapt-lengths") == Approx(1.5));
+    CHECK(scale("drag " + edit + "--frames 3 --adapt-lengths") == Approx(1.5));
+    CHECK(scale("solve " + edit + "--length-scale 2") == 2);
+    check_refused(box.run("solve " + edit + "--length-scale 5"), "length_scale");
+}
+
 TEST_CASE("options reach the solver, by short names too") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());

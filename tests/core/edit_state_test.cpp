@@ -26,6 +26,7 @@ Net net() { return samples::patch(9, 8); }
 /// Nothing as it is in a new editor: the net has been dragged within a locality and stands elsewhere than it is held.
 Editor edited() {
     Editor editor(net());
+    editor.set_option("length_scale", "1.01");
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 8, 63, k_dragged});
     handles[1].weight = 0.5;
     editor.set_handles(handles);
@@ -86,6 +87,7 @@ TEST_CASE("A second editor takes over every field of the state") {
     CHECK(state.handles[1].weight == 0.5);
     CHECK(state.initialisation == "arap:3");
     CHECK(state.options.max_iterations == 70);
+    CHECK(state.options.length_scale == 1.01);
     REQUIRE(state.locality);
     CHECK(state.locality->radius == 6);
     CHECK(state.locality->origins == std::vector{k_dragged});

@@ -96,12 +96,12 @@ private:
     void forget_rest_shape();
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
-    Status begin(Positions& positions, bool same_energy, const Positions* last_net = nullptr);
+    Status begin(Positions& positions, bool same_energy);
     void choose_energy();
     std::unique_ptr<Term> closeness() const;
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
-    Stage first_stage(const Positions& positions, const Positions* last_net);
+    Stage first_stage(const Positions& positions);
     bool was_left(const Positions& before, const Positions& positions) const;
     void begin_walk(const Positions& positions);
     Status find_net(Positions& positions, TraceRow& row);
@@ -149,6 +149,7 @@ private:
 
     Options m_options;
     bool m_reachable = true, m_only_nets = false;
+    const Positions* m_last_net = nullptr;  // of the problem
     Stage m_stage = net;
     int m_steps = 0;                    // Newton steps of this solve
     double m_radius = 0;                // no vertex moves farther in the next step
@@ -208,7 +209,7 @@ void Equilibrium::take_pulls(std::span<const Pull> pulls) {
 
 /// Whether it is the one of before.
 bool Equilibrium::take_guide(const Problem& problem) {
-    const bool same = m_guide == problem.guide && m_unit == problem.unit;
+    const bool same = m_guide == problem.guide && (m_unit == problem.unit || m_guide == nullptr);
     m_guide = problem.guide;
     m_unit = problem.unit;
     return same;
@@ -222,6 +223,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     m_options = options;
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
+    m_last_net = problem.last_net;
     m_max_deviation = max_deviation(*m_net, positions);
     const bool is_where_left = m_result.cols() > 0 && m_result == positions;
     if (m_reachable && same_energy && !m_pulls_moved && is_where_left && is_at_rest()) return Status::converged;
@@ -229,7 +231,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
         m_stage = open;
         return Status::running;
     }
-    return begin(positions, same_energy, problem.last_net);
+    return begin(positions, same_energy);
 }
 
 void Equilibrium::forget_rest_shape() {
@@ -269,10 +271,10 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
     return begin(positions, false);
 }
 
-Status Equilibrium::begin(Positions& positions, bool same_energy, const Positions* last_net) {
+Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_steps = 0;
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
-    m_stage = can_rest ? first_stage(positions, last_net) : net;
+    m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net && m_only_nets) return Status::unreachable;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
@@ -305,7 +307,7 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     return true;
 }
 
-Equilibrium::Stage Equilibrium::first_stage(const Positions& positions, const Positions* last_net) {
+Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
     const bool is_net = m_max_deviation < m_options.threshold;
     if (was_left(m_result, positions)) return is_net ? rest : follow;
     const bool has_opened = m_rest_shape != m_net->rest_positions();
@@ -315,8 +317,8 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions, const Po
         return follow;
     }
     if (is_net) return rest;
-    if (last_net == nullptr || !was_left(*last_net, positions)) return net;
-    m_result = *last_net;
+    if (m_last_net == nullptr || !was_left(*m_last_net, positions)) return net;
+    m_result = *m_last_net;
     return max_deviation(*m_net, m_result) < m_options.threshold ? follow : net;
 }
 

@@ -173,6 +173,7 @@ export const NAMES: Record<string, string> = {
   guide_mode: '参考曲面的作用',
   guide_weight: '参考曲面的强度',
   rest_tolerance: '静止容差',
+  length_scale: '边长倍数',
 };
 
 /** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */

@@ -26,6 +26,7 @@ export const OPTIONS: Record<string, string> = {
   guide_mode: '平衡方法中参考曲面的作用：0 无，1 使网靠近，2 使网贴住，3 使网留在外侧。',
   guide_weight: '平衡方法中参考曲面的作用强度。',
   rest_tolerance: '剩余梯度低于此值时，平衡方法视为静止。',
+  length_scale: '每条边的长度是网最初时的这么多倍。',
 };
 
 export const panels: Widened<typeof en> = {
