@@ -9,6 +9,7 @@
 #include "border.h"
 #include "edit/editor.h"
 #include "edit/field.h"
+#include "edit/flip.h"
 #include "fabricate/edge_table.h"
 #include "io/format.h"
 #include "io/obj.h"
@@ -218,6 +219,11 @@ val reach(const Session& session, int vertex) {
     return copy_out(numbers);
 }
 
+val flipped(const Session& session) {
+    const Editor& editor = session.editor;
+    return copy_out(flipped(editor.net(), editor.handles(), editor.positions()));
+}
+
 val mobility(const Session& session, double radius, val origins) {
     return copy_out(session.editor.mobility(radius, emscripten::convertJSArrayToNumberVector<int>(origins)));
 }
@@ -356,6 +362,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("handleWeights", guarded<&handle_weights>)
         .function("locality", guarded<&locality>)
         .function("reach", guarded<&reach>)
+        .function("flipped", guarded<&flipped>)
         .function("mobility", guarded<&mobility>)
         .function("moveHandle", guarded<&move_handle>)
         .function("dragHandle", guarded<&drag_handle>)

@@ -289,6 +289,9 @@ export interface Editor {
   /** Where the other exact handles, and the border of a locality, let the handle at `vertex` be moved: the points in all these
    *  balls. A handle that has another on a shortest path to this one has no ball: it allows no less. None for a soft handle. */
   reach(vertex: number): Ball[];
+  /** Where to begin in order to find the other equilibrium of a net that has buckled, on the other side of its handles: for
+   *  `setPositions`; see core/edit/flip.h. */
+  flipped(): Float64Array;
   /** How freely `setLocality` would let each vertex move, 0 … 1; see core/edit/locality.h. */
   mobility(radius: number, origins: readonly number[]): Float32Array;
 

@@ -75,6 +75,7 @@ export interface Session {
   /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;
   mobility(radius: number, origins: Int32Array): Float32Array;
+  flipped(): Float64Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
   dragHandle(vertex: number, x: number, y: number, z: number): void;
   releaseHandles(): void;

@@ -288,6 +288,10 @@ class WasmEditor {
     this.#change({ locality: { radius, origins } });
   }
 
+  flipped() {
+    return this.#open.flipped();
+  }
+
   /** @param {number} vertex @returns {Ball[]} */
   reach(vertex) {
     const flat = this.#open.reach(vertexNumber(vertex));

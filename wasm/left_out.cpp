@@ -1,10 +1,12 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// shapes that are relaxed, and surfaces. Called, they throw the code "left_out".
+// nets pushed through, shapes that are relaxed, and surfaces. Called, they throw the code "left_out".
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "edit/flip.h"
 #include "fabricate/edge_table.h"
 #include "io/obj.h"
 #include "mesh_border.h"
@@ -25,6 +27,7 @@ Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Ve
     leave_to_the_whole_core();
 }
 
+Positions flipped(const Net&, std::span<const Handle>, const Positions&) { leave_to_the_whole_core(); }
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
 std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core(); }

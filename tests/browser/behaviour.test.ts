@@ -167,3 +167,51 @@ test('a net that comes nearly closed is opened, which is said, and undone where 
   expect(apart(await script.positions(), came)).toBeLessThan(1e-3);
   expect(await notice.innerText()).toBe('');
 });
+
+/** A flat strip of squares along x. */
+function strip(long: number, wide: number): string {
+  const places = Array.from({ length: long * wide }, (_, v) => [v % long, Math.floor(v / long)] as const);
+  const faces = places.flatMap(([i, j], v) =>
+    i + 1 < long && j + 1 < wide ? [`f ${v + 1} ${v + 2} ${v + long + 2} ${v + long + 1}`] : [],
+  );
+  return [...places.map(([i, j]) => `v ${i} ${j} 0`), ...faces].join('\n');
+}
+
+test('a strip that has buckled is pushed through to the other side, and back by undo; one that has not comes back', async () => {
+  const [long, wide] = [16, 4];
+  await script.open({ obj: strip(long, wide), name: 'strip.obj' });
+  const ends = Array.from({ length: wide }, (_, j) => [j * long, j * long + long - 1]).flat();
+  const middle = Math.floor(long / 2);
+  const height = async () => (await script.position(middle))[2];
+  const dragging = visit.page.locator('details', { hasText: 'Flip through' });
+  const flip = dragging.getByRole('button', { name: 'Flip through' });
+
+  // Pulled taut it has one shape.
+  await script.setHandles(ends.map((vertex) => ({ vertex, target: [vertex % long, Math.floor(vertex / long), 0] })));
+  await script.settled();
+  if (!(await flip.isVisible())) await dragging.locator('summary').click();
+  await flip.click();
+  await dragging.getByText('It came back').waitFor();
+
+  const pressed = (vertex: number) => ({
+    vertex,
+    target: [vertex % long === 0 ? 1 : long - 2, Math.floor(vertex / long), 0] as [number, number, number],
+  });
+  await script.setHandles([...ends.map(pressed), { vertex: middle, target: [middle, 0, 2] }]);
+  await script.settled();
+  await script.setHandles(ends.map(pressed));
+  await script.settled();
+  const before = await script.positions();
+  expect(await height()).toBeGreaterThan(1);
+
+  await flip.click();
+  await expect.poll(height).toBeLessThan(-1);
+  await script.settled();
+  const mirrored = before.map((x, i) => (i % 3 === 2 ? -x : x));
+  expect(apart(await script.positions(), mirrored)).toBeLessThan(1e-3);
+  expect(await dragging.getByText('It came back').count()).toBe(0);
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(apart(await script.positions(), before)).toBeLessThan(1e-6);
+});

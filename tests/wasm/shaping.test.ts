@@ -56,6 +56,22 @@ describe('soft handles', () => {
   });
 });
 
+test('what is flipped has its handles where they are, and the rest elsewhere; unheld it cannot be', () => {
+  editor.setHandles(handles);
+  expect(editor.solve()).toMatchObject({ status: 'converged' });
+  const before = editor.positions().slice();
+  const flipped = editor.flipped();
+  const place = (positions: Float64Array, vertex: number) => [...positions.subarray(3 * vertex, 3 * vertex + 3)];
+  for (const { vertex, target } of handles) expect(place(flipped, vertex)).toEqual([...target]);
+  expect(flipped.length).toBe(before.length);
+  expect(flipped).not.toEqual(before);
+  editor.setHandles([]);
+  expect(failure(() => editor.flipped())).toMatchObject({
+    code: 'bad_option',
+    message: expect.stringContaining('no exact handle'),
+  });
+});
+
 describe('locality', () => {
   test('keeps what lies beyond exactly where it is', () => {
     const before = editor.positions();

@@ -265,6 +265,7 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   noSymmetry: [['noSymmetry']],
   guide: [['guide', 'hypar']],
   noGuide: [['noGuide']],
+  flip: [['flip']],
   method: [['method', { method: 'li2022' }]],
   initialisation: [['initialisation', { method: 'arap' }]],
   option: [['option', { option: 'p_end' }, '50']],

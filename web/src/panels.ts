@@ -45,6 +45,8 @@ export interface PanelEvents {
   putHandlesOnGuide(): void;
   /** Take the surface beside the net away. */
   letGoOfGuide(): void;
+  /** Look for the net's other equilibrium. */
+  flip(): void;
   solve(): void;
   step(): void;
   setStepArrows(shown: boolean): void;

@@ -8,6 +8,7 @@
 
 #include "arbitrary.h"
 #include "core/sample_nets.h"
+#include "edit/flip.h"
 #include "require.h"
 #include "soak/invariants.h"
 
@@ -107,6 +108,9 @@ private:
     }
 
     void ask() {
+        const auto handles = m_editor.handles();
+        if (std::any_of(handles.begin(), handles.end(), [](const Handle& handle) { return handle.is_exact(); }))
+            fuzz::require(flipped(m_editor.net(), handles, m_editor.positions()).allFinite(), "flipped out of bounds");
         for (const float mobility : m_editor.mobility(3, any_vertices()))
             fuzz::require(mobility >= 0 && mobility <= 1, "a mobility is out of range");
         for (const UnreachablePair& pair : m_editor.unreachable_pairs())

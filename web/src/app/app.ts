@@ -277,6 +277,15 @@ export class App {
     await this.handles.moveByHand(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
   }
 
+  /** Pushes the net through between its handles, to look for its other equilibrium. */
+  async flip(): Promise<void> {
+    const positions = await this.#client.flipped();
+    const before = this.#state.snapshot();
+    if (before === null) return;
+    await this.#opener.restore({ ...before, positions, settled: false });
+    this.#state.history.record(before, ['flip']);
+  }
+
   /** One iteration, then stop. */
   step(): Promise<void> {
     return this.#client.step();
@@ -432,6 +441,7 @@ export class App {
       setView: (change) => this.setView(change),
       putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),
       letGoOfGuide: () => this.#attempt(this.setGuide(undefined)),
+      flip: () => this.#attempt(this.flip()),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),

@@ -217,6 +217,7 @@ export const en = {
     noSymmetry: 'No symmetry',
     guide: (surface: string) => `Surface ${surface}`,
     noGuide: 'No surface',
+    flip: 'Flip through',
     method: (name: string) => `Method: ${name}`,
     initialisation: (name: string) => `Start: ${name}`,
     option: (name: string, value: string) => `${name}: ${value}`,

@@ -210,6 +210,7 @@ export const zh: Words = {
     noSymmetry: '取消对称',
     guide: (surface) => `曲面 ${surface}`,
     noGuide: '不用曲面',
+    flip: '翻转',
     method: (name) => `方法：${name}`,
     initialisation: (name) => `初始化：${name}`,
     option: (name, value) => `${name}：${value}`,

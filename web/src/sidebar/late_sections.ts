@@ -8,6 +8,7 @@ import type { Panel } from '../panels';
 import { Appearance } from './appearance';
 import { ConvergencePanel } from './convergence_panel';
 import { DragPanel } from './drag_panel';
+import { FlipControl } from './flip_control';
 import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
 import { LearnPanel } from './learn_panel';
@@ -32,9 +33,11 @@ export function createLateSections(
     fold();
     events.compare(request);
   });
+  const [drag, flip] = [new DragPanel(events.handles), new FlipControl(events)];
+  drag.element.append(flip.element);
   const usual = [
     new HandleList(events),
-    new DragPanel(events.handles),
+    drag,
     new Appearance(events),
     new HistoryPanel((index) => events.goTo(index)),
     new LearnPanel(events, failed),
@@ -50,7 +53,7 @@ export function createLateSections(
   research.classList.add('group');
   const notices = [new SharpNotice(events), new StuckNotice(events)];
   return {
-    panels: [...usual, convergence, solver, step, comparison, ...notices],
+    panels: [...usual, flip, convergence, solver, step, comparison, ...notices],
     notices: notices.map(({ element }) => element),
     elements: [...usual.map(({ element }) => element), research],
   };

@@ -207,6 +207,11 @@ export class Client {
     return (await this.#ask({ type: 'mobility', radius, origins: [...origins] }, 'mobility')).mobility;
   }
 
+  /** Where the net's other equilibrium may be. */
+  async flipped(): Promise<Float64Array> {
+    return (await this.#ask({ type: 'flipped' }, 'flipped')).positions;
+  }
+
   /** What is drawn of the surface beside the net; null: there is none. */
   async guide(): Promise<DrawnSurface | null> {
     return (await this.#ask({ type: 'guide' }, 'guide')).surface;

@@ -53,6 +53,8 @@ export type Request = { id: number } & (
   | { type: 'reach'; vertices: number[] }
   /** How freely a locality would let each vertex move; see Editor.mobility(). */
   | { type: 'mobility'; radius: number; origins: number[] }
+  /** Where the net's other equilibrium may be; see Editor.flipped(). */
+  | { type: 'flipped' }
   /** What is drawn of the surface beside the net. */
   | { type: 'guide' }
   /** Of each point the nearest one of that surface; without one, the point itself. */
@@ -139,6 +141,7 @@ export type Response = { id: number } & (
   | { type: 'measured'; measures: Measures }
   | { type: 'reach'; balls: Ball[][] }
   | { type: 'mobility'; mobility: Float32Array }
+  | { type: 'flipped'; positions: Float64Array }
   /** null: there is none. */
   | { type: 'guide'; surface: DrawnSurface | null }
   | { type: 'nearest'; points: Vec3[] }

@@ -138,6 +138,8 @@ export class Server {
           type: 'reach',
           balls: request.vertices.map((vertex) => this.#net().reach(vertex)),
         });
+      case 'flipped':
+        return this.#reply(request, { type: 'flipped', positions: this.#net().flipped() });
       case 'pattern':
         return this.#reply(request, { type: 'pattern', pattern: this.#net().flatPattern() });
       case 'mobility':

@@ -66,6 +66,11 @@ export const panels = {
     letGo: 'Take it away',
     elsewhere: 'It acts on nets that come to rest; this one keeps its lengths alone.',
   },
+  flip: {
+    label: 'Flip through',
+    hint: 'Pushes the net through between its handles, to look for the other shape in which it rests',
+    back: 'It came back: no other shape at rest was found.',
+  },
   symmetry: {
     label: 'Symmetry',
     off: 'Off',

@@ -89,6 +89,11 @@ export const panels: Widened<typeof en> = {
     letGo: '移除曲面',
     elsewhere: '曲面只作用于趋于静止的网；此网只保持边长。',
   },
+  flip: {
+    label: '翻转到另一侧',
+    hint: '把网从手柄之间推到另一侧，寻找它的另一个静止形状',
+    back: '网回到了原处：没有找到另一个静止形状。',
+  },
   symmetry: {
     label: '对称',
     off: '关闭',
