@@ -30,8 +30,8 @@ const CORE = [
   'solve',
   'shapes',
   'drape',
-  'remesh',
   'edit',
+  'remesh',
   'cli',
 ];
 
