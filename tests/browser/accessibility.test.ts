@@ -159,3 +159,70 @@ test('forced colours leave legend, sliders, status and the chosen shape to be se
   expect(await styleOf('.gallery [aria-pressed=true]', 'outline-width')).toBe('3px');
   await page.screenshot({ path: join(OUTPUT, 'forced-colours.png') });
 });
+
+interface Heard {
+  role: string;
+  name: string;
+}
+
+/** What a screen reader is given: the accessibility tree as Chromium has it. */
+async function listenTo(page: Page) {
+  const session = await page.context().newCDPSession(page);
+  const said = ({ role, name }: { role?: { value?: unknown }; name?: { value?: unknown } }): Heard => ({
+    role: String(role?.value ?? ''),
+    name: String(name?.value ?? ''),
+  });
+  return {
+    /** Where the focus is; null: on nothing. */
+    focus: async (): Promise<Heard | null> => {
+      const { result } = await session.send('Runtime.evaluate', { expression: 'document.activeElement' });
+      if (result.className === 'HTMLBodyElement') return null;
+      const object = result.objectId === undefined ? {} : { objectId: result.objectId };
+      const { nodes } = await session.send('Accessibility.getPartialAXTree', { ...object, fetchRelatives: false });
+      return said(nodes[0]!);
+    },
+    texts: async (): Promise<string[]> => {
+      const { nodes } = await session.send('Accessibility.getFullAXTree');
+      const heard = nodes.filter(({ ignored }) => !ignored).map(said);
+      return heard.flatMap(({ role, name }) => (role === 'StaticText' ? [name] : []));
+    },
+  };
+}
+
+test('a screen reader is led through the basic edit and told what came of it', async () => {
+  const { page, script } = await site.arrive();
+  await script.settled();
+  await page.getByText('History', { exact: true }).waitFor();
+  const { focus, texts: heard } = await listenTo(page);
+  const focusOn = async (role: string, name: RegExp) => {
+    for (let i = 0; i < 80; ++i) {
+      await page.keyboard.press('Tab');
+      const reached = await focus();
+      expect(reached?.name, `the name of a ${reached?.role}`).not.toBe('');
+      if (reached?.role === role && name.test(reached.name)) return;
+    }
+    throw new Error(`Tab does not lead to a ${role} ${name}`);
+  };
+
+  await focusOn('button', /^Vault$/);
+  await page.keyboard.press('Enter');
+  await expect.poll(heard).toContainEqual(expect.stringMatching(/^Open vault\. Every edge keeps its length/));
+  await focusOn('DisclosureTriangle', /^Handles/);
+  await page.keyboard.press('Enter');
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await focusOn('button', new RegExp(`^Vertex ${vertex}$`));
+  await page.keyboard.press('Enter');
+  await expect.poll(heard).toContainEqual(expect.stringMatching(new RegExp(`^Selected: handle ${vertex}\\.`)));
+
+  const before = await script.position(vertex);
+  await focusOn('application', /^The net\. Arrow keys .* move the selected handles/);
+  await page.keyboard.press('ArrowUp');
+  await expect
+    .poll(heard)
+    .toContainEqual(expect.stringMatching(new RegExp(`^Move handle ${vertex}\\. Every edge keeps its length`)));
+  expect(await script.position(vertex)).not.toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect.poll(heard).toContainEqual(expect.stringMatching(new RegExp(`^Undone: Move handle ${vertex}\\.`)));
+  await script.settled();
+  expect(await script.position(vertex)).toEqual(before);
+});

@@ -2,6 +2,7 @@
 import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
+import { Narrator } from './narrator';
 import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
 import type { Panel } from '../panels';
@@ -51,7 +52,7 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
-  const notices = [new SharpNotice(events), new StuckNotice(events)];
+  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
     panels: [...usual, flip, convergence, solver, step, comparison, ...notices],
     notices: notices.map(({ element }) => element),

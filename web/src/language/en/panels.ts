@@ -227,6 +227,12 @@ export const panels = {
       rename: 'Rename a handle',
     },
   },
+  /** For screen readers. */
+  narrator: {
+    undone: (what: string) => `Undone: ${what}`,
+    selected: (who: string) => `Selected: ${who}`,
+    withResult: (news: string, standing: string) => `${news}. ${standing}.`,
+  },
   saving: {
     layers: { mesh: 'Mesh', lines: 'Net lines' },
     failed: (reason: string) => `The file could not be made: ${reason}`,

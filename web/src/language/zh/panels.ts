@@ -236,6 +236,11 @@ export const panels: Widened<typeof en> = {
       rename: '重命名手柄',
     },
   },
+  narrator: {
+    undone: (what) => `已撤销：${what}`,
+    selected: (who) => `已选中：${who}`,
+    withResult: (news, standing) => `${news}。${standing}。`,
+  },
   saving: {
     layers: { mesh: '网格', lines: '网线' },
     failed: (reason) => `无法生成文件：${reason}`,

@@ -1,0 +1,65 @@
+/** Tells screen readers what was done to the net, once it is known what came of it, and which handles are selected. */
+import type { HandleData } from '../document/document';
+import type { HistoryView } from '../document/undo';
+import { make } from '../elements/dom';
+import type { Choice } from '../handles/commands';
+import type { Selection } from '../handles/selection';
+import { words } from '../language/language';
+import { panelWords } from '../language/panels';
+import type { Panel } from '../panels';
+import { standing } from './status';
+import type { FrameData } from '../worker/protocol';
+import './narrator.css';
+
+/** Changes that follow one another sooner are told together, by the last of them, in milliseconds. */
+const PAUSE_MS = 300;
+
+export class Narrator implements Panel {
+  readonly element = make('div', { class: 'narrator', role: 'status' });
+  #history: { names: readonly string[]; present: number; revision: number } | null = null;
+  #selection: Selection | null = null;
+  #isSolving = false;
+  /** How it stands with the solver. */
+  #standing = '';
+  /** What is yet to be told. */
+  #news: string | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  setHistory({ names, present, revision }: HistoryView): void {
+    const before = this.#history;
+    this.#history = { names, present, revision };
+    if (before === null || before.revision === revision) return;
+    const isUndo = present < before.present && names.length === before.names.length;
+    this.#tell(isUndo ? panelWords.narrator.undone(names[before.present]!) : names[present]!);
+  }
+
+  setHandles(handles: readonly HandleData[], { selection }: Choice): void {
+    const before = this.#selection;
+    this.#selection = selection;
+    if (before === null || before === selection || selection.length === 0 || this.#news !== null) return;
+    const only = selection.length === 1 ? handles.find(({ vertex }) => vertex === selection[0]) : undefined;
+    const { one, several } = words.history;
+    this.#tell(panelWords.narrator.selected(only ? one(only.name ?? String(only.vertex)) : several(selection.length)));
+  }
+
+  setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
+    this.#isSolving = solving;
+    this.#standing = words.status[standing(frame, solving)];
+    if (!solving && this.#timer === undefined) this.#say();
+  }
+
+  #tell(news: string): void {
+    this.#news = news;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#timer = undefined;
+      if (!this.#isSolving) this.#say();
+    }, PAUSE_MS);
+  }
+
+  #say(): void {
+    if (this.#news === null) return;
+    this.element.textContent = panelWords.narrator.withResult(this.#news, this.#standing);
+    this.#news = null;
+  }
+}
