@@ -8,13 +8,16 @@ import { learn as learnInEnglish } from '../../web/src/language/en/learn';
 import { lesson as lessonInEnglish } from '../../web/src/language/en/lesson';
 import { panels as panelsInEnglish } from '../../web/src/language/en/panels';
 import { zh } from '../../web/src/language/zh';
-import { CORE_ERRORS, FORMATS, INITIALISATIONS, METHODS, NAMES, SHAPES } from '../../web/src/language/zh/core';
+import * as ZH_CORE from '../../web/src/language/zh/core';
 import { DEFECTS, dialogs as dialogsInChinese } from '../../web/src/language/zh/dialogs';
 import { experiments as experimentsInChinese } from '../../web/src/language/zh/experiments';
 import { learn as learnInChinese } from '../../web/src/language/zh/learn';
 import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
-import { OPTIONS, panels as panelsInChinese } from '../../web/src/language/zh/panels';
+import * as ZH_PANELS from '../../web/src/language/zh/panels';
 import { load, ROOT } from '../wasm/load';
+
+const { CORE_ERRORS, FORMATS, NAMES, SHAPES } = ZH_CORE;
+const { panels: panelsInChinese } = ZH_PANELS;
 
 /** Every text and every function, by the names that lead to it. */
 function leaves(words: object, path = ''): Map<string, unknown> {
@@ -75,14 +78,17 @@ describe('what the core says has Chinese words:', () => {
       formats: core.formats(),
       options: core.options(),
     };
-    const { shapes, methods, initialisations, formats } = zh.core.tables(tables);
-    const options = tables.options.map((each) => ({ ...each, sentence: panelsInChinese.solver.option(each) }));
+    const { shapes, formats } = zh.core.tables(tables);
+    const { option, aboutMethod, aboutInitialisation } = panelsInChinese.solver;
+    const methods = tables.methods.map((each) => ({ ...each, sentence: aboutMethod(each) }));
+    const initialisations = tables.initialisations.map((each) => ({ ...each, sentence: aboutInitialisation(each) }));
+    const options = tables.options.map((each) => ({ ...each, sentence: option(each) }));
     expect(names(SHAPES)).toEqual(byName(shapes));
     for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
-    expect(names(METHODS)).toEqual(byName(methods));
-    expect(names(INITIALISATIONS)).toEqual(byName(initialisations));
+    for (const { METHODS: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(methods));
+    for (const { INITIALISATIONS: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(initialisations));
     expect(names(FORMATS)).toEqual(byName(formats));
-    expect(names(OPTIONS)).toEqual(byName(options));
+    expect(names(ZH_PANELS.OPTIONS)).toEqual(byName(options));
     for (const { title, sentence } of shapes) expect([title, sentence].every((text) => HAN.test(text))).toBe(true);
     const all = [
       ...shapes.flatMap(({ parameters }) => parameters),

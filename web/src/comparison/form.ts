@@ -42,12 +42,12 @@ export class ComparisonForm implements Panel {
   }
 
   setTables({ methods }: Tables): void {
-    const choice = ({ name, sentence }: MethodInfo) =>
+    const choice = (method: MethodInfo) =>
       make(
         'label',
-        { title: sentence },
-        make('input', { type: 'checkbox', value: name, checked: USUAL.includes(name) }),
-        words.core.method(name),
+        { title: panelWords.solver.aboutMethod(method) },
+        make('input', { type: 'checkbox', value: method.name, checked: USUAL.includes(method.name) }),
+        words.core.method(method.name),
       );
     this.#methods.replaceChildren(make('legend', {}, panelWords.comparison.methods), ...methods.map(choice));
     this.#updateButton();

@@ -8,15 +8,16 @@ import { make, makeSelect, setValue } from '../elements/dom';
 const USUAL_COUNT = 5;
 
 /** A list of names, and below it the sentence and the citation of the one chosen. */
-class Choice<Info extends { name: string; sentence: string; citation: string }> {
+class Choice<Info extends { name: string; citation: string }> {
   readonly row: HTMLElement;
   readonly about = make('p', { class: 'quiet' });
   readonly #select: HTMLSelectElement;
+  readonly #sentence: (info: Info) => string;
   #table: Info[] = [];
 
-  constructor(label: string, changed: () => void) {
+  constructor(label: string, sentence: (info: Info) => string, changed: () => void) {
     const { row, select } = makeSelect(label, [], changed);
-    [this.row, this.#select] = [row, select];
+    [this.row, this.#select, this.#sentence] = [row, select, sentence];
   }
 
   get chosen(): Info | undefined {
@@ -26,7 +27,9 @@ class Choice<Info extends { name: string; sentence: string; citation: string }> 
   setTable(table: Info[]): void {
     this.#table = table;
     this.#select.replaceChildren(
-      ...table.map(({ name, sentence }) => make('option', { value: name, title: sentence }, words.core.method(name))),
+      ...table.map((info) =>
+        make('option', { value: info.name, title: this.#sentence(info) }, words.core.method(info.name)),
+      ),
     );
   }
 
@@ -36,9 +39,9 @@ class Choice<Info extends { name: string; sentence: string; citation: string }> 
     if (info && this.about.dataset.name !== name) this.#describe(info);
   }
 
-  #describe({ name, sentence, citation }: Info): void {
-    this.about.dataset.name = name;
-    this.about.replaceChildren(sentence, ' ', make('cite', {}, `${citation}.`));
+  #describe(info: Info): void {
+    this.about.dataset.name = info.name;
+    this.about.replaceChildren(this.#sentence(info), ' ', make('cite', {}, `${info.citation}.`));
   }
 }
 
@@ -47,7 +50,7 @@ export class MethodChoice {
   readonly #choice: Choice<MethodInfo>;
 
   constructor(changed: () => void) {
-    this.#choice = new Choice(panelWords.solver.method, changed);
+    this.#choice = new Choice(panelWords.solver.method, panelWords.solver.aboutMethod, changed);
     this.content = [this.#choice.row, this.#choice.about];
   }
 
@@ -79,7 +82,7 @@ export class InitialisationChoice {
   readonly #countRow = make('label', { class: 'row' }, make('span', {}, panelWords.solver.count), this.#count);
 
   constructor(changed: () => void) {
-    this.#choice = new Choice(panelWords.solver.initialisation, changed);
+    this.#choice = new Choice(panelWords.solver.initialisation, panelWords.solver.aboutInitialisation, changed);
     this.#count.addEventListener('change', () => this.#count.reportValidity() && changed());
     this.content = [this.#choice.row, this.#countRow, this.#choice.about];
   }

@@ -1,5 +1,5 @@
 /** What the panels say that come after the first picture. */
-import type { OptionInfo } from '../../../../wasm/chebnet';
+import type { InitialisationInfo, MethodInfo, OptionInfo } from '../../../../wasm/chebnet';
 
 export const panels = {
   /** Heads the sections about methods. */
@@ -111,6 +111,8 @@ export const panels = {
   solver: {
     /** What it is for. */
     option: ({ sentence }: OptionInfo) => sentence,
+    aboutMethod: ({ sentence }: MethodInfo) => sentence,
+    aboutInitialisation: ({ sentence }: InitialisationInfo) => sentence,
     solve: 'Solve',
     solveHint: 'Iterate until the solve ends',
     cancel: 'Cancel',

@@ -98,34 +98,25 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
 };
 
-export const METHODS: Record<string, { title: string; sentence: string }> = {
-  li2022: { title: 'Li 等 2022', sentence: '论文的方法：能量为 r^p + r^-p，对其凸优超函数作牛顿迭代，分三个阶段。' },
-  projection: {
-    title: '投影',
-    sentence: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。',
-  },
-  composite_majorization: { title: '复合优超', sentence: '论文的能量与阶段；受压的边没有切向刚度。' },
-  projected_newton: {
-    title: '投影牛顿法',
-    sentence: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。',
-  },
-  gauss_newton: {
-    title: '高斯–牛顿法',
-    sentence: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。',
-  },
-  equilibrium: { title: '平衡', sentence: '静止的网：在精确边长与角度下限之下，弯曲与剪切最小。' },
-  dp4: { title: 'D^p，p = 4', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。' },
-  dp8: { title: 'D^p，p = 8', sentence: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。' },
-  arap: { title: 'ARAP', sentence: '尽可能刚性：各顶点处的边从初始形状起一同转动；保持形状，不保持长度。' },
-  local_global: { title: '局部–全局法', sentence: '每条边先各自取得自己的长度，再由一个不变的线性方程组将它们拼合。' },
-  gradient_descent: { title: '梯度下降', sentence: '对论文的能量作最速下降并线搜索：每步代价低，步数极多。' },
-  lbfgs: { title: 'L-BFGS', sentence: '对论文的能量使用 L-BFGS：从最近十个梯度中获知曲率。' },
+export const METHODS: Record<string, string> = {
+  li2022: 'Li 等 2022',
+  projection: '投影',
+  composite_majorization: '复合优超',
+  projected_newton: '投影牛顿法',
+  gauss_newton: '高斯–牛顿法',
+  equilibrium: '平衡',
+  dp4: 'D^p，p = 4',
+  dp8: 'D^p，p = 8',
+  arap: 'ARAP',
+  local_global: '局部–全局法',
+  gradient_descent: '梯度下降',
+  lbfgs: 'L-BFGS',
 };
 
-export const INITIALISATIONS: Record<string, { title: string; sentence: string }> = {
-  naive: { title: '直接', sentence: '不作处理：手柄跳到目标位置，其余不动。' },
-  arap: { title: 'ARAP', sentence: '先作几次 ARAP 迭代：网尽可能刚性地跟随手柄。' },
-  local_global: { title: '局部–全局法', sentence: '先作几次局部–全局迭代：将各边拉向自己的长度。' },
+export const INITIALISATIONS: Record<string, string> = {
+  naive: '直接',
+  arap: 'ARAP',
+  local_global: '局部–全局法',
 };
 
 export const FORMATS: Record<string, string> = {
@@ -207,23 +198,18 @@ const WORKER_ERRORS: Record<string, string> = {
 };
 
 export const core = {
-  tables: ({ shapes, methods, initialisations, formats, ...more }: Tables): Tables => ({
+  tables: ({ shapes, formats, ...more }: Tables): Tables => ({
     shapes: shapes.map((shape) => {
       const { title, sentence, parameters } = SHAPES[shape.name] ?? { ...shape, parameters: {} };
       const own = shape.parameters.map((each) => ({ ...each, sentence: parameters[each.name] ?? each.sentence }));
       return { ...shape, title, sentence, parameters: own };
     }),
-    methods: methods.map((each) => ({ ...each, sentence: METHODS[each.name]?.sentence ?? each.sentence })),
-    initialisations: initialisations.map((each) => ({
-      ...each,
-      sentence: INITIALISATIONS[each.name]?.sentence ?? each.sentence,
-    })),
     formats: formats.map((each) => ({ ...each, sentence: FORMATS[each.name] ?? each.sentence })),
     ...more,
   }),
   name: (name: string) => NAMES[name] ?? name,
   shape: (name: string) => SHAPES[name]?.title ?? name,
-  method: (name: string) => METHODS[name]?.title ?? INITIALISATIONS[name]?.title ?? name,
+  method: (name: string) => METHODS[name] ?? INITIALISATIONS[name] ?? name,
   failure: (code: string, message: string) => {
     const said = CORE_ERRORS[code];
     return said === undefined ? (WORKER_ERRORS[code] ?? message) : `${said}（${message.replace(/\.$/, '')}）`;

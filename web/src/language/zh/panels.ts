@@ -1,7 +1,29 @@
-import type { OptionInfo } from '../../../../wasm/chebnet';
+import type { InitialisationInfo, MethodInfo, OptionInfo } from '../../../../wasm/chebnet';
 import type { panels as en } from '../en/panels';
 import type { Widened } from '../words';
 import { spaced } from './spaced';
+
+/** What methods, initialisations and options are for, by their names. */
+export const METHODS: Record<string, string> = {
+  li2022: '论文的方法：能量为 r^p + r^-p，对其凸优超函数作牛顿迭代，分三个阶段。',
+  projection: '先作刚性起步，再用弹簧，最后投影到精确长度：我们自己的方法，速度快、弯曲小。',
+  composite_majorization: '论文的能量与阶段；受压的边没有切向刚度。',
+  projected_newton: '论文的能量与阶段；使用真正的 Hessian 矩阵，并逐边修正为半正定。',
+  gauss_newton: '把边视为弹簧，在略加光滑的度量下作高斯–牛顿迭代：步数少，每步代价高。',
+  equilibrium: '静止的网：在精确边长与角度下限之下，弯曲与剪切最小。',
+  dp4: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 4。',
+  dp8: '能量为 |r - 1|^p，采用论文的阶段，最后取 p = 8。',
+  arap: '尽可能刚性：各顶点处的边从初始形状起一同转动；保持形状，不保持长度。',
+  local_global: '每条边先各自取得自己的长度，再由一个不变的线性方程组将它们拼合。',
+  gradient_descent: '对论文的能量作最速下降并线搜索：每步代价低，步数极多。',
+  lbfgs: '对论文的能量使用 L-BFGS：从最近十个梯度中获知曲率。',
+};
+
+export const INITIALISATIONS: Record<string, string> = {
+  naive: '不作处理：手柄跳到目标位置，其余不动。',
+  arap: '先作几次 ARAP 迭代：网尽可能刚性地跟随手柄。',
+  local_global: '先作几次局部–全局迭代：将各边拉向自己的长度。',
+};
 
 export const OPTIONS: Record<string, string> = {
   threshold: '最大 dL 低于此值即为收敛（ε3）。',
@@ -133,6 +155,8 @@ export const panels: Widened<typeof en> = {
   },
   solver: {
     option: ({ name, sentence }: OptionInfo) => OPTIONS[name] ?? sentence,
+    aboutMethod: ({ name, sentence }: MethodInfo) => METHODS[name] ?? sentence,
+    aboutInitialisation: ({ name, sentence }: InitialisationInfo) => INITIALISATIONS[name] ?? sentence,
     solve: '求解',
     solveHint: '一直迭代，直到求解结束',
     cancel: '取消',
