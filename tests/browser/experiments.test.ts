@@ -60,7 +60,7 @@ test('the list of figures is links, and a link to the one that is open begins it
     await link.click();
     await expect.poll(async () => script.stats()).toMatchObject({ method: 'li2022', iterations: 0 });
     await page.getByText(/: General meshes\. Undo brings back/).waitFor();
-    await page.getByText('Ready to be solved').waitFor();
+    await page.locator('.status-words', { hasText: 'Ready to be solved' }).waitFor();
     await page.getByRole('button', { name: 'One step' }).first().click();
     await expect.poll(async () => (await script.stats()).iterations).toBe(1);
   }

@@ -1,7 +1,7 @@
 /** The controller: everything a user or a script can ask of the page is a method here. State, Opener, Presenter and
  *  HandleEditor do it. */
 import type { FlatPattern, FormatInfo, OptionInfo, PatternFault } from '../../../wasm/chebnet';
-import { Comparer } from '../compare/comparer';
+import type { Comparer } from '../compare/comparer';
 import type { ComparisonRequest, RunPlan, RunRequest } from '../compare/run';
 import { guideTitle, type NamedChange, settingsChange } from '../document/changes';
 import type {
@@ -20,6 +20,7 @@ import type { HistoryView } from '../document/undo';
 import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
+import { lazy } from '../lazy';
 import type { Action, PanelEvents } from '../panels';
 import type { StandardView } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';
@@ -67,7 +68,7 @@ export class App {
   readonly #state: State;
   readonly #opener: Opener;
   readonly #presenter: Presenter;
-  readonly #comparer: Comparer;
+  readonly #comparer: () => Promise<Comparer>;
   readonly #tables: ReturnType<Client['hello']>;
   readonly #listeners: Record<AppEvent, Set<Listener>> = {
     frame: new Set(),
@@ -96,7 +97,12 @@ export class App {
       guide: () => this.#client.guide(),
     });
     this.#opener = this.#createOpener();
-    this.#comparer = new Comparer(parts.spawnWorker, (comparison) => this.#presenter.panels.setComparison(comparison));
+    this.#comparer = lazy(
+      async () =>
+        new (await import('../compare/comparer')).Comparer(parts.spawnWorker, (comparison) =>
+          this.#presenter.panels.setComparison(comparison),
+        ),
+    );
   }
 
   /** Waits for the solver and fills the tables of the panels. */
@@ -353,7 +359,7 @@ export class App {
 
   #run(plans: readonly RunPlan[]): void {
     this.#presenter.showOwnNet();
-    void this.#comparer.start(plans);
+    this.#attempt(this.#comparer().then((comparer) => comparer.start(plans)));
   }
 
   #threshold({ options }: Pick<SolverSettings, 'options'>): number {
@@ -449,7 +455,7 @@ export class App {
       reset: () => this.#attempt(this.reset()),
       compare: (request) => this.compare(request),
       runAll: (requests) => this.runAll(requests),
-      cancelComparison: () => this.#comparer.cancel(),
+      cancelComparison: () => this.#attempt(this.#comparer().then((comparer) => comparer.cancel())),
       showRun: (run) => this.#presenter.showRun(run),
       showBeside: (runs) => this.#presenter.showBeside(runs),
       undo: () => this.undo(),
