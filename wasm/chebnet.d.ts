@@ -247,7 +247,7 @@ export interface Editor {
   readonly faceStart: Int32Array;
   readonly faceVertices: Int32Array;
   readonly restPositions: Float64Array;
-  /** The length each edge is to keep. */
+  /** The length each edge is to keep, as the net came: times the option `length_scale` in fact. */
   readonly restLengths: Float64Array;
   /** Chains of edges that go straight on, from end to end; a closed one ends with the vertex it begins with
    *  (core/net/topology.h). */
@@ -300,6 +300,10 @@ export interface Editor {
   /** Back to rest; handles keep their vertices and take the rest positions as targets. */
   reset(): void;
 
+  /** A search for the smallest `length_scale` with which the exact handles are met, those named at these targets. Throws
+   *  "left_out" in a module that does without. */
+  lengthAdapter(wanted?: readonly Handle[]): LengthAdapter;
+
   /** A surface that draws the net, or null, as the options `guide_mode` and `guide_weight` of the method `equilibrium`
    *  say. It stays while other states are set, and may be disposed of. */
   setGuide(surface: Surface | null): void;
@@ -324,6 +328,25 @@ export interface Editor {
   /** The present positions as the bytes of a file. `format`: a name from `formats()`, or `ply_text`, where `ply` is binary. */
   toFile(format: string): Uint8Array<ArrayBuffer>;
   /** Frees the memory on the other side; the editor must not be used again. */
+  dispose(): void;
+}
+
+export interface AdaptReport {
+  /** `converged`: found; `unreachable`: no scale does. */
+  status: Status;
+  /** The smallest found so far, or else the one being tried. */
+  scale: number;
+  /** Since the beginning, as are the milliseconds. */
+  iterations: number;
+  milliseconds: number;
+}
+
+/** For handles beyond reach: how little all edges must grow; see core/edit/length_adapter.h, whose contract this follows. */
+export interface LengthAdapter {
+  solve(budget?: Budget): AdaptReport;
+  /** Sets the editor it was made by to what is found. Only once it has `converged`. */
+  accept(): void;
+  /** Frees the memory on the other side; it must not be used again. */
   dispose(): void;
 }
 

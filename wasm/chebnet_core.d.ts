@@ -1,5 +1,6 @@
 /** What wasm/*.cpp give to JavaScript; only wasm/facade.js uses it. Copied beside the built module. */
 import type {
+  AdaptReport,
   CoreFields,
   Defect,
   Drape,
@@ -119,6 +120,12 @@ export interface CoreEqualizer {
   delete(): void;
 }
 
+export interface CoreLengthAdapter {
+  solve(iterations: number, milliseconds: number): AdaptReport;
+  accept(session: Session): void;
+  delete(): void;
+}
+
 export interface CoreSurface {
   positions(): Float64Array;
   normals(): Float64Array;
@@ -148,6 +155,7 @@ export interface Core {
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
+  lengthAdapter(session: Session, vertices: Int32Array, targets: Float64Array): CoreLengthAdapter;
   guide(session: Session, surface: CoreSurface): void;
   unguide(session: Session): void;
   openSurface(mesh: Mesh): CoreSurface;

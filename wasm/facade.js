@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -319,6 +319,18 @@ class WasmEditor {
 
   releaseHandles() {
     this.#open.releaseHandles();
+  }
+
+  /** @param {readonly Handle[]} [wanted] @returns {LengthAdapter} */
+  lengthAdapter(wanted = []) {
+    const { vertices, targets } = flatHandles(wanted);
+    if (!('lengthAdapter' in this.#core)) throw failure('left_out', 'chebnet_core can do this, chebnet_editor cannot');
+    const adapter = this.#core.lengthAdapter(this.#open, vertices, targets);
+    return {
+      solve: (budget = {}) => adapter.solve(...limits(budget)),
+      accept: () => adapter.accept(this.#open),
+      dispose: () => adapter.delete(),
+    };
   }
 
   get holdsBack() {

@@ -329,14 +329,17 @@ void Editor::set_length_scale(double scale) {
 
 /// About the middle of the exact handles in the last net; of all vertices, if there are none.
 Positions Editor::grown(const Positions& positions, double factor) const {
-    std::vector<int> vertices;
-    for (const Handle& handle : m_handles)
-        if (handle.is_exact()) vertices.push_back(handle.vertex);
-    const Positions middle = vertices.empty() ? m_last_net : Positions(m_last_net(Eigen::all, vertices));
-    const Eigen::Vector3d centre = middle.rowwise().mean();
-    // Vertices that were far handles once may be anywhere.
-    constexpr double farthest = std::numeric_limits<double>::max();
-    return ((factor * (positions.colwise() - centre)).colwise() + centre).cwiseMax(-farthest).cwiseMin(farthest);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
+    for (int v = 0; v < m_net->vertex_count(); ++v) {
+        const Handle* handle = find_handle(v);
+        if (handle == nullptr || !handle->is_exact()) continue;
+        sum += m_last_net.col(v);
+        ++count;
+    }
+    const Eigen::Vector3d centre =
+        count > 0 ? Eigen::Vector3d(sum / count) : Eigen::Vector3d(m_last_net.rowwise().mean());
+    return chebnet::grown(positions, centre, factor);
 }
 
 void Editor::replace_handles(std::vector<Handle> handles) {
@@ -443,8 +446,8 @@ void Editor::draw_targets_near() {
 /// What stands where the solver has left it has the solver's own digits.
 Positions Editor::in_unit(const Positions& positions) const {
     Positions x = positions / m_unit;
-    for (int v = 0; v < m_unit_positions.cols(); ++v)
-        if (positions.col(v) == m_unit * m_unit_positions.col(v)) x.col(v) = m_unit_positions.col(v);
+    for (Eigen::Index i = 0; i < m_unit_positions.size(); ++i)
+        if (positions.data()[i] == m_unit * m_unit_positions.data()[i]) x.data()[i] = m_unit_positions.data()[i];
     return x;
 }
 

@@ -30,6 +30,15 @@ void check_size(const Positions& positions) {
 
 }  // namespace
 
+Positions grown(const Positions& positions, const Eigen::Vector3d& centre, double factor) {
+    constexpr double farthest = std::numeric_limits<double>::max();
+    Positions x = positions;
+    for (int v = 0; v < x.cols(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            x(axis, v) = std::clamp(centre[axis] + factor * (x(axis, v) - centre[axis]), -farthest, farthest);
+    return x;
+}
+
 Net::Net(Positions rest_positions, Faces faces, RestLengths rest_lengths)
     : m_rest_positions(std::move(rest_positions)), m_faces(std::move(faces)) {
     check_finite(m_rest_positions);
@@ -126,8 +135,7 @@ Net Net::scaled(double factor) const {
 
 Net Net::grown(double factor) const {
     Net net(*this);
-    const Eigen::Vector3d centre = m_rest_positions.rowwise().mean();
-    net.m_rest_positions = (factor * (m_rest_positions.colwise() - centre)).colwise() + centre;
+    net.m_rest_positions = chebnet::grown(m_rest_positions, m_rest_positions.rowwise().mean(), factor);
     net.m_rest_lengths *= factor;
     net.m_mean_length *= factor;
     return net;

@@ -9,6 +9,9 @@ namespace chebnet {
 /// Vertex positions, 3×V: column i is vertex i, in the net's own unit of length.
 using Positions = Eigen::Matrix3Xd;
 
+/// As seen from `centre` so many times as far; no farther than numbers go.
+Positions grown(const Positions& positions, const Eigen::Vector3d& centre, double factor);
+
 /// Faces of any arity as one flat list: face f is vertices[start[f]] … vertices[start[f + 1] − 1], in cyclic order.
 struct Faces {
     std::vector<int> start{0};

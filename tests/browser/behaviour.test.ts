@@ -115,7 +115,27 @@ test('a hand that goes beyond what the net can reach holds it there; the handle 
   expect(apart(letGo, held)).toBeLessThan(0.05 * length);
   const stands = Array.from(letGo.slice(3 * vertex, 3 * vertex + 3));
   expect(await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.target)).toEqual(stands);
-  expect(await visit.page.locator('.stuck-notice').innerText()).toBe('');
+
+  const notice = visit.page.locator('.stuck-notice');
+  await notice.getByRole('button', { name: 'Let edges grow' }).click();
+  await notice.getByText(/^Edges are \d+\.\d % longer\.$/).waitFor();
+  await script.settled();
+  const grown = await script.positions();
+  const end = (k: 0 | 1) => grown.subarray(3 * edges[k]!, 3 * edges[k]! + 3);
+  const longer = Math.hypot(...end(0).map((coordinate, axis) => coordinate - end(1)[axis]!));
+  expect(longer).toBeGreaterThan(1.01 * length);
+  expect(largestDeviation(grown, edges, longer)).toBeLessThan(1e-9);
+  const asked = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.target);
+  expect(asked).toEqual(Array.from(grown.slice(3 * vertex, 3 * vertex + 3)));
+  const wayOf = (place: readonly number[]) => Math.hypot(...place.map((each, axis) => each - rest[3 * vertex + axis]!));
+  expect(wayOf(asked)).toBeGreaterThan(wayOf(stands) + length);
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-grown.png') });
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  await notice.getByText('Edges are').waitFor({ state: 'detached' });
+  expect(largestDeviation(await script.positions(), edges, length)).toBeLessThan(1e-9);
+  expect(apart(await script.positions(), letGo)).toBeLessThan(0.05 * length);
 
   await visit.page.keyboard.press('Control+z');
   await script.settled();

@@ -250,6 +250,35 @@ describe('a drag', () => {
     expect(at(positions, dragged)[2]).toBeLessThan(z + 50);
   });
 
+  test('beyond reach, then all edges grow until the handle stands where the hand was', () => {
+    const [x, y, z] = home;
+    const far: [number, number, number] = [x, y, z + 8];
+    ask({ type: 'drag', inHand: true, targets: [{ vertex: dragged, target: far }] });
+    ask({ type: 'release' });
+    run();
+    expect(settled().frame).toMatchObject({ holdsBack: false, fellShort: true });
+    const id = ask({ type: 'adapt' });
+    run();
+    const adapted = said.find((response) => response.type === 'adapted');
+    expect(adapted).toMatchObject({ id });
+    expect(adapted?.type === 'adapted' && adapted.scale).toBeGreaterThan(1.01);
+    expect(settled()).toMatchObject({ id, frame: { fellShort: false } });
+    expect(at(settled().frame.positions, dragged)).toEqual(far);
+    expect(settled().frame.maxDeviation).toBeLessThan(1e-9);
+  });
+
+  test('a search for other lengths ends when the net is touched', () => {
+    const [x, y, z] = home;
+    ask({ type: 'drag', inHand: true, targets: [{ vertex: dragged, target: [x, y, z + 8] }] });
+    ask({ type: 'release' });
+    run();
+    const id = ask({ type: 'adapt' });
+    ask({ type: 'cancel' });
+    run();
+    expect(said.find((response) => response.id === id)).toMatchObject({ type: 'error', code: 'cancelled' });
+    expect(settled().frame).toMatchObject({ fellShort: true });
+  });
+
   test('is answered at once and ends settled', () => {
     const id = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     expect(said).toEqual([{ id, type: 'done' }]);

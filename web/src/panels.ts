@@ -40,6 +40,8 @@ export interface PanelEvents {
   setOptions(settings: SolverSettings): void;
   /** As setOptions, and the net comes to rest by them at once. */
   setBehaviour(settings: SolverSettings): void;
+  /** Let all edges grow by one factor, as little as brings handles to where they were to be; see App.adaptLengths(). */
+  adaptLengths(progress: (scale: number) => void): Promise<number | null>;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
   /** Move the handles onto the surface beside the net. */
   putHandlesOnGuide(): void;

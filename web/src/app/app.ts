@@ -262,6 +262,17 @@ export class App {
     this.#state.change(after);
   }
 
+  /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
+   *  if none does, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
+  async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+    const before = this.#state.snapshot();
+    const scale = await this.#client.adaptLengths(progress);
+    if (before === null || scale === null) return scale;
+    this.#state.history.record(before, ['option', { option: 'length_scale' }, scale.toPrecision(4)]);
+    this.#state.change({ options: { ...before.options, length_scale: scale } });
+    return scale;
+  }
+
   /** Puts a surface beside the net, or takes it away; the net is solved anew. */
   async setGuide(guide: GuideSource | undefined): Promise<void> {
     const before = this.#state.snapshot();
@@ -444,6 +455,7 @@ export class App {
       previewLine: (name) => this.#presenter.view.setPreview(name === null ? [] : this.handles.line(name)),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
       setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
+      adaptLengths: (progress) => this.adaptLengths(progress),
       setView: (change) => this.setView(change),
       putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),
       letGoOfGuide: () => this.#attempt(this.setGuide(undefined)),

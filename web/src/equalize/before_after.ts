@@ -41,6 +41,7 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
     maxDeviation: deviation.reduce((most, dL) => Math.max(most, dL), 0),
     handles: [],
     holdsBack: false,
+    fellShort: false,
     status: 'running',
     iterations: 0,
     milliseconds: 0,

@@ -287,7 +287,7 @@ export class HandleEditor implements HandleCommands {
     const both = this.#guide.within(mirrored);
     this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
-    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin));
+    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, mirrored));
   }
 
   endDrag(cancelled: boolean): void {

@@ -55,6 +55,7 @@ interface PendingDrag {
   /** The latest target of each vertex. */
   targets: Map<number, Vec3>;
   inHand: boolean;
+  asked: readonly Handle[] | undefined;
   taken(): void;
   refused(error: unknown): void;
   promise: Promise<void>;
@@ -83,6 +84,7 @@ export class Client {
   #returning: Pick<OpenScene, 'settled'> | null = null;
   #silence: ReturnType<typeof setTimeout> | undefined;
   #whenIdle: (() => void)[] = [];
+  #adapting: (scale: number) => void = () => {};
 
   /** @param patience milliseconds of silence, while the worker is busy, after which it counts as lost. */
   constructor(spawn: () => WorkerLike, host: ClientHost, patience = 60_000) {
@@ -149,10 +151,12 @@ export class Client {
    * Targets of the moment. At most one request is under way; of the targets that come meanwhile the newest of each vertex
    * are sent together. Resolves when the worker has taken these targets or newer ones.
    * @param inHand whether they are held back where no net leads there, until `release`.
+   * @param asked where the hand is, if targets are kept nearer.
    */
-  drag(targets: readonly Handle[], inHand = false): Promise<void> {
+  drag(targets: readonly Handle[], inHand = false, asked?: readonly Handle[]): Promise<void> {
     const pending = (this.#pendingDrag ??= newPendingDrag());
     pending.inHand = inHand;
+    pending.asked = asked;
     for (const { vertex, target } of targets) pending.targets.set(vertex, target);
     if (this.#dragsUnderWay === 0) this.#sendDrag();
     return pending.promise;
@@ -175,6 +179,15 @@ export class Client {
   /** Puts the open net into an earlier state. */
   restore(scene: Omit<OpenScene, 'net'>): Promise<void> {
     return this.#tell({ type: 'restore', scene });
+  }
+
+  /** All edges grow by one factor, as little as brings handles to where they, or a hand that was held back, are to be. The
+   *  option `length_scale` then; null if none does. Fails as "cancelled" where the net is touched meanwhile.
+   *  @param progress is told the scale of the moment. */
+  async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+    this.#sendDrag();
+    this.#adapting = progress;
+    return (await this.#ask({ type: 'adapt' }, 'adapted')).scale;
   }
 
   solve(): Promise<void> {
@@ -254,7 +267,7 @@ export class Client {
 
   #sendDrag(): void {
     if (this.#pendingDrag === null) return;
-    const { targets, inHand, taken, refused } = this.#pendingDrag;
+    const { targets, inHand, asked, taken, refused } = this.#pendingDrag;
     this.#pendingDrag = null;
     this.#dragsUnderWay += 1;
     const onward = (): void => {
@@ -262,7 +275,10 @@ export class Client {
       if (this.#dragsUnderWay === 0) this.#sendDrag();
     };
     const list = Array.from(targets, ([vertex, target]) => ({ vertex, target }));
-    this.#ask({ type: 'drag', targets: list, inHand }, 'done').then(taken, refused).finally(onward);
+    const beyond = asked === undefined ? {} : { asked: [...asked] };
+    this.#ask({ type: 'drag', targets: list, inHand, ...beyond }, 'done')
+      .then(taken, refused)
+      .finally(onward);
   }
 
   // -------------------------------------------------------------------------------------------------------- answers
@@ -272,6 +288,7 @@ export class Client {
       return this.#lose(words.core.failure(CRASHED, response.message));
     this.#proven = true;
     if (response.type === 'frame' || response.type === 'settled') this.#news(response);
+    else if (response.type === 'adapting') this.#adapting(response.scale);
     else this.#answered(response);
     this.#rest();
   }
@@ -374,5 +391,5 @@ function newPendingDrag(): PendingDrag {
     taken = resolve;
     refused = reject;
   });
-  return { targets: new Map(), inHand: false, taken, refused, promise };
+  return { targets: new Map(), inHand: false, asked: undefined, taken, refused, promise };
 }

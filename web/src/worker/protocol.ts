@@ -13,7 +13,7 @@ import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 11;
+export const PROTOCOL_VERSION = 12;
 
 /** File formats that the solver's worker writes: a name from the core's table of formats, or `csv`, its edges with their lengths. */
 export type ExportFormat = string;
@@ -25,13 +25,17 @@ export type Request = { id: number } & (
   | { type: 'open'; scene: Omit<Scene, 'view'> }
   | { type: 'handles'; handles: Handle[] }
   /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
-   *  solve for those before has had its share of time. `inHand`: they are held back where no net leads there. */
-  | { type: 'drag'; targets: Handle[]; inHand: boolean }
+   *  solve for those before has had its share of time. `inHand`: they are held back where no net leads there. `asked`: where
+   *  the hand is, if targets are kept nearer. */
+  | { type: 'drag'; targets: Handle[]; inHand: boolean; asked?: Handle[] }
   /** The hand lets go: handles that are held back take the place where they stand as target when the solve ends. */
   | { type: 'release' }
   /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;
    *  null: everything. */
   | { type: 'locality'; radius: number | null; origins: number[] }
+  /** All edges grow by one factor, as little as brings exact handles to where they, or a hand that was held back, are to be.
+   *  Ended as "cancelled" by the next request that touches the net. */
+  | { type: 'adapt' }
   /** Starts no solve; one under way goes on with them. */
   | { type: 'options'; settings: SolverSettings }
   /** Solve on until it ends. */
@@ -112,6 +116,8 @@ export interface FrameData {
   handles: Handle[];
   /** The hand is beyond what the net can reach. */
   holdsBack: boolean;
+  /** The last hand was beyond what the net can reach, and its handles stand elsewhere than it asked. */
+  fellShort: boolean;
   status: Status;
   maxDeviation: number;
   /** Of the solve under way, or just ended. */
@@ -147,6 +153,10 @@ export type Response = { id: number } & (
   | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
   | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
+  /** While lengths adapt: the scale of the moment. No answer yet. */
+  | { type: 'adapting'; scale: number }
+  /** The option `length_scale` that was found; null: none does, and nothing has changed. */
+  | { type: 'adapted'; scale: number | null }
   | { type: 'done' }
   | { type: 'error'; code: string; message: string }
 );
@@ -156,6 +166,7 @@ const TOUCHING = [
   'handles',
   'drag',
   'release',
+  'adapt',
   'options',
   'solve',
   'step',

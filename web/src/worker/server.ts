@@ -1,12 +1,21 @@
 /** The other side of client.ts, in the worker: answers requests, and solves in slices between them. */
-import type { EditState, Editor, Editors, SolveReport, Surface, TraceRow } from '../../../wasm/chebnet';
+import type {
+  EditState,
+  Editor,
+  Editors,
+  Handle,
+  LengthAdapter,
+  SolveReport,
+  Surface,
+  TraceRow,
+} from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
 import { describe } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
-import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE } from './protocol';
+import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
 
@@ -17,6 +26,8 @@ const SLICE = 12;
  * within this time is only ever shown solved, and still seems to follow at once.
  */
 const SHARE = 32;
+/** The same of a search for other lengths, which shows no frames. */
+const SLICE_OF_SEARCH = 100;
 
 /** Requests after which the count of iterations goes on. */
 const GOES_ON: ReadonlySet<Request['type']> = new Set(['step', 'solve', 'cancel', 'release']);
@@ -58,6 +69,9 @@ export class Server {
   #shareStart = 0;
   /** Targets that wait until the present solve has had its milliseconds. */
   #nextDrag: Drag | null = null;
+  /** What the last hand asked for. */
+  #asked: readonly Handle[] = [];
+  #search: { id: number; adapter: LengthAdapter } | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
@@ -76,6 +90,7 @@ export class Server {
       return;
     }
     if (request.type !== 'seen') this.#takeNextDrag();
+    if (touchesNet(request.type)) this.#endSearch();
     try {
       this.#answer(request);
     } catch (error) {
@@ -96,6 +111,7 @@ export class Server {
       case 'open':
         return this.#open(request.id, request.scene);
       case 'handles':
+        this.#asked = [];
         this.#net().setHandles(request.handles);
         return this.#accept(request, true);
       case 'drag':
@@ -105,6 +121,8 @@ export class Server {
       case 'release':
         this.#net().releaseHandles();
         return this.#accept(request, this.#solving || this.#net().holdsBack);
+      case 'adapt':
+        return this.#adapt(request.id);
       case 'locality':
         this.#net().setLocality(request.radius ?? Infinity, request.origins);
         return this.#reply(request, { type: 'done' });
@@ -120,6 +138,7 @@ export class Server {
       case 'cancel':
         return this.#accept(request, false);
       case 'reset':
+        this.#asked = [];
         this.#net().reset();
         this.#assess();
         return this.#accept(request, false);
@@ -188,6 +207,7 @@ export class Server {
     this.#editor?.dispose();
     this.#editor = editor;
     this.#source = scene.net;
+    this.#asked = [];
     this.#touch = id;
     this.#forgetSolve();
     this.#assess();
@@ -203,6 +223,7 @@ export class Server {
       if (request.inHand) net.dragHandle(vertex, target);
       else net.moveHandle(vertex, target);
     }
+    this.#asked = request.inHand ? (request.asked ?? request.targets) : [];
     this.#accept(request, true);
   }
 
@@ -228,7 +249,68 @@ export class Server {
     const editor = this.#net();
     this.#setGuide(editor, scene.guide);
     editor.setState(stateOf(scene, editor));
+    this.#asked = [];
     this.#assess();
+  }
+
+  // ---------------------------------------------------------------------------------------------------- other lengths
+
+  #adapt(id: number): void {
+    const wanted = this.#asked.filter(({ vertex }) =>
+      this.#net()
+        .handles()
+        .some((handle) => handle.vertex === vertex),
+    );
+    this.#search = { id, adapter: this.#net().lengthAdapter(wanted) };
+    this.#solving = false;
+    this.#searchSoon();
+  }
+
+  #searchSoon(): void {
+    const search = this.#search;
+    this.#host.soon(() => {
+      if (search === null || search !== this.#search) return;
+      try {
+        this.#searchOn(search);
+      } catch (error) {
+        this.#search = null;
+        search.adapter.dispose();
+        this.#refuse(search.id, error);
+      }
+    });
+  }
+
+  #searchOn({ id, adapter }: { id: number; adapter: LengthAdapter }): void {
+    const { status, scale } = adapter.solve({ milliseconds: SLICE_OF_SEARCH });
+    if (status === 'running') {
+      this.#post({ id, type: 'adapting', scale });
+      return this.#searchSoon();
+    }
+    const isFound = status === 'converged';
+    if (isFound) adapter.accept();
+    adapter.dispose();
+    this.#search = null;
+    if (isFound) this.#asked = [];
+    this.#forgetSolve();
+    this.#touch = id;
+    this.#post({ id, type: 'adapted', scale: isFound ? scale : null });
+    this.#go(true);
+  }
+
+  #endSearch(): void {
+    if (this.#search === null) return;
+    const { id, adapter } = this.#search;
+    this.#search = null;
+    adapter.dispose();
+    this.#refuse(id, new Failure('cancelled', 'The net is being edited.'));
+  }
+
+  /** Whether handles stand elsewhere than the last hand asked. */
+  #fellShort(handles: readonly Handle[]): boolean {
+    const targets = new Map(handles.map(({ vertex, target }) => [vertex, target]));
+    const isOff = ({ vertex, target }: Handle): boolean =>
+      targets.get(vertex)?.some((x, i) => x !== target[i]) ?? false;
+    return !this.#solving && this.#asked.some(isOff);
   }
 
   /** The surface beside the net; it is kept open as long as it is the same. */
@@ -395,11 +477,13 @@ export class Server {
     const [trace, stepFrom] = [this.#unsentRows, this.#stepFrom];
     this.#unsentRows = [];
     this.#stepFrom = null;
+    const handles = editor.handles();
     return {
       positions: editor.positions(),
       fields,
-      handles: editor.handles(),
+      handles,
       holdsBack: editor.holdsBack,
+      fellShort: this.#fellShort(handles),
       status: this.#status,
       maxDeviation: largest(fields.deviation),
       iterations: this.#row?.iteration ?? 0,

@@ -298,6 +298,14 @@ export const panels = {
     back: 'Back to the last good shape',
     soften: 'Make the handle soft',
     widen: 'Let the whole net move',
+    grow: 'Let edges grow',
+    growing: (percent: string) => `How little must edges grow? Now trying ${percent} %.`,
+    stop: 'Stop',
+    fellShort: 'With edges of this length the net does not reach where the hand was.',
+    noLength: 'No length up to four times as long reaches there.',
+    grown: (percent: string) => `Edges are ${percent} % longer.`,
+    shrunk: (percent: string) => `Edges are ${percent} % shorter.`,
+    lengthsBack: 'Lengths as before',
     noShape: 'No shape nearby has all edges at their length.',
     unreachable: (a: number, b: number, distance: string, reach: string) =>
       `Handles ${a} and ${b} are out of reach of each other: they are ${distance} apart, the net between them is ${reach} long. ` +
