@@ -52,10 +52,9 @@ Positions flipped(const Net& net, std::span<const Handle> handles, const Positio
     if (held.empty()) throw Error(ErrorCode::bad_option, "a net that no exact handle holds cannot be pushed through");
 
     const std::vector<bool> is_free = free_vertices(net.vertex_count(), held);
-    const Positions from_one = positions.colwise() - positions.col(held.front());
-    const double size = from_one.lpNorm<Eigen::Infinity>();
-    if (!(size > 0)) return positions;
-    const Positions x = from_one / size;  // any squares of it are numbers
+    const double size = positions.lpNorm<Eigen::Infinity>();
+    if (!(size > 0 && size <= k_largest_size)) return positions;  // a handle stands beyond where any net may be
+    const Positions x = (positions.colwise() - positions.col(held.front())) / size;  // squares of it are numbers
     const Eigen::Vector3d normal = normal_of(x(Eigen::all, held), x);
     const Positions film = soap_film(net, is_free, x);
     Positions result = positions;

@@ -188,6 +188,8 @@ double LengthAdapter::shortfall() const {
 }
 
 EditState LengthAdapter::state() const {
+    if (m_status != Status::converged)
+        throw Error(ErrorCode::bad_option, "no scale of the lengths has been found with which the handles are met");
     EditState state = m_editor.state();
     state.method = m_method;
     state.options = m_options;

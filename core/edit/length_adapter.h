@@ -43,7 +43,7 @@ public:
     ///   unreachable   none up to k_largest_scale does
     AdaptReport solve(const Budget& budget = {});
 
-    /// Once converged: what to set the editor to. The method is the editor's.
+    /// What to set the editor to. The method is the editor's. Throws Error bad_option unless converged.
     EditState state() const;
 
 private:

@@ -150,6 +150,7 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
   } as const;
   const frame = {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 3, 0, 0),
+    lengthScale: 1,
     fields: {
       deviation: Float32Array.of(1e-9, 1),
       angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
@@ -169,6 +170,8 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
   expect(Math.max(...others.slice(0, 3))).toBeLessThan(3);
   expect(others.slice(3)).toEqual([255, 255, 0]);
   const longer = coloursBy('longer');
+  frame.lengthScale = 2;
+  expect(coloursBy('longer').slice(6)).toEqual(longer.slice(0, 3));
   expect([longer.slice(0, 3), longer.slice(6)]).toEqual([
     [0, 0, 0],
     [255, 0, 255],

@@ -13,7 +13,9 @@ test('the worst edge is found, too long or too short', () => {
   const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 2) } as unknown as OpenedNet;
   const frame = {
     positions: Float64Array.of(0, 0, 0, 1, 0, 0, 1, 0, 1),
+    lengthScale: 1,
     fields: { deviation: Float32Array.of(0, 0.5) },
   } as unknown as FrameData;
   expect(worstRatio(net, frame)).toBe(0.5);
+  expect(worstRatio(net, { ...frame, lengthScale: 2 })).toBe(0.25);
 });

@@ -17,6 +17,7 @@ function openedNet(recipe: string): OpenedNet {
 function frameOf({ restPositions, edges }: OpenedNet, shift: number): Placed {
   return {
     positions: restPositions.map((x) => x + shift),
+    lengthScale: 1,
     fields: {
       deviation: new Float32Array(edges.length / 2).fill(shift),
       angle: new Float32Array(restPositions.length / 3).fill(Math.PI / 2),

@@ -158,7 +158,7 @@ class DrapePicture implements Picture {
     this.#seed = seed;
     this.#netData = new NetData(net, this.#space);
     this.#netData.putInto(this.#uniforms);
-    this.#netData.setFrame({ positions: net.restPositions, fields }, fieldOf('shear'));
+    this.#netData.setFrame({ positions: net.restPositions, lengthScale: 1, fields }, fieldOf('shear'));
     this.#lines.setNet(this.#netData, net.strips);
     this.#faces.setTriangles(net.triangles);
     this.#shade.setBehind(BEHIND * this.#netData.edgeLength);

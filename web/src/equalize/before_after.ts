@@ -32,6 +32,7 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
   );
   return {
     positions,
+    lengthScale: 1,
     fields: {
       deviation,
       angle: new Float32Array(positions.length / 3),

@@ -13,6 +13,8 @@ export type ColourMap = 'paper' | 'log';
 export interface Placed {
   /** 3 numbers a vertex. */
   positions: Float64Array;
+  /** What rest lengths are multiplied by. */
+  lengthScale: number;
   fields: CoreFields;
 }
 
@@ -128,8 +130,8 @@ export const FIELDS = {
   height: {
     place: 'vertex',
     ends: 'any',
-    write: (numbers, { fields: { height } }, { restLengths }) => {
-      const length = meanOf(restLengths);
+    write: (numbers, { fields: { height }, lengthScale }, { restLengths }) => {
+      const length = lengthScale * meanOf(restLengths);
       for (let vertex = 0; vertex < height.length; vertex++) numbers[vertex] = height[vertex]! / length;
     },
     scale: ({ narrow, right, wide }, _, ends = [-0.5, 0.5]) => diverging([narrow, right, wide], 0, ends, ''),
@@ -142,8 +144,8 @@ export const FIELDS = {
   longer: {
     place: 'edge',
     atVertex: 'mean',
-    write: (numbers, { positions }, net) => {
-      for (let edge = 0; edge < net.restLengths.length; edge++) numbers[edge] = Number(isLonger(net, positions, edge));
+    write: (numbers, placed, net) => {
+      for (let edge = 0; edge < net.restLengths.length; edge++) numbers[edge] = Number(isLonger(net, placed, edge));
     },
     scale: ({ right, longer }) => noOrYes([right, longer], [words.legend.notLonger, words.legend.isLonger]),
     summary: (numbers) => words.legend.share((100 * meanOf(numbers)).toFixed(1)),

@@ -9,6 +9,8 @@ interface Edges {
 interface Placed {
   /** 3 numbers a vertex. */
   positions: Float64Array;
+  /** What rest lengths are multiplied by. */
+  lengthScale: number;
   /** dL of each edge. */
   fields: { deviation: Float32Array };
 }
@@ -19,9 +21,12 @@ export function energy(r: number, p: number): number {
 }
 
 /** r of the edge with the largest deviation. */
-export function worstRatio({ edges, restLengths }: Edges, { positions, fields: { deviation } }: Placed): number {
+export function worstRatio(
+  { edges, restLengths }: Edges,
+  { positions, lengthScale, fields: { deviation } }: Placed,
+): number {
   const worst = deviation.reduce((worst, dL, e) => (dL > deviation[worst]! ? e : worst), 0);
   const [a, b] = [3 * edges[2 * worst]!, 3 * edges[2 * worst + 1]!];
   const along = (axis: number): number => positions[a + axis]! - positions[b + axis]!;
-  return Math.hypot(along(0), along(1), along(2)) / restLengths[worst]!;
+  return Math.hypot(along(0), along(1), along(2)) / (lengthScale * restLengths[worst]!);
 }

@@ -111,6 +111,8 @@ export interface DrawnSurface {
 
 export interface FrameData {
   positions: Float64Array;
+  /** What rest lengths are multiplied by: the option `length_scale`. */
+  lengthScale: number;
   fields: CoreFields;
   /** Those in hand where they stand. */
   handles: Handle[];

@@ -480,6 +480,7 @@ export class Server {
     const handles = editor.handles();
     return {
       positions: editor.positions(),
+      lengthScale: Number(editor.options().length_scale),
       fields,
       handles,
       holdsBack: editor.holdsBack,
