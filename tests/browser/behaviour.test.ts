@@ -102,7 +102,9 @@ test('a hand that goes beyond what the net can reach holds it there; the handle 
   await mouse.down();
   await mouse.move(x + 420, y - 60, { steps: 8 });
   await script.settled();
-  await visit.page.getByText('As far as the net goes: every edge keeps its length').waitFor();
+  await visit.page
+    .locator('.status-words', { hasText: 'As far as the net goes: every edge keeps its length' })
+    .waitFor();
   await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-held-back.png') });
   const held = await script.positions();
   expect(largestDeviation(held, edges, length)).toBeLessThan(1e-9);

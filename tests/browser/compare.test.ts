@@ -19,7 +19,7 @@ const { arrive } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await arrive('', { deviceScaleFactor: 1 }); // curves are looked for by their colours, pixel by pixel
   ({ script } = visit);
 });
 

@@ -333,7 +333,7 @@ describe('on a vault', () => {
     expect(text).toMatch(new RegExp(`\\b${dragged}\\b`));
     expect(text).toMatch(pair);
     expect(text).toMatch(/reach/i);
-    await visit.page.getByText('Out of reach: holding the best shape').waitFor();
+    await visit.page.locator('.status-words', { hasText: 'Out of reach: holding the best shape' }).waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
     await ways.getByRole('button', { name: 'Make the handle soft' }).click();
     await script.settled();

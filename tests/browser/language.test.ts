@@ -41,7 +41,7 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
   const { page, script } = await arrive('', CHINESE);
   await script.settled();
   expect(await page.locator('html').getAttribute('lang')).toBe('zh-CN');
-  await page.getByText('每条边的长度都保持不变').waitFor();
+  await page.locator('.status-words', { hasText: '每条边的长度都保持不变' }).waitFor();
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-desktop.png') });
   await unfoldAll(page);

@@ -131,7 +131,7 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   await page.getByRole('button', { name: 'Cancel', exact: true }).click();
   await script.settled();
   expect((await script.stats()).status).toBe('running');
-  await page.getByText('Stopped before the end').waitFor();
+  await page.locator('.status-words', { hasText: 'Stopped before the end' }).waitFor();
 });
 
 function whatIs(recipe: string): { vertices: number; meanLength: number; dragged: number } {
