@@ -10,10 +10,14 @@ const TEXT = dialogWords.projects;
 /** A line of the list. */
 export interface ProjectLine {
   id: string;
+  /** As the visitor called it; '': not yet, and then it is kept until there are newer ones. */
   name: string;
+  /** What it is without a name. */
   title: string;
   date: Date | null;
+  /** How opaque each pixel is. */
   picture: Uint8Array | null;
+  /** Open in another tab. */
   isElsewhere: boolean;
 }
 

@@ -1,5 +1,6 @@
 /** The projects that the browser keeps, as a visitor sees them: named, pictured, dated; to be opened, copied and deleted. */
 import { del, get, getMany, set, setMany, update } from 'idb-keyval';
+import type { ProjectLine } from '../dialogs/projects_dialog';
 import { netTitle } from '../document/changes';
 import { type Term, textOf } from '../document/naming';
 import { paintThumbnail } from '../elements/thumbnail';
@@ -22,22 +23,10 @@ interface Look {
   picture: Uint8Array;
 }
 
-export interface ListedProject {
-  id: string;
-  /** As the visitor called it; '': not yet, and then it is kept until there are newer ones. */
-  name: string;
-  /** What it is without a name. */
-  title: string;
-  date: Date | null;
-  picture: Uint8Array | null;
-  /** Open in another tab. */
-  isElsewhere: boolean;
-}
-
 const lookKey = (id: string): string => `look ${id}`;
 
 /** Newest first. */
-export async function listProjects(): Promise<ListedProject[]> {
+export async function listProjects(): Promise<ProjectLine[]> {
   const ids = (await get<string[]>(INDEX, store)) ?? [];
   const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
   const looks = await getMany<Look | undefined>(ids.map(lookKey), store);
