@@ -28,6 +28,8 @@ const char* to_string(ErrorCode code) {
             return "bad_option";
         case ErrorCode::too_large:
             return "too_large";
+        case ErrorCode::impossible_change:
+            return "impossible_change";
         case ErrorCode::left_out:
             return "left_out";
         case ErrorCode::file_access:

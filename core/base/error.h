@@ -21,6 +21,7 @@ enum class ErrorCode {
     bad_option,          ///< an option, a method or a shape of that name does not exist, or its value is out of range
     too_large,           ///< the input is above a stated limit
     file_access,         ///< a file cannot be opened or written
+    impossible_change,   ///< a net does not allow a change of its faces; the message says why, and what else to do
     left_out,            ///< this build of the core does without it; the whole core has it
 };
 

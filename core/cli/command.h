@@ -21,6 +21,7 @@ Command add_convert(CLI::App& program);
 Command add_solve(CLI::App& program);
 Command add_drag(CLI::App& program);
 Command add_equalize(CLI::App& program);
+Command add_change(CLI::App& program);
 Command add_drape(CLI::App& program);
 Command add_remesh(CLI::App& program);
 

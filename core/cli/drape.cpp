@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "base/stopwatch.h"
 #include "command.h"
+#include "drape/bridged_drape.h"
 #include "drape/proposals.h"
 #include "net_output.h"
 #include "report.h"
@@ -21,9 +23,9 @@ struct DrapeArguments {
     double length = 0;
     bool has_length = false, best = false;
     int cells = 4000;
-    double angle = 90, smallest_angle = 30;
+    double angle = 90, smallest_angle = 30, leave = 0;
     int reach = DrapeOptions().reach;
-    bool inside = false;
+    bool inside = false, cut = false;
 };
 
 DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
@@ -33,6 +35,7 @@ DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface,
     options.smallest_angle = arguments.smallest_angle * k_degree;
     options.reach = arguments.reach;
     if (arguments.inside) options.border = DrapeOptions::Border::inside;
+    if (arguments.cut) options.border = DrapeOptions::Border::cut;
     if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
     if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
     if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
@@ -43,16 +46,21 @@ Json drape_report(const Drape& draped, const DrapeReport& measured) {
     Json report = net_on_surface_report(draped.net, measured);
     report["refused_by_the_shear_limit"] = draped.locked;
     report["refused_where_the_net_meets_itself"] = draped.met;
+    report["rod_ends_cut_at_the_border"] = draped.cut_ends;
     return report;
 }
 
 int run_drape(const DrapeArguments& arguments) {
-    const Surface surface = load_surface(arguments.surface);
+    Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
-    const SurfaceTree tree(surface);
+    const auto guide = std::make_shared<const Guide>(std::move(loaded));
+    const Surface& surface = guide->surface();
+    const SurfaceTree& tree = guide->tree();
     const double tree_ms = watch.milliseconds();
     watch.restart();
-    const Drape draped = drape(surface, tree, options_of(arguments, surface, tree));
+    const DrapeOptions options = options_of(arguments, surface, tree);
+    const Drape draped =
+        arguments.leave != 0 ? bridged_drape(guide, options, arguments.leave) : drape(surface, tree, options);
     const double drape_ms = watch.milliseconds();
     write_net(arguments.output, draped.net.rest_positions(), draped.net.faces());
     print({{"surface", name_of(arguments.surface)},
@@ -96,7 +104,17 @@ Command add_drape(CLI::App& program) {
                     "Cells from the seed along each family; as far as it goes if not given")
         ->type_name("CELLS");
     command.add_flag("--best", arguments->best, "Begin where the best of several trials does");
-    command.add_flag("--inside", arguments->inside, "Set no vertex beyond the border of the surface");
+    CLI::Option* inside =
+        command.add_flag("--inside", arguments->inside, "Set no vertex beyond the border of the surface");
+    command
+        .add_flag("--cut", arguments->cut,
+                  "Cut rods at the border of the surface; edges there are shorter, and keep the lengths they have")
+        ->excludes(inside);
+    command
+        .add_option("--leave", arguments->leave,
+                    "Where the net would lock it leaves the surface by up to this, in edge lengths; 0: a gap stays")
+        ->type_name("LENGTHS")
+        ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments, length] {
                 arguments->has_length = length->count() > 0;

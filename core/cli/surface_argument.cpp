@@ -54,7 +54,7 @@ Json surface_report(const SurfaceReport& surface) {
 }
 
 Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
-    const double length = net.mean_length();
+    const double length = measured.length;
     return {{"vertices", net.vertex_count()},
             {"edges", net.edge_count()},
             {"cells", net.face_count()},

@@ -89,8 +89,8 @@ public:
         double height_a = a.height.height, height_b = b.height.height;
         Point middle = std::abs(height_a) < std::abs(height_b) ? a : b;
         for (int k = 0; k < k_most_iterations; ++k) {
-            const double part = height_a / (height_a - height_b);
-            middle = at(((1 - part) * a.direction + part * b.direction).normalized());
+            const double fraction = height_a / (height_a - height_b);
+            middle = at(((1 - fraction) * a.direction + fraction * b.direction).normalized());
             const double height = middle.height.height;
             if (std::abs(height) <= k_near * m_compass.m_length) break;
             if ((height > 0) == (height_b > 0)) {

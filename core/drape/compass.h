@@ -25,6 +25,8 @@ public:
     Compass(const Surface& surface, const SurfaceTree& tree, double length)
         : m_surface(surface), m_tree(tree), m_length(length) {}
 
+    const Surface& surface() const { return m_surface; }
+    const SurfaceTree& tree() const { return m_tree; }
     double length() const { return m_length; }
 
     DrapedVertex vertex_at(const Eigen::Vector3d& position, int guess) const;

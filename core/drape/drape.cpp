@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "drape/border_cut.h"
 #include "drape/compass.h"
+#include "drape/draped_net.h"
 
 namespace chebnet {
 
@@ -259,27 +261,26 @@ private:
     // --------------------------------------------------------------------------------------------------- the result
 
     Drape result() const {
-        const std::vector<std::array<int, 4>> cells = connected(complete_cells());
-        if (cells.empty())
-            throw Error(ErrorCode::bad_option, "no cell of this edge length fits on the surface at the seed");
-        std::vector<int> number(m_vertices.size(), -1);
-        std::vector<int> kept;
-        Faces faces;
-        for (const auto& cell : cells)
-            for (const int v : cell) number[v] = 0;
-        for (std::size_t v = 0; v < number.size(); ++v) {
-            if (number[v] < 0) continue;
-            number[v] = static_cast<int>(kept.size());
-            kept.push_back(static_cast<int>(v));
-        }
-        for (const auto& [a, b, c, d] : cells) faces.add({number[a], number[b], number[c], number[d]});
-        Positions positions(3, kept.size());
-        Eigen::Matrix2Xi places(2, kept.size());
-        for (std::size_t k = 0; k < kept.size(); ++k) {
-            positions.col(static_cast<Eigen::Index>(k)) = m_vertices[kept[k]].position;
-            places.col(static_cast<Eigen::Index>(k)) << m_places[kept[k]].i, m_places[kept[k]].j;
-        }
-        return {Net(std::move(positions), std::move(faces), RestLengths::equal), std::move(places), m_locked, m_met};
+        Drape drape = draped_net(m_vertices, places(), left_by_border(connected(complete_cells())));
+        drape.locked = m_locked;
+        drape.met = m_met;
+        return drape;
+    }
+
+    BorderCut left_by_border(const std::vector<std::array<int, 4>>& cells) const {
+        if (m_options.border == DrapeOptions::Border::cut)
+            return cut_at_border(m_compass.surface(), m_compass.tree(), m_options.length, m_options.smallest_angle,
+                                 m_vertices, cells);
+        BorderCut whole;
+        for (const auto& cell : cells) whole.faces.emplace_back(cell.begin(), cell.end());
+        return whole;
+    }
+
+    Eigen::Matrix2Xi places() const {
+        Eigen::Matrix2Xi places(2, std::ssize(m_places));
+        for (std::size_t v = 0; v < m_places.size(); ++v)
+            places.col(static_cast<Eigen::Index>(v)) << m_places[v].i, m_places[v].j;
+        return places;
     }
 
     /// Cells of four known vertices, counterclockwise, which keep the limit and have a vertex on the surface.

@@ -16,6 +16,7 @@ struct DrapeOptions {
     enum class Border {
         inside,  ///< no vertex stands beyond it
         beyond,  ///< cells go over it that have a vertex on the surface; there it goes on as flat as it is there
+        cut,     ///< likewise, and then rods are cut at the boundary curve (see cut_at_border)
     };
 
     Eigen::Vector3d seed = Eigen::Vector3d::Zero();        ///< the vertex to begin with is the nearest point to it
@@ -34,9 +35,11 @@ DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, in
 /// A net on a surface, and why it is not larger: how many times a further vertex was refused.
 struct Drape {
     Net net;
-    Eigen::Matrix2Xi places;  ///< 2×V, the steps from the seed to each vertex along the first and the second family
-    int locked = 0;           ///< its corners would have been too sharp or too blunt, or no such point exists
-    int met = 0;              ///< it would have stood on the net, or not one edge away from all its neighbours
+    Eigen::Matrix2Xi places;  ///< 2×V, the steps from the seed to each vertex along the first and the second family; to
+                              ///< the end of a rod that was cut, those to the vertex beyond the border
+    int locked = 0;    ///< its corners would have been too sharp or too blunt, or no such point exists
+    int met = 0;       ///< it would have stood on the net, or not one edge away from all its neighbours
+    int cut_ends = 0;  ///< of rods at the boundary curve, each behind a shorter edge
 };
 
 /// One patch of a net from a seed, each vertex on the surface and each edge of length L up to rounding. From the seed
@@ -47,6 +50,8 @@ struct Drape {
 /// Where the net locks or a corner would break the limit, and where the net comes round to itself, no vertex is set: a
 /// gap stays, and what hangs on the patch by a corner is taken off. The result is the same natively and in WebAssembly
 /// up to the last bits of the angles given.
+///
+/// Where rods were cut, each edge keeps a length of its own: L but for those at the border.
 ///
 /// Throws Error bad_option (a length or angles out of range, a direction upright on the surface, no cell fits there),
 /// non_finite, too_large (more than k_most_draped_vertices).
@@ -60,20 +65,21 @@ inline constexpr int k_most_draped_vertices = 2'000'000;
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
 inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
 
-/// The part of a net's faces with a corner farther than `shear` (radians) from a right angle.
+/// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
 double part_sheared(const Net& net, double shear);
 
-/// How well a net lies on a surface.
+/// How well a net lies on a surface. Its whole cells are those that no border has cut: quads with edges of length L.
 struct DrapeReport {
+    double length;                           ///< L, that of most edges
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
     double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
                                              ///< from where it would go on; in the surface's unit
-    double smallest_angle, largest_angle;    ///< of corners, radians
-    double sheared, much_sheared;            ///< parts of the cells with a corner more than k_shear, k_much_shear from
-                                             ///< a right angle
-    int rods;                                ///< net lines, each from end to end
-    double rod_length;                       ///< of all of them together, in the surface's unit
-    double max_deviation;                    ///< the largest dL
+    double smallest_angle, largest_angle;    ///< of corners of whole cells, radians
+    double sheared, much_sheared;  ///< parts of the whole cells with a corner more than k_shear, k_much_shear from
+                                   ///< a right angle
+    int rods;                      ///< net lines, each from end to end, but for those along a border that cuts
+    double rod_length;             ///< of all of them together, in the surface's unit
+    double max_deviation;          ///< the largest dL
 };
 
 /// Takes about a microsecond for each sample of the surface, of which there are at least as many as triangles.

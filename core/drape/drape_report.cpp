@@ -1,6 +1,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "drape/drape.h"
 #include "net/measures.h"
@@ -14,6 +18,8 @@ namespace {
 
 // The surface is sampled in pieces no wider than this fraction of an edge.
 constexpr double k_sample = 0.25;
+// A part of L: cells with edges nearer to it are whole.
+constexpr double k_whole = 1e-5;
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 
 /// Calls visit(point, area) for the middles of the equal pieces of each triangle.
@@ -50,44 +56,77 @@ Surface loose_triangles(const Net& net) {
     return Surface(mesh);
 }
 
-double coverage(const Surface& surface, const Net& net) {
+double coverage(const Surface& surface, const Net& net, double length) {
     const Surface cover = loose_triangles(net);
     const SurfaceTree tree(cover);
     double covered = 0;
     int guess = 0;
-    for_each_sample(surface, k_sample * net.mean_length(), [&](const Eigen::Vector3d& point, double area) {
+    for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
         const SurfaceTree::Nearest nearest = tree.nearest(point, guess);
         guess = nearest.at.face;
-        if (nearest.distance <= net.mean_length() / 2) covered += area;
+        if (nearest.distance <= length / 2) covered += area;
     });
     return covered / surface.area();
 }
 
-/// Of each face, how far from a right angle its corners are at the most.
-std::vector<double> face_shears(const Net& net) {
+/// That of most edges: those at a border may be cut.
+double length_of_most(const Net& net) {
+    Eigen::VectorXd lengths = net.rest_lengths();
+    const auto middle = lengths.begin() + lengths.size() / 2;
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
+}
+
+/// The smallest and the largest corner of each whole cell.
+std::vector<AngleRange> whole_cells(const Net& net) {
     const Positions& x = net.rest_positions();
-    std::vector<double> shears(net.face_count());
+    const double length = length_of_most(net);
+    std::vector<AngleRange> cells;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
-        for (std::size_t k = 0; k < face.size(); ++k) {
-            const Eigen::Vector3d a = x.col(face[(k + 1) % face.size()]) - x.col(face[k]),
-                                  b = x.col(face[(k + face.size() - 1) % face.size()]) - x.col(face[k]);
-            shears[f] = std::max(shears[f], std::asin(std::min(1.0, std::abs(a.dot(b)) / (a.norm() * b.norm()))));
+        AngleRange corners{std::numbers::pi, 0};
+        bool is_whole = face.size() == 4;
+        for (std::size_t k = 0; k < face.size() && is_whole; ++k) {
+            const Eigen::Vector3d a = x.col(face[(k + 1) % 4]) - x.col(face[k]),
+                                  b = x.col(face[(k + 3) % 4]) - x.col(face[k]);
+            is_whole = std::abs(a.norm() - length) < k_whole * length;
+            const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+            corners = {std::min(corners.smallest, angle), std::max(corners.largest, angle)};
         }
+        if (is_whole) cells.push_back(corners);
     }
-    return shears;
+    return cells;
+}
+
+/// Where a border has cut the net, the edges along it are of no rod.
+void add_rods(const Net& net, DrapeReport& report) {
+    std::set<std::pair<int, int>> rim;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const double length = net.rest_lengths()[e];
+        if (net.edge_face_counts()[e] == 1 && std::abs(length - report.length) > k_whole * report.length)
+            rim.emplace(net.edges()(0, e), net.edges()(1, e));
+        else
+            report.rod_length += length;
+    }
+    for (const std::vector<int>& line : Topology(net).net_lines())
+        if (!rim.contains(std::minmax(line[0], line[1]))) ++report.rods;
+}
+
+double part_sheared(const std::vector<AngleRange>& cells, double shear) {
+    const double right = std::numbers::pi / 2;
+    const auto sheared = std::count_if(cells.begin(), cells.end(), [&](const AngleRange& corners) {
+        return std::max(right - corners.smallest, corners.largest - right) > shear;
+    });
+    return cells.empty() ? 0 : static_cast<double>(sheared) / static_cast<double>(cells.size());
 }
 
 }  // namespace
 
-double part_sheared(const Net& net, double shear) {
-    const std::vector<double> shears = face_shears(net);
-    const auto sheared = std::count_if(shears.begin(), shears.end(), [&](double each) { return each > shear; });
-    return static_cast<double>(sheared) / net.face_count();
-}
+double part_sheared(const Net& net, double shear) { return part_sheared(whole_cells(net), shear); }
 
 DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net) {
     DrapeReport report{};
+    report.length = length_of_most(net);
     const Positions& x = net.rest_positions();
     int guess = 0;
     const auto add_distance = [&](const Eigen::Vector3d& point) {
@@ -99,14 +138,16 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     for (int v = 0; v < net.vertex_count(); ++v) add_distance(x.col(v));
     for (int e = 0; e < net.edge_count(); ++e) add_distance((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2);
     report.mean_distance /= net.vertex_count() + net.edge_count();
-    report.coverage = coverage(surface, net);
-    const AngleRange angles = corner_angle_range(net, x);
-    report.smallest_angle = angles.smallest;
-    report.largest_angle = angles.largest;
-    report.sheared = part_sheared(net, k_shear);
-    report.much_sheared = part_sheared(net, k_much_shear);
-    report.rods = static_cast<int>(Topology(net).net_lines().size());
-    report.rod_length = net.rest_lengths().sum();
+    report.coverage = coverage(surface, net, report.length);
+    const std::vector<AngleRange> cells = whole_cells(net);
+    report.smallest_angle = std::numbers::pi;
+    for (const AngleRange& corners : cells) {
+        report.smallest_angle = std::min(report.smallest_angle, corners.smallest);
+        report.largest_angle = std::max(report.largest_angle, corners.largest);
+    }
+    report.sheared = part_sheared(cells, k_shear);
+    report.much_sheared = part_sheared(cells, k_much_shear);
+    add_rods(net, report);
     report.max_deviation = max_deviation(net, x);
     return report;
 }

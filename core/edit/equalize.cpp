@@ -61,8 +61,8 @@ Eigen::VectorXd lengths_of_edges(const Net& net, const Positions& positions) {
 }
 
 LengthSpread spread(const Eigen::VectorXd& lengths) {
-    const Eigen::ArrayXd parts = lengths.array() / lengths.mean();
-    return {parts.minCoeff(), parts.maxCoeff(), std::sqrt((parts - 1).square().mean())};
+    const Eigen::ArrayXd relative = lengths.array() / lengths.mean();
+    return {relative.minCoeff(), relative.maxCoeff(), std::sqrt((relative - 1).square().mean())};
 }
 
 /// 3×V, unit vectors; zero where the faces at a vertex have no area.
@@ -252,13 +252,12 @@ void Equalizer::come_to_rest() {
 
 /// A given length scales the net about its centre.
 void Equalizer::take_near_surface(const Positions& x) {
-    const Eigen::Vector3d centre =
-        keeps_size() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(m_original.rest_positions().rowwise().mean());
+    const Eigen::Vector3d fixed = keeps_size() ? Eigen::Vector3d::Zero() : centre();
     if (m_options.choice == EqualLength::fitting)
         m_length = m_fitting_length = m_unit * m_original.mean_length();
     else
         choose_length(nearest_placements(x));
-    m_positions = (m_length * x).colwise() + (1 - m_length / m_original.mean_length()) * centre;
+    m_positions = (m_length * x).colwise() + (1 - m_length / m_original.mean_length()) * fixed;
     for (int v : m_options.handles) m_positions.col(v) = m_original.rest_positions().col(v);
 }
 
@@ -336,6 +335,13 @@ Equalizer::Placement Equalizer::nearest_placement(const std::vector<int>& piece,
     return placement;
 }
 
+std::optional<Positions> Equalizer::surface_positions() const {
+    if (!m_surface) return std::nullopt;
+    const Positions& x = m_original.rest_positions();
+    if (keeps_size()) return x;
+    return Positions(((m_length / m_original.mean_length()) * (x.colwise() - centre())).colwise() + centre());
+}
+
 double Equalizer::deviation_from_length() const {
     return max_deviation(lengths_of_edges(m_original, m_positions) / m_length);
 }
@@ -367,8 +373,8 @@ GuideDistance Equalizer::distance_from_surface() const {
     const double mean = m_original.mean_length();
     Positions x = m_positions / mean;
     if (!keeps_size()) {
-        const Eigen::Vector3d centre = m_original.rest_positions().rowwise().mean() / mean;
-        x = (mean / m_length * (x.colwise() - centre)).colwise() + centre;
+        const Eigen::Vector3d fixed = centre() / mean;
+        x = (mean / m_length * (x.colwise() - fixed)).colwise() + fixed;
     }
     const auto [average, largest] = distance_to(*m_surface, m_original, x);
     const double unit = keeps_size() ? m_length / mean : 1;

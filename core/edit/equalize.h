@@ -95,6 +95,10 @@ public:
     /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already.
     const Positions& positions() const { return m_positions; }
 
+    /// 3×V, where the vertices of the surface lie that the net is near: the original's own, or scaled as the net is by
+    /// a given length. None if the faces are no surface.
+    std::optional<Positions> surface_positions() const;
+
 private:
     enum class Stage { fair, rest, lengths, shaken };
 
@@ -113,6 +117,7 @@ private:
     void make_fair();
     void come_to_rest();
     void take_near_surface(const Positions& x);
+    Eigen::Vector3d centre() const { return m_original.rest_positions().rowwise().mean(); }
     bool keeps_size() const { return m_options.choice != EqualLength::given || !m_options.handles.empty(); }
     void hold_handles();
     void find_free_pieces();

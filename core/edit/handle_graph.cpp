@@ -10,42 +10,42 @@ namespace {
 // Paths whose lengths differ by less than this part are equally long. A tie that is missed only adds a pair.
 constexpr double k_rounding = 1e-12;
 
-struct Way {
+struct QueueEntry {
     double distance;
     int vertex;
-    bool operator>(const Way& other) const { return distance > other.distance; }
+    bool operator>(const QueueEntry& other) const { return distance > other.distance; }
 };
 
-/// For edges of one length: ways come in the order of their distance.
-class FirstFirst {
+/// For edges of one length: entries come in the order of their distance.
+class FifoQueue {
 public:
-    void clear() { m_ways.clear(), m_next = 0; }
-    bool empty() const { return m_next == m_ways.size(); }
-    void push(const Way& way) { m_ways.push_back(way); }
-    Way pop() { return m_ways[m_next++]; }
+    void clear() { m_entries.clear(), m_next = 0; }
+    bool empty() const { return m_next == m_entries.size(); }
+    void push(const QueueEntry& entry) { m_entries.push_back(entry); }
+    QueueEntry pop() { return m_entries[m_next++]; }
 
 private:
-    std::vector<Way> m_ways;
+    std::vector<QueueEntry> m_entries;
     std::size_t m_next = 0;
 };
 
-class NearestFirst {
+class PriorityQueue {
 public:
-    void clear() { m_ways.clear(); }
-    bool empty() const { return m_ways.empty(); }
-    void push(const Way& way) {
-        m_ways.push_back(way);
-        std::push_heap(m_ways.begin(), m_ways.end(), std::greater<>());
+    void clear() { m_entries.clear(); }
+    bool empty() const { return m_entries.empty(); }
+    void push(const QueueEntry& entry) {
+        m_entries.push_back(entry);
+        std::push_heap(m_entries.begin(), m_entries.end(), std::greater<>());
     }
-    Way pop() {
-        std::pop_heap(m_ways.begin(), m_ways.end(), std::greater<>());
-        const Way way = m_ways.back();
-        m_ways.pop_back();
-        return way;
+    QueueEntry pop() {
+        std::pop_heap(m_entries.begin(), m_entries.end(), std::greater<>());
+        const QueueEntry nearest = m_entries.back();
+        m_entries.pop_back();
+        return nearest;
     }
 
 private:
-    std::vector<Way> m_ways;
+    std::vector<QueueEntry> m_entries;
 };
 
 struct Found {
@@ -159,8 +159,8 @@ private:
 
 std::vector<Found> find_pairs(const Net& net, const Topology& topology, std::span<const int> vertices) {
     if (net.rest_lengths().minCoeff() == net.rest_lengths().maxCoeff())
-        return Search<FirstFirst>(net, topology, vertices).all_pairs();
-    return Search<NearestFirst>(net, topology, vertices).all_pairs();
+        return Search<FifoQueue>(net, topology, vertices).all_pairs();
+    return Search<PriorityQueue>(net, topology, vertices).all_pairs();
 }
 
 }  // namespace

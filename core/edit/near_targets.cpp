@@ -36,8 +36,8 @@ Eigen::Vector3d drawn_near(const Eigen::Vector3d& point, const Eigen::Vector3d& 
     const double largest = half_way.lpNorm<Eigen::Infinity>();
     if (!(largest > radius / 4)) return point;
     const Eigen::Vector3d direction = half_way / largest;
-    const double part = radius / direction.norm();
-    return part / 2 < largest ? Eigen::Vector3d(centre + part * direction) : point;
+    const double fraction = radius / direction.norm();
+    return fraction / 2 < largest ? Eigen::Vector3d(centre + fraction * direction) : point;
 }
 
 Eigen::Matrix3Xd near_targets(const HandleGraph& graph, double mean_length, const Eigen::Matrix3Xd& targets,

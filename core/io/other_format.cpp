@@ -10,7 +10,7 @@ namespace {
 using namespace std::string_view_literals;
 
 struct Kind {
-    std::string_view mark, name;
+    std::string_view signature, name;
 };
 
 /// By the first bytes.
@@ -53,16 +53,16 @@ std::string_view kind_of_markup(std::string_view text) {
     std::string front(text.substr(0, k_longest_prologue));
     std::transform(front.begin(), front.end(), front.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    for (const auto& [mark, name] : k_elements)
-        if (front.find(mark) != std::string::npos) return name;
+    for (const auto& [signature, name] : k_elements)
+        if (front.find(signature) != std::string::npos) return name;
     return "an XML document";
 }
 
 }  // namespace
 
 std::optional<std::string_view> other_format(std::string_view bytes) {
-    for (const auto& [mark, name] : k_beginnings)
-        if (bytes.starts_with(mark)) return name;
+    for (const auto& [signature, name] : k_beginnings)
+        if (bytes.starts_with(signature)) return name;
     const std::string_view text = without_blank_front(bytes);
     if (text.starts_with('<')) return kind_of_markup(text);
     if (text.starts_with('{')) return "a JSON document";

@@ -25,7 +25,7 @@ struct Supernodes {
 
 /// Analyses the graph of `node_count` nodes and `links` (2×K, distinct pairs). `rank`: node → place in a fill-reducing
 /// order; the result's rank is an equivalent order (the same fill). `rows_per_node`: how many rows of the matrix a node
-/// stands for, by which supernodes too small to be worth a dense panel are judged and merged, at the price of some
+/// stands for, by which supernodes too small to be worth a dense panel are found and merged, at the price of some
 /// zeros. Throws Error too_large if their rows alone would take more than k_most_factor_bytes.
 Supernodes find_supernodes(int node_count, const Eigen::Matrix2Xi& links, const std::vector<int>& rank,
                            int rows_per_node);

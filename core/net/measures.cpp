@@ -28,7 +28,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
                : angle(a.stableNormalized().eval(), b.stableNormalized().eval());
 }
 
-/// Calls visit(vertex, angle) for every corner of every face.
+/// Calls visit(vertex, angle, face) for every corner of every face.
 template <typename Visit>
 void for_each_corner(const Net& net, const Positions& x, Visit visit) {
     for (int f = 0; f < net.face_count(); ++f) {
@@ -38,7 +38,7 @@ void for_each_corner(const Net& net, const Positions& x, Visit visit) {
             const int v = face[k];
             const Eigen::Vector3d to_next = x.col(face[(k + 1) % n]) - x.col(v);
             const Eigen::Vector3d to_previous = x.col(face[(k + n - 1) % n]) - x.col(v);
-            visit(v, angle_between(to_next, to_previous));
+            visit(v, angle_between(to_next, to_previous), f);
         }
     }
 }
@@ -122,7 +122,7 @@ std::map<int, int> faces_by_arity(const Faces& faces) {
 
 AngleRange corner_angle_range(const Net& net, const Positions& positions) {
     AngleRange range{std::numbers::pi, 0};
-    for_each_corner(net, positions, [&](int, double angle) {
+    for_each_corner(net, positions, [&](int, double angle, int) {
         range.smallest = std::min(range.smallest, angle);
         range.largest = std::max(range.largest, angle);
     });
@@ -132,7 +132,11 @@ AngleRange corner_angle_range(const Net& net, const Positions& positions) {
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {
     const double right = std::numbers::pi / 2;
     Eigen::VectorXd farthest = Eigen::VectorXd::Constant(net.vertex_count(), right);
-    for_each_corner(net, positions, [&](int v, double angle) {
+    const auto is_quad = [&](int f) { return net.faces()[f].size() == 4; };
+    bool has_quads = false;
+    for (int f = 0; f < net.face_count(); ++f) has_quads = has_quads || is_quad(f);
+    for_each_corner(net, positions, [&](int v, double angle, int f) {
+        if (has_quads && !is_quad(f)) return;
         if (std::abs(angle - right) > std::abs(farthest[v] - right)) farthest[v] = angle;
     });
     return farthest;

@@ -40,7 +40,7 @@ struct AngleRange {
 AngleRange corner_angle_range(const Net& net, const Positions& positions);
 
 /// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows
-/// there.
+/// there. Of quads only, if there are any: the other faces are where a border has cut them, or at patches.
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);
 
 /// Fairness ("bend"): root mean square, over pairs of edges a–x–b at a vertex of valence 3 or 4 that share no face, of

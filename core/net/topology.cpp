@@ -42,6 +42,11 @@ std::span<const int> Topology::incident_edges(int vertex) const {
     return {m_incident_edges.data() + m_start[vertex], m_incident_edges.data() + m_start[vertex + 1]};
 }
 
+int Topology::edge_between(int a, int b) const {
+    const int slot = slot_of(a, b);
+    return slot < m_start[a + 1] && m_neighbours[slot] == b ? m_incident_edges[slot] : -1;
+}
+
 std::vector<std::vector<int>> Topology::boundary_loops() const {
     std::vector<bool> walked(static_cast<std::size_t>(m_net.edge_count()), false);
     std::vector<int> next(m_start.begin(), m_start.end() - 1);  // slots before it have been walked

@@ -25,6 +25,8 @@ public:
     std::span<const int> neighbours(int vertex) const;
     /// The edges at `vertex`, in the order of `neighbours`.
     std::span<const int> incident_edges(int vertex) const;
+    /// The edge between two vertices; −1: none.
+    int edge_between(int a, int b) const;
     int valence(int vertex) const { return m_start[vertex + 1] - m_start[vertex]; }
     bool is_boundary(int vertex) const { return m_is_boundary[vertex]; }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "edit/equalize.h"
 #include "edit/fair_start.h"
 #include "edit/resting_near.h"
 #include "linear/graph_system.h"
@@ -39,7 +40,6 @@ constexpr double k_most_move = 0.4;
 constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
-constexpr double k_equal_deviation = 1e-9;  // the largest dL of a net that is exact
 constexpr int k_most_projections = 60, k_most_openings = 30;
 // Towards rest near the surface: beyond so many steps little changes.
 constexpr double k_pull_of_border = 0.3;
@@ -97,10 +97,10 @@ private:
         const Net net = with_length(m_length);
         for (const int v : m_border) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
         FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
-        double part = 0;
+        double done = 0;
         do {
-            m_go_on(k_even_at + (k_fair_at - k_even_at) * part);
-            part += (1 - part) / 10;  // it does not know how many steps it takes
+            m_go_on(k_even_at + (k_fair_at - k_even_at) * done);
+            done += (1 - done) / 10;  // it does not know how many steps it takes
         } while (start.step());
         m_positions = start.unit() * start.positions();
         m_length *= start.unit();
@@ -222,8 +222,8 @@ private:
             for (const int s : m_border_sides) {
                 const Eigen::Vector3d from = m_surface.positions().col(m_surface.from(s));
                 const Eigen::Vector3d side = m_surface.positions().col(m_surface.to(s)) - from;
-                const double part = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
-                const Eigen::Vector3d difference = x - from - part * side;
+                const double fraction = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
+                const Eigen::Vector3d difference = x - from - fraction * side;
                 if (difference.squaredNorm() >= least) continue;
                 least = difference.squaredNorm();
                 away = difference, along = side;

@@ -83,8 +83,8 @@ private:
         m_milliseconds[static_cast<int>(m_phase)] += m_watch.milliseconds();
         m_watch.restart();
     }
-    void tell(double part) const {
-        if (m_progress) m_progress(m_phase, part);
+    void tell(double done) const {
+        if (m_progress) m_progress(m_phase, done);
     }
 
     /// Nothing where no net comes of it, or corners are beyond the limit.
@@ -115,7 +115,7 @@ private:
         check(mesh);
         begin(RemeshPhase::fit);
         return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle},
-                       [this](double part) { tell(part); });
+                       [this](double done) { tell(done); });
     }
 
     /// It has to be of one piece where the surface is, and have no other holes and handles.

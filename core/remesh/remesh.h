@@ -32,7 +32,7 @@ inline constexpr int k_remesh_phases = 4;
 const char* to_string(RemeshPhase phase);
 
 /// Is told which phase has come how far (0 … 1). Whoever wants an end throws.
-using RemeshProgress = std::function<void(RemeshPhase phase, double part)>;
+using RemeshProgress = std::function<void(RemeshPhase phase, double done)>;
 
 /// A net on a whole surface, and how long each phase took.
 struct Remesh {

@@ -185,10 +185,10 @@ private:
     }
 
     static void choose_vector(Bar& bar, const Positions& x, bool with_multiplier) {
-        const Eigen::Vector3d wish = x.col(bar.a) - x.col(bar.b) + bar.multiplier;
-        const double now = length(wish);
-        const Eigen::Vector3d chosen = std::clamp(now, bar.shortest, bar.longest) / now * wish;
-        if (with_multiplier) bar.multiplier = wish - chosen;
+        const Eigen::Vector3d shifted = x.col(bar.a) - x.col(bar.b) + bar.multiplier;
+        const double now = length(shifted);
+        const Eigen::Vector3d chosen = std::clamp(now, bar.shortest, bar.longest) / now * shifted;
+        if (with_multiplier) bar.multiplier = shifted - chosen;
         bar.vector = chosen - bar.multiplier;
     }
 

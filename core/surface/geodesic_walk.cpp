@@ -10,7 +10,7 @@ namespace chebnet {
 
 namespace {
 
-// A walk that comes closer to a vertex than this part of an edge goes through it.
+// A walk that comes closer to a vertex than this fraction of an edge goes through it.
 constexpr double k_at_vertex = 1e-12;
 // A direction that leaves a triangle's side no faster than this runs along it.
 constexpr double k_along = 1e-13;
@@ -22,10 +22,10 @@ int corner_of(const SurfacePoint& point) {
     return -1;
 }
 
-SurfacePoint point_on_side(int side, double part) {
+SurfacePoint point_on_side(int side, double fraction) {
     SurfacePoint point{Surface::face_of(side), Eigen::Vector3d::Zero()};
-    point.weights[side % 3] = 1 - part;
-    point.weights[Surface::next(side) % 3] = part;
+    point.weights[side % 3] = 1 - fraction;
+    point.weights[Surface::next(side) % 3] = fraction;
     return point;
 }
 
@@ -111,23 +111,23 @@ double GeodesicWalk::advance(double most) {
 void GeodesicWalk::cross(int side) {
     const Eigen::Vector3d edge = vector_of(side).normalized();
     const double along = m_direction.dot(edge);
-    const double part = m_point.weights[Surface::next(side) % 3];
+    const double fraction = m_point.weights[Surface::next(side) % 3];
     const int other = m_surface.opposite(side);
     if (other < 0)
         m_is_at_boundary = true;
     else
-        enter(other, 1 - part, -along, std::sqrt(std::max(0.0, 1 - along * along)));
+        enter(other, 1 - fraction, -along, std::sqrt(std::max(0.0, 1 - along * along)));
 }
 
-/// Into the triangle of a side at a part of its length, with a direction along it and away from it.
-void GeodesicWalk::enter(int side, double part, double along, double across) {
-    m_point = point_on_side(side, part);
+/// Into the triangle of a side at a fraction of its length, with a direction along it and away from it.
+void GeodesicWalk::enter(int side, double fraction, double along, double across) {
+    m_point = point_on_side(side, fraction);
     const Eigen::Vector3d edge = vector_of(side).normalized();
     const Eigen::Vector3d normal = m_surface.face_normals().col(Surface::face_of(side));
     m_direction = (along * edge + across * normal.cross(edge)).normalized();
     if (!normal.isZero(0)) return;
     // A triangle without area has its third corner on the line of the side: it is left where it is entered.
-    const double third = -vector_of(Surface::previous(side)).dot(edge), here = part * vector_of(side).norm();
+    const double third = -vector_of(Surface::previous(side)).dot(edge), here = fraction * vector_of(side).norm();
     const int out = here < third ? Surface::previous(side) : Surface::next(side);
     const Eigen::Vector3d from_start = m_surface.position_at(m_point) - m_surface.positions().col(m_surface.from(out));
     const double out_part = std::clamp(from_start.norm() / vector_of(out).norm(), 0.0, 1.0);

@@ -32,7 +32,7 @@ private:
     void lay_into(int face, const Eigen::Vector3d& direction);
     bool choose_face_around(int corner_side, const Eigen::Vector3d& direction);
     void cross(int side);
-    void enter(int side, double part, double along, double across);
+    void enter(int side, double fraction, double along, double across);
     void pass_vertex(int corner);
     double corner_angle(int side) const;
     Eigen::Vector3d vector_of(int side) const;

@@ -98,8 +98,9 @@ void check_refused(const Run& run, const std::string& what) {
 
 TEST_CASE("help and version answer on standard output") {
     const Sandbox box;
-    for (const char* arguments : {"--help", "info --help", "make --help", "convert --help", "solve --help",
-                                  "drag --help", "equalize --help", "drape --help", "remesh --help", "--version"}) {
+    for (const char* arguments :
+         {"--help", "info --help", "make --help", "convert --help", "solve --help", "drag --help", "equalize --help",
+          "change --help", "drape --help", "remesh --help", "--version"}) {
         const Run run = box.run(arguments);
         INFO(arguments);
         CHECK(run.exit_code == 0);
@@ -434,6 +435,24 @@ TEST_CASE("equalize says what stands in the way") {
     box.write("loose.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\n");
     check_refused(box.run("equalize loose.obj"), "--repair");
     CHECK(box.run("equalize loose.obj --repair").exit_code == 0);
+}
+
+TEST_CASE("change gives a net other faces, exactly") {
+    const Sandbox box;
+    const int faces = box.run("info " + k_recipe).json().at("faces");
+    const Run run = box.run("change " + k_recipe + " refine -o fine.obj");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    CHECK(run.json().at("status") == "converged");
+    CHECK(run.json().at("max_dL") < 1e-9);
+    CHECK(run.json().at("faces") == 4 * faces);
+    CHECK(box.run("change fine.obj coarsen").json().at("faces") == faces);
+    CHECK(box.run("change " + k_recipe + " cut --line 40 41").json().at("pieces") == 2);
+    CHECK(box.run("change fine.obj delete_faces --vertices 0").json().at("faces") == 4 * faces - 1);
+
+    check_refused(box.run("change fine.obj melt"), "melt");
+    check_refused(box.run("change fine.obj cut --line 0 700"), "--line");
+    check_refused(box.run("change fine.obj delete_faces"), "no face");
 }
 
 TEST_CASE("drape lays a net on a surface, reports and writes") {

@@ -11,7 +11,7 @@ using namespace chebnet;
 
 namespace {
 
-/// Where handles are wished to be so that no net, or only a folded one, can follow.
+/// Targets of handles such that no net, or only a folded one, can follow.
 struct Crowd {
     const char* name;
     Eigen::Vector3d (*place)(const Eigen::Vector3d& rest, int i);

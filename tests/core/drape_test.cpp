@@ -8,7 +8,9 @@
 #include <numbers>
 #include <vector>
 
+#include "drape/bridged_drape.h"
 #include "drape/proposals.h"
+#include "edit/editor.h"
 #include "mesh_files.h"
 #include "net/measures.h"
 #include "sample_surfaces.h"
@@ -90,6 +92,56 @@ TEST_CASE("Inside a plane no vertex stands beyond its border, and the reach is k
     const auto near = draped(samples::plane(7, 1), options);
     CHECK(near.drape.net.face_count() == 36);
     CHECK(near.drape.places.cwiseAbs().maxCoeff() == 3);
+}
+
+TEST_CASE("Rods are cut where the surface ends, and all edges that are left whole have one length") {
+    DrapeOptions options;
+    options.length = 0.1;
+    options.seed = {0.013, -0.027, 0};
+    options.direction = {3, 1, 0};
+    options.border = DrapeOptions::Border::cut;
+    const auto [drape, report] = draped(samples::plane(7, 1), options);
+    const Net& net = drape.net;
+    const Positions& x = net.rest_positions();
+    int on_border = 0;
+    for (int v = 0; v < net.vertex_count(); ++v) on_border += std::abs(x.col(v).cwiseAbs().maxCoeff() - 1) < 1e-12;
+    CHECK(on_border == drape.cut_ends);
+    CHECK(drape.cut_ends > 60);
+    CHECK(x.cwiseAbs().maxCoeff() < 1 + 0.05 * options.length);
+    CHECK(report.coverage == Approx(1));
+    CHECK(report.length == Approx(options.length).epsilon(1e-12));
+    CHECK(report.max_deviation == 0);
+    CHECK(report.smallest_angle == Approx(k_pi / 2));
+    // Two families of lines at this distance over a square of 2 by 2.
+    CHECK(report.rod_length == Approx(2 * 4 / options.length).epsilon(0.02));
+    CHECK(net.rest_lengths().minCoeff() > 0.02 * options.length);
+    int whole = 0;
+    for (int e = 0; e < net.edge_count(); ++e) whole += std::abs(net.rest_lengths()[e] - options.length) < 1e-12;
+    CHECK(whole > 700);
+}
+
+TEST_CASE("A net that was cut keeps its lengths and its limit while it is edited") {
+    DrapeOptions options;
+    options.length = 0.25;
+    options.seed = {0, 0, 1};
+    options.border = DrapeOptions::Border::cut;
+    const auto [drape, report] = draped(samples::sphere(40, true), options);
+    CHECK(report.smallest_angle >= options.smallest_angle - 1e-9);
+    const Positions& x = drape.net.rest_positions();
+    for (int v = 0; v < drape.net.vertex_count(); ++v) CHECK(x(2, v) > -0.05 * options.length);
+
+    int top = 0, first = 0, last = 0;
+    x.row(2).maxCoeff(&top);
+    x.row(0).minCoeff(&first);
+    x.row(0).maxCoeff(&last);
+    Editor editor(drape.net);
+    editor.set_method("equilibrium");
+    editor.set_handles({{first, x.col(first)}, {last, x.col(last)}, {top, x.col(top)}});
+    CHECK(editor.solve({}).status == Status::converged);
+    CHECK((editor.positions() - x).cwiseAbs().maxCoeff() < 1e-9);  // no corner of what was cut had to be opened
+    editor.set_handles({{first, x.col(first)}, {last, x.col(last)}, {top, x.col(top) - Eigen::Vector3d(0, 0, 0.2)}});
+    editor.solve({});
+    CHECK(max_deviation(drape.net, editor.positions()) < 1e-9);
 }
 
 TEST_CASE("The families keep their angle in a plane") {
@@ -300,4 +352,26 @@ TEST_CASE("What cannot be draped is refused with a sentence") {
                    o.border = DrapeOptions::Border::inside;
                }),
                Contains("bad_option") && Contains("no cell"));
+}
+
+TEST_CASE("Where a net locks it may leave the surface, as far as is asked for") {
+    const auto guide = std::make_shared<const Guide>(make_own_surface("pebble"));
+    DrapeOptions options = suggested_drape(guide->surface(), guide->tree(), 250);
+    const Drape locked = drape(guide->surface(), guide->tree(), options);
+    REQUIRE(locked.locked > 0);
+    const double before = measure_drape(guide->surface(), guide->tree(), locked.net).coverage;
+    double covered = 0;
+    for (const double height : {0.25, 1.0}) {
+        CAPTURE(height);
+        const Drape bridged = bridged_drape(guide, options, height);
+        const DrapeReport report = measure_drape(guide->surface(), guide->tree(), bridged.net);
+        CHECK(report.coverage >= before);
+        CHECK(report.max_deviation < 1e-9);
+        CHECK(report.smallest_angle > options.smallest_angle - 3e-4);
+        CHECK(heights_over(*guide, bridged.net.rest_positions()).cwiseAbs().maxCoeff() <= height * options.length);
+        CHECK(bridged.places.cols() == bridged.net.vertex_count());
+        covered = report.coverage;
+    }
+    CHECK(covered > before);
+    CHECK_THROWS_WITH(bridged_drape(guide, options, 11), Contains("10 edge lengths"));
 }

@@ -331,6 +331,19 @@ TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests
     CHECK(rms_distance(edit, editor.positions(), before) < 1e-3);
 }
 
+TEST_CASE("Equilibrium: lengths are as exact as the threshold asks for, in every frame") {
+    const Edit edit = moved_crown();
+    Editor editor = at_rest(edit);
+    editor.set_option("threshold", "1e-18");
+    for (int frame = 1; frame <= 5; ++frame) {
+        for (std::size_t i = 0; i < edit.vertices.size(); ++i)
+            editor.move_handle(edit.vertices[i],
+                               edit.net.rest_positions().col(edit.vertices[i]) + frame / 5.0 * edit.moves[i]);
+        CHECK(editor.solve({.iterations = 1}).max_deviation < 1e-18);
+    }
+    CHECK(editor.solve().status == Status::converged);
+}
+
 TEST_CASE("Equilibrium: a symmetric edit gives a symmetric net") {
     const int n = 9;
     const Edit edit = lifted_sheet(n, 2);

@@ -289,6 +289,17 @@ TEST_CASE("The corner angle of a vertex is the one farthest from a right angle")
     CHECK(angles[1] == Approx(EIGEN_PI - shear));
 }
 
+TEST_CASE("A triangle beside quads says nothing of shear") {
+    Positions x(3, 5);
+    x << unit_square(), Eigen::Vector3d(1.2, 0.5, 0);
+    Faces faces = one_face({0, 1, 2, 3});
+    faces.add({1, 4, 2});
+    const Eigen::VectorXd angles = vertex_corner_angles(Net(x, faces, RestLengths::own), x);
+    for (int v = 0; v < 5; ++v) CHECK(angles[v] == Approx(EIGEN_PI / 2));
+    const Positions alone = x.rightCols(3);
+    CHECK(vertex_corner_angles(Net(alone, one_face({0, 1, 2}), RestLengths::own), alone).maxCoeff() > 1.9);
+}
+
 TEST_CASE("A net tells its shortest and longest edge, and how far they are from the mean") {
     Positions kite = unit_square();
     kite.row(1) *= 3;

@@ -147,8 +147,8 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
 TEST_CASE("The same surface gives the same net, whose progress is told in order and can be ended") {
     const auto surface = std::make_shared<const Guide>(make_own_surface("pebble"));
     std::vector<RemeshPhase> phases;
-    const Remesh first = remesh(surface, of_cells(200), [&](RemeshPhase phase, double part) {
-        CHECK((part >= 0 && part <= 1));
+    const Remesh first = remesh(surface, of_cells(200), [&](RemeshPhase phase, double done) {
+        CHECK((done >= 0 && done <= 1));
         if (phases.empty() || phases.back() != phase) phases.push_back(phase);
     });
     CHECK(phases == std::vector{RemeshPhase::triangles, RemeshPhase::field, RemeshPhase::grid, RemeshPhase::fit});

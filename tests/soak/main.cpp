@@ -25,7 +25,7 @@ struct Plan {
     int edits = 2000;
     std::uint64_t seed = 1;
     int vertices = 1000;
-    std::vector<std::string> methods = {"projection", "li2022"};
+    std::vector<std::string> methods = {"equilibrium", "projection", "li2022"};
     std::vector<std::string> only;
     std::string show;
 };
@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
     app.add_option("--edits", plan.edits, "How many, in sequences of 20 a net; 1: one sequence, told edit by edit");
     app.add_option("--seed", plan.seed, "Of the first sequence; each has the next");
     app.add_option("--vertices", plan.vertices, "How large a net may be");
-    app.add_option("--method", plan.methods, "Instead of projection and li2022 in turn");
+    app.add_option("--method", plan.methods, "Instead of equilibrium, projection and li2022 in turn");
     app.add_option("--net", plan.only, "Only nets of this name");
     app.add_option("--show", plan.show, "Tell of each edit that ends with this status");
     CLI11_PARSE(app, argc, argv);

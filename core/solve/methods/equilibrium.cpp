@@ -34,7 +34,7 @@ constexpr double k_least_progress = 0.1;
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
-// Nets are projected until no length errs by more than this part, whatever the threshold: dL < 1e-10.
+// Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
 constexpr double k_exact_error = 1e-5;
 constexpr int k_most_projections = 15, k_patience = 4;  // in all, and without coming closer
 // Iterations within a Newton step: few while handles may still be moving, more as it settles. With fewer than this the
@@ -125,6 +125,7 @@ private:
     double step_along(Positions& positions, double slope, double whole);
     double error_cost() const;
     bool project(Positions& positions);
+    double exact_error() const { return std::min(k_exact_error, std::sqrt(m_options.threshold) / 2); }
     bool project_lengths(Positions& positions);
 
     const Net* m_net = nullptr;
@@ -418,7 +419,7 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     }
     if (m_walked == before) return find_another_net(positions);
     enter_rest(x);
-    take_step(x, row);
+    if (m_is_linearised) take_step(x, row);
     m_last_move = x - m_result;
     m_result = x;
     if (m_only_nets)
@@ -551,16 +552,18 @@ void Equilibrium::renew_factor(TraceRow& row) {
 }
 
 /// A move that corners at their limit do not stop early: those that would are held. While handles may still be moving,
-/// what they leave of the first move is good enough. Returns its slope.
+/// what they leave of the first move is good enough. Returns its slope; with 0 none may have been found.
 double Equilibrium::find_move_beside_corners(const Positions& positions) {
     for (int round = 0;; ++round) {
         const Eigen::VectorXd excess = m_limit.excess(m_lengths->system());
-        if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) return 0;
+        if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) break;
         const double slope = round > 0 && m_steps == 1 ? m_newton->restrict(m_direction) : find_move();
         if (round == k_most_joins || m_limit.hold_blocking_ones(positions, m_direction) == 0) return slope;
         m_limit.apply(m_lengths->system());
-        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) return 0;
+        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) break;
     }
+    m_direction.setZero(3, positions.cols());
+    return 0;
 }
 
 /// By the exact Hessian, or if that is indefinite, and while handles may still be moving, by a convex one. Returns the
@@ -625,7 +628,7 @@ bool Equilibrium::project_lengths(Positions& positions) {
         if (!m_lengths->project(positions)) return false;
         m_lengths->system().assemble(positions);
         const double error = m_lengths->system().errors().lpNorm<Eigen::Infinity>();
-        if (error < k_exact_error) break;
+        if (error < exact_error()) break;
         if (error < best / 2) patience = k_patience;
         best = std::min(best, error);
     }
@@ -638,6 +641,7 @@ void Equilibrium::watch_corners(const Positions& positions) {
     m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology, m_limit.watched());
     m_lengths->system().set_free(m_is_free);
     m_limit.apply(m_lengths->system());
+    m_lengths->system().assemble(positions);
 }
 
 void Equilibrium::hold(const std::vector<double>& held) {

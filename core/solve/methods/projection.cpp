@@ -347,8 +347,9 @@ std::unique_ptr<Method> make() { return std::make_unique<Projection>(); }
 ///
 /// Where so many edges meet at a vertex that the system of stage 3 would be too large, stage 4 takes its place at once.
 ///
-/// Holds pull the copy in stage 1, which so decides where they are to be; the net's are drawn there by springs of their
-/// own, which become weaker where lengths and pulls cannot agree, and give way last in stage 3. Stage 4 ignores them.
+/// Pulls act on the copy in stage 1, which so decides where their vertices are to be; the net's are drawn there by
+/// springs of their own, which become weaker where lengths and pulls cannot agree, and give way last in stage 3.
+/// Stage 4 ignores them.
 ///
 /// Stages 1 to 3 use two systems of fixed pattern: the net's Laplacian, factored once for a set of handles and weights
 /// of pulls, and the projection's, analysed once for a net. They allocate nothing once they have run.

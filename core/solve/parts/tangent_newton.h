@@ -97,7 +97,7 @@ private:
     int m_inner_iterations = 0;
     double m_gradient_norm = 0, m_error_cost = 0, m_factorisation_ms = 0;
     Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)
-    Eigen::Matrix3Xd m_normal;   // the shortest move that shortens rows as wished
+    Eigen::Matrix3Xd m_normal;   // the shortest move that shortens rows as asked
     double m_normal_slope = 0;   // −λ·J m_normal
     Eigen::Matrix3Xd m_residual, m_preconditioned, m_search, m_image;
     Eigen::VectorXd m_changes, m_pulls;

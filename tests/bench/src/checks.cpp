@@ -21,7 +21,8 @@ constexpr double k_threshold = 1e-6;  // ε_3
 constexpr double k_time_noise = 1.03;
 // Distances of nets, RMS, in edge lengths.
 constexpr double k_other = 0.1, k_similar = 0.5, k_same = 0.05;
-constexpr double k_collapsed = 5;  // degrees
+constexpr double k_collapsed = 5;         // degrees
+constexpr double k_interactive_ms = 500;  // section 1
 
 // What is read off a run.
 
@@ -155,6 +156,39 @@ const Check k_checks[] = {
          const double ms = median_frame_ms(run), most = run.vertices() <= 6000 ? 40 : 100;
          return Outcome{run.converged() && ms <= most,
                         {{"paper", 1000 / ms, "frames"}, {"ours", 1000 / median_frame_ms(g["ours"]), "frames"}}};
+     }},
+    {"new_net_takes_longer",
+     "To deform the surface and make a net on it takes longer than the edit by Li et al. 2022, and longer than half a "
+     "second.",
+     "Ten minutes are what the paper's authors measured with another program.", true,
+     [](const Group& g) {
+         const Run& run = g["deformed"];
+         const double ms = run.new_net ? run.milliseconds + run.new_net->milliseconds : k_infinity;
+         return Outcome{ms > milliseconds(g["paper"]) && ms > k_interactive_ms,
+                        {{"deformed", ms, "ms"},
+                         {"paper", milliseconds(g["paper"]), "ms"},
+                         {"ours", milliseconds(g["ours"]), "ms"}}};
+     }},
+    {"new_net_has_other_singular_vertices", "The new net has not as many singular vertices as the net that was edited.",
+     "", false,
+     [](const Group& g) {
+         const Run& run = g["deformed"];
+         const int before = singular_vertices(run.problem->net);
+         const int after = run.new_net ? singular_vertices(run.new_net->net) : 0;
+         return Outcome{run.new_net && after != before,
+                        {{"deformed", static_cast<double>(after), "vertices"},
+                         {"paper", static_cast<double>(before), "vertices"}}};
+     }},
+    {"new_net_is_near", "Its mean distance from the deformed surface is less than that of each edited net.", "", false,
+     [](const Group& g) {
+         const Run& run = g["deformed"];
+         const auto edited = [&](const char* variant) {
+             return mean_distance(run.problem->net, g[variant].positions, run);
+         };
+         const double near =
+             run.new_net ? mean_distance(run.new_net->net, run.new_net->net.rest_positions(), run) : k_infinity;
+         return Outcome{near < edited("paper") && near < edited("ours"),
+                        {{"deformed", near, "L"}, {"paper", edited("paper"), "L"}, {"ours", edited("ours"), "L"}}};
      }},
     {"shapes_differ", "Any two of the nets are at least 0.1 L apart, RMS over vertices.", "", false,
      [](const Group& g) {

@@ -51,6 +51,7 @@ private:
             variant.options.emplace_back(key, value.is_boolean() ? (value.get<bool>() ? "on" : "off") : value.dump());
         if (json.contains("edit")) variant.edit = edit(json.at("edit"));
         variant.frames = json.value("frames", 0);
+        variant.remeshes = json.value("remeshes", false);
         variant.is_ours = json.value("ours", false);
         return variant;
     }

@@ -24,8 +24,9 @@ struct Variant {
     std::string method = "li2022", initialisation = "naive";
     std::vector<std::pair<std::string, std::string>> options = {};
     std::optional<NamedEdit> edit = {};  ///< in place of the figure's
-    int frames = 0;        ///< 0: handles jump to their targets; else they are dragged there in so many frames
-    bool is_ours = false;  ///< no method of the paper, and no part of its claims
+    int frames = 0;         ///< 0: handles jump to their targets; else they are dragged there in so many frames
+    bool remeshes = false;  ///< what comes of it is a surface, over which a new net is made
+    bool is_ours = false;   ///< no method of the paper, and no part of its claims
 };
 
 struct Claim {

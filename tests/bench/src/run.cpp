@@ -5,7 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "base/error.h"
+#include "base/stopwatch.h"
 #include "net/measures.h"
+#include "net/topology.h"
+#include "remesh/remesh.h"
 
 namespace chebnet::bench {
 namespace {
@@ -85,6 +89,24 @@ Run run_once(const NamedEdit& edit, const std::shared_ptr<const Edit>& problem, 
 
 }  // namespace
 
+namespace {
+
+std::shared_ptr<const Guide> surface_of(const Run& run) {
+    return std::make_shared<const Guide>(Surface({run.positions, run.problem->net.faces()}));
+}
+
+std::shared_ptr<const NewNet> remeshed(const Run& run) {
+    const Stopwatch watch;
+    try {
+        Net net = remesh(surface_of(run), {.length = run.problem->net.mean_length()}).net;
+        return std::make_shared<const NewNet>(NewNet{std::move(net), watch.milliseconds()});
+    } catch (const Error&) {
+        return nullptr;
+    }
+}
+
+}  // namespace
+
 Run run(const NamedEdit& edit, const Variant& variant, int repeats) {
     const auto problem = std::make_shared<const Edit>(edit.open());
     Run fastest = run_once(edit, problem, variant);
@@ -92,11 +114,22 @@ Run run(const NamedEdit& edit, const Variant& variant, int repeats) {
         Run again = run_once(edit, problem, variant);
         if (again.milliseconds < fastest.milliseconds) fastest = std::move(again);
     }
+    if (variant.remeshes) fastest.new_net = remeshed(fastest);
     return fastest;
 }
 
 double distance(const Run& a, const Run& b) {
     return std::sqrt((a.positions - b.positions).squaredNorm() / a.vertices()) / a.problem->net.mean_length();
+}
+
+double mean_distance(const Net& net, const Positions& positions, const Run& surface) {
+    return distance_to(*surface_of(surface), net, positions).mean / surface.problem->net.mean_length();
+}
+
+int singular_vertices(const Net& net) {
+    int count = 0;
+    for (const auto& [valence, vertices] : Topology(net).singular_vertices()) count += vertices;
+    return count;
 }
 
 int edges_at_rest_since(const Run& run, const Snapshot& snapshot) {

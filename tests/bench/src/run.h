@@ -22,6 +22,12 @@ struct Snapshot {
     Positions positions;
 };
 
+/// A net made over a surface, with edges as long as those of the net that was edited.
+struct NewNet {
+    Net net;
+    double milliseconds;
+};
+
 /// What became of an edit under a variant.
 struct Run {
     std::string edit;
@@ -36,7 +42,8 @@ struct Run {
     double handle_error = 0;
     std::vector<Sample> samples;
     std::vector<Snapshot> snapshots;
-    Positions positions;  ///< at the end
+    Positions positions;                    ///< at the end
+    std::shared_ptr<const NewNet> new_net;  ///< of a variant that remeshes; null if there is no such net
 
     bool converged() const { return status == Status::converged; }
     int vertices() const { return problem->net.vertex_count(); }
@@ -47,6 +54,10 @@ Run run(const NamedEdit& edit, const Variant& variant, int repeats);
 
 /// Of vertices, RMS, in mean edge lengths. Both runs are of one net.
 double distance(const Run& a, const Run& b);
+/// Of the vertices and middles of edges of a net, from the surface that a run has led to, in the mean edge lengths of
+/// the run's net.
+double mean_distance(const Net& net, const Positions& positions, const Run& surface);
+int singular_vertices(const Net& net);
 /// Edges of which no end has moved since a stage ended.
 int edges_at_rest_since(const Run& run, const Snapshot& snapshot);
 

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Wish {
+struct Measurement {
     std::string section;
     EditCase edit;
     std::string series = "";
@@ -24,21 +24,21 @@ struct Wish {
 
 std::string recipe(const std::string& shape, int vertices) { return shape + ":vertices=" + std::to_string(vertices); }
 
-std::vector<Wish> growth_wishes(bool quick) {
+std::vector<Measurement> growth_measurements(bool quick) {
     const std::vector<int> sizes = quick ? std::vector{300, 1000, 3000} : std::vector{1000, 3000, 10000, 30000, 100000};
-    std::vector<Wish> wishes;
+    std::vector<Measurement> measurements;
     for (const auto& [shape, kind] : {std::pair{"elephant", "bend"}, {"vault", "pull"}})
         for (const int size : sizes)
-            wishes.push_back({"growth", {recipe(shape, size), kind, ""}, std::string(shape) + '.' + kind});
-    return wishes;
+            measurements.push_back({"growth", {recipe(shape, size), kind, ""}, std::string(shape) + '.' + kind});
+    return measurements;
 }
 
-std::vector<Wish> kernel_wishes(bool quick) {
+std::vector<Measurement> kernel_measurements(bool quick) {
     const std::vector<int> sizes = quick ? std::vector{1000} : std::vector{2000, 8000, 20000};
-    std::vector<Wish> wishes;
+    std::vector<Measurement> measurements;
     for (const char* shape : {"elephant", "vault", "torus"})
-        for (const int size : sizes) wishes.push_back({"kernels", {recipe(shape, size), "pull", ""}});
-    return wishes;
+        for (const int size : sizes) measurements.push_back({"kernels", {recipe(shape, size), "pull", ""}});
+    return measurements;
 }
 
 std::vector<EditCase> own_cases(bool quick) {
@@ -49,30 +49,31 @@ std::vector<EditCase> own_cases(bool quick) {
     return cases;
 }
 
-std::vector<Wish> all_wishes(const PlanArguments& arguments) {
+std::vector<Measurement> all_measurements(const PlanArguments& arguments) {
     const bool own = arguments.nets.empty();
     const std::vector<EditCase> cases =
         own ? own_cases(arguments.quick) : cases_of_folder(arguments.nets, arguments.edits);
     // Growth comes first: what the program holds from other measurements would count as memory of the smallest sizes.
-    std::vector<Wish> wishes = growth_wishes(arguments.quick);
-    for (const Wish& wish : kernel_wishes(arguments.quick)) wishes.push_back(wish);
+    std::vector<Measurement> measurements = growth_measurements(arguments.quick);
+    for (const Measurement& measurement : kernel_measurements(arguments.quick)) measurements.push_back(measurement);
     std::set<std::string> nets;
     for (const EditCase& edit : cases)
-        if (!own && nets.insert(edit.net).second) wishes.push_back({"kernels", edit});
+        if (!own && nets.insert(edit.net).second) measurements.push_back({"kernels", edit});
     for (const char* section : {"edits", "drags"})
-        for (const EditCase& edit : cases) wishes.push_back({section, edit});
-    return wishes;
+        for (const EditCase& edit : cases) measurements.push_back({section, edit});
+    return measurements;
 }
 
-std::vector<Wish> chosen_wishes(const PlanArguments& arguments) {
-    std::vector<Wish> wishes = all_wishes(arguments);
-    std::erase_if(wishes, [&](const Wish& wish) {
+std::vector<Measurement> chosen_measurements(const PlanArguments& arguments) {
+    std::vector<Measurement> measurements = all_measurements(arguments);
+    std::erase_if(measurements, [&](const Measurement& measurement) {
         return !arguments.only.empty() && std::ranges::none_of(arguments.only, [&](const std::string& text) {
-            return wish.name().find(text) != std::string::npos;
+            return measurement.name().find(text) != std::string::npos;
         });
     });
-    if (wishes.empty()) throw Error(ErrorCode::bad_option, "there is nothing of that name to measure; see --list");
-    return wishes;
+    if (measurements.empty())
+        throw Error(ErrorCode::bad_option, "there is nothing of that name to measure; see --list");
+    return measurements;
 }
 
 Json handles_json(const std::vector<Handle>& handles) {
@@ -96,16 +97,16 @@ std::vector<Handle> handles_from_json(const Json& list) {
 
 std::vector<std::string> task_names(const PlanArguments& arguments) {
     std::vector<std::string> names;
-    for (const Wish& wish : chosen_wishes(arguments)) names.push_back(wish.name());
+    for (const Measurement& measurement : chosen_measurements(arguments)) names.push_back(measurement.name());
     return names;
 }
 
 Plan make_plan(const PlanArguments& arguments) {
     for (const std::string& method : arguments.methods) make_method(method);
-    const std::vector<Wish> wishes = chosen_wishes(arguments);
+    const std::vector<Measurement> measurements = chosen_measurements(arguments);
     Plan plan{arguments.methods, arguments.quick ? 3 : 5, 60, {}};
     std::map<std::string, Edit> made;  // several sections measure the same edit
-    for (const auto& [section, edit, series] : wishes) {
+    for (const auto& [section, edit, series] : measurements) {
         auto known = made.find(edit.name());
         if (known == made.end()) known = made.emplace(edit.name(), make_problem(edit)).first;
         const Edit& problem = known->second;

@@ -1,0 +1,108 @@
+#include "change/change.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "command.h"
+#include "edit/equalize.h"
+#include "net/measures.h"
+#include "net/topology.h"
+#include "net_argument.h"
+#include "net_output.h"
+#include "report.h"
+#include "text_table.h"
+
+namespace chebnet {
+namespace {
+
+struct ChangeArguments {
+    NetArgument net;
+    std::string name;
+    std::vector<int> line;
+    std::vector<int> vertices;
+    NetOutput output;
+};
+
+/// Of the net line from vertex a to its neighbour b.
+std::vector<int> edges_of_line(const Net& net, int a, int b) {
+    const Topology topology(net);
+    for (const std::vector<int>& line : topology.net_lines()) {
+        std::vector<int> edges;
+        bool is_it = false;
+        for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+            is_it = is_it || std::minmax(line[k], line[k + 1]) == std::minmax(a, b);
+            edges.push_back(topology.edge_between(line[k], line[k + 1]));
+        }
+        if (is_it) return edges;
+    }
+    throw Error(ErrorCode::bad_option,
+                "--line wants the two ends of an edge, not " + std::to_string(a) + " and " + std::to_string(b));
+}
+
+/// Exactly, near its own shape; as it is where lengths differ.
+struct ExactNet {
+    Positions positions;
+    Status status;
+};
+
+ExactNet made_exact(const Net& before, const ChangedMesh& changed) {
+    Net net(changed.mesh.positions, changed.mesh.faces, RestLengths::own);
+    if (!before.is_chebyshev()) return {net.rest_positions(), Status::converged};
+    EqualizeOptions options;
+    options.choice = EqualLength::given;
+    options.length = changed.length_factor * before.mean_length();
+    if (changed.keeps_edges) options.method = "projection";
+    Equalizer equalizer(std::move(net), options);
+    const Status status = equalizer.solve().status;
+    return {equalizer.positions(), status};
+}
+
+int run_change(const ChangeArguments& arguments) {
+    const Net net = load_net(arguments.net);
+    ChangePlace place;
+    place.vertices = arguments.vertices;
+    if (!arguments.line.empty()) place.edges = edges_of_line(net, arguments.line[0], arguments.line[1]);
+    const ChangedMesh changed = find_change(arguments.name).make(net, place);
+    const ExactNet exact = made_exact(net, changed);
+    write_net(arguments.output, exact.positions, changed.mesh.faces);
+
+    const Net after(exact.positions, changed.mesh.faces);
+    print({{"net", arguments.net.name},
+           {"change", arguments.name},
+           {"status", to_string(exact.status)},
+           {"vertices", after.vertex_count()},
+           {"faces", after.face_count()},
+           {"pieces", Topology(after).component_count()},
+           {"length", after.mean_length()},
+           {"max_dL", max_deviation(after, exact.positions)},
+           {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions).smallest / k_degree}});
+    return exact.status == Status::converged ? k_success : k_not_converged;
+}
+
+std::string change_list() {
+    std::vector<std::vector<std::string>> rows;
+    for (const ChangeInfo& change : change_table()) rows.push_back({change.name, change.sentence});
+    return "Changes:\n" + text_table(rows);
+}
+
+}  // namespace
+
+Command add_change(CLI::App& program) {
+    CLI::App& command =
+        *program.add_subcommand("change", "Change the faces of a net and make its edges exact again; report, as JSON");
+    const auto arguments = std::make_shared<ChangeArguments>();
+    add_net_argument(command, arguments->net);
+    command.add_option("CHANGE", arguments->name, "See below")->required();
+    command.add_option("--line", arguments->line, "The net line that goes from vertex A to its neighbour B")
+        ->expected(2)
+        ->type_name("A B");
+    command.add_option("--vertices", arguments->vertices, "Where faces are deleted, from 0")->type_name("VERTEX");
+    add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
+    command.footer(change_list());
+    return {&command, [arguments] { return run_change(*arguments); }};
+}
+
+}  // namespace chebnet

@@ -1,0 +1,116 @@
+#include "drape/border_cut.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "drape/draped_net.h"
+#include "surface/height.h"
+
+namespace chebnet {
+
+namespace {
+
+// Halves the edge that is cut until no digit is left.
+constexpr int k_halvings = 52;
+
+class Cutter {
+public:
+    Cutter(const Surface& surface, const SurfaceTree& tree, double length, double smallest_angle,
+           const std::vector<DrapedVertex>& vertices)
+        : m_surface(surface),
+          m_tree(tree),
+          m_stub(k_shortest_end * length),
+          m_largest_cosine(std::cos(smallest_angle)),
+          m_vertices(vertices) {}
+
+    BorderCut run(const std::vector<std::array<int, 4>>& cells) {
+        for (const auto& cell : cells) {
+            std::vector<int> face = cut(cell);
+            if (face.size() < 3 || (face.size() == 4 && is_sharp(face))) continue;
+            m_cut.faces.push_back(std::move(face));
+        }
+        m_cut.faces = joined_to_seed(m_cut.faces);
+        return std::move(m_cut);
+    }
+
+private:
+    bool is_kept(int vertex) const { return m_vertices[vertex].overhang <= m_stub; }
+
+    /// The corners of what is left of a cell.
+    std::vector<int> cut(const std::array<int, 4>& cell) {
+        std::vector<int> face;
+        const auto add = [&](int vertex) {
+            if (face.empty() || face.back() != vertex) face.push_back(vertex);
+        };
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int from = cell[k], to = cell[(k + 1) % 4];
+            if (is_kept(from)) add(from);
+            if (is_kept(from) != is_kept(to)) add(is_kept(from) ? end_of(from, to) : end_of(to, from));
+        }
+        while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+        return face;
+    }
+
+    /// Of a rod from a vertex that is kept to one that is not.
+    int end_of(int kept, int beyond) {
+        const auto [known, is_new] = m_end_at.try_emplace(std::minmax(kept, beyond), kept);
+        if (!is_new || m_vertices[kept].overhang > 0) return known->second;
+        const DrapedVertex end = on_boundary(m_vertices[kept], m_vertices[beyond].position);
+        if ((end.position - m_vertices[kept].position).norm() < m_stub) return kept;
+        known->second = static_cast<int>(m_vertices.size() + m_cut.ends.size());
+        m_cut.ends.push_back({end, beyond});
+        return known->second;
+    }
+
+    /// The point of the boundary nearest to where the straight way from a vertex to a point beyond it leaves the
+    /// surface.
+    DrapedVertex on_boundary(const DrapedVertex& from, const Eigen::Vector3d& beyond) const {
+        double inside = 0, outside = 1;
+        Height left{};
+        for (int k = 0; k <= k_halvings; ++k) {
+            const double part = k == 0 ? 1 : (inside + outside) / 2;
+            const Height here = height_of(m_surface, m_tree, (1 - part) * from.position + part * beyond, from.at.face);
+            if (here.overhang > 0) {
+                outside = part;
+                left = here;
+            } else {
+                inside = part;
+            }
+        }
+        return {m_surface.position_at(left.at), left.at, left.normal, 0};
+    }
+
+    bool is_sharp(const std::vector<int>& face) const {
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const Eigen::Vector3d here = position(face[k]);
+            const Eigen::Vector3d a = position(face[(k + 1) % face.size()]) - here,
+                                  b = position(face[(k + face.size() - 1) % face.size()]) - here;
+            if (a.dot(b) > m_largest_cosine * a.norm() * b.norm()) return true;
+        }
+        return false;
+    }
+
+    const Eigen::Vector3d& position(int vertex) const {
+        const int given = static_cast<int>(m_vertices.size());
+        return vertex < given ? m_vertices[vertex].position : m_cut.ends[vertex - given].vertex.position;
+    }
+
+    const Surface& m_surface;
+    const SurfaceTree& m_tree;
+    double m_stub, m_largest_cosine;
+    const std::vector<DrapedVertex>& m_vertices;
+    std::map<std::pair<int, int>, int> m_end_at;  // of a rod, by the edge that it is a part of
+    BorderCut m_cut;
+};
+
+}  // namespace
+
+BorderCut cut_at_border(const Surface& surface, const SurfaceTree& tree, double length, double smallest_angle,
+                        const std::vector<DrapedVertex>& vertices, const std::vector<std::array<int, 4>>& cells) {
+    return Cutter(surface, tree, length, smallest_angle, vertices).run(cells);
+}
+
+}  // namespace chebnet

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drape/border_cut.h"
+#include "drape/drape.h"
+
+namespace chebnet {
+
+/// The faces that are joined by edges to the first one with vertex 0, the seed.
+std::vector<std::vector<int>> joined_to_seed(const std::vector<std::vector<int>>& faces);
+
+/// The net of what a border has left, without the vertices that no face has. `places`: of the vertices. Throws Error
+/// bad_option if no face is left.
+Drape draped_net(const std::vector<DrapedVertex>& vertices, const Eigen::Matrix2Xi& places, const BorderCut& cut);
+
+}  // namespace chebnet

@@ -1,0 +1,266 @@
+#include "change/change.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "base/error.h"
+#include "edit/equalize.h"
+#include "net/measures.h"
+#include "net/repair.h"
+#include "net/topology.h"
+#include "sample_nets.h"
+#include "shapes/shapes.h"
+#include "surface/guide.h"
+
+using namespace chebnet;
+
+namespace {
+
+ChangedMesh changed(const Net& net, const char* name, std::vector<int> edges = {}, std::vector<int> vertices = {}) {
+    return find_change(name).make(net, {std::move(vertices), std::move(edges)});
+}
+
+std::string refusal(const Net& net, const char* name, std::vector<int> edges = {}, std::vector<int> vertices = {}) {
+    try {
+        changed(net, name, std::move(edges), std::move(vertices));
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::impossible_change);
+        return error.what();
+    }
+    return "";
+}
+
+Net net_of(const ChangedMesh& changed) { return Net(changed.mesh.positions, changed.mesh.faces); }
+
+/// Along these vertices, one after the other.
+std::vector<int> path(const Net& net, const std::vector<int>& vertices) {
+    const Topology topology(net);
+    std::vector<int> edges;
+    for (std::size_t k = 0; k + 1 < vertices.size(); ++k)
+        edges.push_back(topology.edge_between(vertices[k], vertices[k + 1]));
+    return edges;
+}
+
+std::vector<int> border(const Net& net) {
+    std::vector<int> edges;
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (net.edge_face_counts()[e] == 1) edges.push_back(e);
+    return edges;
+}
+
+/// Old vertices where they were; what is there is said by `origins`.
+void check_origins(const Net& net, const ChangedMesh& changed) {
+    REQUIRE(static_cast<Eigen::Index>(changed.origins.size()) == changed.mesh.positions.cols());
+    for (std::size_t v = 0; v < changed.origins.size(); ++v)
+        if (const int old = changed.origins[v]; old >= 0)
+            REQUIRE(changed.mesh.positions.col(static_cast<int>(v)) == net.rest_positions().col(old));
+}
+
+struct Exact {
+    Net net;
+    EqualizeReport report;
+};
+
+Exact made_exact(const Net& net, const ChangedMesh& changed) {
+    EqualizeOptions options;
+    options.choice = EqualLength::given;
+    options.length = changed.length_factor * net.mean_length();
+    Equalizer equalizer(Net(changed.mesh.positions, changed.mesh.faces, RestLengths::own), options);
+    const EqualizeReport report = equalizer.solve();
+    return {Net(equalizer.positions(), changed.mesh.faces, RestLengths::equal), report};
+}
+
+}  // namespace
+
+TEST_CASE("A finer net has four quads for one, and coarsening takes them back") {
+    const Net net = GENERATE(samples::patch(5, 4), samples::ring(6, 5, true), samples::cube());
+    const ChangedMesh finer = changed(net, "refine");
+    check_origins(net, finer);
+    const Net fine = net_of(finer);
+    CHECK(fine.vertex_count() == net.vertex_count() + net.edge_count() + net.face_count());
+    CHECK(fine.face_count() == 4 * net.face_count());
+    CHECK(Topology(fine).singular_vertices() == Topology(net).singular_vertices());
+
+    const ChangedMesh coarser = changed(fine, "coarsen");
+    check_origins(fine, coarser);
+    CHECK(coarser.length_factor * finer.length_factor == 1);
+    CHECK(coarser.mesh.positions == net.rest_positions());
+    const Net coarse = net_of(coarser);
+    CHECK(coarse.edges() == net.edges());
+    CHECK(coarse.face_count() == net.face_count());
+}
+
+TEST_CASE("A finer net is exact, near the shape that was, and within the limit of corners") {
+    const char* recipe = GENERATE("dome:vertices=300", "torus:vertices=300", "jug:vertices=500");
+    const Net net = make_shape(recipe).net;
+    const Exact exact = made_exact(net, changed(net, "refine"));
+    CAPTURE(recipe);
+    REQUIRE(exact.report.status == Status::converged);
+    CHECK(max_deviation(exact.net, exact.net.rest_positions()) < 1e-9);
+    CHECK(exact.net.mean_length() == Approx(net.mean_length() / 2).epsilon(1e-4));
+    CHECK(exact.report.smallest_angle >
+          std::min(corner_angle_range(net, net.rest_positions()).smallest, std::numbers::pi / 6) - 1e-6);
+    REQUIRE(exact.report.distance);
+    CHECK(exact.report.distance->largest < 0.5);
+}
+
+TEST_CASE("Folded lines stay folded in a finer net") {
+    const Net net = samples::cube();
+    const Positions& x = changed(net, "refine").mesh.positions;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const Eigen::Vector3d middle =
+            (net.rest_positions().col(net.edges()(0, e)) + net.rest_positions().col(net.edges()(1, e))) / 2;
+        CHECK(x.col(net.vertex_count() + e) == middle);
+    }
+}
+
+TEST_CASE("Coarsening leaves out the odd row at the border, and says where rows make no pairs") {
+    const Net odd = samples::patch(6, 5);  // five by four faces
+    const ChangedMesh coarser = changed(odd, "coarsen");
+    check_origins(odd, coarser);
+    CHECK(coarser.mesh.faces.size() == 4);
+    CHECK_THAT(refusal(samples::ring(7, 5, false), "coarsen"), Catch::Contains("pairs"));
+    CHECK_THAT(refusal(samples::cube(), "coarsen"), Catch::Contains("pairs"));
+    CHECK_THAT(refusal(samples::mixed_mesh(), "coarsen"), Catch::Contains("face 0 is no quad"));
+    CHECK_THAT(refusal(samples::patch(2, 2), "coarsen"), Catch::Contains("nowhere"));
+}
+
+TEST_CASE("A cut from border to border makes two pieces, one inside a slit") {
+    const Net net = samples::patch(5, 4);  // vertex 5 j + i
+    const ChangedMesh parted = changed(net, "cut", path(net, {2, 7, 12, 17}));
+    check_origins(net, parted);
+    const Net two = net_of(parted);
+    CHECK(two.vertex_count() == net.vertex_count() + 4);
+    CHECK(Topology(two).component_count() == 2);
+    CHECK(std::set<int>(parted.origins.begin() + 20, parted.origins.end()) == std::set<int>{2, 7, 12, 17});
+    CHECK(parted.keeps_edges);
+
+    const ChangedMesh slit = changed(net, "cut", path(net, {6, 7, 8}));
+    check_origins(net, slit);
+    CHECK(slit.origins.back() == 7);
+    CHECK(slit.mesh.positions.cols() == net.vertex_count() + 1);
+    CHECK(Topology(net_of(slit)).boundary_loops().size() == 2);
+
+    CHECK_THAT(refusal(net, "cut", path(net, {6, 7})), Catch::Contains("parts nothing"));
+    CHECK_THAT(refusal(net, "cut", border(net)), Catch::Contains("parts nothing"));
+}
+
+TEST_CASE("Of the sides of a line one stays, and other pieces of the net do") {
+    const Net net = samples::patch(6, 4);  // five by three faces
+    const std::vector<int> line = path(net, {2, 8, 14, 20});
+    CHECK(changed(net, "keep_larger", line).mesh.faces.size() == 9);
+    const ChangedMesh smaller = changed(net, "keep_smaller", line);
+    check_origins(net, smaller);
+    CHECK(smaller.mesh.faces.size() == 6);
+    CHECK(net_of(smaller).vertex_count() == 12);
+
+    // Again, in one of the two pieces that the cut made.
+    const Net two = net_of(changed(net, "cut", line));
+    CHECK(changed(two, "keep_smaller", path(two, {6, 7, 8})).mesh.faces.size() == 15 - 4);
+}
+
+TEST_CASE("Rows and faces are deleted where they are named") {
+    const Net net = samples::patch(6, 4);
+    const ChangedMesh shorter = changed(net, "delete_rows", path(net, {0, 6, 12, 18}));
+    check_origins(net, shorter);
+    CHECK(shorter.mesh.faces.size() == 12);
+    CHECK(changed(net, "delete_rows", path(net, {1, 7, 13, 19})).mesh.faces.size() == 9);
+    CHECK(changed(net, "delete_faces", {}, {0, 8}).mesh.faces.size() == 10);
+    CHECK_THAT(refusal(net, "delete_faces"), Catch::Contains("no face lies there"));
+    std::vector<int> all;
+    for (int e = 0; e < net.edge_count(); ++e) all.push_back(e);
+    CHECK_THAT(refusal(net, "delete_rows", all), Catch::Contains("would be left"));
+    CHECK_THAT(refusal(net, "keep_larger", path(net, {7, 8})), Catch::Contains("does not part"));
+}
+
+TEST_CASE("A row along one side continues the lines that end there, and deleting it brings the net back") {
+    const Net net = samples::patch(5, 4, 0);
+    const ChangedMesh longer = changed(net, "add_row", path(net, {15, 16, 17, 18, 19}));
+    check_origins(net, longer);
+    const Net more = net_of(longer);
+    CHECK(more.vertex_count() == 25);
+    CHECK(more.face_count() == 16);
+    CHECK(more.is_chebyshev());
+    CHECK(Topology(more).net_lines().size() == Topology(net).net_lines().size() + 1);
+    for (int v = 20; v < 25; ++v) CHECK(longer.mesh.positions(1, v) == Approx(4));
+    const std::vector<int> outside = {20, 21, 22, 23, 24};
+    CHECK(changed(more, "delete_faces", {}, outside).mesh.positions == net.rest_positions());
+}
+
+TEST_CASE("A row turns round corners, outwards and inwards") {
+    const Net square = samples::patch(3, 3, 0);
+    const Net around = net_of(changed(square, "add_row", border(square)));
+    CHECK(around.face_count() == 4 * 4);
+    CHECK(around.is_chebyshev());
+    CHECK(Topology(around).boundary_loops().size() == 1);
+
+    // Five by four faces without the one in a corner: the border turns inwards once.
+    const Net corner = net_of(changed(samples::patch(6, 5, 0), "delete_faces", {}, {0}));
+    const Net filled = net_of(changed(corner, "add_row", path(corner, {0, 6, 5})));
+    CHECK(filled.face_count() == corner.face_count() + 1);
+    const Net all_round = net_of(changed(corner, "add_row", border(corner)));
+    CHECK(all_round.is_chebyshev());
+    CHECK(all_round.face_count() == 7 * 6 - 1);
+    CHECK(Topology(all_round).boundary_loops().size() == 1);
+}
+
+TEST_CASE("Rows are added at borders alone, and where they have room") {
+    CHECK_THAT(refusal(samples::ring(6, 5, true), "add_row", {0, 1}), Catch::Contains("lies on the border"));
+    const Net touching = net_of(changed(samples::patch(5, 5), "delete_faces", {}, {0, 12}));
+    CHECK_THAT(refusal(touching, "add_row", border(touching)), Catch::Contains("border"));
+}
+
+TEST_CASE("Joining takes a cut back, and closes what was brought together") {
+    const Net net = samples::patch(5, 4);
+    const Net two = net_of(changed(net, "cut", path(net, {2, 7, 12, 17})));
+    const ChangedMesh one = changed(two, "join");
+    CHECK(one.mesh.positions == net.rest_positions());
+    CHECK(one.mesh.faces.vertices == net.faces().vertices);
+
+    Positions moved = two.rest_positions();
+    moved.row(2).tail(4).array() += 0.3;
+    const ChangedMesh halfway = changed(Net(moved, two.faces()), "join");
+    CHECK(halfway.mesh.positions(2, 7) == Approx(net.rest_positions()(2, 7) + 0.15));
+
+    // A sheet whose faces turn the other way, beside one.
+    Faces turned = two.faces();
+    for (int f = 0; f < turned.size(); ++f)
+        if (two.rest_positions()(0, turned[f][0]) + two.rest_positions()(0, turned[f][2]) >
+            2 * net.rest_positions()(0, 2))
+            std::reverse(turned.vertices.begin() + turned.start[f], turned.vertices.begin() + turned.start[f + 1]);
+    CHECK(repair(changed(Net(two.rest_positions(), turned), "join").mesh, k_all_defects).findings.empty());
+
+    CHECK_THAT(refusal(net, "join"), Catch::Contains("drag them together"));
+    // The border of rods cut short is no two borders.
+    Positions trimmed = samples::patch(5, 4, 0).rest_positions();
+    trimmed.row(0) = trimmed.row(0).cwiseMin(3.3);
+    trimmed.row(1) = trimmed.row(1).cwiseMin(2.2);
+    CHECK_THAT(refusal(Net(trimmed, net.faces(), RestLengths::own), "join"), Catch::Contains("drag them together"));
+    Positions doubled(3, 2 * net.vertex_count());
+    doubled << net.rest_positions(), net.rest_positions();
+    Faces both = net.faces();
+    for (int f = 0; f < net.face_count(); ++f) {
+        std::vector<int> face(net.faces()[f].begin(), net.faces()[f].end());
+        for (int& v : face) v += net.vertex_count();
+        both.add(face);
+    }
+    CHECK(net_of(changed(Net(doubled, both), "join")).vertex_count() == 2 * net.vertex_count() - 14);
+}
+
+TEST_CASE("A longer net is exact and within the limit of corners") {
+    const Net net = make_shape("dome:vertices=300").net;
+    const Exact exact = made_exact(net, changed(net, "add_row", border(net)));
+    REQUIRE(exact.report.status == Status::converged);
+    CHECK(max_deviation(exact.net, exact.net.rest_positions()) < 1e-9);
+    CHECK(exact.report.smallest_angle > std::numbers::pi / 6 - 1e-6);
+}
+
+TEST_CASE("What a change is asked for is checked") {
+    const Net net = samples::patch(3, 3);
+    CHECK_THROWS_WITH(changed(net, "cut", {12}), Catch::Contains("no edge 12"));
+    CHECK_THROWS_WITH(changed(net, "delete_faces", {}, {-1}), Catch::Contains("no vertex -1"));
+    CHECK_THROWS_WITH(find_change("melt"), Catch::Contains("\"melt\""));
+}
