@@ -293,8 +293,7 @@ val solve(Session& session, int iterations, double milliseconds) {
 
 void reset(Session& session) { session.editor.reset(); }
 
-// ----------------------------------------------------------------------------------------------------------- the
-// result
+// ---------------------------------------------------------------------------------------------------------- the result
 
 val positions(const Session& session) { return copy_out(session.editor.positions()); }
 

@@ -232,6 +232,35 @@ export interface RepairedMesh {
   findings: Finding[];
 }
 
+/** A way to change the faces of a net: its name in the table of core/change/change.cpp, which says what it does. */
+export type NetChange =
+  | 'refine'
+  | 'coarsen'
+  | 'cut'
+  | 'keep_larger'
+  | 'keep_smaller'
+  | 'delete_rows'
+  | 'delete_faces'
+  | 'add_row'
+  | 'join';
+
+/** Where; edges by their numbers in `Editor.edges`. */
+export interface ChangePlace {
+  vertices?: readonly number[];
+  edges?: readonly number[];
+}
+
+/** A net with other faces, not yet exact; see core/change/change.h. */
+export interface ChangedMesh {
+  mesh: Mesh;
+  /** Of each vertex the one that it was; -1: it is new. */
+  origins: Int32Array;
+  /** All edges are to be so many times as long as before. */
+  lengthFactor: number;
+  /** Every edge is as long as one of before. */
+  keepsEdges: boolean;
+}
+
 /** How much one call of `solve` may do; without a field, no limit. */
 export interface Budget {
   iterations?: number;
@@ -403,6 +432,9 @@ export interface Equalizer {
   solve(budget?: Budget): EqualizeReport;
   /** Those held now; of the original, bit for bit, if its edges have the length already. */
   positions(): Float64Array;
+  /** Where the vertices of the surface lie that the net is near: the mesh's own, or scaled as the net is by a length that
+   *  is given. Null if its faces are no surface. */
+  surfacePositions(): Float64Array | null;
   /** Frees the memory on the other side; the equalizer must not be used again. */
   dispose(): void;
 }
@@ -466,8 +498,12 @@ export interface DrapeOptions {
   smallestAngle?: number;
   /** Cells from the seed along each family; as far as it goes unless said otherwise. */
   reach?: number;
-  /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it. */
-  border?: 'inside' | 'beyond';
+  /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it; `cut`,
+   *  these are cut at the boundary curve, with edges as long as what is left. */
+  border?: 'inside' | 'beyond' | 'cut';
+  /** Where the net would lock it leaves the surface by up to this, in edge lengths, which takes longer; 0, unless said
+   *  otherwise: a gap stays. See core/drape/bridged_drape.h. Proposals pass over it. */
+  leave?: number;
 }
 
 /** Where a net may begin, and what came of it when it was tried with longer edges; see core/drape/proposals.h. */
@@ -480,11 +516,14 @@ export interface DrapeProposal {
   muchSheared: number;
 }
 
-/** A net on a surface, each vertex on it and each edge of one length. */
+/** A net on a surface, each vertex on it, as far as it need not leave it, and each edge of one length, but for those that are cut at the border. */
 export interface Drape {
   mesh: Mesh;
-  /** Of each vertex the steps from the seed along the first and the second family. */
+  /** Of each vertex the steps from the seed along the first and the second family; of an end that was cut those to the
+   *  vertex beyond the border. */
   places: Int32Array;
+  /** Ends of rods that were cut. */
+  cutEnds: number;
   /** How many vertices were refused, since corners would have been too sharp, or since the net would have met itself. */
   locked: number;
   met: number;
@@ -513,20 +552,22 @@ export interface Remesh {
   milliseconds: Record<RemeshPhase, number>;
 }
 
-/** How well a net lies on a surface. */
+/** How well a net lies on a surface. Its whole cells are quads with edges of one length. */
 export interface DrapeReport {
+  /** Of most edges. */
+  length: number;
   /** Part of the surface's area that is within half an edge of the net. */
   coverage: number;
   /** Of vertices and middles of edges from the surface, in its unit. */
   meanDistance: number;
   largestDistance: number;
-  /** Of corners, in radians. */
+  /** Of corners of whole cells, in radians. */
   smallestAngle: number;
   largestAngle: number;
-  /** Parts of the cells with a corner more than 15° and more than 30° from a right angle. */
+  /** Parts of the whole cells with a corner more than 15° and more than 30° from a right angle. */
   sheared: number;
   muchSheared: number;
-  /** Net lines from end to end, and the length of all together. */
+  /** Net lines from end to end, but for those along a border that cuts, and the length of all together. */
   rods: number;
   rodLength: number;
   maxDeviation: number;
@@ -550,7 +591,7 @@ export interface Surface {
   propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
   /** The phases may begin anew where the first attempt does not do. @param progress is told how far a phase is, 0 … 1. */
-  remesh(options?: RemeshOptions, progress?: (phase: RemeshPhase, part: number) => void): Remesh;
+  remesh(options?: RemeshOptions, progress?: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   /** Frees the memory on the other side; the surface must not be used again. */
   dispose(): void;
@@ -585,6 +626,8 @@ export interface Chebnet extends Editors {
    *  times the mean edge length count as duplicates. What is given stays as it is. */
   repairMesh(mesh: Mesh, chosen?: readonly Defect[], mergeTolerance?: number): RepairedMesh;
 
+  /** Where the net does not allow it, the code is "impossible_change" and the message says why. */
+  change(mesh: Mesh, name: NetChange, place?: ChangePlace): ChangedMesh;
   equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
 }
 

@@ -1,6 +1,7 @@
 /** What wasm/*.cpp give to JavaScript; only wasm/facade.js uses it. Copied beside the built module. */
 import type {
   AdaptReport,
+  ChangedMesh,
   CoreFields,
   Defect,
   Drape,
@@ -117,6 +118,7 @@ export interface CoreEqualizeOptions {
 export interface CoreEqualizer {
   solve(iterations: number, milliseconds: number): EqualizeReport;
   positions(): Float64Array;
+  surfacePositions(): Float64Array | null;
   delete(): void;
 }
 
@@ -137,7 +139,7 @@ export interface CoreSurface {
   suggest(cells: number): { seed: Point; direction: Point; length: number };
   propose(options: Required<DrapeOptions>): DrapeProposal[];
   drape(options: Required<DrapeOptions>): Drape;
-  remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, part: number) => void): Remesh;
+  remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   delete(): void;
 }
@@ -154,6 +156,7 @@ export interface Core {
   readMesh(bytes: Uint8Array, name: string): Mesh;
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
+  change(mesh: Mesh, name: string, vertices: Int32Array, edges: Int32Array): ChangedMesh;
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
   lengthAdapter(session: Session, vertices: Int32Array, targets: Float64Array): CoreLengthAdapter;
   guide(session: Session, surface: CoreSurface): void;

@@ -1,5 +1,6 @@
 // Equalising, seen from JavaScript.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,12 +83,17 @@ val solve(Equalizer& equalizer, int iterations, double milliseconds) {
 }
 
 val positions(const Equalizer& equalizer) { return copy_out(equalizer.positions()); }
+val surface_positions(const Equalizer& equalizer) {
+    const std::optional<Positions> positions = equalizer.surface_positions();
+    return positions ? copy_out(*positions) : val::null();
+}
 
 EMSCRIPTEN_BINDINGS(chebnet_equalize) {
     emscripten::function("equalizer", guarded<&equalizer>, emscripten::allow_raw_pointers());
     emscripten::class_<Equalizer>("Equalizer")
         .function("solve", guarded<&solve>)
-        .function("positions", guarded<&positions>);
+        .function("positions", guarded<&positions>)
+        .function("surfacePositions", guarded<&surface_positions>);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ function bytes(value) {
   return value;
 }
 
-/** Refuses what C++ could not walk through; which vertices a face names is for the core to judge. @param {Mesh} value */
+/** Refuses what C++ could not walk through; which vertices a face names is checked by the core. @param {Mesh} value */
 function mesh(value) {
   const { positions, faceStart, faceVertices } = value ?? {};
   if (!(positions instanceof Float64Array) || positions.length % 3 !== 0) {
@@ -426,16 +426,25 @@ class WasmEqualizer {
     return this.#open.positions();
   }
 
+  surfacePositions() {
+    return this.#open.surfacePositions();
+  }
+
   dispose() {
     this.#equalizer?.delete();
     this.#equalizer = null;
   }
 }
 
+/** @param {readonly number[]} numbers @param {string} what */
+function numbersOf(numbers, what) {
+  if (!Array.isArray(numbers)) throw failure('bad_option', `${what} must be an array, not ${shown(numbers)}`);
+  return Int32Array.from(numbers, vertexNumber);
+}
+
 /** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
 function newEqualizer(core, original, { length = 'mean', handles = [], method, shearLimit = Math.PI / 6 }) {
-  if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
-  const vertices = Int32Array.from(handles, vertexNumber);
+  const vertices = numbersOf(handles, 'handles');
   const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
   return new WasmEqualizer(
     core.equalizer(mesh(original), {
@@ -449,7 +458,7 @@ function newEqualizer(core, original, { length = 'mean', handles = [], method, s
 }
 
 /** @param {DrapeOptions} options @returns {Required<DrapeOptions>} */
-function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach, border }) {
+function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach, border, leave = 0 }) {
   return {
     seed: triple(seed, 'the seed'),
     direction: triple(direction, 'the direction'),
@@ -457,7 +466,8 @@ function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smalles
     angle: size(angle, 'the angle at the seed'),
     smallestAngle: size(smallestAngle, 'the shear limit'),
     reach: integer(reach ?? LARGEST_INT, 'the reach', 1, LARGEST_INT),
-    border: /** @type {'inside' | 'beyond'} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
+    border: /** @type {'inside' | 'beyond' | 'cut'} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
+    leave: size(leave, 'how far the net may leave the surface'),
   };
 }
 
@@ -513,7 +523,7 @@ class WasmSurface {
     core.guide(session, this.#open);
   }
 
-  /** @param {RemeshOptions} options @param {(phase: RemeshPhase, part: number) => void} progress */
+  /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
   remesh({ cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1 } = {}, progress = () => {}) {
     const options = {
       cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
@@ -564,6 +574,13 @@ function facade(core) {
       }
       return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
     },
+    change: (given, name, { vertices = [], edges = [] } = {}) =>
+      core.change(
+        mesh(given),
+        text(name, 'the name of a change', 'bad_option'),
+        numbersOf(vertices, 'vertices'),
+        numbersOf(edges, 'edges'),
+      ),
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
     openSurface: (given) => new WasmSurface(withSurfaces(core).openSurface(mesh(given))),
     ownSurfaces: () => withSurfaces(core).ownSurfaces(),

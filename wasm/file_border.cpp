@@ -20,14 +20,6 @@ Defect defect_named(std::string_view name) {
 
 // ------------------------------------------------------------------------------------------------------------ meshes
 
-val mesh_out(const Mesh& mesh) {
-    val object = val::object();
-    object.set("positions", copy_out(mesh.positions));
-    object.set("faceStart", copy_out(mesh.faces.start));
-    object.set("faceVertices", copy_out(mesh.faces.vertices));
-    return object;
-}
-
 val finding_out(const Finding& finding) {
     val examples = val::array();
     for (const int example : finding.examples) examples.call<void>("push", example);

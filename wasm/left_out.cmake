@@ -6,7 +6,7 @@ list(REMOVE_ITEM LEFT_OUT_METHODS ${CMAKE_CURRENT_SOURCE_DIR}/core/solve/methods
 set(WORDS_SOURCES ${LEFT_OUT_METHODS} ${CMAKE_CURRENT_SOURCE_DIR}/core/io/format.cpp)
 file(GLOB LEFT_OUT_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/io/*.cpp
      ${CMAKE_CURRENT_SOURCE_DIR}/core/surface/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/drape/*.cpp
-     ${CMAKE_CURRENT_SOURCE_DIR}/core/remesh/*.cpp)
+     ${CMAKE_CURRENT_SOURCE_DIR}/core/remesh/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/change/*.cpp)
 list(APPEND LEFT_OUT_SOURCES ${LEFT_OUT_METHODS})
 foreach(source base/number net/triangulation shapes/smooth_figure shapes/relaxation edit/equalize edit/fair_start
                edit/flip edit/length_adapter

@@ -14,6 +14,14 @@ Mesh mesh_in(const val& object) {
     return mesh;
 }
 
+val mesh_out(const Mesh& mesh) {
+    val object = val::object();
+    object.set("positions", copy_out(mesh.positions));
+    object.set("faceStart", copy_out(mesh.faces.start));
+    object.set("faceVertices", copy_out(mesh.faces.vertices));
+    return object;
+}
+
 val pairs_out(const std::vector<UnreachablePair>& pairs) {
     val rows = val::array();
     for (const UnreachablePair& pair : pairs) {

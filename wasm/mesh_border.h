@@ -19,6 +19,9 @@ namespace chebnet {
 /// the lengths fit, and the faces begin one after the other.
 Mesh mesh_in(const val& object);
 
+/// As such an object.
+val mesh_out(const Mesh& mesh);
+
 /// An array of objects with `vertexA`, `vertexB`, `distance` and `reach`.
 val pairs_out(const std::vector<UnreachablePair>& pairs);
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "drape/bridged_drape.h"
 #include "drape/drape.h"
 #include "drape/proposals.h"
 #include "mesh_border.h"
@@ -126,9 +127,10 @@ DrapeOptions options_in(const val& object) {
     options.angle = object["angle"].as<double>();
     options.smallest_angle = object["smallestAngle"].as<double>();
     options.reach = object["reach"].as<int>();
-    options.border = named<DrapeOptions::Border>(
-        {{"inside", DrapeOptions::Border::inside}, {"beyond", DrapeOptions::Border::beyond}},
-        object["border"].as<std::string>(), "border");
+    options.border = named<DrapeOptions::Border>({{"inside", DrapeOptions::Border::inside},
+                                                  {"beyond", DrapeOptions::Border::beyond},
+                                                  {"cut", DrapeOptions::Border::cut}},
+                                                 object["border"].as<std::string>(), "border");
     return options;
 }
 
@@ -154,14 +156,17 @@ val mesh_of_net(const Net& net) {
     return mesh;
 }
 
-/// `options`: an object with all fields of DrapeOptions.
+/// `options`: an object with all fields of DrapeOptions, and `leave`, 0 or the height for bridged_drape.
 val drape_surface(const OpenSurface& open, val options) {
-    const Drape draped = drape(open.surface, open.tree, options_in(options));
+    const double leave = options["leave"].as<double>();
+    const Drape draped = leave != 0 ? bridged_drape(open.guide, options_in(options), leave)
+                                    : drape(open.surface, open.tree, options_in(options));
     val object = val::object();
     object.set("mesh", mesh_of_net(draped.net));
     object.set("places", copy_out(draped.places));
     object.set("locked", draped.locked);
     object.set("met", draped.met);
+    object.set("cutEnds", draped.cut_ends);
     return object;
 }
 
@@ -184,7 +189,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
     const Remesh made = remesh(open.guide, wanted,
-                               [&](RemeshPhase phase, double part) { progress(std::string(to_string(phase)), part); });
+                               [&](RemeshPhase phase, double done) { progress(std::string(to_string(phase)), done); });
     val milliseconds = val::object();
     for (int phase = 0; phase < k_remesh_phases; ++phase)
         milliseconds.set(to_string(static_cast<RemeshPhase>(phase)), made.milliseconds[phase]);
@@ -197,9 +202,10 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
 
 val measure(const OpenSurface& open, val net) {
     Mesh mesh = mesh_in(net);
-    const DrapeReport report = measure_drape(open.surface, open.tree,
-                                             Net(std::move(mesh.positions), std::move(mesh.faces), RestLengths::equal));
+    const DrapeReport report =
+        measure_drape(open.surface, open.tree, Net(std::move(mesh.positions), std::move(mesh.faces)));
     val object = val::object();
+    object.set("length", report.length);
     object.set("coverage", report.coverage);
     object.set("meanDistance", report.mean_distance);
     object.set("largestDistance", report.largest_distance);

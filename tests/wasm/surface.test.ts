@@ -80,9 +80,9 @@ describe('a net on it', () => {
 
       const [file, out] = [join(folder, `${name}.obj`), join(folder, `${name}-net.obj`)];
       writeFileSync(file, objText(triangles(surface)));
-      const wish = ['--seed', ...suggested.seed, '--direction', ...suggested.direction, '--edge', suggested.length];
+      const settings = ['--seed', ...suggested.seed, '--direction', ...suggested.direction, '--edge', suggested.length];
       const { net } = JSON.parse(
-        execFileSync(PROGRAM, ['drape', file, '-o', out, ...wish.map(String)], { encoding: 'utf8' }),
+        execFileSync(PROGRAM, ['drape', file, '-o', out, ...settings.map(String)], { encoding: 'utf8' }),
       );
       const native = chebnet.readMesh(readFileSync(out), 'net.obj');
       expect(native.faceVertices).toEqual(mesh.faceVertices);
@@ -112,13 +112,45 @@ describe('a net on it', () => {
     });
   });
 
+  test('is cut at the border as the native program does', () => {
+    withSurface(chebnet.ownSurface('shell'), (shell) => {
+      const suggested = shell.suggest(300);
+      const { mesh, cutEnds } = shell.drape({ ...suggested, border: 'cut' });
+      const report = shell.measure(mesh);
+      const settings = ['--seed', ...suggested.seed, '--direction', ...suggested.direction, '--edge', suggested.length];
+      const command = ['drape', '--surface', 'shell', '--cut', ...settings.map(String)];
+      const { net } = JSON.parse(execFileSync(PROGRAM, command, { encoding: 'utf8' }));
+      expect([cutEnds, mesh.positions.length / 3]).toEqual([net.rod_ends_cut_at_the_border, net.vertices]);
+      expect(cutEnds).toBeGreaterThan(40);
+      expect(report.length).toBeCloseTo(suggested.length, 9);
+      expect(report.rodLength).toBeCloseTo(net.rod_length, 6);
+      expect(report).toMatchObject({ maxDeviation: 0, coverage: expect.closeTo(1, 3) });
+    });
+  });
+
+  test('leaves the surface where it would lock, no farther than is asked for', () => {
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      const suggested = pebble.suggest(150);
+      const covered = (leave: number) => pebble.measure(pebble.drape({ ...suggested, leave }).mesh).coverage;
+      expect(covered(1)).toBeGreaterThan(covered(0));
+      const { mesh } = pebble.drape({ ...suggested, leave: 0.25 });
+      const heights = Array.from({ length: mesh.positions.length / 3 }, (_, v) => {
+        const [x, y, z] = mesh.positions.subarray(3 * v, 3 * v + 3) as unknown as [number, number, number];
+        const [p, q, r] = pebble.nearest([x, y, z]).position;
+        return Math.hypot(x - p, y - q, z - r);
+      });
+      expect(Math.max(...heights)).toBeLessThanOrEqual(0.25 * suggested.length);
+      expect(failure(() => pebble.drape({ ...suggested, leave: 11 }))).toMatchObject({ code: 'bad_option' });
+    });
+  });
+
   test('keeps to what is asked for', () => {
     withSurface(chebnet.openSurface(SQUARE), (square) => {
-      const wish = { seed: [0.5, 0.5, 0], direction: [1, 0, 0], length: 0.1 } as const;
-      const cells = (options: object) => square.drape({ ...wish, ...options }).mesh.faceStart.length - 1;
+      const settings = { seed: [0.5, 0.5, 0], direction: [1, 0, 0], length: 0.1 } as const;
+      const cells = (options: object) => square.drape({ ...settings, ...options }).mesh.faceStart.length - 1;
       expect(cells({ reach: 2 })).toBe(16);
       expect(cells({ border: 'inside' })).toBeLessThan(cells({}));
-      expect(square.measure(square.drape({ ...wish, angle: Math.PI / 3 }).mesh)).toMatchObject({ sheared: 1 });
+      expect(square.measure(square.drape({ ...settings, angle: Math.PI / 3 }).mesh)).toMatchObject({ sheared: 1 });
     });
   });
 });
@@ -158,12 +190,14 @@ describe('a net over a whole surface', () => {
 
 test('what makes no sense is refused with a code, and a disposed surface is of no use', () => {
   const square = chebnet.openSurface(SQUARE);
-  const wish = { seed: [0, 0, 0] as Point, direction: [1, 0, 0] as Point, length: 0.1 };
-  expect(failure(() => square.drape({ ...wish, length: 0 }))).toMatchObject({ code: 'bad_option' });
-  expect(failure(() => square.drape({ ...wish, direction: [0, 0, 1] }))).toMatchObject({ code: 'bad_option' });
-  expect(failure(() => square.drape({ ...wish, seed: [NaN, 0, 0] }))).toMatchObject({ code: 'non_finite' });
-  expect(failure(() => square.drape({ ...wish, reach: 0.5 }))).toMatchObject({ code: 'bad_option' });
-  expect(failure(() => square.drape({ ...wish, border: 'cut' as 'inside' }))).toMatchObject({ code: 'bad_option' });
+  const settings = { seed: [0, 0, 0] as Point, direction: [1, 0, 0] as Point, length: 0.1 };
+  expect(failure(() => square.drape({ ...settings, length: 0 }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...settings, direction: [0, 0, 1] }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...settings, seed: [NaN, 0, 0] }))).toMatchObject({ code: 'non_finite' });
+  expect(failure(() => square.drape({ ...settings, reach: 0.5 }))).toMatchObject({ code: 'bad_option' });
+  expect(failure(() => square.drape({ ...settings, border: 'nowhere' as 'inside' }))).toMatchObject({
+    code: 'bad_option',
+  });
   expect(failure(() => square.nearest([0, 0] as unknown as Point))).toMatchObject({ code: 'non_finite' });
   expect(failure(() => square.hit([0, 0, Infinity], [0, 0, 1]))).toMatchObject({ code: 'non_finite' });
   expect(failure(() => chebnet.ownSurface('plain'))).toMatchObject({ code: 'bad_option' });
