@@ -76,6 +76,7 @@ test('an uneven mesh is equalised, seen before and after, and opened; link and u
   await waitForVertices(sheet.info.vertices);
   await equalizer().waitFor({ state: 'detached' });
   await script.settled();
+  await visit.page.getByRole('group', { name: 'Surface: sheet.obj' }).waitFor();
   const { positions, deviation, length } = await measured();
   expect(deviation).toBeLessThan(1e-9);
   expect(length / mean - 1).toBeLessThan(1e-6);

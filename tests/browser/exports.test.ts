@@ -7,7 +7,7 @@ import { glbParts } from '../web/glb_parts';
 import { load } from '../wasm/load';
 import { dragBy, largestDeviation, largestError } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, dropFile, visits } from './page';
 
 const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=300');
@@ -61,6 +61,22 @@ test('3DM and GLB hold the net as it was dragged', async () => {
   // The colour of a good edge, nearly everywhere.
   const [red, , blue] = faces.colours!;
   expect(blue).toBeGreaterThan(red!);
+
+  // The page reads both again: 3DM with its quads, GLB as the triangles that it has, with y up.
+  await dropFile(visit.page, 'back.3dm', model.bytes);
+  const back = visit.page.getByRole('dialog', { name: 'back.3dm' });
+  await back.getByText(`${info.faces} quads`).waitFor();
+  await back.getByRole('button', { name: 'Cancel' }).click();
+  await dropFile(visit.page, 'back.glb', bytes);
+  const triangles = visit.page.getByRole('dialog', { name: 'back.glb' });
+  await triangles.getByRole('radio', { name: /^A surface/, checked: true }).waitFor();
+  await triangles.getByRole('radio', { name: 'y is up', checked: true }).waitFor();
+  await triangles.getByRole('button', { name: 'Make a net on it…' }).click();
+  await visit.page
+    .getByRole('dialog', { name: 'A net on a surface' })
+    .getByRole('combobox', { name: 'Surface' })
+    .getByRole('option', { name: 'back.glb' })
+    .waitFor({ state: 'attached' });
 });
 
 test('a vault has a flat pattern of the size asked for, a torus has none', async () => {

@@ -220,6 +220,33 @@ describe('several handles', () => {
     await press('Delete');
     await expect.poll(async () => (await handles()).length).toBeLessThanOrEqual(count);
   });
+
+  test('the handles of a net line are one row; a name for several makes one', async () => {
+    const count = (await handles()).length;
+    await openSection();
+    const rows = visit.page.locator('.handles li');
+    await expect.poll(() => rows.count()).toBe(count);
+    await click(left);
+    await button('Net line 1').click();
+    const row = rows.filter({ hasText: /^Net line 1 · \d+ \(\d+\)$/ });
+    await row.waitFor();
+    await visit.page.screenshot({ path: join(OUTPUT, 'handles-group.png') });
+    const fresh = (await handles()).length - (await rows.count()) + 1;
+    expect(fresh).toBeGreaterThan(10);
+    const locked = async () => (await handles()).filter(({ anchor }) => anchor).length;
+    const before = await locked();
+    await row.getByRole('button', { name: 'Lock' }).click();
+    await expect.poll(locked).toBe(before + fresh);
+    await row.getByRole('button', { name: 'Unlock' }).click();
+
+    const name = visit.page.getByRole('textbox', { name: 'Name' });
+    await name.fill('Ridge');
+    await press('Enter');
+    await rows.filter({ hasText: /^Ridge \(\d+\)$/ }).waitFor();
+    await name.fill('');
+    await press('Enter');
+    await expect.poll(async () => rows.count()).toBe((await handles()).length);
+  });
 });
 
 describe('a handle', () => {

@@ -45,9 +45,9 @@ export function visits(root = () => DIST) {
   async function arrive(
     link = '',
     options: BrowserContextOptions = {},
-    wish: { hints?: boolean } = {},
+    preferences: { hints?: boolean } = {},
   ): Promise<Visit> {
-    const visit = await open(link, options, wish);
+    const visit = await open(link, options, preferences);
     await visit.script.waitForNet();
     return visit;
   }

@@ -190,6 +190,12 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
     .waitFor();
   await measured();
   expect(await results()).not.toMatch(/Covered\s+100 %/);
+  const covered = async () => Number(/Covered\s+([\d.]+) %/.exec(await results())?.[1]);
+  const withGaps = await covered();
+  await draper().getByRole('combobox', { name: 'Where it locks' }).selectOption('up to an edge off');
+  await expect.poll(covered).toBeGreaterThan(withGaps);
+  await draper().getByRole('combobox', { name: 'Where it locks' }).selectOption('a gap stays');
+  await measured();
 
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Hypar');
   await draper().getByText('One uncut piece will cover it.').waitFor();
@@ -206,6 +212,14 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
   await expect.poll(async () => Math.round(before.seed.x - (await places()).seed.x)).toBe(6);
   await measured();
 
+  const rods = async () => /Rods, their length\s+(\d+), ([\d.]+)/.exec(await results())?.[2];
+  const whole = Number(await rods());
+  await draper().getByRole('combobox', { name: 'At the border' }).selectOption('rods cut at it');
+  // What was measured before stays until the next net comes.
+  await expect.poll(results).toMatch(/Ends cut at the border\s+\d\d/);
+  expect(Number(await rods())).toBeLessThan(whole);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-cut.png') });
+
   const length = draper().getByRole('spinbutton', { name: 'Edge length' });
   await length.fill('0');
   await length.blur();
@@ -214,6 +228,22 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
   await press('Cancel');
   await draper().waitFor({ state: 'detached' });
   expect((await script.stats()).vertices).toBe(first);
+});
+
+test('the surface may be in a file', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  const chooser = visit.page.waitForEvent('filechooser');
+  await press('A file of yours…');
+  await (await chooser).setFiles({
+    name: 'roof.obj',
+    mimeType: 'model/obj',
+    buffer: Buffer.from(surfaceFile('shell')),
+  });
+  await dialog(/^roof\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await measured();
+  expect(await draper().getByRole('combobox', { name: 'Surface' }).inputValue()).toBe('');
 });
 
 test('Escape gives up a drag of the seed, and then the dialog', async () => {

@@ -34,7 +34,18 @@ const SAFE = [
     'releaseHandles',
     'holdsBack',
   ],
-  ...['ownSurfaces', 'normals', 'triangles', 'describe', 'nearest', 'hit', 'suggest', 'guide', 'unguide'],
+  ...[
+    'surfacePositions',
+    'ownSurfaces',
+    'normals',
+    'triangles',
+    'describe',
+    'nearest',
+    'hit',
+    'suggest',
+    'guide',
+    'unguide',
+  ],
 ];
 
 const { open } = visitors(() => ROOT);
@@ -95,6 +106,8 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     readMesh: () => core.readMesh(new TextEncoder().encode('v 0 0 nonsense'), 'a.obj'),
     repairMesh: () => core.repairMesh(broken),
     equalizer: () => core.equalizer(broken),
+    change: () =>
+      core.change(core.readMesh(new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'), 'a.obj'), 'coarsen'),
     solve: () => torn.solve(),
     openSurface: () => core.openSurface(broken),
     ownSurface: () => core.ownSurface('nonsense'),
@@ -151,6 +164,7 @@ const WHOLE = {
   readMesh: ['bad_syntax'],
   repairMesh: ['index_out_of_range'],
   equalizer: ['index_out_of_range'],
+  change: ['impossible_change'],
   openSurface: ['bad_scale'],
   ownSurface: ['bad_option'],
   propose: ['bad_option'],

@@ -66,16 +66,15 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
   expect(triangles.getAttribute('position').count).toBe(3 * 2 * info.faces);
 
   const rhino = await rhino3dm();
-  const mesh = rhino.File3dm.fromByteArray(await save('3DM'))
-    .objects()
-    .get(0)
-    .geometry() as InstanceType<typeof rhino.Mesh>;
+  const model = await save('3DM');
+  const mesh = rhino.File3dm.fromByteArray(model).objects().get(0).geometry() as InstanceType<typeof rhino.Mesh>;
   const places = Float64Array.from(
     Array.from({ length: info.vertices }, (_, v) => mesh.vertices().point3dAt(v)).flat(),
   );
   expect(largestError(places, positions)).toBe(0);
 
-  const { faces, lines } = glbParts(await save('GLB'));
+  const glb = await save('GLB');
+  const { faces, lines } = glbParts(glb);
   expect(faces.positions).toEqual(Float32Array.from(positions));
   expect([...lines.indices]).toEqual([...edges]);
 
@@ -93,6 +92,13 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
   const png = await save('PNG');
   const canvas = await visitor.run(() => document.querySelector<HTMLCanvasElement>('#view canvas')!.width);
   expect(new DataView(png.buffer).getUint32(16)).toBe(canvas);
+
+  // By the page's own readers, in its worker.
+  await visitor.dropFile('back.3dm', model);
+  await visitor.read(`${info.faces} quads`, 'dialog');
+  await visitor.clickOn('Cancel');
+  await visitor.dropFile('back.glb', glb);
+  await visitor.read('A surface to make a net on', 'dialog');
 });
 
 test('a drag is saved as a video, or the menu says that this browser cannot', async () => {

@@ -65,8 +65,10 @@ export async function startWebKit(): Promise<Engine> {
   async function beginSession(address: string, stop: () => Promise<void>): Promise<Driver> {
     await untilItAnswers(address);
     const options = { binary, args: ['--automation'] };
-    const wishes = { browserName: 'MiniBrowser', pageLoadStrategy: 'none', 'webkitgtk:browserOptions': options };
-    const { sessionId } = (await call(address, 'POST', '/session', { capabilities: { alwaysMatch: wishes } })) as {
+    const capabilities = { browserName: 'MiniBrowser', pageLoadStrategy: 'none', 'webkitgtk:browserOptions': options };
+    const { sessionId } = (await call(address, 'POST', '/session', {
+      capabilities: { alwaysMatch: capabilities },
+    })) as {
       sessionId: string;
     };
     const window = new WebKitWindow(`${address}/session/${sessionId}`, downloads, stop);

@@ -1,10 +1,12 @@
 /** Opening nets and going through the history, with a solver that answers when a test says so. */
+import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Opener } from '../../web/src/app/opener';
 import { State } from '../../web/src/app/state';
-import { defaultScene } from '../../web/src/document/defaults';
+import { defaultScene, usualMethod } from '../../web/src/document/defaults';
 import type { Scene } from '../../web/src/document/document';
 import type { Client, Opened } from '../../web/src/worker/client';
+import { ROOT } from '../wasm/load';
 
 interface Asked {
   recipe: string;
@@ -76,6 +78,13 @@ test('a net has the method of the one before, but for the usual ones: large nets
   await open('dome');
   state.opening!.document.method = 'li2022';
   expect(await openNext('vault:vertices=100000')).toBe('li2022');
+});
+
+test('a net is large where the core has another method, too', () => {
+  const core = readFileSync(new URL('core/solve/method.h', ROOT), 'utf8');
+  const most = Number(/k_most_vertices_at_rest = ([\d']+);/.exec(core)![1]!.replaceAll("'", ''));
+  expect(usualMethod({ recipe: `dome:vertices=${most}` })).toBe('equilibrium');
+  expect(usualMethod({ recipe: `dome:vertices=${most + 1}` })).toBe('projection');
 });
 
 test('the first net begins the history, another is an entry to go back from', async () => {

@@ -202,6 +202,14 @@ describe('news', () => {
     expect(client.changing).toBe(true);
   });
 
+  test('is idle while pictures of other nets are under way', async () => {
+    let idle = false;
+    void client.thumbnail('dome');
+    void client.idle().then(() => (idle = true));
+    await tick();
+    expect([client.busy, idle]).toEqual([true, true]);
+  });
+
   test('is waited for by idle', async () => {
     let idle = false;
     void client.solve();

@@ -3,6 +3,7 @@ import { beforeEach, describe, expect, test } from 'vitest';
 import { Comparer } from '../../web/src/compare/comparer';
 import { tableCsv, tracesCsv } from '../../web/src/compare/csv';
 import { type Comparison, type RunPlan, startLength } from '../../web/src/compare/run';
+import { styleOf } from '../../web/src/comparison/results';
 import { freshScene } from '../../web/src/document/defaults';
 import type { WorkerLike } from '../../web/src/worker/client';
 import type { Request, Response } from '../../web/src/worker/protocol';
@@ -178,4 +179,9 @@ test('tables for other programs are whole', async () => {
 test('a name with a comma is one cell', async () => {
   await comparer.start([{ ...plan('magic'), label: 'Li, "again"' }]);
   expect(tableCsv(comparison()).split('\n')[1]).toMatch(/^"Li, ""again""",magic,/);
+});
+
+test('no two methods are drawn alike', () => {
+  const styles = core.methods().map((_, style) => styleOf({ style }));
+  expect(new Set(styles.map(({ colour, line }) => `${colour} ${line}`)).size).toBe(styles.length);
 });

@@ -1,4 +1,4 @@
-/** Nets on surfaces, without a page: the worker's part, what waits while it works, and the geometry of the seed. */
+/** Nets on surfaces, without a page: answers of the worker, what waits while it works, and the geometry of the seed. */
 import { describe, expect, test } from 'vitest';
 import type { Point } from '../../wasm/chebnet';
 import { cellsOf, lengthOf } from '../../web/src/drape/cells';
@@ -22,14 +22,14 @@ function answers(...requests: DrapeRequest[]): DrapeResponse[] {
 }
 
 const OPEN: DrapeRequest = { type: 'open', source: { own: 'hypar' } };
-const WISH = { seed: [0, 0, 0] as Point, direction: [1, 1, 0] as Point, length: 0.3 };
+const SETTINGS = { seed: [0, 0, 0] as Point, direction: [1, 1, 0] as Point, length: 0.3 };
 
 describe('the worker', () => {
   test('opens a surface, lays a net from a ray, and measures it', () => {
     const ray = { origin: [0.5, 0.2, 9] as Point, direction: [0, 0, -1] as Point };
     const [opened, draped, measured] = answers(
       OPEN,
-      { type: 'drape', wish: { ...WISH, seed: ray } },
+      { type: 'drape', settings: { ...SETTINGS, seed: ray } },
       { type: 'measure' },
     );
     if (opened?.type !== 'opened' || draped?.type !== 'draped' || measured?.type !== 'measured') return expect.fail();
@@ -48,8 +48,8 @@ describe('the worker', () => {
   test('proposes where to begin, with a picture of each', () => {
     const [, proposed, draped] = answers(
       OPEN,
-      { type: 'propose', wish: { length: 0.3 } },
-      { type: 'drape', wish: WISH },
+      { type: 'propose', settings: { length: 0.3 } },
+      { type: 'drape', settings: SETTINGS },
     );
     if (proposed?.type !== 'proposed') return expect.fail();
     expect(proposed.proposals).toHaveLength(4);
@@ -64,9 +64,9 @@ describe('the worker', () => {
     const away = { origin: [0, 0, 9] as Point, direction: [0, 0, 1] as Point };
     const responses = answers(
       OPEN,
-      { type: 'drape', wish: { ...WISH, seed: away } },
-      { type: 'drape', wish: { ...WISH, length: -1 } },
-      { type: 'drape', wish: WISH },
+      { type: 'drape', settings: { ...SETTINGS, seed: away } },
+      { type: 'drape', settings: { ...SETTINGS, length: -1 } },
+      { type: 'drape', settings: SETTINGS },
     );
     expect(responses.map(({ type }) => type)).toEqual(['opened', 'missed', 'error', 'draped']);
     expect(responses[2]).toMatchObject({ code: 'bad_option' });
@@ -89,7 +89,7 @@ describe('the worker', () => {
   });
 
   test('lays a direction that stands upright along some other', () => {
-    const [, draped] = answers(OPEN, { type: 'drape', wish: { ...WISH, direction: [0, 0, 1] } });
+    const [, draped] = answers(OPEN, { type: 'drape', settings: { ...SETTINGS, direction: [0, 0, 1] } });
     expect(draped).toMatchObject({ type: 'draped' });
   });
 });
@@ -122,14 +122,14 @@ describe('while a net is being laid', () => {
       refused: ({ code }) => told.push(code),
     });
     const lengths = () =>
-      worker.asked.map((request) => (request.type === 'drape' ? request.wish.length : request.type));
+      worker.asked.map((request) => (request.type === 'drape' ? request.settings.length : request.type));
     return { worker, told, draping, lengths };
   }
-  const [opened, draped] = answers(OPEN, { type: 'drape', wish: WISH }) as [DrapeResponse, DrapeResponse];
+  const [opened, draped] = answers(OPEN, { type: 'drape', settings: SETTINGS }) as [DrapeResponse, DrapeResponse];
 
-  test('only the latest wish waits', () => {
+  test('only the latest request waits', () => {
     const { worker, told, draping, lengths } = start();
-    for (const length of [1, 2, 3, 4]) draping.drape({ ...WISH, length });
+    for (const length of [1, 2, 3, 4]) draping.drape({ ...SETTINGS, length });
     expect(lengths()).toEqual([1]);
     worker.answer(draped);
     expect(lengths()).toEqual([1, 4]);
@@ -138,14 +138,14 @@ describe('while a net is being laid', () => {
     draping.close();
   });
 
-  test('another surface is not given the wishes of the one before', () => {
+  test('another surface is not given the requests of the one before', () => {
     const { worker, told, draping, lengths } = start();
-    draping.drape(WISH);
+    draping.drape(SETTINGS);
     draping.open({ own: 'torso' });
-    draping.drape(WISH);
+    draping.drape(SETTINGS);
     worker.answer(draped);
     worker.answer(opened);
-    expect(lengths()).toEqual([WISH.length, 'open']);
+    expect(lengths()).toEqual([SETTINGS.length, 'open']);
     expect(told).toEqual(['opened']);
     draping.close();
   });
@@ -155,7 +155,7 @@ describe('while a net is being laid', () => {
     draping.open({ own: 'pebble' });
     worker.answer(opened);
     draping.remesh({ cells: 100 });
-    worker.answer({ type: 'progress', phase: 'field', part: 0 });
+    worker.answer({ type: 'progress', phase: 'field', done: 0 });
     draping.stop();
     expect(lengths()).toEqual(['open', 'remesh', 'open']);
     worker.answer(opened);
@@ -168,9 +168,9 @@ describe('while a net is being laid', () => {
 
   test('a net that stands still is measured', async () => {
     const { worker, told, draping, lengths } = start();
-    draping.drape(WISH);
+    draping.drape(SETTINGS);
     worker.answer(draped);
-    await expect.poll(lengths).toEqual([WISH.length, 'measure']);
+    await expect.poll(lengths).toEqual([SETTINGS.length, 'measure']);
     worker.answer({ type: 'error', code: 'internal', message: 'no' });
     expect(told).toEqual(['draped', 'internal']);
     draping.close();

@@ -11,6 +11,8 @@ import { load } from '../wasm/load';
 import { uneven } from './nets';
 
 const core = await load();
+/** A Möbius strip of five vertices. */
+const FIVE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 
 function answersTo(mesh: Mesh, options: EqualizeOptions = {}): EqualizeResponse[] {
   const answers: EqualizeResponse[] = [];
@@ -29,9 +31,23 @@ describe('the worker', () => {
     editor.dispose();
   });
 
+  test('gives the surface that the net is near, as large as the net, if there is one', () => {
+    const surfaceOf = (text: string, options: EqualizeOptions = {}): Float64Array | null => {
+      const end = answersTo(core.readMesh(new TextEncoder().encode(text), 'a.obj'), options).at(-1)!;
+      return end.type === 'ended' ? end.surfacePositions : expect.fail(`it ended with ${JSON.stringify(end)}`);
+    };
+    const { positions } = core.readMesh(new TextEncoder().encode(uneven(8, 6)), 'uneven.obj');
+    expect(surfaceOf(uneven(8, 6))).toEqual(positions);
+    const width = (x: Float64Array): number => x[21]! - x[0]!;
+    const mean = answersTo(core.readMesh(new TextEncoder().encode(uneven(8, 6)), 'uneven.obj')).at(-1)!;
+    if (mean.type !== 'ended') return expect.fail('it did not end');
+    const twice = surfaceOf(uneven(8, 6), { length: 2 * mean.report.length })!;
+    expect(width(twice) / width(positions)).toBeCloseTo(2, 9);
+    expect(surfaceOf(FIVE)).toBeNull();
+  });
+
   test('says so if they did not become equal', () => {
-    const five = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
-    expect(answersTo(core.readMesh(new TextEncoder().encode(five), 'five.obj')).at(-1)).toMatchObject({
+    expect(answersTo(core.readMesh(new TextEncoder().encode(FIVE), 'five.obj')).at(-1)).toMatchObject({
       type: 'ended',
       report: { status: expect.not.stringMatching('converged') },
     });
@@ -100,11 +116,25 @@ test('handles of the net that was open stay at their vertices', () => {
     positions: document.positions,
     handles: [4],
   });
-  expect(equalizedScene(document, mesh, [])).toMatchObject({
+  expect(equalizedScene(document, { mesh, surface: null, isResized: false }, [])).toMatchObject({
     net: { mesh, name: 'dome.obj' },
     handles: [{ vertex: 4, target: null, anchor: true }],
     options: { p: 4 },
     positions: null,
     settled: true,
   });
+});
+
+test('the surface it came from is beside the net, or the one that was there, as long as it fits', () => {
+  const net = { recipe: 'dome:vertices=500' };
+  const mesh = { positions: new Float64Array(9), faceStart: Int32Array.of(0, 3), faceVertices: Int32Array.of(0, 1, 2) };
+  const surface = { ...mesh, positions: new Float64Array(9).fill(1) };
+  const before = { ...freshScene(net), net, handles: [], positions: null, settled: true };
+  const guided = { ...before, guide: { own: 'hypar' } };
+  const guideOf = (document: typeof before, isResized: boolean, own: Mesh | null = surface) =>
+    equalizedScene(document, { mesh, surface: own, isResized }, []).guide;
+  expect(guideOf(before, false)).toEqual({ mesh: surface, name: 'dome.obj' });
+  expect(guideOf(before, false, null)).toBeUndefined();
+  expect(guideOf(guided, false)).toEqual({ own: 'hypar' });
+  expect(guideOf(guided, true)).toEqual({ mesh: surface, name: 'dome.obj' });
 });

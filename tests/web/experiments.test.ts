@@ -164,8 +164,8 @@ describe('a link', () => {
 describe('all variants', () => {
   test('run on the edit that is open', async () => {
     const figure = findFigure('starts')!;
-    const wishes = await variationsOf(figure, await experimentScene(experimentLink('starts', 2, 1)));
-    expect(wishes.map(({ initialisation, edit }) => [initialisation, edit])).toEqual([
+    const requests = await variationsOf(figure, await experimentScene(experimentLink('starts', 2, 1)));
+    expect(requests.map(({ initialisation, edit }) => [initialisation, edit])).toEqual([
       ['naive', undefined],
       ['arap:5', undefined],
       ['local_global:5', undefined],
@@ -177,8 +177,8 @@ describe('all variants', () => {
     async (open) => {
       const figure = findFigure('resolutions')!;
       const names = figure.variants.map(({ edit }) => edit ?? figure.edits[0]!);
-      const wishes = await variationsOf(figure, await experimentScene(experimentLink('resolutions', 0, open)));
-      expect(wishes.map(({ edit }) => edit)).toEqual(
+      const requests = await variationsOf(figure, await experimentScene(experimentLink('resolutions', 0, open)));
+      expect(requests.map(({ edit }) => edit)).toEqual(
         await Promise.all(names.map((name, i) => (i === open ? undefined : editScene(name)))),
       );
     },

@@ -1,7 +1,7 @@
 /** What leaves the page beside the core's own formats: flat patterns, 3DM, glTF, QR codes. */
 import rhino3dm from 'rhino3dm';
 import { describe, expect, test, vi } from 'vitest';
-import type { FlatPattern } from '../../wasm/chebnet';
+import type { CoreFields, FlatPattern } from '../../wasm/chebnet';
 import { glbOf } from '../../web/src/export/glb';
 import { vertexColours } from '../../web/src/export/paint';
 import { patternSvg } from '../../web/src/export/pattern_svg';
@@ -154,9 +154,7 @@ test('a vertex takes the colour of its worst edge, of its angle, or of most of i
     fields: {
       deviation: Float32Array.of(1e-9, 1),
       angle: Float32Array.of(Math.PI / 4, Math.PI / 2, Math.PI),
-      force: Float32Array.of(-1, 1),
-      height: Float32Array.of(0, 0, 0),
-    },
+    } as CoreFields,
   };
   const faces = { faceStart: Int32Array.of(0), faceVertices: Int32Array.of() };
   const net = { edges: Int32Array.of(0, 1, 1, 2), restLengths: Float64Array.of(1, 1), ...faces };

@@ -25,7 +25,7 @@ export interface GoldenLink {
   drag?: Vec3;
   /** It is shared before it is solved. */
   unsolved?: true;
-  /** Characters of the longest link wished for. */
+  /** Characters of the longest link allowed. */
   largest?: number;
 }
 
@@ -266,6 +266,14 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   guide: [['guide', 'hypar']],
   noGuide: [['noGuide']],
   flip: [['flip']],
+  refine: [['refine']],
+  coarsen: [['coarsen']],
+  cut: [['cut']],
+  trim: [['trim']],
+  deleteFaces: [['deleteFaces']],
+  addRow: [['addRow']],
+  join: [['join']],
+  resize: [['resize']],
   method: [['method', { method: 'li2022' }]],
   initialisation: [['initialisation', { method: 'arap' }]],
   option: [['option', { option: 'p_end' }, '50']],

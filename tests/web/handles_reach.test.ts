@@ -57,13 +57,13 @@ describe('the nearest point within all limits', () => {
         const centre = point(3);
         return { centre, radius: Math.hypot(...centre) + 0.3 + number(), counts: counts[i]! };
       });
-      const wish = point(10);
-      const nearest = nearestInAll(limits, wish);
+      const asked = point(10);
+      const nearest = nearestInAll(limits, asked);
       expect(isWithin(limits, nearest, 1e-7)).toBe(true);
       for (let i = 0; i < 3000; i++) {
         const [x, y, z] = point(0.1);
         const other: Vec3 = i % 2 === 0 ? point(4) : [nearest[0] + x, nearest[1] + y, nearest[2] + z];
-        if (isWithin(limits, other)) expect(distance(other, wish)).toBeGreaterThan(distance(nearest, wish) - 1e-6);
+        if (isWithin(limits, other)) expect(distance(other, asked)).toBeGreaterThan(distance(nearest, asked) - 1e-6);
       }
     }
   });

@@ -13,7 +13,19 @@ const PAGE = [
   // What any of them may lean on.
   ...['failure.ts', 'net', 'language', 'fields', 'lazy.ts', 'elements', 'document'],
   // What is done with a net.
-  ...['worker', 'files', 'equalize', 'handles', 'offline', 'view', 'drape', 'export', 'compare', 'experiments'],
+  ...[
+    'worker',
+    'files',
+    'equalize',
+    'handles',
+    'change',
+    'offline',
+    'view',
+    'drape',
+    'export',
+    'compare',
+    'experiments',
+  ],
   // The controls: their contract with the page, and where they stand.
   ...['panels.ts', 'overlay', 'dialogs', 'comparison', 'sidebar'],
   // The page.
@@ -22,6 +34,7 @@ const PAGE = [
 const CORE = [
   'base',
   'net',
+  'change',
   'energy',
   'linear',
   'surface',
@@ -29,8 +42,8 @@ const CORE = [
   'fabricate',
   'solve',
   'shapes',
-  'drape',
   'edit',
+  'drape',
   'remesh',
   'cli',
 ];

@@ -1,5 +1,6 @@
 /** What the graphics card reads: made once a net, written in place ever after. */
 import { describe, expect, test } from 'vitest';
+import type { CoreFields } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { FIELDS, numbersOf, type Placed } from '../../web/src/fields/fields';
 import { ColourTexture, NetData, netUniforms } from '../../web/src/view/net_data';
@@ -21,9 +22,7 @@ function frameOf({ restPositions, edges }: OpenedNet, shift: number): Placed {
     fields: {
       deviation: new Float32Array(edges.length / 2).fill(shift),
       angle: new Float32Array(restPositions.length / 3).fill(Math.PI / 2),
-      force: new Float32Array(edges.length / 2),
-      height: new Float32Array(restPositions.length / 3),
-    },
+    } as CoreFields,
   };
 }
 

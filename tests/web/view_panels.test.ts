@@ -1,8 +1,10 @@
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
+import type { Choice } from '../../web/src/handles/commands';
 import { Convergence } from '../../web/src/net/convergence';
 import type { Panel } from '../../web/src/panels';
+import { Narrator } from '../../web/src/sidebar/narrator';
 import { PanelList } from '../../web/src/sidebar/panel_list';
 import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '../../web/src/sidebar/recipe';
 import { edgeLayers, project } from '../../web/src/elements/thumbnail';
@@ -201,4 +203,20 @@ describe('panels that come after the first', () => {
     list.join([panel(heard)]);
     expect(heard).toEqual(['net']);
   });
+});
+
+test('screen readers hear of a selection once: from the narrator, unless the title counts it', () => {
+  vi.useFakeTimers();
+  vi.stubGlobal('document', { createElement: () => ({ setAttribute: () => {}, append: () => {}, textContent: '' }) });
+  const narrator = new Narrator();
+  const said = (choice: Pick<Choice, 'selection' | 'selecting'>): string | null => {
+    narrator.setHandles([], choice as Choice);
+    vi.runAllTimers();
+    return narrator.element.textContent;
+  };
+  said({ selection: [], selecting: false });
+  expect(said({ selection: [1, 2], selecting: true })).toBe('');
+  expect(said({ selection: [1, 2, 3], selecting: false })).toMatch(/^Selected: 3 handles/);
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
 });

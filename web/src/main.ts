@@ -36,6 +36,7 @@ const services: AppServices = {
   restoreLast: () => attempt(() => projects.restoreLast()),
   equalize: () => attempt(async () => (await openers()).equalizeNet()),
   drape: () => attempt(async () => (await openers()).drapeNet()),
+  changeNet: (wanted) => attempt(async () => (await openers()).changeNet(wanted)),
   share: () => attempt(share),
   save: (request) => attempt(() => saveAs(request)),
   record: () => attempt(record),

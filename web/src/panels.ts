@@ -1,6 +1,7 @@
 /** The contract between the page and its controls; built from native HTML elements. Panels show state and report
  *  intentions; they never change the document themselves. */
 import type { Comparison, ComparisonRequest, Run, RunRequest } from './compare/run';
+import type { WantedChange } from './change/subject';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './document/document';
 import type { HistoryView } from './document/undo';
 import type { SaveRequest } from './export/kinds';
@@ -26,6 +27,8 @@ export interface PanelEvents {
   /** Give all edges of the net that is open one length. */
   equalize(): void;
   drape(): void;
+  /** Give the net that is open other faces, or edges of another length. */
+  changeNet(wanted: WantedChange): void;
   /** Open the default net in place of the present one. */
   newNet(): void;
   saveProject(): void;

@@ -50,6 +50,7 @@ export type AppServices = Pick<
   | 'restoreLast'
   | 'equalize'
   | 'drape'
+  | 'changeNet'
   | 'share'
   | 'save'
   | 'record'

@@ -145,7 +145,7 @@ export class ComparisonResults {
   }
 }
 
-function styleOf({ style }: Run): CurveStyle {
+export function styleOf({ style }: Pick<Run, 'style'>): CurveStyle {
   const round = Math.floor(style / CURVES_OF_A_LINE) % LINES.length;
   return { colour: `--curve-${(style % CURVE_COLOURS) + 1}`, line: LINES[round]! };
 }

@@ -1,4 +1,4 @@
-/** A net being laid on a surface: the seed is dragged in the picture, the rest is wished for at the side, and the net follows.
+/** A net being laid on a surface: the seed is dragged in the picture, the rest is set at the side, and the net follows.
  *  Escape or Cancel ends it at any time. */
 import type { Mesh, Point } from '../../../wasm/chebnet';
 import type { GuideSource, ViewState } from '../document/document';
@@ -6,12 +6,12 @@ import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
 import type {
   DrapedNet,
+  DrapeSettings,
   Proposal,
   RemeshedNet,
   Seed,
   ShownSurface,
   SurfaceSource,
-  Wish,
 } from '../drape/drape_protocol';
 import { Draping } from '../drape/draping';
 import type { DrapeWorkerLike } from '../drape/draping';
@@ -39,6 +39,8 @@ export interface GivenSurface {
 }
 
 export interface DrapeDialogParts {
+  /** The visitor wants to bring a surface in a file; without it there is no such button. */
+  fileWanted?: () => void;
   spawnWorker(): DrapeWorkerLike;
   upAxis: ViewState['upAxis'];
 }
@@ -61,7 +63,7 @@ export class DrapeDialog implements DraperLike {
   /** Its name. */
   #name: string;
   /** Where the net is wanted to begin, until another seed is. */
-  #seed: Wish['seed'] = [0, 0, 0];
+  #seed: DrapeSettings['seed'] = [0, 0, 0];
   #shown: DrapedNet | RemeshedNet | null = null;
   #best: Proposal | null = null;
   /** The net is the first one of its proposal. */
@@ -99,6 +101,7 @@ export class DrapeDialog implements DraperLike {
         'div',
         { class: 'buttons' },
         this.#take,
+        ...(parts.fileWanted ? [makeButton(TEXT.fromFile, parts.fileWanted)] : []),
         makeButton(TEXT.cancel, () => this.close()),
       ),
     );
@@ -115,7 +118,7 @@ export class DrapeDialog implements DraperLike {
       proposed: (proposals) => this.#onProposed(proposals),
       draped: (net) => this.#onDraped(net),
       measured: (report) => this.#results.setReport(report),
-      progressed: (phase, part) => this.#maker.setProgress(phase, part),
+      progressed: (phase, done) => this.#maker.setProgress(phase, done),
       remeshed: (net) => this.#onRemeshed(net),
       refused: ({ message }) => this.#onRefused(message),
     });
@@ -155,6 +158,7 @@ export class DrapeDialog implements DraperLike {
     this.#picture.setSurface(surface);
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report.area, length);
+    if (!this.#form.isWhole) this.#results.expectNet();
     this.#draping.propose(this.#form.read());
   }
 
@@ -229,7 +233,7 @@ export class DrapeDialog implements DraperLike {
     this.#take.disabled = net === null;
   }
 
-  #drapeFrom(seed: Wish['seed']): void {
+  #drapeFrom(seed: DrapeSettings['seed']): void {
     this.#seed = seed;
     this.#drape();
   }
@@ -242,6 +246,7 @@ export class DrapeDialog implements DraperLike {
 
   #drape(): void {
     if (this.#form.isWhole) return;
+    this.#results.expectNet();
     this.#draping.drape({ ...this.#form.read(), seed: this.#seed });
   }
 

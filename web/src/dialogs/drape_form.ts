@@ -1,6 +1,6 @@
 /** What a net on a surface is to be like: its surface, how fine it is, and how it lies at the seed. */
 import type { Point, RemeshOptions } from '../../../wasm/chebnet';
-import type { Seed, Wish } from '../drape/drape_protocol';
+import type { DrapeSettings, Seed } from '../drape/drape_protocol';
 import { cellsOf, FEWEST_CELLS, lengthOf, MOST_CELLS } from '../drape/cells';
 import { turned, turnOf } from '../drape/seed';
 import { make, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
@@ -12,6 +12,10 @@ const TEXT = dialogWords.drape;
 const DEGREE = Math.PI / 180;
 /** The cells' slider goes by steps of a fortieth of their range in decades. */
 const STEPS = 40;
+/** What may happen where the surface ends, the usual first. */
+const BORDERS = ['beyond', 'cut', 'inside'] as const;
+/** How far the net may leave the surface where it locks, in edge lengths. */
+const HEIGHTS = [0, 0.1, 0.25, 0.5, 1];
 
 export interface FormEvents {
   /** The name of one of our own, or null: the visitor's. */
@@ -29,7 +33,16 @@ export class DrapeForm {
   readonly #length = make('input', { type: 'number', min: 0, step: 'any', 'aria-label': TEXT.length });
   readonly #turn = slider(TEXT.direction, 0, 180, 1, () => this.#chooseTurn());
   readonly #angle = slider(TEXT.angle, 40, 140, 1, () => this.#show());
-  readonly #beyond = makeSwitch(TEXT.beyond, () => this.#events.changed());
+  readonly #border = makeSelect(
+    TEXT.border,
+    BORDERS.map((value) => ({ value, text: TEXT.borders[value] })),
+    () => this.#events.changed(),
+  );
+  readonly #leave = makeSelect(
+    TEXT.locked,
+    HEIGHTS.map((height) => ({ value: String(height), text: TEXT.leaves(height) })),
+    () => this.#events.changed(),
+  );
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
   readonly #kinds: ReturnType<typeof makeSelect>;
   /** What only a net from a seed has. */
@@ -51,13 +64,12 @@ export class DrapeForm {
     );
     this.#length.addEventListener('change', () => this.#chooseLength());
     this.#angle.input.value = '90';
-    this.#beyond.box.checked = true;
     this.#shear.box.checked = true;
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
-    this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#beyond.row];
+    this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#border.row, this.#leave.row];
     this.element = make(
       'div',
-      { class: 'wishes' },
+      { class: 'settings' },
       surfaces.row,
       this.#kinds.row,
       this.#cells.row,
@@ -95,12 +107,13 @@ export class DrapeForm {
     this.#direction = direction;
   }
 
-  read(): Omit<Wish, 'seed'> {
+  read(): Omit<DrapeSettings, 'seed'> {
     return {
       direction: this.#direction,
       length: this.#length.valueAsNumber,
       angle: this.#angle.input.valueAsNumber * DEGREE,
-      border: this.#beyond.box.checked ? 'beyond' : 'inside',
+      border: this.#border.select.value as (typeof BORDERS)[number],
+      leave: Number(this.#leave.select.value),
     };
   }
 

@@ -36,8 +36,8 @@ export class DrapeMaker {
     if (busy) this.setProgress('triangles', 0);
   }
 
-  setProgress(phase: RemeshPhase, part: number): void {
+  setProgress(phase: RemeshPhase, done: number): void {
     setText(this.#words, TEXT.phases[phase]);
-    this.#progress.value = PHASES.indexOf(phase) + part;
+    this.#progress.value = PHASES.indexOf(phase) + done;
   }
 }

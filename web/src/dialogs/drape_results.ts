@@ -8,6 +8,8 @@ import { lengthWords, percentWords } from './file_words';
 
 const TEXT = dialogWords.drape;
 const DEGREES = 180 / Math.PI;
+/** Delay before it is said that a net is being made: most are there at once. */
+const PATIENCE_MS = 600;
 
 /** In a sentence, before anything is tried. */
 export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
@@ -30,8 +32,10 @@ export class DrapeResults {
   readonly #prospect = make('p', { class: 'prospect', role: 'status' });
   readonly #fault = make('p', { class: 'refusal', role: 'alert', hidden: true });
   readonly #facts = make('dl', { class: 'facts' });
-  readonly element = make('div', { class: 'results' }, this.#fault, this.#facts);
+  readonly #making = make('p', { class: 'quiet', role: 'status' });
+  readonly element = make('div', { class: 'results' }, this.#fault, this.#facts, this.#making);
   #net: DrapedNet | RemeshedNet | null = null;
+  #patience: ReturnType<typeof setTimeout> | undefined;
 
   get prospect(): HTMLElement {
     return this.#prospect;
@@ -43,13 +47,26 @@ export class DrapeResults {
     this.removeNet();
   }
 
+  /** A net is being made; setNet() or setFault() ends that. */
+  expectNet(): void {
+    this.#patience ??= setTimeout(() => setText(this.#making, TEXT.making), PATIENCE_MS);
+  }
+
+  #expectNone(): void {
+    clearTimeout(this.#patience);
+    this.#patience = undefined;
+    setText(this.#making, '');
+  }
+
   removeNet(): void {
+    this.#expectNone();
     this.#net = null;
     this.#facts.replaceChildren();
     this.#fault.hidden = true;
   }
 
   setNet(net: DrapedNet | RemeshedNet): void {
+    this.#expectNone();
     this.#net = net;
     this.#fault.hidden = true;
     // The other rows stay until they are measured anew: they would flicker while the seed is dragged.
@@ -60,8 +77,9 @@ export class DrapeResults {
     if (this.#net === null) return;
     this.#facts.classList.remove('stale');
     const { net } = this.#net;
-    const { meanLength: length, faces, vertices } = net.info;
-    const inLengths = (distance: number): string => TEXT.lengths(small(distance / length));
+    const { faces, vertices } = net.info;
+    const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
+    const inLengths = (distance: number): string => TEXT.lengths(small(distance / report.length));
     const rows: [string, string][] = [
       [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
       [TEXT.meanDistance, inLengths(report.meanDistance)],
@@ -72,6 +90,7 @@ export class DrapeResults {
       'singularVertices' in this.#net ? [TEXT.singular, singularWords(this.#net)] : [TEXT.gaps, gapWords(this.#net)],
       [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
+      ...(cutEnds > 0 ? [[TEXT.cutEnds, count(cutEnds)] as [string, string]] : []),
       [TEXT.deviation, small(report.maxDeviation)],
     ];
     this.#facts.replaceChildren(
@@ -80,6 +99,7 @@ export class DrapeResults {
   }
 
   setFault(sentence: string): void {
+    this.#expectNone();
     this.#fault.hidden = false;
     setText(this.#fault, sentence);
   }

@@ -3,10 +3,11 @@
 import type { Mesh } from '../../../wasm/chebnet';
 import { between, meanLength, stillFrame } from '../equalize/before_after';
 import type { Shape } from '../equalize/before_after';
-import type { EqualizeNews } from '../equalize/equalize_protocol';
+import type { EqualizeEnd, EqualizeNews } from '../equalize/equalize_protocol';
 import { Equalizing } from '../equalize/equalizing';
 import type { EqualizeWorkerLike } from '../equalize/equalizing';
-import type { Subject } from '../equalize/subject';
+import type { Equalized, Subject } from '../equalize/subject';
+import { MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { ViewState } from '../document/document';
 import type { EqualizerLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
@@ -22,8 +23,6 @@ import './pictured.css';
 import './equalize_dialog.css';
 
 const TEXT = dialogWords.equalize;
-/** Larger nets take minutes to come near a surface; k_most_vertices_at_rest of core/solve/method.h. */
-const MOST_NEAR_SURFACE = 12_000;
 
 export interface EqualizeDialogParts {
   spawnWorker(): EqualizeWorkerLike;
@@ -32,7 +31,7 @@ export interface EqualizeDialogParts {
 }
 
 export class EqualizeDialog implements EqualizerLike {
-  readonly result: Promise<Mesh | null>;
+  readonly result: Promise<Equalized | null>;
   readonly #before: Shape;
   #after: Shape | null = null;
   readonly #dialog: HTMLDialogElement;
@@ -56,8 +55,8 @@ export class EqualizeDialog implements EqualizerLike {
   );
   #equalizing: Equalizing | null = null;
   /** Null until its edges have become equal. */
-  #equalized: Mesh | null = null;
-  #finish!: (mesh: Mesh | null) => void;
+  #equalized: Equalized | null = null;
+  #finish!: (equalized: Equalized | null) => void;
   readonly #subject: Subject;
   readonly #parts: EqualizeDialogParts;
 
@@ -66,9 +65,9 @@ export class EqualizeDialog implements EqualizerLike {
     this.#parts = parts;
     const { net, positions, name, handles } = subject;
     this.#before = { positions, length: meanLength(positions, net) };
-    this.#form = new EqualizeForm(this.#before.length, handles.length, positions.length / 3 <= MOST_NEAR_SURFACE, () =>
-      this.#forget(),
-    );
+    // Larger nets take minutes to come near a surface.
+    const isNear = positions.length / 3 <= MOST_VERTICES_AT_REST;
+    this.#form = new EqualizeForm(this.#before.length, handles.length, isNear, () => this.#forget());
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
     const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#caption));
@@ -98,8 +97,8 @@ export class EqualizeDialog implements EqualizerLike {
     this.#finish(null);
   }
 
-  async #untilFinished(): Promise<Mesh | null> {
-    const mesh = await new Promise<Mesh | null>((resolve) => {
+  async #untilFinished(): Promise<Equalized | null> {
+    const equalized = await new Promise<Equalized | null>((resolve) => {
       this.#finish = resolve;
       this.#dialog.addEventListener('close', () => resolve(null));
     });
@@ -107,7 +106,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#view.dispose();
     this.#dialog.close();
     this.#dialog.remove();
-    return mesh;
+    return equalized;
   }
 
   #openView(picture: HTMLElement): View {
@@ -129,7 +128,8 @@ export class EqualizeDialog implements EqualizerLike {
     this.#stop.focus();
     try {
       const mesh = this.#meshAt(this.#subject.positions);
-      this.#onEnd(await this.#equalizing.run({ mesh, options }, (news) => this.#onProgress(news)));
+      const end = await this.#equalizing.run({ mesh, options }, (news) => this.#onProgress(news));
+      this.#onEnd(end, typeof options.length === 'number' && !options.handles?.length);
     } catch (error) {
       this.#results.renderFault(messageOf(error));
       this.#arrange('waiting');
@@ -164,9 +164,10 @@ export class EqualizeDialog implements EqualizerLike {
     this.#draw({ positions, length: report.length });
   }
 
-  #onEnd({ report, positions }: EqualizeNews): void {
+  #onEnd({ report, positions, surfacePositions }: EqualizeEnd, isResized: boolean): void {
     this.#after = { positions, length: report.length };
-    this.#equalized = report.status === 'converged' ? this.#meshAt(positions) : null;
+    const surface = surfacePositions && this.#meshAt(surfacePositions);
+    this.#equalized = report.status === 'converged' ? { mesh: this.#meshAt(positions), surface, isResized } : null;
     this.#results.renderEnd(report, this.#before.length, this.#form.method);
     this.#form.renderFittingLength(report);
     setText(this.#farEnd, this.#equalized === null ? TEXT.attempt : TEXT.equalised);

@@ -2,7 +2,7 @@
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { GuideSource, HandleSeed, NetSource, UpAxis } from '../document/document';
 import { dialogWords } from '../language/dialogs';
-import type { Subject } from '../equalize/subject';
+import type { Equalized, Subject } from '../equalize/subject';
 import type { OpenedNet } from '../worker/protocol';
 import type { ReadStep } from '../files/file_protocol';
 import { FileReading } from '../files/file_reading';
@@ -35,7 +35,7 @@ export interface FileDialogLike {
 /** The dialog that equalises a net. */
 export interface EqualizerLike {
   /** The net that the user takes, or null. */
-  readonly result: Promise<Mesh | null>;
+  readonly result: Promise<Equalized | null>;
   close(): void;
 }
 
@@ -50,7 +50,7 @@ export interface DraperLike {
 export interface TakenNet {
   net: NetSource;
   handles: HandleSeed[];
-  /** The surface that it was laid on. */
+  /** The surface that it was laid on, or near which it was equalised. */
   guide?: GuideSource;
   upAxis?: UpAxis;
 }
@@ -102,8 +102,8 @@ export class FileOpener {
         const taken = await this.#draped({ name, mesh: await reading.mesh(repaired) }, upAxis, dialog);
         if (taken !== null) return { ...taken, upAxis };
       } else if (restLengths === 'equalized') {
-        const mesh = await this.#equalized(name, await reading.net(repaired), upAxis, dialog);
-        if (mesh !== null) return { net: { mesh, name }, handles: [], upAxis };
+        const equalized = await this.#equalized(name, await reading.net(repaired), upAxis, dialog);
+        if (equalized !== null) return { ...takenNet(name, equalized), upAxis };
       } else {
         return { net: { mesh: await reading.mesh(repaired), name, restLengths }, handles: [], upAxis };
       }
@@ -116,11 +116,15 @@ export class FileOpener {
     return draper.result;
   }
 
-  #equalized(name: string, net: OpenedNet, upAxis: UpAxis, dialog: FileDialogLike): Promise<Mesh | null> {
+  #equalized(name: string, net: OpenedNet, upAxis: UpAxis, dialog: FileDialogLike): Promise<Equalized | null> {
     const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] }, upAxis);
     void dialog.closed.then(() => equalizer.close());
     return equalizer.result;
   }
+}
+
+function takenNet(name: string, { mesh, surface }: Equalized): TakenNet {
+  return { net: { mesh, name }, handles: [], ...(surface && { guide: { mesh: surface, name } }) };
 }
 
 function checkSize({ name, size }: File): void {

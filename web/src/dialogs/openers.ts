@@ -1,15 +1,26 @@
-/** The dialogs that open another net, from a file, by equalising or on a surface. Loaded on demand. */
+/** The dialogs that open another net, from a file, by equalising, on a surface or by a change of the present one. Loaded on
+ *  demand. */
 import type { FormatInfo } from '../../../wasm/chebnet';
+import type { ChangedNet, ChangeRequest } from '../change/change_protocol';
+import { Changing } from '../change/changing';
+import { changedScene, nameOf, requestOf, type WantedChange } from '../change/subject';
+import type { NamedChange } from '../document/changes';
 import { freshScene } from '../document/defaults';
 import type { NetSource, Scene, UpAxis } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
+import type { Choice } from '../handles/commands';
+import { words } from '../language/language';
+import { dialogWords } from '../language/dialogs';
+import { ChangeDialog } from './change_dialog';
 import { DrapeDialog } from './drape_dialog';
 import type { GivenSurface } from './drape_dialog';
 import { EqualizeDialog } from './equalize_dialog';
+import { pickFile } from '../files/pick_file';
 import { FileDialog } from './file_dialog';
 import { createView } from '../view/scene';
 import type { Opening } from '../worker/opening';
+import { codeOf, messageOf } from '../failure';
 import { FileOpener } from './file_opener';
 import type { TakenNet } from './file_opener';
 
@@ -19,7 +30,9 @@ export interface OpenNet {
   /** The core's. */
   readonly formats: readonly FormatInfo[];
   openNet(net: NetSource, upAxis?: UpAxis): Promise<void>;
-  openScene(scene: Scene): Promise<void>;
+  openScene(scene: Scene, change?: NamedChange): Promise<void>;
+  readonly handles: { readonly choice: Choice };
+  say(message: string): void;
 }
 
 export class Openers {
@@ -48,14 +61,54 @@ export class Openers {
     if (this.#app.opening === null) return;
     const { formats } = this.#app;
     const { document, net } = this.#app.opening;
-    const mesh = await this.#createEqualizer(subjectOfNet(document, net, formats), document.view.upAxis).result;
-    if (mesh !== null) await this.#app.openScene(equalizedScene(document, mesh, formats));
+    const subject = subjectOfNet(document, net, formats);
+    const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
+    if (equalized !== null) await this.#app.openScene(equalizedScene(document, equalized, formats));
   }
 
-  /** On one of our own surfaces. */
+  /** On one of our own surfaces, or on one from a file. */
   async drapeNet(): Promise<void> {
-    const taken = await this.#createDraper(null, 'z').result;
-    if (taken !== null) await this.#open(taken);
+    let file: File | null = null;
+    const draper = this.#createDraper(null, 'z', async () => {
+      file = await pickFile(this.#app.formats);
+      if (file !== null) draper.close();
+    });
+    const taken = await draper.result;
+    if (file !== null) await this.openFile(file);
+    else if (taken !== null) await this.#open(taken);
+  }
+
+  /** The net with other faces, in place of the one that is open. */
+  async changeNet(wanted: WantedChange): Promise<void> {
+    if (this.#app.opening === null) return;
+    const { formats, opening } = this.#app;
+    const request = requestOf(opening, wanted, this.#app.handles.choice.selection);
+    const changed = await this.#changed(request);
+    if (changed === null) return;
+    const scene = changedScene(opening.document, request, changed, formats);
+    await this.#app.openScene(scene, { name: nameOf(wanted.way), key: null });
+    const lostHandles = opening.document.handles.length - scene.handles.length;
+    const { vertices, pieces, lost } = dialogWords.change;
+    this.#app.say(
+      words.core.sentences([
+        vertices(changed.origins.length.toLocaleString(words.locale)),
+        changed.pieces > 1 ? pieces(changed.pieces) : '',
+        lostHandles > 0 ? lost(lostHandles) : '',
+      ]),
+    );
+  }
+
+  /** Null: it was stopped, or the net does not allow it, and why is said. */
+  async #changed(request: ChangeRequest): Promise<ChangedNet | null> {
+    const dialog = new ChangeDialog(this.#root);
+    const worker = new Worker(new URL('../change/change_worker.ts', import.meta.url), { type: 'module' });
+    try {
+      return await dialog.until(new Changing(worker, request, (iterations) => dialog.setProgress(iterations)));
+    } catch (error) {
+      if (codeOf(error) !== 'impossible_change') throw error;
+      this.#app.say(words.core.sentence(messageOf(error)));
+      return null;
+    }
   }
 
   async #open({ net, handles, guide, upAxis = 'z' }: TakenNet): Promise<void> {
@@ -66,14 +119,17 @@ export class Openers {
       ...freshScene(net),
       handles,
       ...(guide && { guide }),
+      // What no handle holds stays as it was shown; a guide would draw it.
+      settled: handles.length === 0,
       view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
     });
   }
 
-  #createDraper(given: GivenSurface | null, upAxis: UpAxis): DrapeDialog {
+  #createDraper(given: GivenSurface | null, upAxis: UpAxis, fileWanted?: () => Promise<void>): DrapeDialog {
     return new DrapeDialog(this.#root, given, {
       spawnWorker: () => new Worker(new URL('../drape/drape_worker.ts', import.meta.url), { type: 'module' }),
       upAxis,
+      ...(fileWanted && { fileWanted: () => void fileWanted() }),
     });
   }
 

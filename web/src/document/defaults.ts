@@ -7,7 +7,8 @@ const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
  *  lengths. */
 export const METHOD_AT_REST = 'equilibrium';
 const METHOD_OF_LARGE_NETS = 'projection';
-const MOST_VERTICES_AT_REST = 12_000;
+/** k_most_vertices_at_rest of core/solve/method.h, as are both methods: a scene has its method before the core is loaded. */
+export const MOST_VERTICES_AT_REST = 12_000;
 export const DEFAULT_INITIALISATION = 'naive';
 
 export const DEFAULT_VIEW: ViewState = { camera: null, field: 'deviation', colourMap: 'paper', showFaces: true };

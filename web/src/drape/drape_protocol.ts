@@ -31,8 +31,8 @@ export interface Ray {
   direction: Point;
 }
 
-/** Of which net. */
-export interface Wish extends Omit<DrapeOptions, 'seed'> {
+/** How a net is to be laid. */
+export interface DrapeSettings extends Omit<DrapeOptions, 'seed'> {
   /** A ray: the first point of the surface that it meets. */
   seed: Point | Ray;
 }
@@ -46,7 +46,7 @@ export interface Seed extends SurfacePlace {
 export interface ShownNet {
   net: OpenedNet;
   fields: CoreFields;
-  /** That it took to make, without opening and sending the net. */
+  /** Time it took to lay, without opening and sending the net. */
   milliseconds: number;
 }
 
@@ -57,6 +57,7 @@ export interface DrapedNet extends ShownNet {
   seed: Seed;
   locked: number;
   met: number;
+  cutEnds: number;
 }
 
 /** Over the whole surface. */
@@ -68,9 +69,9 @@ export type DrapeRequest =
   /** Answered with `opened`. */
   | { type: 'open'; source: SurfaceSource }
   /** Answered with `draped`, `missed` or `error`. */
-  | { type: 'drape'; wish: Wish }
+  | { type: 'drape'; settings: DrapeSettings }
   /** Where a net would begin well. Answered with `proposed`. */
-  | { type: 'propose'; wish: Omit<Wish, 'seed' | 'direction'> }
+  | { type: 'propose'; settings: Omit<DrapeSettings, 'seed' | 'direction'> }
   /** Answered with `remeshed` or `error`, and `progress` before. */
   | { type: 'remesh'; options: RemeshOptions }
   /** How the last net lies. Answered with `measured`. */
@@ -80,7 +81,7 @@ export type DrapeResponse =
   | { type: 'opened'; surface: ShownSurface; length: number }
   | { type: 'proposed'; proposals: Proposal[] }
   | ({ type: 'draped' } & DrapedNet)
-  | { type: 'progress'; phase: RemeshPhase; part: number }
+  | { type: 'progress'; phase: RemeshPhase; done: number }
   | ({ type: 'remeshed' } & RemeshedNet)
   /** The ray does not meet the surface. */
   | { type: 'missed' }

@@ -1,9 +1,9 @@
-/** Lays nets on one surface: the draping worker's part without the worker. */
+/** Answers the requests of draping.ts, in the worker: lays nets on one surface. */
 import type { Chebnet, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe } from '../worker/opened_net';
-import type { DrapeRequest, DrapeResponse, ShownNet, SurfaceSource, Wish } from './drape_protocol';
+import type { DrapeRequest, DrapeResponse, DrapeSettings, ShownNet, SurfaceSource } from './drape_protocol';
 import { SUGGESTED_CELLS } from './cells';
 import { laidInto } from './seed';
 
@@ -34,8 +34,8 @@ export class Draper {
   #answer(request: DrapeRequest): DrapeResponse {
     if (request.type === 'open') return this.#open(request.source);
     if (this.#surface === null) throw new Error('no surface is open');
-    if (request.type === 'propose') return this.#propose(this.#surface, request.wish);
-    if (request.type === 'drape') return this.#lay(this.#surface, request.wish);
+    if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
+    if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
     if (this.#mesh === null) throw new Error('no net has been laid');
     return { type: 'measured', report: this.#surface.measure(this.#mesh) };
@@ -54,34 +54,34 @@ export class Draper {
     };
   }
 
-  #propose(surface: Surface, wish: Omit<Wish, 'seed' | 'direction'>): DrapeResponse {
-    const proposals = surface.propose(wish).slice(0, MOST_PROPOSALS);
-    const length = Math.max(wish.length, surface.suggest(PICTURED_CELLS).length);
+  #propose(surface: Surface, settings: Omit<DrapeSettings, 'seed' | 'direction'>): DrapeResponse {
+    const proposals = surface.propose(settings).slice(0, MOST_PROPOSALS);
+    const length = Math.max(settings.length, surface.suggest(PICTURED_CELLS).length);
     return {
       type: 'proposed',
       proposals: proposals.map(({ seed, direction }) => {
-        const { mesh } = surface.drape({ ...wish, length, seed, direction });
+        const { mesh } = surface.drape({ ...settings, length, seed, direction });
         const edges = withEditor(this.#core, mesh, (editor) => editor.edges);
         return { seed, direction, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
       }),
     };
   }
 
-  #lay(surface: Surface, wish: Wish): DrapeResponse {
-    const place = placeOf(surface, wish.seed);
+  #lay(surface: Surface, settings: DrapeSettings): DrapeResponse {
+    const place = placeOf(surface, settings.seed);
     if (place === null) return { type: 'missed' };
-    const direction = laidInto(wish.direction, place.normal);
+    const direction = laidInto(settings.direction, place.normal);
     const start = performance.now();
-    const drape = surface.drape({ ...wish, seed: place.position, direction });
+    const drape = surface.drape({ ...settings, seed: place.position, direction });
     const milliseconds = performance.now() - start;
-    const { mesh, places, locked, met } = drape;
-    return { type: 'draped', seed: { ...place, direction }, places, locked, met, milliseconds, ...this.#shown(mesh) };
+    const { mesh, ...rest } = drape;
+    return { type: 'draped', seed: { ...place, direction }, ...rest, milliseconds, ...this.#shown(mesh) };
   }
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
     const start = performance.now();
-    const { mesh, singularVertices } = surface.remesh(options, (phase, part) =>
-      this.#post({ type: 'progress', phase, part }),
+    const { mesh, singularVertices } = surface.remesh(options, (phase, done) =>
+      this.#post({ type: 'progress', phase, done }),
     );
     const milliseconds = performance.now() - start;
     return { type: 'remeshed', singularVertices, milliseconds, ...this.#shown(mesh) };
@@ -93,6 +93,6 @@ export class Draper {
   }
 }
 
-function placeOf(surface: Surface, seed: Wish['seed']): SurfacePlace | null {
+function placeOf(surface: Surface, seed: DrapeSettings['seed']): SurfacePlace | null {
   return 'origin' in seed ? surface.hit(seed.origin, seed.direction) : surface.nearest(seed satisfies Point);
 }

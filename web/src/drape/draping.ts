@@ -1,4 +1,4 @@
-/** The page's side of the draping worker. While a net is being laid only the latest wish waits. */
+/** The page's side of the draping worker. While a net is being laid only the latest request waits. */
 import type { DrapeReport, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
@@ -6,11 +6,11 @@ import type {
   DrapedNet,
   DrapeRequest,
   DrapeResponse,
+  DrapeSettings,
   Proposal,
   RemeshedNet,
   ShownSurface,
   SurfaceSource,
-  Wish,
 } from './drape_protocol';
 
 /** A net that has stood still for so many milliseconds is measured: that takes longer than laying it. */
@@ -30,8 +30,8 @@ export interface DrapingEvents {
   /** The best first. */
   proposed(proposals: Proposal[]): void;
   draped(net: DrapedNet): void;
-  /** @param part of the phase, 0 … 1. */
-  progressed(phase: RemeshPhase, part: number): void;
+  /** @param done of the phase, 0 … 1. */
+  progressed(phase: RemeshPhase, done: number): void;
   remeshed(net: RemeshedNet): void;
   /** Of the last net. */
   measured(report: DrapeReport): void;
@@ -62,13 +62,13 @@ export class Draping {
     this.#ask({ type: 'open', source });
   }
 
-  propose(wish: Omit<Wish, 'seed' | 'direction'>): void {
-    this.#ask({ type: 'propose', wish });
+  propose(settings: Omit<DrapeSettings, 'seed' | 'direction'>): void {
+    this.#ask({ type: 'propose', settings });
   }
 
-  drape(wish: Wish): void {
+  drape(settings: DrapeSettings): void {
     // It would be of the surface before.
-    if (this.#next?.type !== 'open') this.#ask({ type: 'drape', wish });
+    if (this.#next?.type !== 'open') this.#ask({ type: 'drape', settings });
   }
 
   /** A net over the whole surface, which takes a while. */
@@ -111,7 +111,7 @@ export class Draping {
   }
 
   #receive(response: DrapeResponse): void {
-    if (response.type === 'progress') return this.#events.progressed(response.phase, response.part);
+    if (response.type === 'progress') return this.#events.progressed(response.phase, response.done);
     this.#isBusy = false;
     const next = this.#next;
     this.#next = null;

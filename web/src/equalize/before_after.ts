@@ -1,5 +1,6 @@
 /** Blends of two shapes of a net, as frames for a view. */
-import { edgeLengths } from '../net/edge_lengths';
+import type { CoreFields } from '../../../wasm/chebnet';
+import { deviation, edgeLengths } from '../net/edge_lengths';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 
 /** Positions, and the length against which edges are coloured. */
@@ -24,22 +25,14 @@ export function meanLength(positions: Float64Array, { edges }: Pick<OpenedNet, '
   return lengths.reduce((sum, length) => sum + length, 0) / lengths.length;
 }
 
-/** A frame that is not from the solver. */
+/** A frame that is not from the solver, to be coloured by its deviations. */
 export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedNet, 'edges'>): FrameData {
-  const deviation = Float32Array.from(
-    edgeLengths(positions, edges),
-    (each) => (each / length - 1) ** 2 / (each / length),
-  );
+  const deviations = Float32Array.from(edgeLengths(positions, edges), (each) => deviation(each / length));
   return {
     positions,
     lengthScale: 1,
-    fields: {
-      deviation,
-      angle: new Float32Array(positions.length / 3),
-      force: new Float32Array(deviation.length),
-      height: new Float32Array(positions.length / 3),
-    },
-    maxDeviation: deviation.reduce((most, dL) => Math.max(most, dL), 0),
+    fields: { deviation: deviations } as CoreFields,
+    maxDeviation: deviations.reduce((most, dL) => Math.max(most, dL), 0),
     handles: [],
     holdsBack: false,
     fellShort: false,

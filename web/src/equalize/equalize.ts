@@ -1,4 +1,4 @@
-/** Equalises one mesh and reports progress: the equalizing worker's part without the worker. */
+/** Answers the request of equalizing.ts, in the worker: equalises one mesh and reports progress. */
 import type { Chebnet, Equalizer } from '../../../wasm/chebnet';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 import { codeOf, messageOf } from '../failure';
@@ -25,7 +25,8 @@ function solveToTheEnd(equalizer: Equalizer, post: (response: EqualizeResponse) 
   for (;;) {
     const report = equalizer.solve({ milliseconds: SLICE });
     const positions = equalizer.positions();
-    if (report.status !== 'running') return { type: 'ended', report, positions };
+    if (report.status !== 'running')
+      return { type: 'ended', report, positions, surfacePositions: equalizer.surfacePositions() };
     post({ type: 'news', report, positions });
   }
 }

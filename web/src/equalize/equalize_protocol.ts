@@ -12,8 +12,13 @@ export interface EqualizeNews {
   positions: Float64Array;
 }
 
+export interface EqualizeEnd extends EqualizeNews {
+  /** Where the vertices of the surface lie that the net is near; null if the faces are no surface. */
+  surfacePositions: Float64Array | null;
+}
+
 export type EqualizeResponse =
   | ({ type: 'news' } & EqualizeNews)
-  | ({ type: 'ended' } & EqualizeNews)
+  | ({ type: 'ended' } & EqualizeEnd)
   /** `code` as in core/base/error.h. */
   | { type: 'error'; code: string; message: string };

@@ -1,6 +1,6 @@
 /** The page's side of the equalizing worker. */
 import { words } from '../language/language';
-import type { EqualizeNews, EqualizeRequest, EqualizeResponse } from './equalize_protocol';
+import type { EqualizeEnd, EqualizeNews, EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 import { Failure } from '../failure';
 
 /** The part of a `Worker` that is used. */
@@ -20,8 +20,8 @@ export class Equalizing {
   }
 
   /** Rejects with the core's sentence. */
-  run(request: EqualizeRequest, news: (news: EqualizeNews) => void): Promise<EqualizeNews> {
-    const ended = new Promise<EqualizeNews>((resolve, reject) => {
+  run(request: EqualizeRequest, news: (news: EqualizeNews) => void): Promise<EqualizeEnd> {
+    const ended = new Promise<EqualizeEnd>((resolve, reject) => {
       this.#worker.onmessage = ({ data }) => {
         if (data.type === 'news') news(data);
         else if (data.type === 'ended') resolve(data);

@@ -13,6 +13,15 @@ export interface Subject {
   handles: number[];
 }
 
+/** What becomes of it. */
+export interface Equalized {
+  mesh: Mesh;
+  /** Of the original, as large as the net; null if its faces are no surface. */
+  surface: Mesh | null;
+  /** Whether the net was given another size. */
+  isResized: boolean;
+}
+
 export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats: readonly FormatInfo[]): Subject {
   return {
     name: fileNameOf(document.net, 'obj', formats),
@@ -23,13 +32,20 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats:
   };
 }
 
-/** The scene of the net that was open, with `mesh` for its net: handles stay at their vertices, where these stand now. */
-export function equalizedScene(document: ChebnetDocument, mesh: Mesh, formats: readonly FormatInfo[]): Scene {
+/** The scene of the net that was open, with what has become of it for its net: handles stay at their vertices, where
+ *  these stand now. A surface that was beside it stays, if it fits. */
+export function equalizedScene(
+  document: ChebnetDocument,
+  { mesh, surface, isResized }: Equalized,
+  formats: readonly FormatInfo[],
+): Scene {
   const handles = document.handles.map((handle) => ({ ...handle, target: null }));
-  const net = { mesh, name: fileNameOf(document.net, 'obj', formats) };
+  const name = fileNameOf(document.net, 'obj', formats);
+  const guide = surface === null ? undefined : { mesh: surface, name };
   return {
     ...document,
-    net,
+    net: { mesh, name },
+    guide: isResized ? guide : (document.guide ?? guide),
     numbering: undefined,
     handles,
     positions: null,

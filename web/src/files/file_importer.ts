@@ -1,19 +1,23 @@
-/** The file worker's part without the worker: reads one file, reports on it, and gives it as a mesh or as a net. */
+/** Answers the requests of file_reading.ts, in the worker: reads one file, reports on it, and gives it as a mesh or a net. */
 import type { Chebnet, Mesh } from '../../../wasm/chebnet';
 import { describe } from '../worker/opened_net';
 import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
 import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
+import { readModel } from './model';
 import { Failure, codeOf, messageOf } from '../failure';
 
 export class FileImporter {
   readonly #core: Chebnet;
   readonly #post: (response: FileResponse) => void;
+  readonly #rhinoUrl: string | undefined;
   #mesh: CheckedMesh | null = null;
 
-  constructor(core: Chebnet, post: (response: FileResponse) => void) {
+  /** @param rhinoUrl see readModel. */
+  constructor(core: Chebnet, post: (response: FileResponse) => void, rhinoUrl?: string) {
     this.#core = core;
     this.#post = post;
+    this.#rhinoUrl = rhinoUrl;
   }
 
   async handle(request: FileRequest): Promise<void> {
@@ -31,11 +35,12 @@ export class FileImporter {
     this.#begin('loading');
     const bytes = await bytesOf(file, name);
     this.#begin('reading');
-    const given = this.#core.readMesh(bytes, name);
+    const model = await readModel(bytes, name, this.#rhinoUrl);
+    const given = model?.mesh ?? this.#core.readMesh(bytes, name);
     this.#begin('checking');
     const mesh = inFile(name, () => checkMesh(this.#core, given));
     this.#begin('measuring');
-    const report = inFile(name, () => reportOf(this.#core, mesh));
+    const report = inFile(name, () => reportOf(this.#core, mesh, model?.up));
     this.#mesh = mesh;
     return report;
   }
@@ -50,7 +55,7 @@ export class FileImporter {
   }
 }
 
-async function bytesOf(file: Blob, name: string): Promise<Uint8Array> {
+async function bytesOf(file: Blob, name: string): Promise<Uint8Array<ArrayBuffer>> {
   try {
     return new Uint8Array(await file.arrayBuffer());
   } catch {

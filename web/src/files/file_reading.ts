@@ -71,13 +71,17 @@ export class FileReading {
 
   #receive(response: FileResponse): void {
     if (response.type === 'step') this.#stepBegan(response.step);
-    else if (response.type === 'error') this.#fail(response.code, words.core.failure(response.code, response.message));
+    else if (response.type === 'error') this.#fail(response.code, sentenceOf(response));
     else this.#waiting?.resolve(response);
   }
 
   #fail(code: string, message: string): void {
     this.#waiting?.reject(new Failure(code, message));
   }
+}
+
+function sentenceOf({ code, message }: { code: string; message: string }): string {
+  return dialogWords.file.unread(code) ?? words.core.failure(code, message);
 }
 
 function unexpected({ type }: FileResponse): Failure {

@@ -1,5 +1,6 @@
 /** The report on a file that is shown before it is opened. */
 import type { Chebnet, Editor, Finding, Mesh, NetInfo, SurfaceReport } from '../../../wasm/chebnet';
+import type { UpAxis } from '../document/document';
 import { type Posture, postureOf } from './posture';
 
 export interface FileReport extends NetInfo {
@@ -29,15 +30,17 @@ export function checkMesh(core: Chebnet, given: Mesh): CheckedMesh {
   return { given, repaired: findings.length > 0 ? mesh : given, findings };
 }
 
-/** Throws ChebnetError if even the repaired mesh is no net. */
-export function reportOf(core: Chebnet, { given, repaired, findings }: CheckedMesh): FileReport {
+/** Throws ChebnetError if even the repaired mesh is no net.
+ *  @param up the axis that points up, where the file says so. */
+export function reportOf(core: Chebnet, { given, repaired, findings }: CheckedMesh, up?: UpAxis): FileReport {
+  const posture = postureOf(repaired);
   const info = withEditor(core, repaired, (editor) => editor.info);
   return {
     ...info,
     findings,
     refusal: findings.length > 0 ? orRefusal(() => withEditor(core, given, () => null)) : null,
     surface: isNetBeyondDoubt(info) ? null : orRefusal(() => surfaceReport(core, repaired)),
-    posture: postureOf(repaired),
+    posture: up === undefined ? posture : { ...posture, up, isClear: true },
   };
 }
 

@@ -1,4 +1,5 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
+import { MODEL_FORMATS } from './model_formats';
 
 /** Lets the user choose a file, a mesh or a project; null if they cancel. */
 export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
@@ -16,5 +17,6 @@ export function pickFile(formats: readonly FormatInfo[]): Promise<File | null> {
 export function acceptOf(formats: readonly FormatInfo[]): string {
   if (formats.length === 0) return '';
   const meshes = formats.map(({ name }) => name);
-  return [...meshes, 'json'].map((extension) => `.${extension}`).join();
+  const models = MODEL_FORMATS.flatMap(({ extensions }) => extensions);
+  return [...meshes, ...models, 'json'].map((extension) => `.${extension}`).join();
 }

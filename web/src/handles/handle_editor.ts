@@ -139,7 +139,10 @@ export class HandleEditor implements HandleCommands {
   takeLine(name: LineName): void {
     const vertex = this.#selection.at(-1);
     const line = this.line(name);
-    if (vertex !== undefined) this.#host.attempt(this.#take(line, [...line.filter((each) => each !== vertex), vertex]));
+    if (vertex === undefined) return;
+    const title = name === 'boundary' ? words.handles.boundaryLoop : words.handles.netLine(name + 1);
+    const selection = [...line.filter((each) => each !== vertex), vertex];
+    this.#host.attempt(this.#take(line, selection, `${title} · ${vertex}`));
   }
 
   /** The vertices of a line through the leading handle. */
@@ -166,11 +169,19 @@ export class HandleEditor implements HandleCommands {
     if (this.#selection.length > 0) this.remove(this.#selection);
   }
 
-  /** Makes vertices handles, with their mirror images, where they stand. */
-  async #take(vertices: readonly number[], selection: Selection): Promise<void> {
+  /** Makes vertices handles, with their mirror images, where they stand.
+   *  @param name of those that are new. */
+  async #take(vertices: readonly number[], selection: Selection, name?: string): Promise<void> {
     const present = new Set(this.#handles.map(({ vertex }) => vertex));
     const fresh = this.#mirrored(vertices).filter((vertex) => !present.has(vertex));
-    const added = fresh.map((vertex): HandleData => ({ vertex, target: this.positionOf(vertex), anchor: false }));
+    const added = fresh.map(
+      (vertex): HandleData => ({
+        vertex,
+        target: this.positionOf(vertex),
+        anchor: false,
+        ...(name !== undefined && { name }),
+      }),
+    );
     if (added.length > 0) await this.set([...this.#handles, ...added], ['add', this.#titleOf(added)]);
     this.select(selection);
   }

@@ -2,11 +2,13 @@
 
 /** @param edges 2 vertices an edge. */
 export function edgeLengths(positions: Float64Array, edges: Int32Array): Float64Array {
-  return Float64Array.from({ length: edges.length / 2 }, (_, e) => {
-    const [a, b] = [3 * (edges[2 * e] ?? NaN), 3 * (edges[2 * e + 1] ?? NaN)];
-    const along = (axis: number): number => (positions[a + axis] ?? NaN) - (positions[b + axis] ?? NaN);
-    return Math.hypot(along(0), along(1), along(2));
-  });
+  return Float64Array.from({ length: edges.length / 2 }, (_, e) => edgeLength(positions, edges, e));
+}
+
+export function edgeLength(positions: Float64Array, edges: Int32Array, e: number): number {
+  const [a, b] = [3 * (edges[2 * e] ?? NaN), 3 * (edges[2 * e + 1] ?? NaN)];
+  const along = (axis: number): number => (positions[a + axis] ?? NaN) - (positions[b + axis] ?? NaN);
+  return Math.hypot(along(0), along(1), along(2));
 }
 
 /** A net with smaller deviations has its lengths, however its solve ended: ε₃ of Li et al. 2022. */

@@ -83,6 +83,7 @@ async function answer(request: Request): Promise<Response> {
     return (await cache.match(address))!;
   }
   const response = await fetch(request);
-  if (response.ok && LATER.has(address)) await cache.put(address, response.clone());
+  // Where there is no room for it, the page has it all the same.
+  if (response.ok && LATER.has(address)) await cache.put(address, response.clone()).catch(() => {});
   return response;
 }

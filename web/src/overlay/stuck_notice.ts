@@ -135,7 +135,7 @@ export class StuckNotice implements Panel {
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
     tell(this.#scale);
     this.#show();
-    // Whoever touches the net meanwhile has something else in mind.
+    // It is cancelled, without a message, if the net is edited meanwhile.
     const scale = await this.#events.adaptLengths(tell).catch(() => undefined);
     this.#isGrowing = false;
     this.#show();

@@ -3,8 +3,9 @@ import type { ShapeInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Tables } from '../net/tables';
-import type { Idle } from './idle';
+import { sleep, type Idle } from './idle';
 import { drawThumbnail, type Wireframe } from '../elements/thumbnail';
+import { MODEL_FORMATS } from '../files/model_formats';
 import './gallery.css';
 
 /** Size of the nets in thumbnails. */
@@ -12,6 +13,9 @@ const THUMBNAIL_VERTICES = 300;
 
 /** Opened by links and recipes only: as one grid without a seam it must lie folded along its crests. */
 const UNSHOWN = ['torus'];
+
+/** A picture that has not come after this long keeps the next ones waiting no longer. */
+const PATIENCE_MS = 500;
 
 const FOLDER = 'M2 12.5v-9h4l1.5 2H14v7z';
 
@@ -43,7 +47,7 @@ export class Gallery {
   }
 
   setTables({ shapes, formats }: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.#fileTile.title = words.gallery.openFileHint(formats.map(({ title }) => title));
+    this.#fileTile.title = words.gallery.openFileHint([...formats, ...MODEL_FORMATS].map(({ title }) => title));
     this.#thumbnail = thumbnail;
     this.#items = shapes.filter(({ name }) => !UNSHOWN.includes(name)).map((shape) => this.#makeItem(shape));
     this.element.replaceChildren(...this.#items.map(({ button }) => button), this.#fileTile);
@@ -89,7 +93,8 @@ export class Gallery {
     this.#drawing = true;
     for (let item = this.#waiting.shift(); item; item = this.#waiting.shift()) {
       await this.#idle.quiet();
-      void this.#draw(item); // some come much later than those behind them
+      // One at a time, as a drag waits for those that have been asked for; but some come much later than those behind them.
+      await Promise.race([this.#draw(item), sleep(PATIENCE_MS)]);
     }
     this.#drawing = false;
   }

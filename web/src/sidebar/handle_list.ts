@@ -1,10 +1,12 @@
-/** The handles as a list, what can be done with several of them, and one more by its vertex number. */
+/** The handles as a list, those of one name as one row; what can be done with several of them, and one more by its vertex
+ *  number. */
 import type { ChebnetDocument, HandleData } from '../document/document';
-import { toggled } from '../handles/selection';
+import { type Selection, toggled, united } from '../handles/selection';
 import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
 import type { OpenedNet } from '../worker/protocol';
+import { HandleGroupRow } from './handle_group_row';
 import { HandleRow } from './handle_row';
 import type { Panel, PanelEvents } from '../panels';
 import { SelectionForm } from './selection_form';
@@ -13,6 +15,16 @@ import './handle_list.css';
 
 /** Number of rows made at first, and added with each press of the button below them: thousands of rows would block the page. */
 const ROWS_AT_A_TIME = 100;
+
+interface Row {
+  readonly element: HTMLElement;
+  /** `alone`: nothing else is selected. */
+  update(handles: readonly HandleData[], selected: boolean, alone: boolean, edgeLength: number): void;
+  focus(): void;
+}
+
+/** What one row stands for. */
+type Group = readonly HandleData[];
 
 export class HandleList implements Panel {
   readonly #list = make('ul', { class: 'handles' });
@@ -30,8 +42,10 @@ export class HandleList implements Panel {
   readonly #form: SelectionForm;
   readonly #symmetry: SymmetryChoice;
   readonly element: HTMLDetailsElement;
-  #rows = new Map<number, HandleRow>();
+  /** By the keys of their groups. */
+  #rows = new Map<string, Row>();
   #handles: readonly HandleData[] = [];
+  #groups: readonly Group[] = [];
   #mostRows = ROWS_AT_A_TIME;
   #choice: Choice = { selection: [], selecting: false, mode: 'translate', onBoundary: false, lines: 0 };
   #edgeLength = 1;
@@ -79,17 +93,18 @@ export class HandleList implements Panel {
     this.#several.hidden = handles.length < 2 || choice.selection.length > 1;
     const selected = new Set(choice.selection);
     const alone = selected.size === 1;
-    const listed = this.#listed(alone ? choice.selection[0] : undefined);
-    if (listed.length !== this.#rows.size || listed.some(({ vertex }) => !this.#rows.has(vertex)))
+    this.#groups = groupsOf(handles);
+    const single = alone ? choice.selection[0] : undefined;
+    const shown = this.#shown(single);
+    const listed = shown.flatMap((group) => withMember(group, single));
+    if (listed.length !== this.#rows.size || listed.some((group) => !this.#rows.has(keyOf(group))))
       this.#rebuild(listed);
-    this.#more.hidden = listed.length === handles.length;
-    setText(
-      this.#more,
-      panelWords.handles.more(Math.min(ROWS_AT_A_TIME, handles.length - listed.length), handles.length - listed.length),
-    );
-    for (const handle of listed) {
-      const isSelected = selected.has(handle.vertex);
-      this.#rows.get(handle.vertex)!.update(handle, isSelected, isSelected && alone, this.#edgeLength);
+    const left = this.#groups.length - shown.length;
+    this.#more.hidden = left === 0;
+    setText(this.#more, panelWords.handles.more(Math.min(ROWS_AT_A_TIME, left), left));
+    for (const group of listed) {
+      const isSelected = group.every(({ vertex }) => selected.has(vertex));
+      this.#rows.get(keyOf(group))!.update(group, isSelected, isSelected && alone, this.#edgeLength);
     }
     if (alone) this.#bringIntoSight(choice.selection[0]!);
     this.#form.update(
@@ -100,25 +115,25 @@ export class HandleList implements Panel {
   }
 
   /** The first of them, and the one that is selected. */
-  #listed(selected: number | undefined): readonly HandleData[] {
-    const first = this.#handles.slice(0, this.#mostRows);
-    const beyond = this.#handles.slice(this.#mostRows).filter(({ vertex }) => vertex === selected);
+  #shown(selected: number | undefined): readonly Group[] {
+    const first = this.#groups.slice(0, this.#mostRows);
+    const beyond = this.#groups.slice(this.#mostRows).filter((group) => has(group, selected));
     return [...first, ...beyond];
   }
 
   /** Moves the focus to the first new row. */
   #showMore(): void {
-    const next = this.#handles[this.#mostRows];
+    const next = this.#groups[this.#mostRows];
     this.#mostRows += ROWS_AT_A_TIME;
     this.setHandles(this.#handles, this.#choice);
-    if (next) this.#rows.get(next.vertex)?.focus();
+    if (next) this.#rows.get(keyOf(next))?.focus();
   }
 
   /** When another one is selected, e.g. in the view. Only the list scrolls, not what is around it. */
   #bringIntoSight(vertex: number): void {
     if (vertex === this.#inSight) return;
     this.#inSight = vertex;
-    const { offsetTop, offsetHeight } = this.#rows.get(vertex)!.element;
+    const { offsetTop, offsetHeight } = this.#rows.get(String(vertex))!.element;
     const top = offsetTop - this.#list.offsetTop;
     const { scrollTop, clientHeight } = this.#list;
     this.#list.scrollTop = Math.max(Math.min(scrollTop, top), top + offsetHeight - clientHeight);
@@ -130,12 +145,25 @@ export class HandleList implements Panel {
     else this.#events.handles.add(vertex);
   }
 
-  #rebuild(listed: readonly HandleData[]): void {
-    this.#rows = new Map(listed.map(({ vertex }) => [vertex, this.#rows.get(vertex) ?? this.#makeRow(vertex)]));
+  #rebuild(listed: readonly Group[]): void {
+    this.#rows = new Map(listed.map((group) => [keyOf(group), this.#rows.get(keyOf(group)) ?? this.#makeRow(group)]));
     this.#list.replaceChildren(...[...this.#rows.values()].map(({ element }) => element));
   }
 
-  #makeRow(vertex: number): HandleRow {
+  #makeRow([first, ...more]: Group): Row {
+    return more.length > 0 || first === undefined ? this.#makeGroupRow() : this.#makeHandleRow(first.vertex);
+  }
+
+  #makeGroupRow(): Row {
+    const { handles } = this.#events;
+    return new HandleGroupRow({
+      select: (vertices, adds) => this.#selectGroup(vertices, adds),
+      change: (vertices, traits) => handles.change(vertices, traits),
+      remove: (vertices) => handles.remove(vertices),
+    });
+  }
+
+  #makeHandleRow(vertex: number): Row {
     const { handles } = this.#events;
     return new HandleRow(vertex, {
       select: (adds) => this.#select(vertex, adds),
@@ -150,4 +178,42 @@ export class HandleList implements Panel {
     const only = selection.length === 1 && selection[0] === vertex;
     this.#events.handles.select(adds || only ? toggled(selection, vertex) : [vertex]);
   }
+
+  #selectGroup(vertices: Selection, adds: boolean): void {
+    const { selection } = this.#choice;
+    const isOnly = vertices.length === selection.length && vertices.every((vertex) => selection.includes(vertex));
+    this.#events.handles.select(adds ? united(selection, vertices) : isOnly ? [] : vertices);
+  }
+}
+
+function groupsOf(handles: readonly HandleData[]): Group[] {
+  const named = new Map<string, HandleData[]>();
+  const groups: HandleData[][] = [];
+  for (const handle of handles) {
+    const known = handle.name === undefined ? undefined : named.get(handle.name);
+    if (known) {
+      known.push(handle);
+      continue;
+    }
+    const group = [handle];
+    groups.push(group);
+    if (handle.name !== undefined) named.set(handle.name, group);
+  }
+  return groups;
+}
+
+/** A handle that is selected alone has its own row below that of its group. */
+function withMember(group: Group, selected: number | undefined): Group[] {
+  return group.length > 1 && has(group, selected)
+    ? [group, group.filter(({ vertex }) => vertex === selected)]
+    : [group];
+}
+
+/** A row that stands for one handle has fields for it, so it is not that of a group. */
+function keyOf([first, ...more]: Group): string {
+  return more.length > 0 ? `all ${first?.name}` : String(first?.vertex);
+}
+
+function has(group: Group, wanted: number | undefined): boolean {
+  return group.some(({ vertex }) => vertex === wanted);
 }

@@ -1,4 +1,4 @@
-/** One handle of the list: its name to select it by, eye, lock and cross; while it alone is selected, its fields. */
+/** A handle of the list by itself: its name to select it by, eye, lock and cross; while it alone is selected, its fields. */
 import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/commands';
@@ -8,6 +8,7 @@ import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import { Softness } from './softness';
+import { Toggle } from './toggle';
 import { coordinate } from '../language/numbers';
 
 export interface RowEvents {
@@ -68,7 +69,8 @@ export class HandleRow {
   }
 
   /** `alone`: nothing else is selected. Fields are for one handle at a time. */
-  update(handle: HandleData, selected: boolean, alone: boolean, edgeLength: number): void {
+  update([handle]: readonly HandleData[], selected: boolean, alone: boolean, edgeLength: number): void {
+    if (handle === undefined) return;
     const state = `${selected} ${alone}`;
     if (handle === this.#handle && state === this.#shown) return;
     [this.#handle, this.#shown] = [handle, state];
@@ -128,33 +130,4 @@ export function titleOf({ vertex, name }: HandleData): string {
 export function makeCoordinates(inputs: readonly HTMLInputElement[]): HTMLDivElement {
   const labels = inputs.map((input, axis) => make('label', {}, make('span', {}, AXES[axis]!), input));
   return make('div', { class: 'coordinates' }, ...labels);
-}
-
-/** A toggle button with two icons. */
-class Toggle {
-  readonly button: HTMLButtonElement;
-  readonly #faces: [SVGSVGElement, SVGSVGElement];
-  #on = false;
-  readonly #labels: [string, string];
-
-  /** `labels`: what a press does while it is off, and while it is on. */
-  constructor(off: string, on: string, labels: [string, string], turned: (on: boolean) => void) {
-    this.#labels = labels;
-    this.#faces = [makeIcon(off), makeIcon(on)];
-    this.button = makeButton(this.#faces[0], () => turned(!this.#on), { class: 'plain tool' });
-    this.#turn(false);
-  }
-
-  set(on: boolean): void {
-    if (on === this.#on) return;
-    this.#turn(on);
-  }
-
-  #turn(on: boolean): void {
-    this.#on = on;
-    this.button.replaceChildren(this.#faces[Number(on)]!);
-    this.button.setAttribute('aria-pressed', String(on));
-    this.button.setAttribute('aria-label', this.#labels[Number(on)]!);
-    this.button.title = this.#labels[Number(on)]!;
-  }
 }

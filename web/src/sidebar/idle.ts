@@ -11,10 +11,14 @@ export class Idle {
   }
 
   async quiet(): Promise<void> {
-    for (let left = this.#left(); left > 0; left = this.#left()) await new Promise((done) => setTimeout(done, left));
+    for (let left = this.#left(); left > 0; left = this.#left()) await sleep(left);
   }
 
   #left(): number {
     return this.#last + QUIET_MS - performance.now();
   }
+}
+
+export function sleep(milliseconds: number): Promise<void> {
+  return new Promise((done) => setTimeout(done, milliseconds));
 }

@@ -7,6 +7,7 @@ import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
 import type { Panel } from '../panels';
 import { Appearance } from './appearance';
+import { ChangePanel } from './change_panel';
 import { ConvergencePanel } from './convergence_panel';
 import { DragPanel } from './drag_panel';
 import { FlipControl } from './flip_control';
@@ -39,6 +40,7 @@ export function createLateSections(
   const usual = [
     new HandleList(events),
     drag,
+    new ChangePanel(events),
     new Appearance(events),
     new HistoryPanel((index) => events.goTo(index)),
     new LearnPanel(events, failed),

@@ -19,7 +19,7 @@ export class Narrator implements Panel {
   #history: { names: readonly string[]; present: number; revision: number } | null = null;
   #selection: Selection | null = null;
   #isSolving = false;
-  /** How it stands with the solver. */
+  /** The state of the solver, in words. */
   #standing = '';
   /** What is yet to be told. */
   #news: string | null = null;
@@ -33,9 +33,10 @@ export class Narrator implements Panel {
     this.#tell(isUndo ? panelWords.narrator.undone(names[before.present]!) : names[present]!);
   }
 
-  setHandles(handles: readonly HandleData[], { selection }: Choice): void {
+  setHandles(handles: readonly HandleData[], { selection, selecting }: Choice): void {
     const before = this.#selection;
     this.#selection = selection;
+    if (selecting) return; // the title counts the selected handles then
     if (before === null || before === selection || selection.length === 0 || this.#news !== null) return;
     const only = selection.length === 1 ? handles.find(({ vertex }) => vertex === selection[0]) : undefined;
     const { one, several } = words.history;

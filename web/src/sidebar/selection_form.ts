@@ -1,5 +1,5 @@
 /** Several selected handles by numbers: where their centre is, and how far to move, turn or scale them. */
-import type { HandleData, Vec3 } from '../document/document';
+import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/commands';
@@ -14,6 +14,7 @@ import { coordinate } from '../language/numbers';
 export class SelectionForm {
   readonly element: HTMLElement;
   readonly #count = make('h3');
+  readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, title: panelWords.handles.groupHint });
   readonly #centre = AXES.map(() => numberField(''));
   readonly #by = AXES.map(() => numberField('0'));
   readonly #axis = make(
@@ -32,6 +33,9 @@ export class SelectionForm {
   constructor(events: PanelEvents) {
     this.#events = events;
     this.#axis.value = 'z';
+    this.#name.addEventListener('change', () =>
+      events.handles.change(this.#selection, { name: this.#name.value.trim() || undefined }),
+    );
     this.#centre.forEach((input, axis) => input.addEventListener('change', () => this.#moveCentre(axis)));
     this.#motions = make(
       'fieldset',
@@ -63,6 +67,7 @@ export class SelectionForm {
       'section',
       { class: 'selection', 'aria-label': words.handles.selection },
       this.#count,
+      make('label', { class: 'row' }, make('span', {}, panelWords.handles.name), this.#name),
       this.#motions,
       ...this.#softness.rows,
     );
@@ -73,6 +78,8 @@ export class SelectionForm {
     if (this.element.hidden) return;
     this.#selection = selection;
     this.#softness.setWeight(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
+    const [first] = selected;
+    setValue(this.#name, (selected.every(({ name }) => name === first?.name) && first?.name) || '');
     setText(this.#count, words.handles.selected(selected.length));
     const moving = unlocked(selection, selected);
     this.#motions.disabled = moving.length === 0;

@@ -1,4 +1,4 @@
-/** How it stands with the solver. */
+/** What the page says of the state of the solver. */
 import type { Status } from '../../../wasm/chebnet';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { FrameData } from '../worker/protocol';

@@ -1,10 +1,8 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
 import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
-import { fieldOf, scaleOf } from '../fields/fields';
+import type { HandleData, Symmetry, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import type { Limit } from '../handles/reach';
-import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, type Margins, type StandardView, type Stand } from './camera_fit';
@@ -14,38 +12,26 @@ import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
 import { Gizmo } from './gizmo';
-import { Ground } from './ground';
 import { Hand } from './hand';
 import { HandleMarkers, toScreen } from './handles';
-import { ColourTexture, NetData, netUniforms } from './net_data';
-import { NetFaces } from './net_faces';
-import { NetLines } from './net_lines';
+import type { NetData } from './net_data';
+import { type Appearance, NetDrawing } from './net_drawing';
 import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
-import type { Rods } from './rods';
 import { ReachSurface } from './reach_surface';
-import { Space } from './space';
 import { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
-import type { SurfaceShade } from './surface_shade';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
-type Appearance = Omit<ViewState, 'camera'>;
 
 /** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 /** The share of its margins that title and tools do cover. */
 const COVERED = 0.6;
-/** Of a surface beside the net: the net is what one looks at. */
-const GUIDE_OPACITY = 0.6;
-/** How far from the middle the section plane goes, in the scene. */
-const SECTION_RANGE = 1.1;
-const surfaceShade = lazy(() => import('./surface_shade'));
-const rods = lazy(() => import('./rods'));
 
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
@@ -58,14 +44,10 @@ class SceneView implements View {
   readonly #rig: CameraRig;
   readonly #gizmo: Gizmo;
   readonly #markers = new HandleMarkers();
-  readonly #uniforms = netUniforms();
-  readonly #ground = new Ground(this.#uniforms);
   readonly #stepArrows = new StepArrows();
   readonly #sheet = new SymmetrySheet();
   readonly #reach = new ReachSurface();
-  readonly #colours = new ColourTexture();
-  readonly #lines = new NetLines(this.#uniforms, this.#colours);
-  readonly #faces = new NetFaces(this.#uniforms, this.#colours);
+  readonly #drawing: NetDrawing;
   readonly #annotations: Annotations;
   readonly #report: DragReport;
   readonly #hand: Hand;
@@ -77,24 +59,17 @@ class SceneView implements View {
   #theme: Theme;
   /** From where the whole net is seen. */
   #direction = directionFor(new Vector3());
-  /** What is drawn of the net. */
-  #netData: NetData | null = null;
   #net: OpenedNet | null = null;
   #latest: FrameData | null = null;
   #handles: readonly HandleData[] = [];
   #appearance: Appearance = { field: 'deviation', colourMap: 'paper', showFaces: false };
   #choice: ViewChoice = { selection: [], mode: 'translate', selecting: false };
   #symmetry: Symmetry | undefined;
-  #guide: DrawnSurface | null = null;
-  #shade: SurfaceShade | null = null;
-  #rods: Rods | null = null;
-  #isDisposed = false;
   #regionShown = false;
   #preview: readonly number[] = [];
   #found: Found | null = null;
   #firstVisit = isFirstVisit();
   #frame = 0;
-  #netMoved = false;
   /** The camera is being set to that of another view. */
   #following = false;
   #drawTimes: number[] = [];
@@ -107,6 +82,11 @@ class SceneView implements View {
     this.#events = events;
     this.#graphics = graphics;
     this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
+    this.#theme = readTheme(container);
+    this.#drawing = new NetDrawing(this.#theme, this.#appearance, {
+      changed: () => this.#requestDraw(),
+      failed: (error) => events.failed(error),
+    });
     const canvas = this.#renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
@@ -132,20 +112,11 @@ class SceneView implements View {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [
-      this.#ground,
-      this.#lines,
-      this.#faces,
-      this.#markers,
-      this.#stepArrows,
-      this.#sheet,
-      this.#reach,
-    ])
+    for (const part of [this.#drawing, this.#markers, this.#stepArrows, this.#sheet, this.#reach])
       this.#scene.add(part.object);
     this.#scene.add(this.#gizmo.object, this.#rig.camera);
     this.#addLights();
     this.#gestures = this.#createGestures(canvas);
-    this.#theme = readTheme(container);
     this.#applyTheme();
     this.#stopThemes = onThemeChange(() => this.#readTheme());
     canvas.addEventListener('webglcontextlost', () => this.#lost());
@@ -156,17 +127,10 @@ class SceneView implements View {
   }
 
   setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
-    this.#removeNet();
+    this.#forgetNet();
     this.#net = net;
-    this.#netData = new NetData(net, new Space(net.restPositions, this.#appearance.upAxis));
-    this.#netData.putInto(this.#uniforms);
-    this.#lines.setNet(this.#netData, net.strips);
-    this.#faces.setTriangles(net.triangles);
-    this.#ground.setNet(this.#netData, this.#faces.object.geometry);
-    this.#sheet.update(this.#symmetry, net.restPositions, this.#netData.space);
-    this.#rods?.setNet(this.#netData, net.edges.length / 2);
-    this.#cut();
-    this.setGuide(this.#guide);
+    const { space } = this.#drawing.setNet(net);
+    this.#sheet.update(this.#symmetry, net.restPositions, space);
     this.setFrame(frame);
     this.#lookFrom('free');
     this.#rig.framed = camera === null;
@@ -176,9 +140,8 @@ class SceneView implements View {
   setFrame(frame: FrameData): void {
     if (!this.#netData) return;
     this.#latest = frame;
-    this.#netData.setFrame(frame, fieldOf(this.#appearance.field));
+    this.#drawing.setFrame(frame);
     this.#stepArrows.update(frame, this.#netData.space, this.#netData.edgeLength);
-    this.#netMoved = true;
     this.#requestDraw();
   }
 
@@ -204,59 +167,7 @@ class SceneView implements View {
   }
 
   setGuide(surface: DrawnSurface | null): void {
-    this.#guide = surface;
-    this.#drawGuide().catch((error: unknown) => this.#events.failed(error));
-  }
-
-  /** What draws it comes when it is first needed. */
-  async #drawGuide(): Promise<void> {
-    if (this.#guide === null && this.#shade === null) return;
-    const { SurfaceShade } = await surfaceShade();
-    if (this.#isDisposed) return;
-    if (this.#shade === null) {
-      this.#shade = new SurfaceShade(GUIDE_OPACITY);
-      this.#shade.setTheme(this.#theme);
-      this.#scene.add(this.#shade.object);
-    }
-    this.#shade.object.visible = this.#guide !== null;
-    if (this.#guide && this.#netData) this.#shade.setSurface(this.#guide, this.#netData.space);
-    this.#requestDraw();
-  }
-
-  /** Edges as lines, or as rods; what draws these comes when it is first needed. */
-  async #drawRods(): Promise<void> {
-    if (this.#appearance.rods !== undefined && this.#rods === null) {
-      const { Rods } = await rods();
-      if (this.#isDisposed) return;
-      this.#rods ??= this.#createRods(Rods);
-    }
-    const { rods: thickness } = this.#appearance;
-    this.#lines.object.visible = this.#rods === null || thickness === undefined;
-    if (this.#rods === null) return;
-    this.#rods.object.visible = thickness !== undefined;
-    if (thickness !== undefined) this.#rods.setThickness(thickness);
-    this.#requestDraw();
-  }
-
-  #createRods(Kind: typeof Rods): Rods {
-    const made = new Kind(this.#uniforms, this.#colours);
-    made.setTheme(this.#theme);
-    if (this.#net && this.#netData) made.setNet(this.#netData, this.#net.edges.length / 2);
-    this.#scene.add(made.object);
-    return made;
-  }
-
-  /** Where the section plane is. */
-  #cut(): void {
-    const plane = this.#uniforms.section.value.set(0, 0, 0, 0);
-    const { section } = this.#appearance;
-    if (section === undefined || !this.#netData) return;
-    const { axisY, signY } = this.#netData.space;
-    const axis = { x: 0, y: 1, z: 2 }[section.axis];
-    if (axis === 0) plane.x = 1;
-    else if (axis === axisY) plane.y = signY;
-    else plane.z = 1;
-    plane.w = (2 * section.at - 1) * SECTION_RANGE;
+    this.#drawing.setGuide(surface);
   }
 
   setRegion(mobility: Float32Array | null): void {
@@ -278,18 +189,11 @@ class SceneView implements View {
   }
 
   setAppearance(appearance: Appearance): void {
-    const before = this.#appearance;
+    const { upAxis } = this.#appearance;
     this.#appearance = appearance;
-    const { field, showFaces } = appearance;
-    const { place } = fieldOf(field);
-    if (appearance.upAxis !== before.upAxis) this.#turn();
-    else if (field !== before.field && this.#latest) this.#netData?.setFrame(this.#latest, fieldOf(field));
+    this.#drawing.setAppearance(appearance);
+    if (appearance.upAxis !== upAxis) this.#turn();
     this.#setParallel(appearance.parallel ?? false);
-    this.#drawRods().catch((error: unknown) => this.#events.failed(error));
-    this.#cut();
-    this.#colours.setScale(scaleOf(appearance, this.#theme), place);
-    this.#faces.object.visible = showFaces;
-    this.#lines.setOverColours(showFaces && place === 'vertex');
     this.#requestDraw();
   }
 
@@ -339,32 +243,29 @@ class SceneView implements View {
   }
 
   dispose(): void {
-    this.#isDisposed = true;
-    this.#shade?.dispose();
-    this.#rods?.dispose();
     cancelAnimationFrame(this.#frame);
     this.#resizing.disconnect();
     this.#stopThemes();
-    this.#gestures.dispose();
-    this.#removeNet();
-    const [gizmo, stepArrows, sheet, reach, rig, markers, ground, lines, faces, colours, renderer] = [
+    for (const part of [
+      this.#gestures,
       this.#gizmo,
       this.#stepArrows,
       this.#sheet,
       this.#reach,
       this.#rig,
       this.#markers,
-      this.#ground,
-      this.#lines,
-      this.#faces,
-      this.#colours,
+      this.#drawing,
       this.#renderer,
-    ];
-    for (const thing of [gizmo, stepArrows, sheet, reach, rig, markers, ground, lines, faces, colours, renderer])
-      thing.dispose();
+    ])
+      part.dispose();
     this.#renderer.domElement.remove();
     this.#annotations.overlay.element.remove();
     this.#notice.remove();
+  }
+
+  /** What is drawn of the net; null before the first. */
+  get #netData(): NetData | null {
+    return this.#drawing.data;
   }
 
   #createGestures(canvas: HTMLCanvasElement): Gestures {
@@ -377,7 +278,7 @@ class SceneView implements View {
       report: this.#report,
       events: this.#events,
       data: () => this.#netData,
-      section: this.#uniforms.section.value,
+      section: this.#drawing.section,
       selection: () => this.#choice.selection,
       selecting: () => this.#choice.selecting,
       moving: (handle) => this.#hand.moving(handle),
@@ -446,9 +347,7 @@ class SceneView implements View {
     this.#drawAnnotations();
   }
 
-  #removeNet(): void {
-    this.#netData?.dispose();
-    this.#netData = null;
+  #forgetNet(): void {
     this.#handles = [];
     this.#found = null;
     this.#regionShown = false;
@@ -482,20 +381,10 @@ class SceneView implements View {
   }
 
   #applyTheme(): void {
-    for (const part of [
-      this.#markers,
-      this.#ground,
-      this.#lines,
-      this.#faces,
-      this.#stepArrows,
-      this.#sheet,
-      this.#reach,
-    ])
+    for (const part of [this.#drawing, this.#markers, this.#stepArrows, this.#sheet, this.#reach])
       part.setTheme(this.#theme);
-    this.#shade?.setTheme(this.#theme);
-    this.#rods?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
-    this.setAppearance(this.#appearance);
+    this.#requestDraw();
   }
 
   /** Browsers restore a lost context, but not always. A reload keeps the document. */
@@ -505,7 +394,7 @@ class SceneView implements View {
 
   #restored(): void {
     this.#notice.hide();
-    this.#netMoved = true;
+    this.#drawing.restore();
     this.#requestDraw();
   }
 
@@ -537,8 +426,6 @@ class SceneView implements View {
     this.#rig.update();
     if (!this.#netData) return;
     this.#prepare(this.#netData);
-    if (this.#netMoved) this.#ground.drawShadow(this.#renderer);
-    this.#netMoved = false;
     this.#renderer.render(this.#scene, this.#rig.eye);
     this.#drawAnnotations();
     this.#countDraw();
@@ -546,12 +433,10 @@ class SceneView implements View {
 
   #prepare({ edgeLength }: NetData): void {
     const { eye, distance } = this.#rig;
-    this.#lines.beforeDraw(eye, this.#size, this.#renderer.getPixelRatio(), distance);
+    this.#drawing.beforeDraw(this.#renderer, this.#rig, this.#size);
     this.#stepArrows.beforeDraw(this.#size, this.#renderer.getPixelRatio());
     this.#markers.beforeDraw(eye, this.#size.y, edgeLength, distance);
     this.#gizmo.setPosition(this.#gizmoPlace());
-    // From below, the floor would hide the net.
-    this.#ground.object.visible = eye.position.z > this.#ground.object.position.z;
   }
 
   /** Hidden while handles are being selected, so as not to cover them. */

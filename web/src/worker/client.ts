@@ -114,9 +114,9 @@ export class Client {
     return this.#returning !== null;
   }
 
-  /** Resolves when nothing waits and the net is settled. */
+  /** Resolves when no request that changes the net waits and the net is settled; pictures of other nets may be under way. */
   async idle(): Promise<void> {
-    if (this.busy) await new Promise<void>((resolve) => this.#whenIdle.push(resolve));
+    if (this.changing) await new Promise<void>((resolve) => this.#whenIdle.push(resolve));
   }
 
   /** The tables of what the solver can do. */
@@ -377,10 +377,10 @@ export class Client {
     );
   }
 
-  /** Resolves idle() if nothing is pending. */
+  /** Resolves idle() if it is. */
   #rest(): void {
     this.#watch();
-    if (!this.busy) for (const resolve of this.#whenIdle.splice(0)) resolve();
+    if (!this.changing) for (const resolve of this.#whenIdle.splice(0)) resolve();
   }
 }
 

@@ -94,7 +94,7 @@ export class Server {
     try {
       this.#answer(request);
     } catch (error) {
-      // A small picture is not worth the wait.
+      // All requests would wait for the whole core, and a thumbnail is not worth that.
       if (codeOf(error) === LEFT_OUT && request.type !== 'thumbnail')
         void this.#goOnInWholeCore(
           () => this.handle(request),

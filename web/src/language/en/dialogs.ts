@@ -76,6 +76,8 @@ export const dialogs = {
     tooLarge: (name: string, megabytes: number, largest: number) =>
       `${name} has ${megabytes} MB; nets are opened up to ${largest} MB.`,
     notStarted: 'The file reader could not be started.',
+    /** In place of what the file reader says with this code. */
+    unread: (_code: string): string | undefined => undefined,
     kind: 'What is it?',
     net: { text: 'A net', hint: 'It is opened and edited as it is.' },
     surface: { text: 'A surface to make a net on', notOne: (reason: string) => `It cannot be one: ${reason}.` },
@@ -86,11 +88,13 @@ export const dialogs = {
   drape: {
     title: 'A net on a surface',
     opening: 'Measuring the surface…',
+    making: 'Making the net…',
     proposals: 'Good beginnings, the best first',
     proposal: (number: number) => `Beginning ${number}`,
     picture: 'The surface and the net on it; arrow keys move the seed',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
+    fromFile: 'A file of yours…',
     /** The core's own surfaces, by their names. */
     own: {
       shell: 'Free-form shell',
@@ -116,7 +120,11 @@ export const dialogs = {
     tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
     direction: 'Direction',
     angle: 'Angle',
-    beyond: 'Whole cells at the border',
+    border: 'At the border',
+    locked: 'Where it locks',
+    leaves: (height: number) =>
+      height === 0 ? 'a gap stays' : `up to ${height === 1 ? 'an edge' : `${height} edges`} off`,
+    borders: { beyond: 'whole cells', cut: 'rods cut at it', inside: 'no cell over it' },
     showShear: 'Colours by shear, red at 60°',
     prospects: {
       one_piece: (_has: string) => 'One uncut piece will cover it.',
@@ -142,9 +150,24 @@ export const dialogs = {
     cellsAndVertices: (cells: string, vertices: string) => `${cells}, ${vertices}`,
     rods: 'Rods, their length',
     rodsOf: (rods: string, length: string) => `${rods}, ${length}`,
+    cutEnds: 'Ends cut at the border',
     deviation: 'Largest dL',
     take: 'Open this net',
     cancel: 'Cancel',
+  },
+  change: {
+    title: 'The net is being changed',
+    starting: 'New faces',
+    progress: (iterations: string) => `Finding a net whose edges have their length: iteration ${iterations}`,
+    stop: 'Stop',
+    notExact:
+      'No net whose edges have one length was found near this shape. Nothing was changed; pull the net flatter there first, or choose another line.',
+    vertices: (count: string) => `The net has ${count} vertices now.`,
+    pieces: (count: number) => `It has ${count} pieces.`,
+    lost: (handles: number) =>
+      handles === 1
+        ? 'One handle is gone: its vertex is no more.'
+        : `${handles} handles are gone: their vertices are no more.`,
   },
   equalize: {
     choice: 'Equalise: the nearest net with edges of equal length',

@@ -53,6 +53,10 @@ export const panels = {
     factor: 'Factor',
     apply: 'Apply',
     remove: 'Remove',
+    /** Handles of one name, and how many they are. */
+    group: (name: string, count: number) => `${name} (${count})`,
+    groupHint: 'Handles of one name are one row of the list',
+    removeGroup: (group: string) => `Remove ${group}`,
     removeAt: (vertex: number) => `Remove the handle at vertex ${vertex}`,
   },
   guide: {
@@ -70,6 +74,41 @@ export const panels = {
     label: 'Flip through',
     hint: 'Pushes the net through between its handles, to look for the other shape in which it rests',
     back: 'It came back: no other shape at rest was found.',
+  },
+  change: {
+    title: 'Change the net',
+    length: 'Edge length',
+    apply: 'Apply',
+    choose: 'Choose a handle: the net can be cut, shortened or lengthened along the lines through it.',
+    chosen: (handles: number) =>
+      handles === 1 ? 'At the chosen handle:' : `At the ${handles} chosen handles, lines through the last one:`,
+    line: 'Line',
+    lineName: (name: 'boundary' | 'between' | number) =>
+      name === 'boundary' ? 'Boundary loop' : name === 'between' ? 'Between the handles' : `Net line ${name + 1}`,
+    ways: {
+      refine: 'Refine',
+      coarsen: 'Coarsen',
+      cut: 'Cut',
+      keep_larger: 'Keep the larger side',
+      keep_smaller: 'Keep the smaller side',
+      delete_rows: 'Delete rows beside it',
+      delete_faces: 'Delete faces at the handles',
+      add_row: 'Add a row',
+      join: 'Join borders',
+      resize: 'Edge length',
+    },
+    hints: {
+      refine: 'Every quad becomes two by two, with half the edge length, on the same shape',
+      coarsen: 'Two by two quads become one, with twice the edge length; an odd row at the border goes',
+      cut: 'Both sides of the line come apart: two pieces, or a slit where the line ends inside',
+      keep_larger: 'Deletes what lies beyond the line, on its smaller side',
+      keep_smaller: 'Deletes what lies beyond the line, on its larger side',
+      delete_rows: 'Deletes the faces that touch the line with an edge',
+      delete_faces: 'Deletes all faces that touch a chosen handle',
+      add_row: 'Adds a row of quads outside of the line, if it lies on the border',
+      join: 'Borders that lie within half an edge of each other become one',
+      resize: 'The same net in another size',
+    },
   },
   symmetry: {
     label: 'Symmetry',

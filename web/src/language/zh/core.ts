@@ -182,6 +182,7 @@ export const CORE_ERRORS: Record<string, string> = {
   bad_option: '名称不存在，或设置不适用',
   too_large: '超出大小限制',
   file_access: '无法访问文件',
+  impossible_change: '网不能这样更改',
   left_out: '此模块不含这一部分',
   internal: '内部错误',
   disposed: '编辑器已关闭',

@@ -14,6 +14,14 @@ export const DEFECTS: Record<Defect, { name: string; found: string; repair: stri
   unused_vertices: { name: '未使用的顶点', found: '个顶点不属于任何面', repair: '将舍弃' },
 };
 
+/** Files that the page cannot read, by the codes of files/model.ts. */
+const UNREAD: Record<string, string> = {
+  bad_model: '此 glTF 或 3DM 文件已损坏，无法读取。',
+  compressed_model: '此文件中的网格以本程序不支持的扩展方式压缩，请不压缩另存。',
+  model_in_parts: '此文件的网格存放在另一个文件中；请另存为 GLB，其中包含全部内容。',
+  no_mesh: '此文件中没有网格。在 Rhino 中可用“Mesh”命令把曲面变为网格。',
+};
+
 export const dialogs: Widened<typeof en> = {
   projects: {
     title: '我的项目',
@@ -87,6 +95,7 @@ export const dialogs: Widened<typeof en> = {
     equal: { text: (mean) => `统一为平均长度（${mean}）`, hint: '形状会改变，直到所有边尽可能达到此长度。' },
     tooLarge: (name, megabytes, largest) => `${name} 有 ${megabytes} MB；最多可打开 ${largest} MB 的网。`,
     notStarted: '无法启动文件读取程序。',
+    unread: (code) => UNREAD[code],
     kind: '这是什么？',
     net: { text: '一张网', hint: '按原样打开并编辑。' },
     surface: { text: '一个曲面，在其上生成网', notOne: (reason) => `不能作为曲面：${reason}。` },
@@ -97,11 +106,13 @@ export const dialogs: Widened<typeof en> = {
   drape: {
     title: '曲面上的网',
     opening: '正在测量曲面…',
+    making: '正在铺网…',
     proposals: '较好的起点，最好的在前',
     proposal: (number) => `起点 ${number}`,
     picture: '曲面及其上的网；方向键移动起点',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
     surface: '曲面',
+    fromFile: '打开自己的文件…',
     own: {
       shell: '自由曲面壳',
       hypar: '双曲抛物面',
@@ -126,7 +137,10 @@ export const dialogs: Widened<typeof en> = {
     tooShort: (least) => `至少 ${least}：更细的网跟不上手的拖动。`,
     direction: '方向',
     angle: '夹角',
-    beyond: '边界处保留整格',
+    border: '边界处',
+    locked: '锁死之处',
+    leaves: (height) => (height === 0 ? '留出空缺' : `最多离面 ${height} 倍边长`),
+    borders: { beyond: '保留整格', cut: '沿边界截断杆件', inside: '不越过边界' },
     showShear: '按剪切着色，60° 为红',
     prospects: {
       one_piece: (_has) => '一张不剪开的网即可覆盖它。',
@@ -150,9 +164,20 @@ export const dialogs: Widened<typeof en> = {
     cellsAndVertices: (cells, vertices) => `${cells}、${vertices}`,
     rods: '杆数、总长',
     rodsOf: (rods, length) => `${rods}、${length}`,
+    cutEnds: '在边界截断的杆端',
     deviation: '最大 dL',
     take: '打开此网',
     cancel: '取消',
+  },
+  change: {
+    title: '正在更改网',
+    starting: '生成新的面',
+    progress: (iterations) => `正在寻找各边长度正确的网：第 ${iterations} 次迭代`,
+    stop: '停止',
+    notExact: '在此形状附近找不到等边长的网。什么也没有更改；请先把那里的网拉平一些，或另选一条线。',
+    vertices: (count) => `网现在有 ${count} 个顶点。`,
+    pieces: (count) => `它分成 ${count} 块。`,
+    lost: (handles) => `${handles} 个手柄随其顶点一起消失了。`,
   },
   equalize: {
     choice: '均匀化：变成最接近的等边长网',

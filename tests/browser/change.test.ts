@@ -1,0 +1,101 @@
+/** The net itself is changed: finer, coarser, cut, shorter and longer, each exact and undone in a step. */
+import { join } from 'node:path';
+import { beforeEach, expect, test } from 'vitest';
+import { OUTPUT, type Script, type Visit, visits } from './page';
+
+const { arrive } = visits();
+let visit: Visit;
+let script: Script;
+
+beforeEach(async () => {
+  visit = await arrive();
+  ({ script } = visit);
+  await script.open({ recipe: 'vault:vertices=300' });
+  await script.settled();
+  await visit.page.locator('summary', { hasText: /^Change the net$/ }).click();
+});
+
+const section = () => visit.page.locator('details', { hasText: /^Change the net/ });
+const press = (name: string) => section().getByRole('button', { name, exact: true }).click();
+const vertices = async () => (await script.stats()).vertices;
+
+const undo = () => visit.page.keyboard.press('Control+z');
+const width = async () => {
+  const positions = await script.positions();
+  const x = positions.filter((_, i) => i % 3 === 0);
+  return Math.max(...x) - Math.min(...x);
+};
+
+/** Clicks on a handle. */
+async function choose(vertex: number): Promise<void> {
+  const { x, y } = await script.screenPosition(vertex);
+  await visit.page.mouse.click(x, y);
+  await section().getByText('At the chosen handle:').waitFor();
+}
+
+async function becomes(count: (before: number) => number, name: string): Promise<void> {
+  const wanted = count(await vertices());
+  await press(name);
+  await expect.poll(vertices).toBe(wanted);
+  await script.settled();
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
+}
+
+test('finer, another length, and back', async () => {
+  const first = await vertices();
+  const handles = (await visit.page.evaluate(() => window.chebnet.handles())).map(({ vertex }) => vertex);
+  const length = Number(await section().getByLabel('Edge length').inputValue());
+  await press('Refine');
+  await visit.page.getByText(/^The net has [\d,]+ vertices now\.$/).waitFor();
+  await script.settled();
+  expect(await vertices()).toBeGreaterThan(3.5 * first);
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
+  expect((await visit.page.evaluate(() => window.chebnet.handles())).map(({ vertex }) => vertex)).toEqual(handles);
+  await expect
+    .poll(async () => Number(await section().getByLabel('Edge length').inputValue()))
+    .toBeCloseTo(length / 2, 4);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-refined.png') });
+
+  const fine = await vertices();
+  await becomes(() => first, 'Coarsen');
+  await section().getByLabel('Edge length').fill('2');
+  await press('Apply');
+  await expect.poll(width).toBeGreaterThan(20);
+
+  await undo();
+  await expect.poll(width).toBeLessThan(20);
+  await undo();
+  await expect.poll(vertices).toBe(fine);
+  await undo();
+  await expect.poll(vertices).toBe(first);
+});
+
+test('a line is cut, one side goes, a row comes, and a reason is given where it cannot be', async () => {
+  const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  expect(await section().getByRole('button', { name: 'Cut' }).isEnabled()).toBe(false);
+  await choose(vertex);
+  await section().getByRole('button', { name: 'Cut' }).hover();
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-line.png') });
+  await press('Add a row');
+  await visit.page.getByText(/where rows are added: choose a vertex there/).waitFor();
+
+  const whole = await vertices();
+  await press('Cut');
+  await visit.page.getByText(/It has 2 pieces\./).waitFor();
+  await expect.poll(vertices).toBeGreaterThan(whole);
+  const line = (await vertices()) - whole;
+  await press('Join borders');
+  await expect.poll(vertices).toBe(whole);
+
+  await choose(vertex);
+  await press('Keep the smaller side');
+  await visit.page.getByText(/handles are gone: their vertices are no more/).waitFor();
+  await expect.poll(vertices).toBeLessThan(whole);
+  await script.settled();
+  const half = await vertices();
+  const kept = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+  await choose(kept);
+  await section().getByLabel('Line').selectOption('Net line 2');
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-half.png') });
+  expect(half).toBeGreaterThan(line);
+});

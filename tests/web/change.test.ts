@@ -1,0 +1,32 @@
+/** What becomes of a document whose net gets other faces. */
+import { expect, test } from 'vitest';
+import { changedScene } from '../../web/src/change/subject';
+import type { ChebnetDocument, HandleSeed } from '../../web/src/document/document';
+
+/** Five vertices in a line, and of these the first, third and fifth: no faces are looked at. */
+const line = (count: number, step: number) => ({
+  positions: Float64Array.from({ length: 3 * count }, (_, i) => (i % 3 === 0 ? (step * i) / 3 : 0)),
+  faceStart: Int32Array.of(0),
+  faceVertices: new Int32Array(),
+});
+const changed = { mesh: line(3, 2), origins: Int32Array.of(0, 2, 4), pieces: 1 };
+const documentWith = (...vertices: number[]) =>
+  ({
+    net: { recipe: 'vault' },
+    handles: vertices.map((vertex) => ({ vertex, target: null })),
+    options: {},
+    method: 'equilibrium',
+  }) as unknown as ChebnetDocument;
+function verticesAfter(way: 'coarsen' | 'delete_faces', ...vertices: number[]): number[] {
+  const { handles } = changedScene(documentWith(...vertices), { way, mesh: line(5, 1) }, changed, []);
+  return (handles as HandleSeed[]).map(({ vertex }) => vertex);
+}
+
+test('handles stay at their vertices; where these are gone, they go', () => {
+  expect(verticesAfter('delete_faces', 0, 1, 4)).toEqual([0, 2]);
+});
+
+test('in a coarser net they go to the nearest vertex that no other has', () => {
+  expect(verticesAfter('coarsen', 0, 3)).toEqual([0, 1]);
+  expect(verticesAfter('coarsen', 0, 2, 4, 1)).toEqual([0, 1, 2]);
+});

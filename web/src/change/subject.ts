@@ -1,0 +1,104 @@
+/** The net to be changed, and the scene with what became of it. */
+import type { FormatInfo } from '../../../wasm/chebnet';
+import type { ChangeName } from '../document/naming';
+import { usualMethod } from '../document/defaults';
+import type { ChebnetDocument, Scene } from '../document/document';
+import { fileNameOf } from '../document/file_name';
+import type { Selection } from '../handles/selection';
+import type { Opening } from '../worker/opening';
+import type { ChangedNet, ChangeRequest, Way } from './change_protocol';
+import { type PlaceName, placeOf } from './place';
+
+/** What is asked of a net: at its chosen handles, with another edge length, or all of it. */
+export type WantedChange =
+  | { way: 'refine' | 'coarsen' | 'join' }
+  | { way: 'resize'; length: number }
+  | { way: Exclude<Way, 'refine' | 'coarsen' | 'join' | 'resize'>; place: PlaceName };
+
+const RADIANS = Math.PI / 180;
+
+export function requestOf({ document, net, frame }: Opening, wanted: WantedChange, chosen: Selection): ChangeRequest {
+  const { restPositions, restLengths, faceStart, faceVertices, info } = net;
+  const { lengthScale } = frame;
+  const { shear_limit: limit } = document.options;
+  // Soft handles hold nothing.
+  const exact = document.handles.filter(({ weight }) => !weight).map(({ vertex }) => vertex);
+  return {
+    mesh: { positions: document.positions ?? restPositions, faceStart, faceVertices },
+    way: wanted.way,
+    place: 'place' in wanted ? placeOf(net, chosen, wanted.place) : {},
+    factor: 'length' in wanted ? wanted.length / (info.meanLength * lengthScale) : 1,
+    length: info.isChebyshev ? restLengths[0]! * lengthScale : null,
+    held: wanted.way === 'resize' ? [] : exact,
+    ...(limit !== undefined && { shearLimit: Number(limit) * RADIANS }),
+  };
+}
+
+/** Handles stay at their vertices, where these stand now; those whose vertices are gone go, but to the nearest vertex where
+ *  the net is only coarser. The shape of the moment is the net's own from now on. A surface beside it stays, if it fits. */
+export function changedScene(
+  document: ChebnetDocument,
+  { way, mesh: { positions: before } }: Pick<ChangeRequest, 'way' | 'mesh'>,
+  { mesh, origins }: ChangedNet,
+  formats: readonly FormatInfo[],
+): Scene {
+  const vertexOf = new Map<number, number>();
+  origins.forEach((old, vertex) => {
+    if (old >= 0 && !vertexOf.has(old)) vertexOf.set(old, vertex);
+  });
+  const taken = new Set(document.handles.map(({ vertex }) => vertexOf.get(vertex)));
+  const placeFor = (vertex: number): number | undefined => {
+    if (vertexOf.has(vertex) || way !== 'coarsen') return vertexOf.get(vertex);
+    const nearest = nearestVertex(mesh.positions, before.subarray(3 * vertex, 3 * vertex + 3));
+    if (taken.has(nearest)) return undefined;
+    taken.add(nearest);
+    return nearest;
+  };
+  const net = { mesh, name: fileNameOf(document.net, 'obj', formats) };
+  const { length_scale: _, ...options } = document.options;
+  return {
+    ...document,
+    net,
+    guide: way === 'resize' ? undefined : document.guide,
+    numbering: undefined,
+    handles: document.handles.flatMap((handle) => {
+      const vertex = placeFor(handle.vertex);
+      return vertex === undefined ? [] : [{ ...handle, vertex, target: null }];
+    }),
+    method: document.method === usualMethod(document.net) ? usualMethod(net) : document.method,
+    options,
+    positions: null,
+    settled: true,
+    experiment: undefined,
+    compare: undefined,
+  };
+}
+
+function nearestVertex(positions: Float64Array, point: Float64Array): number {
+  let [nearest, least] = [0, Infinity];
+  const [x, y, z] = [point[0]!, point[1]!, point[2]!];
+  for (let i = 0; i < positions.length; i += 3) {
+    const distance = (positions[i]! - x) ** 2 + (positions[i + 1]! - y) ** 2 + (positions[i + 2]! - z) ** 2;
+    if (!(distance < least)) continue;
+    nearest = i / 3;
+    least = distance;
+  }
+  return nearest;
+}
+
+/** What the history calls it. */
+export function nameOf(way: Way): ChangeName {
+  const names = {
+    refine: 'refine',
+    coarsen: 'coarsen',
+    cut: 'cut',
+    keep_larger: 'trim',
+    keep_smaller: 'trim',
+    delete_rows: 'deleteFaces',
+    delete_faces: 'deleteFaces',
+    add_row: 'addRow',
+    join: 'join',
+    resize: 'resize',
+  } as const;
+  return [names[way]];
+}

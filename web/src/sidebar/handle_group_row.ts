@@ -1,0 +1,72 @@
+/** Handles of one name, as one row of the list: its name to select them by, eye, lock and cross for all of them. */
+import type { HandleData } from '../document/document';
+import { make, makeButton, makeIcon, setText } from '../elements/dom';
+import { ICONS } from '../elements/icons';
+import type { HandleTraits } from '../handles/commands';
+import { words } from '../language/language';
+import { panelWords } from '../language/panels';
+import { Toggle } from './toggle';
+
+export interface GroupEvents {
+  /** `adds`: beside what is selected already. */
+  select(vertices: readonly number[], adds: boolean): void;
+  change(vertices: readonly number[], traits: HandleTraits): void;
+  remove(vertices: readonly number[]): void;
+}
+
+export class HandleGroupRow {
+  readonly element: HTMLLIElement;
+  readonly #title = make('span');
+  readonly #select: HTMLButtonElement;
+  readonly #eye: Toggle;
+  readonly #lock: Toggle;
+  readonly #remove: HTMLButtonElement;
+  #vertices: number[] = [];
+
+  constructor(events: GroupEvents) {
+    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, { class: 'plain name' });
+    this.#select.append(this.#title);
+    this.#select.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) =>
+      events.select(this.#vertices, shiftKey || ctrlKey || metaKey),
+    );
+    this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
+      events.change(this.#vertices, { hidden: hidden || undefined }),
+    );
+    this.#lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
+      events.change(this.#vertices, { anchor }),
+    );
+    this.#remove = makeButton(makeIcon(ICONS.cross), () => events.remove(this.#vertices), {
+      class: 'plain tool',
+      title: panelWords.handles.remove,
+    });
+    this.element = make(
+      'li',
+      {},
+      make('div', { class: 'line' }, this.#select, this.#eye.button, this.#lock.button, this.#remove),
+    );
+  }
+
+  /** What only some of them are, hidden or locked or soft, the row does not show. */
+  update(handles: readonly HandleData[], selected: boolean): void {
+    this.#vertices = handles.map(({ vertex }) => vertex);
+    const title = panelWords.handles.group(handles[0]?.name ?? '', handles.length);
+    setText(this.#title, title);
+    this.#remove.setAttribute('aria-label', panelWords.handles.removeGroup(title));
+    const [hidden, locked] = [handles.every((each) => each.hidden), handles.every(({ anchor }) => anchor)];
+    const { classList } = this.element;
+    classList.toggle('selected', selected);
+    classList.toggle('locked', locked);
+    classList.toggle(
+      'soft',
+      handles.every(({ weight }) => weight !== undefined),
+    );
+    classList.toggle('unseen', hidden);
+    this.#select.setAttribute('aria-pressed', String(selected));
+    this.#eye.set(hidden);
+    this.#lock.set(locked);
+  }
+
+  focus(): void {
+    this.#select.focus();
+  }
+}
