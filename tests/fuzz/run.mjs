@@ -51,6 +51,7 @@ function coreTarget(name) {
         '-print_final_stats=1',
       ],
       log,
+      { env: { UBSAN_OPTIONS: 'print_stacktrace=1', ...process.env } },
     );
     const text = readFileSync(log, 'utf8');
     return {
