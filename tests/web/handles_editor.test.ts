@@ -134,6 +134,30 @@ test('a line of vertices is taken whole, its first vertex leads', async () => {
   expect(editor.choice.selection.at(-1)).toBe(0);
 });
 
+test('a patch has one name, also of handles in it that had none and are not locked, and is one step', async () => {
+  editor.select([7]);
+  editor.around((surroundings) => {
+    surroundings.radius = 1;
+    expect([...surroundings.patch()].sort((a, b) => a - b)).toEqual([2, 6, 7, 8, 12]);
+    surroundings.takePatch();
+  });
+  await expect.poll(() => vertices()).toHaveLength(6);
+  const named = handles().filter(({ name }) => name !== undefined);
+  expect(named.map(({ vertex }) => vertex).sort((a, b) => a - b)).toEqual([6, 7, 8, 12]);
+  expect(new Set(named.map(({ name }) => name)).size).toBe(1);
+  expect(editor.choice.selection.at(-1)).toBe(7);
+  expect(editor.choice.selection).toHaveLength(5);
+  undo();
+  expect(handles()).toEqual([handle(0), handle(2, { anchor: true }), handle(7)]);
+});
+
+test('there is no patch around nothing', async () => {
+  editor.select([]);
+  editor.around((surroundings) => surroundings.takePatch());
+  await tick();
+  expect(vertices()).toEqual([0, 2, 7]);
+});
+
 test('rows and columns cross at an inner vertex; the boundary does not come by', () => {
   editor.select([7]);
   expect(editor.choice).toMatchObject({ onBoundary: false, lines: 2 });

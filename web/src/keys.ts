@@ -21,6 +21,7 @@ export const PAGE_KEYS: readonly PageKey[] = [
     run: (app) => (app.canCancelOpening ? app.cancelOpening() : app.handles.escape()),
   },
   { keys: ['Delete', 'Backspace'], does: 'remove', run: (app) => app.handles.removeSelected() },
+  { keys: ['P'], does: 'patch', run: (app) => app.handles.around((surroundings) => surroundings.takePatch()) },
   // As in other programs for shapes: grab, rotate, scale.
   { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },
   { keys: ['R'], does: 'rotate', run: (app) => app.handles.setMode('rotate') },

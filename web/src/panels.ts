@@ -6,7 +6,7 @@ import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './d
 import type { HistoryView } from './document/undo';
 import type { SaveRequest } from './export/kinds';
 import type { Language } from './language/choice';
-import type { Choice, HandleCommands, LineName } from './handles/commands';
+import type { Choice, HandleCommands } from './handles/commands';
 import type { Tables } from './net/tables';
 import type { StandardView } from './view/camera_fit';
 import type { FrameData, OpenedNet } from './worker/protocol';
@@ -38,8 +38,8 @@ export interface PanelEvents {
   restoreLast(): void;
   chooseLanguage(language: Language): void;
   handles: HandleCommands;
-  /** Preview the vertices that a button would select; null: no longer. */
-  previewLine(name: LineName | null): void;
+  /** Preview the vertices that a button would select; none: no longer. */
+  preview(vertices: readonly number[]): void;
   setOptions(settings: SolverSettings): void;
   /** As setOptions, and the net comes to rest by them at once. */
   setBehaviour(settings: SolverSettings): void;

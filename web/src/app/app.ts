@@ -453,7 +453,7 @@ export class App {
       openRecipe: (recipe) => this.#attempt(this.openNet({ recipe })),
       cancelOpening: () => this.cancelOpening(),
       handles: this.handles,
-      previewLine: (name) => this.#presenter.view.setPreview(name === null ? [] : this.handles.line(name)),
+      preview: (vertices) => this.#presenter.view.setPreview(this.handles.bothSides(vertices)),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
       setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
       adaptLengths: (progress) => this.adaptLengths(progress),

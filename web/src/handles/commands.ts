@@ -1,6 +1,7 @@
 /** The contract between the handle editor and panels and keys: commands, and the state of the selection. */
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
 import type { Selection } from './selection';
+import type { Surroundings } from './surroundings';
 import type { Motion } from './transform';
 
 /** What the gizmo at the selection does. */
@@ -30,8 +31,12 @@ export interface HandleCommands {
   setMode(mode: GizmoMode): void;
   /** Makes a vertex a handle and selects it, and `also` others with it. */
   add(vertex: number, also?: Selection): void;
-  /** Makes all vertices of a line handles and selects them. */
+  /** The vertices of a line through the leading handle. */
+  line(name: LineName): readonly number[];
+  /** Makes all of them handles and selects them. */
   takeLine(name: LineName): void;
+  /** Does something with what is around the selection. */
+  around(doing: (surroundings: Surroundings) => void): void;
   remove(vertices: Selection): void;
   change(vertices: Selection, traits: HandleTraits): void;
   place(vertex: number, target: Vec3): void;

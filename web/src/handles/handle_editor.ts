@@ -6,6 +6,7 @@ import type { ChebnetDocument, HandleData, Symmetry, Vec3 } from '../document/do
 import type { ChangeName, Term } from '../document/naming';
 import type { Snapshot, UndoHistory } from '../document/undo';
 import { words } from '../language/language';
+import { lazy } from '../lazy';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
@@ -13,6 +14,7 @@ import type { DragGuide } from './drag_guide';
 import { listsThrough } from './lines';
 import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
+import type { Surroundings, SurroundingsHost } from './surroundings';
 import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
 import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from './commands';
@@ -55,6 +57,7 @@ export class HandleEditor implements HandleCommands {
   #pendingTargets: readonly Handle[] | null = null;
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
+  readonly #surroundings = lazy(async () => new (await import('./surroundings')).Surroundings(this.#forSurroundings));
 
   constructor(host: HandleHost, client: Client, history: UndoHistory, guide: DragGuide) {
     this.#host = host;
@@ -137,22 +140,23 @@ export class HandleEditor implements HandleCommands {
   }
 
   takeLine(name: LineName): void {
-    const vertex = this.#selection.at(-1);
-    const line = this.line(name);
-    if (vertex === undefined) return;
-    const title = name === 'boundary' ? words.handles.boundaryLoop : words.handles.netLine(name + 1);
-    const selection = [...line.filter((each) => each !== vertex), vertex];
-    this.#host.attempt(this.#take(line, selection, `${title} · ${vertex}`));
+    this.#takeNamed(
+      this.line(name),
+      name === 'boundary' ? words.handles.boundaryLoop : words.handles.netLine(name + 1),
+    );
   }
 
-  /** The vertices of a line through the leading handle. */
+  around(doing: (surroundings: Surroundings) => void): void {
+    this.#host.attempt(this.#surroundings().then(doing));
+  }
+
   line(name: LineName): readonly number[] {
     const lines = this.#linesThroughLeading();
     return (name === 'boundary' ? lines?.loops[0] : lines?.netLines[name]) ?? [];
   }
 
   remove(vertices: Selection): void {
-    const chosen = new Set(this.#mirrored(vertices));
+    const chosen = new Set(this.bothSides(vertices));
     const leaves = ({ vertex, anchor }: HandleData): boolean => chosen.has(vertex) && !anchor;
     const leaving = this.#handles.filter(leaves);
     if (unlocked(vertices, this.#handles).length < vertices.length) this.sayLocked();
@@ -169,11 +173,28 @@ export class HandleEditor implements HandleCommands {
     if (this.#selection.length > 0) this.remove(this.#selection);
   }
 
+  /** These vertices and their mirror images. */
+  bothSides(vertices: readonly number[]): readonly number[] {
+    return this.#mirrorOf()?.both(vertices) ?? vertices;
+  }
+
+  /** Makes vertices around the leading handle handles of one name. */
+  #takeNamed(vertices: readonly number[], title: string): void {
+    const vertex = this.#selection.at(-1);
+    if (vertex === undefined) return;
+    const selection = [...vertices.filter((each) => each !== vertex), vertex];
+    this.#host.attempt(this.#take(vertices, selection, `${title} · ${vertex}`));
+  }
+
   /** Makes vertices handles, with their mirror images, where they stand.
-   *  @param name of those that are new. */
+   *  @param name of those that are new, or have none and are not locked. */
   async #take(vertices: readonly number[], selection: Selection, name?: string): Promise<void> {
+    const wanted = new Set(this.bothSides(vertices));
     const present = new Set(this.#handles.map(({ vertex }) => vertex));
-    const fresh = this.#mirrored(vertices).filter((vertex) => !present.has(vertex));
+    const fresh = [...wanted].filter((vertex) => !present.has(vertex));
+    const joins = (each: HandleData): boolean =>
+      name !== undefined && each.name === undefined && !each.anchor && wanted.has(each.vertex);
+    const before = this.#handles.map((each) => (joins(each) ? { ...each, name: name! } : each));
     const added = fresh.map(
       (vertex): HandleData => ({
         vertex,
@@ -182,7 +203,7 @@ export class HandleEditor implements HandleCommands {
         ...(name !== undefined && { name }),
       }),
     );
-    if (added.length > 0) await this.set([...this.#handles, ...added], ['add', this.#titleOf(added)]);
+    if (added.length > 0) await this.set([...before, ...added], ['add', this.#titleOf(added)]);
     this.select(selection);
   }
 
@@ -213,7 +234,7 @@ export class HandleEditor implements HandleCommands {
   previewLocality(locality: number | undefined): void {
     const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
     const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
-    this.#host.attempt(this.#guide.showRegion(this.#mirrored(origins), locality ?? null));
+    this.#host.attempt(this.#guide.showRegion(this.bothSides(origins), locality ?? null));
   }
 
   setKeepWithin(on: boolean): void {
@@ -336,8 +357,12 @@ export class HandleEditor implements HandleCommands {
     });
   }
 
-  #mirrored(vertices: readonly number[]): readonly number[] {
-    return this.#mirrorOf()?.both(vertices) ?? vertices;
+  get #forSurroundings(): SurroundingsHost {
+    return {
+      net: () => this.#host.opening()?.net ?? null,
+      selection: () => this.choice.selection,
+      take: (vertices, title) => this.#takeNamed(vertices, title),
+    };
   }
 
   #onBothSides(targets: readonly Handle[]): readonly Handle[] {

@@ -3,13 +3,17 @@ import type { HandleData } from '../document/document';
 import { type Choice, GIZMO_MODES, type GizmoMode, type LineName } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import type { Panel, PanelEvents } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
 import './toolbar.css';
+import './selection_bar.css';
 
 /** Most net lines offered: at a singular vertex more may begin. */
 const MOST_LINES = 6;
+const TEXT = panelWords.selection;
 
 export class SelectionBar implements Panel {
   readonly element: HTMLElement;
@@ -18,6 +22,15 @@ export class SelectionBar implements Panel {
   readonly #modeGroup: HTMLElement;
   readonly #boundary: HTMLButtonElement;
   readonly #lines: HTMLButtonElement[];
+  readonly #radius = make('input', {
+    type: 'number',
+    min: 1,
+    step: 1,
+    value: 3,
+    required: true,
+    'aria-label': TEXT.radius,
+    title: TEXT.radius,
+  });
   readonly #lock: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
   #selected: readonly HandleData[] = [];
@@ -27,13 +40,9 @@ export class SelectionBar implements Panel {
     this.#events = events;
     const { handles } = events;
     const mode = (each: GizmoMode) =>
-      tool(ICONS[each], words.handles.modes[each], words.handles.modeHints[each], () => handles.setMode(each));
+      tool(ICONS[each], TEXT.modes[each], TEXT.modeHints[each], () => handles.setMode(each));
     this.#modes = new Map(GIZMO_MODES.map((each) => [each, mode(each)]));
-    this.#modeGroup = make(
-      'div',
-      { class: 'modes', role: 'group', 'aria-label': words.handles.mode },
-      ...this.#modes.values(),
-    );
+    this.#modeGroup = make('div', { class: 'modes', role: 'group', 'aria-label': TEXT.mode }, ...this.#modes.values());
     this.#boundary = this.#lineButton(
       'boundary',
       ICONS.boundary,
@@ -41,36 +50,35 @@ export class SelectionBar implements Panel {
       words.handles.boundaryLoop,
     );
     this.#lines = Array.from({ length: MOST_LINES }, (_, i) =>
-      this.#lineButton(
-        i,
-        i % 2 === 0 ? ICONS.along : ICONS.across,
-        words.handles.netLine(i + 1),
-        words.handles.netLineHint,
-      ),
+      this.#lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, words.handles.netLine(i + 1), TEXT.netLineHint),
     );
     this.#lock = tool(ICONS.locked, words.handles.lock, words.handles.lock, () => this.#turnLock());
-    this.#remove = tool(ICONS.bin, words.handles.removeSelected, words.handles.removeHint, () =>
-      handles.remove(this.#vertices),
-    );
+    this.#remove = tool(ICONS.bin, TEXT.remove, TEXT.removeHint, () => handles.remove(this.#vertices));
     this.element = make(
       'div',
-      { class: 'toolbar selection-bar', role: 'group', 'aria-label': words.handles.selection, hidden: true },
+      { class: 'toolbar selection-bar', role: 'group', 'aria-label': TEXT.label, hidden: true },
       this.#count,
       this.#modeGroup,
       this.#boundary,
       ...this.#lines,
+      ...this.#makePatch(),
       this.#lock,
       this.#remove,
     );
   }
 
+  setNet({ info }: OpenedNet): void {
+    // No net is wider than that, measured from vertex to vertex.
+    this.#radius.max = String(info.vertices);
+  }
+
   setHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
     const chosen = new Set(selection);
     this.#selected = handles.filter(({ vertex }) => chosen.has(vertex));
-    this.element.hidden = this.#selected.length === 0;
-    if (this.element.hidden) return;
+    if (this.#selected.length === 0) return this.#hide();
+    this.element.hidden = false;
     setText(this.#count, String(this.#selected.length));
-    this.#count.title = words.handles.selected(this.#selected.length);
+    this.#count.title = TEXT.count(this.#selected.length);
     const moving = unlocked(selection, this.#selected).length;
     this.#modeGroup.hidden = moving < 2;
     for (const [each, button] of this.#modes) button.setAttribute('aria-pressed', String(each === mode));
@@ -78,6 +86,12 @@ export class SelectionBar implements Panel {
     this.#lines.forEach((button, i) => (button.hidden = i >= lines));
     this.#lock.setAttribute('aria-pressed', String(moving === 0));
     this.#remove.disabled = moving === 0;
+  }
+
+  /** Buttons that go cannot be left, and what they preview would stay. */
+  #hide(): void {
+    if (!this.element.hidden) this.#events.preview([]);
+    this.element.hidden = true;
   }
 
   get #vertices(): number[] {
@@ -91,14 +105,48 @@ export class SelectionBar implements Panel {
 
   /** Previews the vertices it would select while it is hovered or has the focus. */
   #lineButton(name: LineName, icon: string, label: string, hint: string): HTMLButtonElement {
+    const { handles, preview } = this.#events;
     const button = tool(icon, label, hint, () => {
-      this.#events.previewLine(null);
-      this.#events.handles.takeLine(name);
+      preview([]);
+      handles.takeLine(name);
     });
-    for (const begin of ['pointerenter', 'focus']) button.addEventListener(begin, () => this.#events.previewLine(name));
-    for (const end of ['pointerleave', 'blur']) button.addEventListener(end, () => this.#events.previewLine(null));
+    whilePointedAt(
+      button,
+      () => preview(handles.line(name)),
+      () => preview([]),
+    );
     return button;
   }
+
+  /** Likewise the vertices around the leading handle; its radius can be typed, and Enter takes them. */
+  #makePatch(): HTMLElement[] {
+    const { handles, preview } = this.#events;
+    const show = () => handles.around((surroundings) => preview(surroundings.patch()));
+    const hide = () => handles.around(() => preview([]));
+    const take = () =>
+      handles.around((surroundings) => {
+        preview([]);
+        surroundings.takePatch();
+      });
+    const button = tool(ICONS.patch, TEXT.patch, TEXT.patchHint, take);
+    const radius = make('label', { class: 'radius' }, this.#radius, make('span', {}, TEXT.edges));
+    for (const each of [button, radius]) whilePointedAt(each, show, hide);
+    this.#radius.addEventListener('input', () => {
+      if (!this.#radius.checkValidity()) return;
+      handles.around((surroundings) => (surroundings.radius = this.#radius.valueAsNumber));
+      show();
+    });
+    this.#radius.addEventListener('keydown', ({ key }) => {
+      if (key === 'Enter' && this.#radius.checkValidity()) take();
+    });
+    return [button, radius];
+  }
+}
+
+/** While the pointer is over it, or it has the focus. */
+function whilePointedAt(element: HTMLElement, begin: () => void, end: () => void): void {
+  for (const event of ['pointerenter', 'focusin']) element.addEventListener(event, begin);
+  for (const event of ['pointerleave', 'focusout']) element.addEventListener(event, end);
 }
 
 function tool(icon: string, label: string, hint: string, click: () => void): HTMLButtonElement {

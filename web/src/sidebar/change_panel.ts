@@ -110,11 +110,11 @@ export class ChangePanel implements Panel {
 
   #preview(shown: boolean): void {
     const place = this.#place;
-    this.#events.previewLine(shown && place !== 'between' ? place : null);
+    this.#events.preview(shown && place !== 'between' ? this.#events.handles.line(place) : []);
   }
 
   #ask(wanted: WantedChange): void {
-    this.#events.previewLine(null);
+    this.#events.preview([]);
     this.#events.changeNet(wanted);
   }
 }

@@ -1,5 +1,5 @@
 /** Handles of one name, as one row of the list: its name to select them by, eye, lock and cross for all of them. */
-import type { HandleData } from '../document/document';
+import { type HandleData, LONGEST_NAME } from '../document/document';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import type { HandleTraits } from '../handles/commands';
@@ -18,17 +18,38 @@ export class HandleGroupRow {
   readonly element: HTMLLIElement;
   readonly #title = make('span');
   readonly #select: HTMLButtonElement;
+  /** In the place of the title while they are renamed. */
+  readonly #name = make('input', {
+    type: 'text',
+    maxlength: LONGEST_NAME,
+    'aria-label': panelWords.handles.renameGroup,
+    hidden: true,
+  });
   readonly #eye: Toggle;
   readonly #lock: Toggle;
   readonly #remove: HTMLButtonElement;
   #vertices: number[] = [];
+  #shown = '';
 
   constructor(events: GroupEvents) {
-    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, { class: 'plain name' });
+    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, {
+      class: 'plain name',
+      title: panelWords.handles.renameHint,
+    });
     this.#select.append(this.#title);
-    this.#select.addEventListener('click', ({ shiftKey, ctrlKey, metaKey }) =>
-      events.select(this.#vertices, shiftKey || ctrlKey || metaKey),
+    this.#select.addEventListener('click', ({ detail, shiftKey, ctrlKey, metaKey }) => {
+      // The second click of two belongs to renaming.
+      if (detail < 2) events.select(this.#vertices, shiftKey || ctrlKey || metaKey);
+    });
+    this.#select.addEventListener('dblclick', () => this.#rename());
+    this.#select.addEventListener('keydown', ({ key }) => {
+      if (key === 'F2') this.#rename();
+    });
+    this.#name.addEventListener('change', () =>
+      events.change(this.#vertices, { name: this.#name.value.trim() || undefined }),
     );
+    this.#name.addEventListener('blur', () => this.#setRenaming(false));
+    this.#name.addEventListener('keydown', ({ key }) => this.#typed(key));
     this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change(this.#vertices, { hidden: hidden || undefined }),
     );
@@ -42,14 +63,15 @@ export class HandleGroupRow {
     this.element = make(
       'li',
       {},
-      make('div', { class: 'line' }, this.#select, this.#eye.button, this.#lock.button, this.#remove),
+      make('div', { class: 'line' }, this.#select, this.#name, this.#eye.button, this.#lock.button, this.#remove),
     );
   }
 
   /** What only some of them are, hidden or locked or soft, the row does not show. */
   update(handles: readonly HandleData[], selected: boolean): void {
     this.#vertices = handles.map(({ vertex }) => vertex);
-    const title = panelWords.handles.group(handles[0]?.name ?? '', handles.length);
+    this.#shown = handles[0]?.name ?? '';
+    const title = panelWords.handles.group(this.#shown, handles.length);
     setText(this.#title, title);
     this.#remove.setAttribute('aria-label', panelWords.handles.removeGroup(title));
     const [hidden, locked] = [handles.every((each) => each.hidden), handles.every(({ anchor }) => anchor)];
@@ -68,5 +90,24 @@ export class HandleGroupRow {
 
   focus(): void {
     this.#select.focus();
+  }
+
+  #rename(): void {
+    this.#name.value = this.#shown;
+    this.#setRenaming(true);
+    this.#name.select();
+  }
+
+  /** A field that loses the focus reports what was changed in it; with Esc that is nothing. */
+  #typed(key: string): void {
+    if (key === 'Escape') this.#name.value = this.#shown;
+    else if (key !== 'Enter') return;
+    this.#name.blur();
+    this.#select.focus();
+  }
+
+  #setRenaming(on: boolean): void {
+    this.#name.hidden = !on;
+    this.#select.hidden = on;
   }
 }

@@ -211,7 +211,7 @@ function withMember(group: Group, selected: number | undefined): Group[] {
 
 /** A row that stands for one handle has fields for it, so it is not that of a group. */
 function keyOf([first, ...more]: Group): string {
-  return more.length > 0 ? `all ${first?.name}` : String(first?.vertex);
+  return `${more.length > 0 ? 'all ' : ''}${first?.vertex}`;
 }
 
 function has(group: Group, wanted: number | undefined): boolean {

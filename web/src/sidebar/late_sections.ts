@@ -3,6 +3,7 @@ import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { Narrator } from './narrator';
+import { SelectionBar } from '../overlay/selection_bar';
 import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
 import type { Panel } from '../panels';
@@ -24,6 +25,8 @@ export interface LateSections {
   elements: HTMLElement[];
   /** To be placed with the messages over the picture. */
   notices: HTMLElement[];
+  /** To be placed over the picture. */
+  tools: HTMLElement[];
 }
 
 /** @param experiments exists already, since its note is placed elsewhere. */
@@ -54,10 +57,12 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
+  const bar = new SelectionBar(events);
   const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
-    panels: [...usual, flip, convergence, solver, step, comparison, ...notices],
+    panels: [...usual, flip, convergence, solver, step, comparison, bar, ...notices],
     notices: notices.map(({ element }) => element),
+    tools: [bar.element],
     elements: [...usual.map(({ element }) => element), research],
   };
 }

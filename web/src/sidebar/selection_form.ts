@@ -3,7 +3,6 @@ import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { type Selection, unlocked } from '../handles/selection';
 import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/commands';
-import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, setText, setValue } from '../elements/dom';
 import { makeCoordinates } from './handle_row';
@@ -65,7 +64,7 @@ export class SelectionForm {
     this.#softness = new Softness((traits) => events.handles.change(this.#selection, traits));
     this.element = make(
       'section',
-      { class: 'selection', 'aria-label': words.handles.selection },
+      { class: 'selection', 'aria-label': panelWords.selection.label },
       this.#count,
       make('label', { class: 'row' }, make('span', {}, panelWords.handles.name), this.#name),
       this.#motions,
@@ -80,7 +79,7 @@ export class SelectionForm {
     this.#softness.setWeight(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
     const [first] = selected;
     setValue(this.#name, (selected.every(({ name }) => name === first?.name) && first?.name) || '');
-    setText(this.#count, words.handles.selected(selected.length));
+    setText(this.#count, panelWords.selection.count(selected.length));
     const moving = unlocked(selection, selected);
     this.#motions.disabled = moving.length === 0;
     this.#place = centreOf((moving.length > 0 ? moving : selected).map(({ target }) => target));

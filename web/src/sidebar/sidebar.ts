@@ -13,7 +13,6 @@ import { Legend } from '../overlay/legend';
 import { Messages } from '../overlay/messages';
 import { OpeningNotice } from '../overlay/opening_notice';
 import { RunNotice } from '../overlay/run_notice';
-import { SelectionBar } from '../overlay/selection_bar';
 import { Title } from '../overlay/title';
 import { Toolbar } from '../overlay/toolbar';
 import type { Action, Panel, PanelEvents, Panels } from '../panels';
@@ -72,7 +71,6 @@ class Sidebar implements Panels {
       new Title(this.#experiments.note),
       toolbar,
       new Legend(events),
-      new SelectionBar(events),
       this.#messages,
       new RunNotice(events),
       new OpeningNotice(() => events.cancelOpening()),
@@ -164,9 +162,10 @@ class Sidebar implements Panels {
 
   async #addLateSections(): Promise<void> {
     const { createLateSections } = await loadLateSections();
-    const { panels, elements, notices } = createLateSections(this.#services, this.#experiments.element);
+    const { panels, elements, notices, tools } = createLateSections(this.#services, this.#experiments.element);
     this.#panels.join(panels);
     this.#sections.append(...elements);
+    this.#messages.element.before(...tools);
     this.#messages.element.prepend(...notices);
   }
 

@@ -1,0 +1,135 @@
+/** Taking hold of the net: patches of it, and what a drag snaps to. With a mouse, keys and a finger. */
+import { join } from 'node:path';
+import { beforeEach, describe, expect, test } from 'vitest';
+import { load } from '../wasm/load';
+import { distance, dragBy } from './geometry';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const SHAPE = 'sheet:vertices=400';
+
+const core = await load();
+const net = core.openRecipe(SHAPE);
+const { meanLength } = net.info;
+
+const { arrive } = visits();
+let visit: Visit;
+let script: Script;
+
+async function open(options = {}) {
+  visit = await arrive('', options);
+  ({ script } = visit);
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+}
+
+const handles = () => visit.page.evaluate(() => window.chebnet.handles());
+const press = (keys: string) => visit.page.keyboard.press(keys);
+const bar = () => visit.page.getByRole('group', { name: 'Selected handles' });
+const button = (name: string | RegExp) => bar().getByRole('button', { name, exact: true });
+const radius = () => bar().getByRole('spinbutton', { name: /^Radius/ });
+const row = (name: RegExp) => visit.page.locator('.handles li').filter({ hasText: name });
+const openSection = (name: RegExp) => visit.page.locator('summary', { hasText: name }).click();
+/** How many vertices are pointed out. */
+const previewed = () =>
+  visit.page.locator('svg.overlay path.preview').evaluate((path) => path.getAttribute('d')!.split('M').length - 1);
+
+/** The vertex that rests nearest to a point, given in parts of the net's extent in x and y. */
+function vertexAt(u: number, v: number): number {
+  const { restPositions: at } = net;
+  const extent = (axis: number) => {
+    const values = at.filter((_, i) => i % 3 === axis);
+    return [Math.min(...values), Math.max(...values)] as const;
+  };
+  const [[lowX, highX], [lowY, highY]] = [extent(0), extent(1)];
+  const far = (i: number) =>
+    Math.hypot(at[3 * i]! - lowX - u * (highX - lowX), at[3 * i + 1]! - lowY - v * (highY - lowY));
+  return [...Array(net.info.vertices).keys()].reduce((best, i) => (far(i) < far(best) ? i : best), 0);
+}
+
+async function click(vertex: number) {
+  const { x, y } = await script.screenPosition(vertex);
+  await visit.page.mouse.click(x, y);
+  await script.settled();
+}
+
+const place = vertexAt(0.4, 0.4);
+
+describe('a patch', () => {
+  beforeEach(() => open());
+
+  test('is what its button points out, one row of the list, dragged as one, and undone as one', async () => {
+    await openSection(/^Handles \(/);
+    await click(place);
+    const before = await handles();
+    await radius().fill('2');
+    expect(await previewed()).toBe(13);
+    await press('Tab');
+    await expect.poll(previewed).toBe(0);
+    await button('Patch').hover();
+    await expect.poll(previewed).toBe(13);
+    await visit.page.screenshot({ path: join(OUTPUT, 'holding-patch-preview.png') });
+    await button('Patch').click();
+    await row(/^Patch · \d+ \(13\)$/).waitFor();
+    expect(await previewed()).toBe(0);
+    expect(await handles()).toHaveLength(before.length + 12);
+    await script.settled();
+
+    const patch = (await handles()).filter(({ name }) => name?.startsWith('Patch'));
+    await dragBy(script, place, [10, -40]);
+    await script.settled();
+    await visit.page.screenshot({ path: join(OUTPUT, 'holding-patch.png') });
+    const after = new Map((await handles()).map(({ vertex, target }) => [vertex, target]));
+    const moves = patch.map(({ vertex, target }) => after.get(vertex)!.map((x, i) => x - target[i]!));
+    expect(Math.hypot(...moves[0]!)).toBeGreaterThan(0.2 * meanLength);
+    for (const move of moves) expect(distance(move, moves[0]!)).toBeLessThan(1e-9);
+
+    await press('Control+z');
+    await press('Control+z');
+    await expect.poll(async () => (await handles()).length).toBe(before.length);
+  });
+
+  test('is taken by keys: P, or its radius and Enter; its row is renamed in place', async () => {
+    await openSection(/^Handles \(/);
+    await click(place);
+    await press('p');
+    await row(/^Patch · \d+ \(29\)$/).waitFor();
+    await press('Control+z');
+    await expect.poll(() => row(/^Patch/).count()).toBe(0);
+    await radius().focus();
+    await press('Control+a');
+    await visit.page.keyboard.type('1');
+    await press('Enter');
+    const group = row(/^Patch · \d+ \(5\)$/);
+    await group.waitFor();
+
+    const rename = async (key: string, name: string, end: string) => {
+      await visit.page.locator('.handles li .name').last().press(key);
+      const field = visit.page.getByRole('textbox', { name: 'Name of all of them' });
+      await field.fill(name);
+      await field.press(end);
+      await field.waitFor({ state: 'hidden' });
+    };
+    await rename('F2', 'Crown', 'Escape');
+    await group.waitFor();
+    await rename('F2', 'Crown', 'Enter');
+    await row(/^Crown \(5\)$/).waitFor();
+    expect((await handles()).filter(({ name }) => name === 'Crown')).toHaveLength(5);
+    expect(await visit.page.evaluate(() => document.activeElement?.textContent)).toBe('Crown (5)');
+    await press('Control+z');
+    await group.waitFor();
+    await group.getByRole('button', { pressed: true }).first().dblclick();
+    await visit.page.getByRole('textbox', { name: 'Name of all of them' }).waitFor();
+  });
+});
+
+test('a finger takes a patch', async () => {
+  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { x, y } = await script.screenPosition(place);
+  await visit.page.touchscreen.tap(x, y);
+  await button('Patch').waitFor();
+  const count = (await handles()).length;
+  await button('Patch').tap();
+  await expect.poll(async () => (await handles()).length).toBe(count + 28);
+  await visit.page.screenshot({ path: join(OUTPUT, 'holding-phone.png') });
+});
