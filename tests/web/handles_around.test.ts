@@ -1,6 +1,7 @@
 /** What is around a vertex, along the net. */
 import { expect, test } from 'vitest';
 import { verticesAround } from '../../web/src/handles/around';
+import { partAround } from '../../web/src/handles/part';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import { load } from '../wasm/load';
 import { grid } from './nets';
@@ -48,4 +49,17 @@ test('it goes along the net: what is near in space alone is not in it', () => {
     }),
   );
   expect(ascending(verticesAround(apart, [1], 10))).toEqual([0, 1, 2, 3]);
+});
+
+test('the part around several vertices is of whole faces, and reaches as far as the radius', () => {
+  const { hidden, triangles } = partAround(net, [MIDDLE, MIDDLE + 1], 2);
+  const shown = all.filter((vertex) => hidden[vertex] === 0);
+  const faces = new Set(triangles);
+  expect(ascending([...faces])).toEqual(shown);
+  const column = (vertex: number) => (vertex % COLUMNS) - 10;
+  const row = (vertex: number) => Math.floor(vertex / COLUMNS) - 7;
+  expect([Math.min(...shown.map(column)), Math.max(...shown.map(column))]).toEqual([-2, 3]);
+  expect([Math.min(...shown.map(row)), Math.max(...shown.map(row))]).toEqual([-2, 2]);
+  // No half of a square: the other triangle of each diagonal is there, too.
+  expect(triangles.length % 6).toBe(0);
 });

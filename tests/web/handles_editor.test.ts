@@ -158,6 +158,29 @@ test('there is no patch around nothing', async () => {
   expect(vertices()).toEqual([0, 2, 7]);
 });
 
+test('a part of the net is shown alone until it is shown whole, or another net is open; the document does not know', async () => {
+  const before = opening.document;
+  const isolate = async () => {
+    editor.around((surroundings) => {
+      surroundings.radius = 1;
+      surroundings.isolate();
+    });
+    await tick();
+  };
+  editor.select([0]);
+  await isolate();
+  expect([...editor.choice.part!.hidden].flatMap((hidden, vertex) => (hidden ? [] : [vertex]))).toEqual([0, 1, 5, 6]);
+  editor.selectAll();
+  expect(editor.choice.selection).toEqual([0]);
+  await isolate();
+  expect(editor.choice.part).toBeUndefined();
+  await isolate();
+  editor.netChanged();
+  expect(editor.choice.part).toBeUndefined();
+  expect(opening.document).toBe(before);
+  expect(history.canUndo).toBe(false);
+});
+
 test('rows and columns cross at an inner vertex; the boundary does not come by', () => {
   editor.select([7]);
   expect(editor.choice).toMatchObject({ onBoundary: false, lines: 2 });

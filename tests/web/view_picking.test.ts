@@ -52,6 +52,11 @@ describe('the vertex under the pointer', () => {
     expect(pick(pack([0, 1, 0], [0, 0, 1]))).toBeNull();
     expect(pick(pack())).toBeNull();
   });
+  test('is none that is hidden', () => {
+    const points = pack([0, 0.1, 0], [0.2, 0.02, 0]);
+    points[4 * 1 + 3] = 1;
+    expect(pick(points)).toBe(0);
+  });
   test('is none behind the camera', () => {
     expect(pick(pack([-20, 0, 0]))).toBeNull();
   });

@@ -22,6 +22,7 @@ export const PAGE_KEYS: readonly PageKey[] = [
   },
   { keys: ['Delete', 'Backspace'], does: 'remove', run: (app) => app.handles.removeSelected() },
   { keys: ['P'], does: 'patch', run: (app) => app.handles.around((surroundings) => surroundings.takePatch()) },
+  { keys: ['I'], does: 'isolate', run: (app) => app.handles.around((surroundings) => surroundings.isolate()) },
   // As in other programs for shapes: grab, rotate, scale.
   { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },
   { keys: ['R'], does: 'rotate', run: (app) => app.handles.setMode('rotate') },

@@ -12,5 +12,6 @@ export const ICONS = {
   along: 'M1.5 8h13M5 5.5v5M11 5.5v5',
   across: 'M8 1.5v13M5.5 5h5M5.5 11h5',
   patch: 'M5.2 2.5h5.6l2.7 2.7v5.6l-2.7 2.7H5.2l-2.7-2.7V5.2zM8 6.8v2.4M6.8 8h2.4',
+  isolate: 'M2.5 5V2.5H5M11 2.5h2.5V5M13.5 11v2.5H11M5 13.5H2.5V11M5.5 5.5h5v5h-5z',
   bin: 'M3 4.5h10M6.5 4.5v-2h3v2M4.5 4.5l.5 9h6l.5-9M6.8 7v4M9.2 7v4',
 };

@@ -1,5 +1,6 @@
 /** The contract between the handle editor and panels and keys: commands, and the state of the selection. */
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import type { Part } from './part';
 import type { Selection } from './selection';
 import type { Surroundings } from './surroundings';
 import type { Motion } from './transform';
@@ -22,6 +23,8 @@ export interface Choice {
   /** Of the leading handle: whether it lies on the boundary, and how many net lines go through it. */
   onBoundary: boolean;
   lines: number;
+  /** Without one all of the net is shown. */
+  part?: Part | undefined;
 }
 
 export interface HandleCommands {

@@ -12,6 +12,7 @@ import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
 import type { DragGuide } from './drag_guide';
 import { listsThrough } from './lines';
+import type { Part } from './part';
 import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
 import type { Surroundings, SurroundingsHost } from './surroundings';
@@ -51,6 +52,8 @@ export class HandleEditor implements HandleCommands {
   #selection: Selection = [];
   #selecting = false;
   #mode: GizmoMode = 'translate';
+  /** The part of the net that is shown alone. */
+  #part: Part | undefined;
   /** The history's name for the drag under way; null until it moves something. */
   #dragName: ChangeName | null = null;
   /** Targets of the drag under way, to be sent again if a new solver replaces a lost one; null: none, or sent again already. */
@@ -78,6 +81,7 @@ export class HandleEditor implements HandleCommands {
       mode: unlocked(this.#selection, this.#handles).length > 1 ? this.#mode : 'translate',
       onBoundary: lines !== null && lines.loops.length > 0,
       lines: lines?.netLines.length ?? 0,
+      part: this.#part,
     };
   }
 
@@ -87,7 +91,7 @@ export class HandleEditor implements HandleCommands {
   }
 
   selectAll(): void {
-    this.select(all(this.#handles));
+    this.select(all(this.#handles).filter((vertex) => !this.#part?.hidden[vertex]));
   }
 
   toggleSelecting(): void {
@@ -113,6 +117,7 @@ export class HandleEditor implements HandleCommands {
     this.#selection = [];
     this.#selecting = false;
     this.#mode = 'translate';
+    this.#part = undefined;
     this.#pendingTargets = null;
   }
 
@@ -362,6 +367,11 @@ export class HandleEditor implements HandleCommands {
       net: () => this.#host.opening()?.net ?? null,
       selection: () => this.choice.selection,
       take: (vertices, title) => this.#takeNamed(vertices, title),
+      part: () => this.#part,
+      show: (part) => {
+        this.#part = part;
+        this.#host.choiceChanged();
+      },
     };
   }
 

@@ -31,6 +31,7 @@ export class SelectionBar implements Panel {
     'aria-label': TEXT.radius,
     title: TEXT.radius,
   });
+  readonly #isolate: HTMLButtonElement;
   readonly #lock: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
   #selected: readonly HandleData[] = [];
@@ -52,6 +53,9 @@ export class SelectionBar implements Panel {
     this.#lines = Array.from({ length: MOST_LINES }, (_, i) =>
       this.#lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, words.handles.netLine(i + 1), TEXT.netLineHint),
     );
+    this.#isolate = tool(ICONS.isolate, TEXT.isolate, TEXT.isolateHint, () =>
+      handles.around((surroundings) => surroundings.isolate()),
+    );
     this.#lock = tool(ICONS.locked, words.handles.lock, words.handles.lock, () => this.#turnLock());
     this.#remove = tool(ICONS.bin, TEXT.remove, TEXT.removeHint, () => handles.remove(this.#vertices));
     this.element = make(
@@ -62,6 +66,7 @@ export class SelectionBar implements Panel {
       this.#boundary,
       ...this.#lines,
       ...this.#makePatch(),
+      this.#isolate,
       this.#lock,
       this.#remove,
     );
@@ -72,7 +77,7 @@ export class SelectionBar implements Panel {
     this.#radius.max = String(info.vertices);
   }
 
-  setHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines }: Choice): void {
+  setHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines, part }: Choice): void {
     const chosen = new Set(selection);
     this.#selected = handles.filter(({ vertex }) => chosen.has(vertex));
     if (this.#selected.length === 0) return this.#hide();
@@ -84,6 +89,7 @@ export class SelectionBar implements Panel {
     for (const [each, button] of this.#modes) button.setAttribute('aria-pressed', String(each === mode));
     this.#boundary.hidden = !onBoundary;
     this.#lines.forEach((button, i) => (button.hidden = i >= lines));
+    this.#isolate.setAttribute('aria-pressed', String(part !== undefined));
     this.#lock.setAttribute('aria-pressed', String(moving === 0));
     this.#remove.disabled = moving === 0;
   }

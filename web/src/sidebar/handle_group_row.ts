@@ -49,7 +49,7 @@ export class HandleGroupRow {
       events.change(this.#vertices, { name: this.#name.value.trim() || undefined }),
     );
     this.#name.addEventListener('blur', () => this.#setRenaming(false));
-    this.#name.addEventListener('keydown', ({ key }) => this.#typed(key));
+    this.#name.addEventListener('keydown', (event) => this.#typed(event));
     this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change(this.#vertices, { hidden: hidden || undefined }),
     );
@@ -99,9 +99,11 @@ export class HandleGroupRow {
   }
 
   /** A field that loses the focus reports what was changed in it; with Esc that is nothing. */
-  #typed(key: string): void {
-    if (key === 'Escape') this.#name.value = this.#shown;
-    else if (key !== 'Enter') return;
+  #typed(event: KeyboardEvent): void {
+    if (event.key === 'Escape') this.#name.value = this.#shown;
+    else if (event.key !== 'Enter') return;
+    // Or else Enter would press the button that has the focus afterwards.
+    event.preventDefault();
     this.#name.blur();
     this.#select.focus();
   }

@@ -3,6 +3,7 @@ import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { Narrator } from './narrator';
+import { PartNotice } from '../overlay/part_notice';
 import { SelectionBar } from '../overlay/selection_bar';
 import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
@@ -58,7 +59,7 @@ export function createLateSections(
   );
   research.classList.add('group');
   const bar = new SelectionBar(events);
-  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
+  const notices = [new PartNotice(events), new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
     panels: [...usual, flip, convergence, solver, step, comparison, bar, ...notices],
     notices: notices.map(({ element }) => element),

@@ -38,7 +38,7 @@ export interface Margins {
   left: number;
 }
 
-/** The nearest stand from which all points (4 numbers each) are in the picture, within the margins.
+/** The nearest stand from which all points (4 numbers each, see NetData) that are not hidden are in the picture, within the margins.
  *  @param isParallel they are seen in parallel, as large as at the target. */
 export function fitCamera(
   points: Float32Array,
@@ -57,6 +57,7 @@ export function fitCamera(
   const upright = new Span(slope, margins.bottom, margins.top);
   const p = new Vector3();
   for (let i = 0; i < count; i++) {
+    if (points[4 * i + 3]! > 0) continue;
     p.fromArray(points, 4 * i);
     const towards = isParallel ? 0 : p.dot(direction);
     across.include(p.dot(right), towards);

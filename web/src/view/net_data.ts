@@ -25,6 +25,8 @@ uniform highp sampler2D numbers;
 uniform highp sampler2D mobilities;
 uniform highp isampler2D ends;
 ivec2 place(int i, int width) { return ivec2(i % width, i / width); }
+/** Whether a vertex is left out of the picture. */
+bool isHidden(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0).w > 0.0; }
 /** Scene position. */
 vec3 readVertex(int i) { return texelFetch(vertices, place(i, textureSize(vertices, 0).x), 0).xyz; }
 /** Both vertices of an edge. */
@@ -35,10 +37,11 @@ float readMobility(int i) { return texelFetch(mobilities, place(i, textureSize(m
 float readNumber(int i) { return texelFetch(numbers, place(i, textureSize(numbers, 0).x), 0).r; }
 `;
 
-/** Shaders that include this leave out what is beyond the section plane, where the number is positive. */
+/** Shaders that include this, after READ_NET, leave out what is beyond the section plane, where the number is positive; and what belongs to
+ *  hidden vertices: between one of these and one that is shown, the number is positive all the way. */
 export const IN_SECTION = /* glsl */ `
 uniform vec4 section;
-float beyondSection(vec3 p) { return dot(section.xyz, p) - section.w; }
+float beyondSection(int i, vec3 p) { return isHidden(i) ? 1e6 : dot(section.xyz, p) - section.w; }
 `;
 
 /** Uniforms with the section plane and the textures of the present net. All materials of a view share them and outlive the net: recompiling them
@@ -63,7 +66,8 @@ export function netUniforms(): NetUniforms {
 }
 
 export class NetData {
-  /** Scene position, 4 numbers a vertex, since there are no textures of three channels; the fourth is unused. Picking reads them too. */
+  /** Scene position, 4 numbers a vertex, since there are no textures of three channels; the fourth is 1 where it is hidden,
+   *  or 0. Picking reads them too. */
   readonly points: Float32Array<ArrayBuffer>;
   readonly vertexCount: number;
   /** Mean length of an edge, in the scene. */
@@ -120,6 +124,12 @@ export class NetData {
     if (mobility) this.#mobilityValues.set(mobility);
     else this.#mobilityValues.fill(1);
     this.#mobilities.needsUpdate = true;
+  }
+
+  /** By vertex, 1 where it is left out of the picture; none: all are in it. */
+  setHidden(hidden?: Uint8Array): void {
+    for (let i = 0; i < this.vertexCount; i++) this.points[4 * i + 3] = hidden?.[i] ?? 0;
+    this.#vertices.needsUpdate = true;
   }
 
   putInto(uniforms: NetUniforms): void {

@@ -2,6 +2,7 @@
  *  the surface beside it. What draws rods and surfaces is loaded when it is first needed. */
 import { Group, type Vector2, type WebGLRenderer } from 'three';
 import type { ViewState } from '../document/document';
+import type { Part } from '../handles/part';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
@@ -45,6 +46,7 @@ export class NetDrawing {
   #net: OpenedNet | null = null;
   #data: NetData | null = null;
   #latest: FrameData | null = null;
+  #part: Part | undefined;
   #guide: DrawnSurface | null = null;
   #shade: SurfaceShade | null = null;
   #rods: Rods | null = null;
@@ -74,6 +76,7 @@ export class NetDrawing {
     const data = new NetData(net, new Space(net.restPositions, this.#appearance.upAxis));
     this.#net = net;
     this.#data = data;
+    this.#part = undefined;
     data.putInto(this.#uniforms);
     this.#lines.setNet(data, net.strips);
     this.#faces.setTriangles(net.triangles);
@@ -87,6 +90,16 @@ export class NetDrawing {
   setFrame(frame: FrameData): void {
     this.#latest = frame;
     this.#data?.setFrame(frame, fieldOf(this.#appearance.field));
+    this.#hasMoved = true;
+  }
+
+  /** Shows a part of the net alone; undefined: all of it. */
+  setPart(part: Part | undefined): void {
+    if (part === this.#part || !this.#net || !this.#data) return;
+    this.#part = part;
+    this.#data.setHidden(part?.hidden);
+    this.#faces.setTriangles((part ?? this.#net).triangles);
+    this.#ground.setNet(this.#data, this.#faces.object.geometry);
     this.#hasMoved = true;
   }
 

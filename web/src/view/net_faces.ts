@@ -13,7 +13,7 @@ ${PLACE_ON_MAP}
 ${IN_SECTION}
 void main() {
   vec3 p = readVertex(gl_VertexID);
-  beyond = beyondSection(p);
+  beyond = beyondSection(gl_VertexID, p);
   vec4 inView = modelViewMatrix * vec4(p, 1.0);
   seen = inView.xyz;
   onMap = atVertices ? placeOnMap(readNumber(gl_VertexID)) : 0.0;

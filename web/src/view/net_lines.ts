@@ -45,7 +45,7 @@ void main() {
   gl_Position = second ? d : c;
   gl_Position.xy += vec2(-along.y, along.x) * side * reach * 2.0 / viewport * gl_Position.w;
   across = side * reach;
-  beyond = beyondSection(second ? b : a);
+  beyond = second ? beyondSection(vertex.y, b) : beyondSection(vertex.x, a);
   value = placeOnMap(readNumber(atVertices ? (second ? vertex.y : vertex.x) : edge));
   mobility = readMobility(second ? vertex.y : vertex.x);
   away = smoothstep(fadeRange.x, fadeRange.y, second ? -q.z : -p.z);

@@ -47,8 +47,8 @@ export function project(
 export type Plane = Readonly<Record<'x' | 'y' | 'z' | 'w', number>>;
 
 /** The vertex nearest to (x, y) on the screen among those within `radius` pixels that belong to the frontmost layer:
- *  not farther behind the nearest of them than `layer` (scene units), and not beyond the section plane. `points` holds 4
- *  numbers a vertex. null: none. */
+ *  not farther behind the nearest of them than `layer` (scene units), and neither hidden nor beyond the section plane.
+ *  `points` holds 4 numbers a vertex; see NetData. null: none. */
 export function nearestVertex(
   points: Float32Array,
   count: number,
@@ -70,7 +70,7 @@ export function nearestVertex(
     const pz = points[at + 2]!;
     const w = m3 * px + m7 * py + m11 * pz + m15;
     const depth = d0 * px + d1 * py + d2 * pz + d3;
-    if (depth <= 0 || section.x * px + section.y * py + section.z * pz > section.w) continue;
+    if (depth <= 0 || points[at + 3]! > 0 || section.x * px + section.y * py + section.z * pz > section.w) continue;
     const dx = (0.5 + (0.5 * (m0 * px + m4 * py + m8 * pz + m12)) / w) * width - x;
     if (dx > radius || dx < -radius) continue;
     const dy = (0.5 - (0.5 * (m1 * px + m5 * py + m9 * pz + m13)) / w) * height - y;

@@ -25,7 +25,7 @@ void main() {
   float angle = 6.2831853 * float(corner) / ${CORNERS}.0;
   upright = corner < ${CORNERS} ? cos(angle) * u + sin(angle) * cross(along, u) : second ? along : -along;
   vec3 place = (second ? b : a) + radius * upright;
-  beyond = beyondSection(place);
+  beyond = beyondSection(second ? vertex.y : vertex.x, place);
   onMap = placeOnMap(readNumber(atVertices ? (second ? vertex.y : vertex.x) : gl_InstanceID));
   mobility = readMobility(second ? vertex.y : vertex.x);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.0);

@@ -150,7 +150,13 @@ class SceneView implements View {
     const moved = this.#report.isUnderWay ? undefined : movedBetween(this.#handles, handles);
     this.#handles = handles;
     this.#choice = choice;
-    this.#markers.update(handles, this.#netData.space, choice.selection, this.#report.vertices);
+    this.#drawing.setPart(choice.part);
+    this.#markers.update(
+      handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
+      this.#netData.space,
+      choice.selection,
+      this.#report.vertices,
+    );
     this.#container.classList.toggle('selecting', choice.selecting);
     this.#gizmo.setMode(choice.mode);
     this.#gizmo.setPosition(this.#gizmoPlace());

@@ -44,7 +44,7 @@ export const LOOKING_ONLY: ViewEvents = {
 };
 
 /** The part of a choice that the view shows. */
-export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting'>;
+export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting' | 'part'>;
 
 /** A video stream of the view. */
 export interface Film {
