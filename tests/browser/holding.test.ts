@@ -185,6 +185,93 @@ describe('a part of the net', () => {
   });
 });
 
+describe('a drag', () => {
+  const crown = net.suggestedHandles.at(-1)!;
+  const corner = net.suggestedHandles[0]!;
+  const grid = () => visit.page.getByRole('checkbox', { name: 'Snap to a grid' });
+  const readout = () => visit.page.locator('svg.overlay .readout:not([hidden])');
+  const target = async (vertex: number) => (await handles()).find((each) => each.vertex === vertex)!.target;
+  /** How far a coordinate is from the grid. */
+  const offGrid = (x: number, spacing: number) => Math.abs(x - Math.round(x / spacing) * spacing);
+
+  beforeEach(async () => {
+    await open();
+    await openSection(/^Dragging/);
+  });
+
+  test('snaps to a grid of so many edges or units, says where it is, and with Ctrl is free', async () => {
+    await grid().check();
+    await visit.page.getByRole('spinbutton', { name: 'Spacing' }).fill('0.5');
+    await press('Tab');
+    let [said, free] = ['', ''];
+    await dragBy(script, crown, [-25, 12], {
+      atEnd: async () => {
+        said = (await readout().textContent())!;
+        await visit.page.screenshot({ path: join(OUTPUT, 'holding-grid.png') });
+        await visit.page.keyboard.down('Control');
+        await expect.poll(() => readout().textContent()).not.toBe(said);
+        free = (await readout().textContent())!;
+        await visit.page.keyboard.up('Control');
+        await expect.poll(() => readout().textContent()).toBe(said);
+      },
+    });
+    await script.settled();
+    const place = await target(crown);
+    expect(said).toMatch(/^x -?[\d.]+ · y -?[\d.]+ · z -?[\d.]+$/);
+    expect(free).not.toBe('');
+    for (const x of place) expect(offGrid(x, 0.5 * meanLength)).toBeLessThan(1e-6 * meanLength);
+    await readout().waitFor({ state: 'detached' });
+
+    await visit.page.getByRole('combobox', { name: 'Unit of the spacing' }).selectOption('units');
+    await visit.page.getByRole('spinbutton', { name: 'Spacing' }).fill('0.125');
+    await press('Tab');
+    await dragBy(script, crown, [12, -6]);
+    await script.settled();
+    for (const x of await target(crown)) expect(offGrid(x, 0.125)).toBeLessThan(1e-6);
+    await press('Control+z');
+    await expect.poll(async () => distance(await target(crown), place)).toBeLessThan(1e-9);
+  });
+
+  test('by arrow keys goes by steps of the grid', async () => {
+    await grid().check();
+    await click(crown);
+    await press('ArrowDown');
+    await script.settled();
+    const from = await target(crown);
+    await press('ArrowDown');
+    await script.settled();
+    const to = await target(crown);
+    const steps = to.map((x, i) => (x - from[i]!) / meanLength);
+    expect(steps.map(Math.abs).sort()).toEqual([expect.closeTo(0, 6), expect.closeTo(0, 6), expect.closeTo(1, 6)]);
+    await grid().uncheck();
+    await visit.page.locator('#view canvas').focus();
+    await press('ArrowDown');
+    await script.settled();
+    expect(distance(await target(crown), to)).toBeCloseTo(0.2 * meanLength, 6);
+  });
+
+  test('snaps level with other handles, which are named', async () => {
+    await visit.page.getByRole('checkbox', { name: 'Snap to other handles' }).check();
+    const height = (await target(corner))[2]!;
+    const low = vertexAt(0.12, 0.12);
+    await click(low);
+    await visit.page.getByRole('checkbox', { name: 'Keep within reach' }).check();
+    const { x, y } = await script.screenPosition(low);
+    await visit.page.mouse.move(x, y);
+    await visit.page.mouse.down();
+    // Down until it is level with the feet.
+    const said = async () => (await readout().count()) > 0 && (await readout().textContent())!;
+    for (let by = 1; by < 120 && !/z [^·]*\(/.test((await said()) || ''); by += 2) {
+      await visit.page.mouse.move(x, y + by);
+      await visit.page.waitForTimeout(20);
+    }
+    expect(await said()).toMatch(/z -?[\d.]+ \(Vertex \d+\)$/);
+    await visit.page.mouse.up();
+    await script.settled();
+    expect((await target(low))[2]).toBeCloseTo(height, 6);
+  });
+});
+
 test('a finger takes a patch', async () => {
   await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   const { x, y } = await script.screenPosition(place);

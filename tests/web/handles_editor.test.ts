@@ -6,6 +6,7 @@ import type { HandleData, Vec3 } from '../../web/src/document/document';
 import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
 import { DragGuide } from '../../web/src/handles/drag_guide';
 import { HandleEditor } from '../../web/src/handles/handle_editor';
+import { Snapping } from '../../web/src/handles/snapping';
 import type { Client } from '../../web/src/worker/client';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import { load } from '../wasm/load';
@@ -19,6 +20,7 @@ let editor: HandleEditor;
 let asked: Handle[][];
 let said: string[];
 let returning: boolean;
+let readout: string;
 /** How often the solver was told that the hand lets go. */
 let released: number;
 
@@ -46,7 +48,7 @@ function undo() {
 const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
 
 beforeEach(() => {
-  [asked, said, history, returning, released] = [[], [], new UndoHistory(), false, 0];
+  [asked, said, history, returning, released, readout] = [[], [], new UndoHistory(), false, 0, ''];
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
@@ -73,7 +75,7 @@ beforeEach(() => {
     },
     client,
     history,
-    new DragGuide(client, { setRegion: () => {}, setReach: () => {} }),
+    new DragGuide(client, { setRegion: () => {}, setReach: () => {}, setReadout: (text) => (readout = text) }),
   );
 });
 
@@ -179,6 +181,81 @@ test('a part of the net is shown alone until it is shown whole, or another net i
   expect(editor.choice.part).toBeUndefined();
   expect(opening.document).toBe(before);
   expect(history.canUndo).toBe(false);
+});
+
+describe('a drag that snaps', () => {
+  const drag = (z: number) => editor.drag([{ vertex: 7, target: [2.4, 1.1, z] }]);
+
+  test('goes to the grid, or level with another handle that is near; beside it is said where it is', () => {
+    editor.setSnapping(new Snapping(0.5, true, 1));
+    editor.beginDrag();
+    drag(0.8);
+    // Vertex 2 has the x of it, no handle its y or z.
+    expect(handles()[2]!.target).toEqual([2.5, 1, 1]);
+    expect(asked.at(-1)).toEqual([{ vertex: 7, target: [2.5, 1, 1] }]);
+    expect(readout).toMatch(/^x 2\.5 · y 1 · z 1$/);
+    drag(0.2);
+    expect(handles()[2]!.target).toEqual([2.5, 1, 0]);
+    expect(readout).toMatch(/^x 2\.5 · y 1 · z 0 \(.* 0\)$/);
+    editor.endDrag(false);
+    expect(readout).toBe('');
+  });
+
+  test('is free at once while snapping is suspended, and snaps again after', () => {
+    const snapping = new Snapping(0.5, false, 1);
+    editor.setSnapping(snapping);
+    editor.beginDrag();
+    drag(0.8);
+    editor.setSnapping(null);
+    expect(handles()[2]!.target).toEqual([2.4, 1.1, 0.8]);
+    editor.setSnapping(snapping);
+    expect(handles()[2]!.target).toEqual([2.5, 1, 1]);
+    editor.endDrag(false);
+    undo();
+    expect(handles()[2]!.target).toEqual(at(7));
+  });
+
+  test('keeps to the axis along which it goes, and takes all that is in hand along', () => {
+    editor.setSnapping(new Snapping(0.7, false, 1));
+    editor.beginDrag();
+    editor.drag([
+      { vertex: 7, target: [2, 1, 0.5] },
+      { vertex: 0, target: [0, 0, 0.5] },
+    ]);
+    expect(handles().map(({ target }) => target)).toEqual([
+      [0, 0, 0.7],
+      [2, 0, 0],
+      [2, 1, 0.7],
+    ]);
+    editor.endDrag(false);
+  });
+
+  test('does so on both sides of a plane of symmetry', async () => {
+    editor.setSymmetry({ axis: 'x', through: 'centre' });
+    editor.add(5);
+    await tick();
+    editor.setSnapping(new Snapping(0.25, false, 1));
+    editor.beginDrag();
+    editor.drag([{ vertex: 9, target: [4.3, 1, 0.6] }]);
+    const targets = new Map(handles().map(({ vertex, target }) => [vertex, target]));
+    expect([targets.get(5), targets.get(9)]).toEqual([
+      [-0.25, 1, 0.5],
+      [4.25, 1, 0.5],
+    ]);
+    editor.endDrag(false);
+  });
+
+  test('that turns does not snap', () => {
+    editor.setSnapping(new Snapping(0.5, true, 1));
+    editor.beginDrag();
+    const turned = [
+      { vertex: 7, target: [1.1, 1, 0] as Vec3 },
+      { vertex: 0, target: [0.9, 0, 0] as Vec3 },
+    ];
+    editor.drag(turned);
+    expect(asked.at(-1)).toEqual(turned);
+    editor.endDrag(false);
+  });
 });
 
 test('rows and columns cross at an inner vertex; the boundary does not come by', () => {

@@ -12,6 +12,7 @@ import {
   translated,
   translationTo,
 } from '../../web/src/handles/reach';
+import { Snapping } from '../../web/src/handles/snapping';
 import type { Client } from '../../web/src/worker/client';
 import { random } from './random';
 
@@ -171,7 +172,7 @@ describe('the limits of a translation', () => {
 });
 
 describe('a drag', () => {
-  const shown = { setRegion: vi.fn(), setReach: vi.fn() };
+  const shown = { setRegion: vi.fn(), setReach: vi.fn(), setReadout: vi.fn() };
   const client = {
     setLocality: vi.fn(() => Promise.resolve()),
     reach: vi.fn((vertices: number[]) =>
@@ -198,6 +199,21 @@ describe('a drag', () => {
     guide.end();
     expect(shown.setReach).toHaveBeenLastCalledWith(null);
     expect(guide.within([{ vertex: 1, target: [5, 0, 0] }])).toEqual([{ vertex: 1, target: [5, 0, 0] }]);
+  });
+
+  test('that snaps stops at the reach all the same, and what is said is where it stopped', async () => {
+    await guide.begin(one, null);
+    guide.snapping = new Snapping(0.8, false, 1);
+    const near = guide.snapped([{ vertex: 1, target: [0.7, 0, 0] }], []);
+    expect(near).toEqual([{ vertex: 1, target: [0.8, 0, 0] }]);
+    expect(guide.within(near)).toEqual(near);
+    const far = guide.within(guide.snapped([{ vertex: 1, target: [1.7, 0, 0] }], []));
+    expect(far).toEqual([{ vertex: 1, target: [1, 0, 0] }]);
+    guide.describe(far, []);
+    expect(shown.setReadout).toHaveBeenLastCalledWith('x 1 · y 0 · z 0');
+    guide.snapping = null;
+    guide.end();
+    expect(shown.setReadout).toHaveBeenLastCalledWith('');
   });
 
   test('of several stops them all together; turned, they are not held', async () => {

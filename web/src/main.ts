@@ -64,6 +64,7 @@ const saving = lazy(() => import('./export/save'));
 const sharing = lazy(() => import('./projects/sharing'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
 const handleRow = lazy(() => import('./sidebar/handle_row'));
+const snapControls = lazy(() => import('./sidebar/snap_controls'));
 const embedding = lazy(() => import('./embed/embed'));
 const hints = lazy(async () => new (await import('./learn/hints')).Hints(app, document.querySelector('.title h1')!));
 const ready = projects.start();
@@ -176,11 +177,11 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { ROW_KEYS }] = await Promise.all([keySheet(), handleRow()]);
+  const [{ showKeySheet }, { ROW_KEYS }, { SNAP_KEYS }] = await Promise.all([keySheet(), handleRow(), snapControls()]);
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },
-    { where: 'selection', rows: SELECTION_KEYS },
+    { where: 'selection', rows: [...SELECTION_KEYS, ...SNAP_KEYS] },
     { where: 'list', rows: ROW_KEYS },
   ]);
 }

@@ -409,6 +409,7 @@ export class App {
     const guide = new DragGuide(this.#client, {
       setRegion: (mobility) => this.#presenter.view.setRegion(mobility),
       setReach: (balls) => this.#presenter.view.setReach(balls),
+      setReadout: (text) => this.#presenter.view.setReadout(text),
     });
     return new HandleEditor(
       {

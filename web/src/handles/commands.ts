@@ -2,6 +2,7 @@
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
 import type { Part } from './part';
 import type { Selection } from './selection';
+import type { Snapping } from './snapping';
 import type { Surroundings } from './surroundings';
 import type { Motion } from './transform';
 
@@ -25,6 +26,8 @@ export interface Choice {
   lines: number;
   /** Without one all of the net is shown. */
   part?: Part | undefined;
+  /** What drags snap to, if anything. */
+  snapping?: Snapping | null;
 }
 
 export interface HandleCommands {
@@ -52,6 +55,8 @@ export interface HandleCommands {
   previewLocality(locality: number | undefined): void;
   /** Whether a drag is kept to where the net can follow. */
   setKeepWithin(on: boolean): void;
+  /** What drags snap to, from now on, also one under way; null: nothing. */
+  setSnapping(snapping: Snapping | null): void;
   /** Whether a drag always shows how far it can go. */
   setShowReach(on: boolean): void;
 }

@@ -1,14 +1,18 @@
-/** The limits of a drag: how far from the dragged handles the net moves with them, and where the other handles let them go. */
+/** What guides a drag: to what it snaps, how far from the dragged handles the net moves with them, and where the other handles let them go. */
 import type { Handle } from '../../../wasm/chebnet';
+import type { HandleData, Vec3 } from '../document/document';
 import type { Client } from '../worker/client';
 import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from './reach';
+import type { Snapping } from './snapping';
 
-/** The part of the view that shows the limits. */
+/** The part of the view that shows how a drag is guided. */
 export interface GuideView {
   /** How freely each vertex moves, 0 … 1; null: all move freely. */
   setRegion(mobility: Float32Array | null): void;
   /** Where the leading handle may go; null: not shown. */
   setReach(limits: readonly Limit[] | null): void;
+  /** What is said beside the leading handle. */
+  setReadout(text: string): void;
 }
 
 /** A drag of more handles than this is not limited: the limits of all of them would take too long. */
@@ -19,6 +23,8 @@ export class DragGuide {
   keepsWithin = true;
   /** Whether the reach is shown all the time, or only near its border. */
   alwaysShowsReach = false;
+  /** What drags snap to; null: nothing. */
+  snapping: Snapping | null = null;
   readonly #client: Client;
   readonly #view: GuideView;
   #inHand: readonly InHand[] = [];
@@ -50,6 +56,17 @@ export class DragGuide {
     await Promise.all([this.limit(vertices, locality), this.#findReach(vertices), this.showRegion(vertices, locality)]);
   }
 
+  /** Where these targets snap, as one: the leading handle does, among `others`. What turns or scales does not snap. */
+  snapped(targets: readonly Handle[], others: readonly HandleData[]): readonly Handle[] {
+    const asked = this.snapping && translationTo(targets, this.#inHand);
+    return asked ? this.#moved(this.snapping!.translation(asked, this.#inHand[0]!, others)) : targets;
+  }
+
+  /** Says where the leading handle is. */
+  describe([leading]: readonly Handle[], others: readonly HandleData[]): void {
+    this.#view.setReadout((leading && this.snapping?.describe(leading.target, others)) ?? '');
+  }
+
   /** The targets nearest to these within the limits. Rotations and scalings are not limited: their limits would change with
    *  every move. */
   within(targets: readonly Handle[]): readonly Handle[] {
@@ -58,13 +75,14 @@ export class DragGuide {
     const nearest = asked && nearestInAll(this.#limits, asked);
     this.#showReach(nearest !== null && (this.alwaysShowsReach || isNearBorder(this.#limits, nearest)));
     if (nearest === null || nearest === asked || !this.keepsWithin) return targets;
-    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, nearest) }));
+    return this.#moved(nearest);
   }
 
   end(): void {
     this.#drags += 1;
     this.#limits = [];
     this.#view.setReach(null);
+    this.#view.setReadout('');
     this.hideRegion();
   }
 
@@ -79,6 +97,10 @@ export class DragGuide {
   hideRegion(): void {
     this.#regions += 1;
     this.#view.setRegion(null);
+  }
+
+  #moved(translation: Vec3): Handle[] {
+    return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, translation) }));
   }
 
   async #findReach(vertices: readonly number[]): Promise<void> {

@@ -15,6 +15,7 @@ import { listsThrough } from './lines';
 import type { Part } from './part';
 import type { InHand } from './reach';
 import { all, type Selection, unlocked, within } from './selection';
+import type { Snapping } from './snapping';
 import type { Surroundings, SurroundingsHost } from './surroundings';
 import { Mirror } from './symmetry';
 import { type Motion, transformed } from './transform';
@@ -82,6 +83,7 @@ export class HandleEditor implements HandleCommands {
       onBoundary: lines !== null && lines.loops.length > 0,
       lines: lines?.netLines.length ?? 0,
       part: this.#part,
+      snapping: this.#guide.snapping,
     };
   }
 
@@ -246,6 +248,12 @@ export class HandleEditor implements HandleCommands {
     this.#guide.keepsWithin = on;
   }
 
+  setSnapping(snapping: Snapping | null): void {
+    this.#guide.snapping = snapping;
+    this.#host.choiceChanged();
+    if (this.#dragName !== null && this.#pendingTargets) this.drag(this.#pendingTargets);
+  }
+
   setShowReach(on: boolean): void {
     this.#guide.alwaysShowsReach = on;
   }
@@ -321,10 +329,14 @@ export class HandleEditor implements HandleCommands {
   #carry(targets: readonly Handle[]): void {
     const mirrored = this.#onBothSides(targets);
     if (this.#dragName === null) this.#host.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
-    const both = this.#guide.within(mirrored);
+    const inHand = new Set(verticesOf(mirrored));
+    const others = this.#handles.filter(({ vertex }) => !inHand.has(vertex));
+    const asked = this.#guide.snapped(mirrored, others);
+    const both = this.#guide.within(asked);
+    this.#guide.describe(both, others);
     this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
-    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, mirrored));
+    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, asked));
   }
 
   endDrag(cancelled: boolean): void {

@@ -1,4 +1,5 @@
-/** Settings of a drag: how far from the dragged handles the net moves, and whether they are kept to where it can follow. */
+/** Settings of a drag: how far from the dragged handles the net moves, whether they are kept to where it can follow, and what
+ *  they snap to. */
 import type { ChebnetDocument } from '../document/document';
 import type { HandleCommands } from '../handles/commands';
 import { words } from '../language/language';
@@ -6,6 +7,7 @@ import { panelWords } from '../language/panels';
 import { make, makeSection, makeSwitch } from '../elements/dom';
 import type { Panel } from '../panels';
 import type { OpenedNet } from '../worker/protocol';
+import { SnapControls } from './snap_controls';
 
 /** Steps of the slider: at the first everything moves. */
 const STEPS = 40;
@@ -25,6 +27,7 @@ export class DragPanel implements Panel {
   #farthest = 50;
   #shown: number | undefined;
   readonly #commands: HandleCommands;
+  readonly #snap: SnapControls;
 
   constructor(commands: HandleCommands) {
     this.#commands = commands;
@@ -42,9 +45,10 @@ export class DragPanel implements Panel {
     const within = makeSwitch(panelWords.drag.within, (on) => commands.setKeepWithin(on));
     within.row.title = panelWords.drag.withinHint;
     within.box.checked = true;
+    this.#snap = new SnapControls(commands);
     const reach = makeSwitch(panelWords.drag.showReach, (on) => commands.setShowReach(on));
     reach.row.title = panelWords.drag.showReachHint;
-    this.element = makeSection(words.sections.drag, false, row, within.row, reach.row);
+    this.element = makeSection(words.sections.drag, false, row, within.row, reach.row, ...this.#snap.rows);
     this.#write(undefined);
   }
 
@@ -52,6 +56,7 @@ export class DragPanel implements Panel {
   setNet({ info }: OpenedNet): void {
     this.#farthest = Math.max(2 * NEAREST, Math.round(Math.sqrt(info.vertices)));
     this.#update(this.#shown);
+    this.#snap.setEdgeLength(info.meanLength);
   }
 
   setDocument({ locality }: ChebnetDocument): void {

@@ -31,6 +31,8 @@ export interface Annotated {
   dragged: number | undefined;
   /** Vertices that a button would select. */
   preview: readonly number[];
+  /** What is said beside the handle that leads a drag. */
+  readout: string;
   unreachable: FrameData['unreachable'];
 }
 
@@ -42,7 +44,7 @@ export class Annotations {
     this.#picture = picture;
   }
 
-  draw({ found, isFirstVisit, dragged, preview, unreachable }: Annotated): void {
+  draw({ found, isFirstVisit, dragged, preview, readout, unreachable }: Annotated): void {
     const { markers } = this.#picture;
     const radius = markers.screenRadius;
     this.#drawHover(found, radius);
@@ -51,6 +53,7 @@ export class Annotations {
     this.overlay.setPulse(begin ? this.#picture.place(begin) : null, radius + 3);
     this.overlay.setTether(this.#tether(dragged, radius));
     this.overlay.setPreview(preview.map((vertex) => this.#vertexPlace(vertex)));
+    this.overlay.setReadout(readout, this.#above(dragged, radius));
     this.overlay.setStrains(this.#strains(unreachable));
   }
 
@@ -67,6 +70,14 @@ export class Annotations {
     const from = this.#vertexPlace(vertex);
     const to = this.#picture.place(point);
     return Math.hypot(to.x - from.x, to.y - from.y) > 2 * radius ? { from, to } : null;
+  }
+
+  /** Beside a handle, where a hand or the arrows do not cover it. */
+  #above(vertex: number | undefined, radius: number): Place | null {
+    const point = vertex === undefined ? undefined : this.#picture.markers.point(vertex);
+    if (!point) return null;
+    const place = this.#picture.place(point);
+    return this.#between(place, { x: place.x, y: place.y - 6 * radius });
   }
 
   #strains(unreachable: FrameData['unreachable']): Strain[] {

@@ -33,6 +33,8 @@ export interface GestureContext {
   selecting(): boolean;
   /** Those that move with a handle, itself first; without one, those of the selection. */
   moving(handle?: number): readonly number[];
+  /** Spacing of the grid to which drags snap, in the net's unit, if there is one. */
+  grid(): number | null | undefined;
   projection(): Projection;
   /** Starts a drag of handles. */
   grab(vertices: readonly number[]): void;
@@ -71,7 +73,7 @@ const LONG_TOUCH_MS = 450;
 const FAR = 24;
 /** How far behind the nearest vertex the front layer of the net ends, in edge lengths. */
 const LAYER = 3;
-/** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. */
+/** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. On a grid a nudge is a step of it. */
 const KEY = { turn: 0.12, pan: 40, zoom: 1.15, nudge: 0.2, bigNudge: 2 };
 const ARROW_KEYS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -365,7 +367,7 @@ export class Gestures {
     else orbit.rotateUp(dy * KEY.turn);
   }
 
-  /** Moves the selection in the view plane; held keys and their repeats make one drag. */
+  /** Moves the selection in the view plane, or on a grid along the axes nearest to it; held keys and their repeats make one drag. */
   #nudge(dx: number, dy: number, edges: number): void {
     const camera = this.#context.camera();
     const moving = this.#context.moving();
@@ -376,9 +378,12 @@ export class Gestures {
       this.#nudged = new Vector3();
       this.#context.grab(moving);
     }
-    const step = edges * data.edgeLength;
+    const grid = this.#context.grid();
+    const step = grid ? (edges / KEY.nudge) * grid * data.space.scale : edges * data.edgeLength;
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+    if (grid) up.setComponent(toAxis(right), 0);
+    if (grid) toAxis(up);
     this.#nudged.addScaledVector(right, dx * step).addScaledVector(up, dy * step);
     this.#context.carry(shift(this.#nudged));
   }
@@ -397,6 +402,15 @@ export class Gestures {
 /** Whether it is too far advanced to be given up for the camera. */
 function isUnderWay({ handle, onGizmo, gone }: Press): boolean {
   return (handle !== null || onGizmo) && gone > FAR;
+}
+
+/** Makes a direction that of the nearest axis, whose number it returns. */
+function toAxis(way: Vector3): number {
+  const sizes = way.toArray().map(Math.abs);
+  const axis = sizes.indexOf(Math.max(...sizes));
+  const sign = Math.sign(way.getComponent(axis));
+  way.set(0, 0, 0).setComponent(axis, sign);
+  return axis;
 }
 
 function shift(by: Vector3): Matrix4 {

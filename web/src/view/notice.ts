@@ -49,6 +49,7 @@ export function createBlankView(container: HTMLElement): View {
     setSymmetry() {},
     setRegion() {},
     setReach() {},
+    setReadout() {},
     setPreview() {},
     setAppearance() {},
     setStepArrows() {},

@@ -21,13 +21,22 @@ export class Overlay {
   readonly #pulse = make('circle', 'pulse');
   readonly #outline = make('path', 'outline');
   readonly #preview = make('path', 'preview');
+  readonly #readout = make('text', 'readout');
 
   constructor() {
     this.element.setAttribute('aria-hidden', 'true');
     const plus = make('path', 'plus');
     plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
     this.#hover.append(this.#ring, plus);
-    this.element.append(this.#strains, this.#preview, this.#tether, this.#pulse, this.#hover, this.#outline);
+    this.element.append(
+      this.#strains,
+      this.#preview,
+      this.#tether,
+      this.#pulse,
+      this.#hover,
+      this.#outline,
+      this.#readout,
+    );
     this.setHover(null, 0, false);
     this.setPulse(null, 0);
     this.setTether(null);
@@ -66,6 +75,12 @@ export class Overlay {
     // Lines of zero length with round caps are dots.
     const path = places.map(({ x, y }) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join('');
     if (this.#preview.getAttribute('d') !== path) this.#preview.setAttribute('d', path);
+  }
+
+  setReadout(text: string, at: Place | null): void {
+    if (!show(this.#readout, text && at)) return;
+    put(this.#readout, at!);
+    this.#readout.textContent = text;
   }
 
   /** Pairs of handles whose targets are farther apart than the net between them is long. */

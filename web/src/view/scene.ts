@@ -67,6 +67,7 @@ class SceneView implements View {
   #symmetry: Symmetry | undefined;
   #regionShown = false;
   #preview: readonly number[] = [];
+  #readout = '';
   #found: Found | null = null;
   #firstVisit = isFirstVisit();
   #frame = 0;
@@ -155,7 +156,8 @@ class SceneView implements View {
       handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
       this.#netData.space,
       choice.selection,
-      this.#report.vertices,
+      // With snapping they stand where that takes them, and not where the hand is.
+      choice.snapping ? [] : this.#report.vertices,
     );
     this.#container.classList.toggle('selecting', choice.selecting);
     this.#gizmo.setMode(choice.mode);
@@ -186,6 +188,11 @@ class SceneView implements View {
   setReach(limits: readonly Limit[] | null): void {
     if (!this.#netData || (limits === null && !this.#reach.object.visible)) return;
     this.#reach.update(limits, this.#netData.space);
+    this.#requestDraw();
+  }
+
+  setReadout(text: string): void {
+    this.#readout = text;
     this.#requestDraw();
   }
 
@@ -288,6 +295,7 @@ class SceneView implements View {
       selection: () => this.#choice.selection,
       selecting: () => this.#choice.selecting,
       moving: (handle) => this.#hand.moving(handle),
+      grid: () => this.#choice.snapping?.step,
       projection: () => this.#projection(),
       grab: (vertices) => this.#hand.grab(vertices),
       carry: (motion) => this.#carry(motion),
@@ -490,6 +498,7 @@ class SceneView implements View {
       isFirstVisit: this.#firstVisit,
       dragged: this.#report.vertices[0],
       preview: this.#preview,
+      readout: this.#readout,
       unreachable: this.#latest?.unreachable ?? [],
     });
   }

@@ -44,7 +44,7 @@ export const LOOKING_ONLY: ViewEvents = {
 };
 
 /** The part of a choice that the view shows. */
-export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting' | 'part'>;
+export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting' | 'part' | 'snapping'>;
 
 /** A video stream of the view. */
 export interface Film {
@@ -66,6 +66,8 @@ export interface View {
   setRegion(mobility: Float32Array | null): void;
   /** The points within all these limits, as a surface; null: none. */
   setReach(limits: readonly Limit[] | null): void;
+  /** Says something beside the handle that leads a drag. */
+  setReadout(text: string): void;
   /** Highlights the vertices that a button would select. */
   setPreview(vertices: readonly number[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;

@@ -1,0 +1,66 @@
+/** What a drag snaps to: a grid through the origin, along the axes, and the coordinates of other handles. Loaded with the controls that set it. */
+import type { HandleData, Vec3 } from '../document/document';
+import { coordinate } from '../language/numbers';
+import { panelWords } from '../language/panels';
+import { type InHand, translated } from './reach';
+import { AXES } from './transform';
+
+/** A coordinate of another handle attracts from so far, in edge lengths. */
+const ATTRACTS = 0.3;
+/** Along an axis where a drag goes less far than this, in edge lengths, it does not go at all. */
+const STILL = 1e-6;
+
+export class Snapping {
+  /** Spacing of the grid, in the net's unit; null: there is none. */
+  readonly step: number | null;
+  readonly #toHandles: boolean;
+  readonly #edgeLength: number;
+
+  /** @param edgeLength in the net's unit. */
+  constructor(step: number | null, toHandles: boolean, edgeLength: number) {
+    this.step = step;
+    this.#toHandles = toHandles;
+    this.#edgeLength = edgeLength;
+  }
+
+  /** The translation near `asked` that takes a handle to where it snaps, each coordinate by itself: to that of another handle
+   *  which is near, or else to the grid. One along which the drag does not go stays: an arrow along an axis keeps to it. */
+  translation(asked: Vec3, leading: InHand, others: readonly HandleData[]): Vec3 {
+    const place = translated(leading, asked);
+    return asked.map((by, axis) => {
+      const follows = leading.follows[axis]!;
+      if (follows === 0 || Math.abs(by) < STILL * this.#edgeLength) return by;
+      return follows * (this.#coordinate(place[axis]!, axis, others) - leading.base[axis]!);
+    }) as Vec3;
+  }
+
+  /** Where a handle is, and which others it is level with. */
+  describe(place: Vec3, others: readonly HandleData[]): string {
+    const coordinates = AXES.map((name, axis) => {
+      const level = this.#toHandles ? others.find(({ target }) => this.#isAt(target[axis]!, place[axis]!)) : undefined;
+      const text = `${name} ${coordinate(place[axis]!, this.#edgeLength)}`;
+      return level ? panelWords.drag.level(text, level.name ?? panelWords.handles.vertex(level.vertex)) : text;
+    });
+    return coordinates.join(' · ');
+  }
+
+  #coordinate(x: number, axis: number, others: readonly HandleData[]): number {
+    const near = this.#toHandles
+      ? nearest(
+          x,
+          others.map(({ target }) => target[axis]!),
+        )
+      : Infinity;
+    if (Math.abs(near - x) < ATTRACTS * this.#edgeLength) return near;
+    return this.step === null ? x : Math.round(x / this.step) * this.step;
+  }
+
+  #isAt(a: number, b: number): boolean {
+    return Math.abs(a - b) < STILL * this.#edgeLength;
+  }
+}
+
+/** Infinity if there are none. */
+function nearest(x: number, values: readonly number[]): number {
+  return values.reduce((best, value) => (Math.abs(value - x) < Math.abs(best - x) ? value : best), Infinity);
+}
