@@ -129,7 +129,7 @@ test('a gesture of many moves is one entry, and cancelled it is none', () => {
 test('a line of vertices is taken whole, its first vertex leads', async () => {
   editor.select([0]);
   expect(editor.choice).toMatchObject({ onBoundary: true, lines: 2 });
-  editor.takeLine('boundary');
+  editor.takeLine('boundary', 'Rim');
   await tick();
   expect(vertices()).toHaveLength(13);
   expect(editor.choice.selection).toHaveLength(12);

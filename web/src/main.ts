@@ -63,8 +63,7 @@ const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(a
 const saving = lazy(() => import('./export/save'));
 const sharing = lazy(() => import('./projects/sharing'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
-const handleRow = lazy(() => import('./sidebar/handle_row'));
-const snapControls = lazy(() => import('./sidebar/snap_controls'));
+const lateKeys = lazy(() => import('./sidebar/late_keys'));
 const embedding = lazy(() => import('./embed/embed'));
 const hints = lazy(async () => new (await import('./learn/hints')).Hints(app, document.querySelector('.title h1')!));
 const ready = projects.start();
@@ -177,7 +176,7 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { ROW_KEYS }, { SNAP_KEYS }] = await Promise.all([keySheet(), handleRow(), snapControls()]);
+  const [{ showKeySheet }, { ROW_KEYS, SNAP_KEYS }] = await Promise.all([keySheet(), lateKeys()]);
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },

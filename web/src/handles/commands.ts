@@ -39,8 +39,8 @@ export interface HandleCommands {
   add(vertex: number, also?: Selection): void;
   /** The vertices of a line through the leading handle. */
   line(name: LineName): readonly number[];
-  /** Makes all of them handles and selects them. */
-  takeLine(name: LineName): void;
+  /** Makes all of them handles and selects them. `title`: what they are called, beside the leading handle. */
+  takeLine(name: LineName, title: string): void;
   /** Does something with what is around the selection. */
   around(doing: (surroundings: Surroundings) => void): void;
   remove(vertices: Selection): void;

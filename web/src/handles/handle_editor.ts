@@ -146,11 +146,8 @@ export class HandleEditor implements HandleCommands {
     this.#host.attempt(this.#take([vertex], [...also, vertex]));
   }
 
-  takeLine(name: LineName): void {
-    this.#takeNamed(
-      this.line(name),
-      name === 'boundary' ? words.handles.boundaryLoop : words.handles.netLine(name + 1),
-    );
+  takeLine(name: LineName, title: string): void {
+    this.#takeNamed(this.line(name), title);
   }
 
   around(doing: (surroundings: Surroundings) => void): void {

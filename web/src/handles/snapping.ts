@@ -5,6 +5,8 @@ import { panelWords } from '../language/panels';
 import { type InHand, translated } from './reach';
 import { AXES } from './transform';
 
+/** What is said in the middle of a drag is to be read at a glance: to a thousandth of an edge, where coordinate() gives ten thousandths. */
+const READ_TO = 10;
 /** A coordinate of another handle attracts from so far, in edge lengths. */
 const ATTRACTS = 0.3;
 /** Along an axis where a drag goes less far than this, in edge lengths, it does not go at all. */
@@ -38,7 +40,7 @@ export class Snapping {
   describe(place: Vec3, others: readonly HandleData[]): string {
     const coordinates = AXES.map((name, axis) => {
       const level = this.#toHandles ? others.find(({ target }) => this.#isAt(target[axis]!, place[axis]!)) : undefined;
-      const text = `${name} ${coordinate(place[axis]!, this.#edgeLength)}`;
+      const text = `${name} ${coordinate(place[axis]!, READ_TO * this.#edgeLength)}`;
       return level ? panelWords.drag.level(text, level.name ?? panelWords.handles.vertex(level.vertex)) : text;
     });
     return coordinates.join(' · ');

@@ -96,11 +96,7 @@ export const en = {
     openFileHint: (formats: readonly string[]) => `Open an ${alternatives(formats)} file, or drop one on the page`,
   },
   handles: {
-    lock: 'Lock',
-    unlock: 'Unlock',
     lockedStay: 'Locked handles stay. Unlock them first.',
-    boundaryLoop: 'Boundary loop',
-    netLine: (line: number) => `Net line ${line}`,
   },
   behaviour: {
     choice: 'The net',

@@ -94,11 +94,7 @@ export const zh: Words = {
       `打开 ${formats.join('、').replace(/、([^、]*)$/, ' 或 $1')} 文件，也可将文件拖放到页面上`,
   },
   handles: {
-    lock: '锁定',
-    unlock: '解锁',
     lockedStay: '锁定的手柄保持不动，请先解锁。',
-    boundaryLoop: '边界环',
-    netLine: (line) => `网线 ${line}`,
   },
   behaviour: {
     choice: '网',

@@ -2,7 +2,6 @@
 import type { HandleData } from '../document/document';
 import { type Choice, GIZMO_MODES, type GizmoMode, type LineName } from '../handles/commands';
 import { unlocked } from '../handles/selection';
-import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
@@ -44,19 +43,14 @@ export class SelectionBar implements Panel {
       tool(ICONS[each], TEXT.modes[each], TEXT.modeHints[each], () => handles.setMode(each));
     this.#modes = new Map(GIZMO_MODES.map((each) => [each, mode(each)]));
     this.#modeGroup = make('div', { class: 'modes', role: 'group', 'aria-label': TEXT.mode }, ...this.#modes.values());
-    this.#boundary = this.#lineButton(
-      'boundary',
-      ICONS.boundary,
-      words.handles.boundaryLoop,
-      words.handles.boundaryLoop,
-    );
+    this.#boundary = this.#lineButton('boundary', ICONS.boundary, TEXT.boundaryLoop, TEXT.boundaryLoop);
     this.#lines = Array.from({ length: MOST_LINES }, (_, i) =>
-      this.#lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, words.handles.netLine(i + 1), TEXT.netLineHint),
+      this.#lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, TEXT.netLine(i + 1), TEXT.netLineHint),
     );
     this.#isolate = tool(ICONS.isolate, TEXT.isolate, TEXT.isolateHint, () =>
       handles.around((surroundings) => surroundings.isolate()),
     );
-    this.#lock = tool(ICONS.locked, words.handles.lock, words.handles.lock, () => this.#turnLock());
+    this.#lock = tool(ICONS.locked, panelWords.handles.lock, panelWords.handles.lock, () => this.#turnLock());
     this.#remove = tool(ICONS.bin, TEXT.remove, TEXT.removeHint, () => handles.remove(this.#vertices));
     this.element = make(
       'div',
@@ -114,7 +108,7 @@ export class SelectionBar implements Panel {
     const { handles, preview } = this.#events;
     const button = tool(icon, label, hint, () => {
       preview([]);
-      handles.takeLine(name);
+      handles.takeLine(name, label);
     });
     whilePointedAt(
       button,

@@ -3,7 +3,6 @@ import { type HandleData, LONGEST_NAME } from '../document/document';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import type { HandleTraits } from '../handles/commands';
-import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { Toggle } from './toggle';
 
@@ -53,8 +52,11 @@ export class HandleGroupRow {
     this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change(this.#vertices, { hidden: hidden || undefined }),
     );
-    this.#lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
-      events.change(this.#vertices, { anchor }),
+    this.#lock = new Toggle(
+      ICONS.unlocked,
+      ICONS.locked,
+      [panelWords.handles.lock, panelWords.handles.unlock],
+      (anchor) => events.change(this.#vertices, { anchor }),
     );
     this.#remove = makeButton(makeIcon(ICONS.cross), () => events.remove(this.#vertices), {
       class: 'plain tool',

@@ -2,7 +2,6 @@
 import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/commands';
-import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
@@ -50,8 +49,11 @@ export class HandleRow {
     this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change({ hidden: hidden || undefined }),
     );
-    this.#lock = new Toggle(ICONS.unlocked, ICONS.locked, [words.handles.lock, words.handles.unlock], (anchor) =>
-      events.change({ anchor }),
+    this.#lock = new Toggle(
+      ICONS.unlocked,
+      ICONS.locked,
+      [panelWords.handles.lock, panelWords.handles.unlock],
+      (anchor) => events.change({ anchor }),
     );
     const remove = makeButton(makeIcon(ICONS.cross), () => events.remove(), {
       class: 'plain tool',

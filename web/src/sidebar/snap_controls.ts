@@ -5,6 +5,7 @@ import type { HandleCommands } from '../handles/commands';
 import { Snapping } from '../handles/snapping';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
+import './snap_controls.css';
 
 const TEXT = panelWords.drag;
 
@@ -16,7 +17,14 @@ export class SnapControls {
   readonly rows: HTMLElement[];
   readonly #grid = makeSwitch(TEXT.toGrid, () => this.#apply());
   readonly #handles = makeSwitch(TEXT.toHandles, () => this.#apply());
-  readonly #spacing = make('input', { type: 'number', min: 0, step: 'any', value: 1, required: true });
+  readonly #spacing = make('input', {
+    type: 'number',
+    min: 0,
+    step: 'any',
+    value: 1,
+    required: true,
+    'aria-label': TEXT.spacing,
+  });
   readonly #unit = make(
     'select',
     { 'aria-label': TEXT.unit },
@@ -35,8 +43,8 @@ export class SnapControls {
     this.#spacingRow = make(
       'div',
       { class: 'row' },
-      make('label', {}, make('span', {}, TEXT.spacing), this.#spacing),
-      this.#unit,
+      make('span', {}, TEXT.spacing),
+      make('div', { class: 'spacing' }, this.#spacing, this.#unit),
     );
     for (const field of [this.#spacing, this.#unit]) field.addEventListener('change', () => this.#apply());
     this.rows = [this.#grid.row, this.#spacingRow, this.#handles.row];

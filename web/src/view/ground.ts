@@ -15,15 +15,19 @@ import {
   Scene,
   ShaderMaterial,
   Vector2,
+  Vector3,
   type WebGLRenderer,
   WebGLRenderTarget,
   DoubleSide,
 } from 'three';
 import { type NetData, type NetUniforms, READ_NET } from './net_data';
+import type { Space } from './space';
 import type { Theme } from './theme';
 
 /** Half the side of the floor, in the scene, where the rest net's half diagonal is 1. */
 const REACH = 2.6;
+/** Of the grid, usually. */
+const CELL = 0.2;
 const PLAN_PIXELS = 256;
 const BLUR_PIXELS = 128;
 
@@ -76,6 +80,7 @@ const FLOOR_FRAGMENT = /* glsl */ `
 uniform sampler2D plan_shadow;
 uniform vec3 shadowColour, gridColour;
 uniform float reach, shadowShare, cell;
+uniform vec3 origin;
 in vec2 plan;
 out vec4 colour;
 float lines(vec2 p) {
@@ -88,7 +93,7 @@ float lines(vec2 p) {
 void main() {
   float shadow = shadowShare * texture(plan_shadow, plan / reach * 0.5 + 0.5).r;
   float rim = 1.0 - smoothstep(0.35, 1.0, length(plan) / reach);
-  float grid = 0.45 * rim * rim * lines(plan / cell);
+  float grid = 0.45 * rim * rim * lines((plan - origin.xy) / cell);
   float alpha = shadow + grid * (1.0 - shadow);
   if (alpha < 0.003) discard;
   colour = vec4(mix(gridColour, shadowColour, shadow / alpha), alpha);
@@ -137,7 +142,8 @@ export class Ground {
         gridColour: { value: new Color() },
         shadowShare: { value: 0 },
         reach: { value: REACH },
-        cell: { value: 0.2 },
+        cell: { value: CELL },
+        origin: { value: new Vector3() },
       },
     });
     this.object = new Mesh(new PlaneGeometry(2 * REACH, 2 * REACH), material);
@@ -152,6 +158,13 @@ export class Ground {
     this.#planMaterial.uniforms.floorHeight!.value = space.floor;
     // A little below, to avoid z-fighting with a flat net.
     this.object.position.z = space.floor - 0.02;
+  }
+
+  /** Draws the grid to which drags snap, of so many units of the net, if there is one. */
+  setGrid(step: number | null | undefined, space: Space): void {
+    const { cell, origin } = this.object.material.uniforms;
+    cell!.value = step ? step * space.scale : CELL;
+    space.toScene(origin!.value, step ? [0, 0, 0] : space.centre);
   }
 
   setTheme(theme: Theme): void {

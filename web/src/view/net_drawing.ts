@@ -103,6 +103,11 @@ export class NetDrawing {
     this.#hasMoved = true;
   }
 
+  /** Spacing of the grid to which drags snap, in the net's unit. */
+  setGrid(step: number | null | undefined): void {
+    if (this.#data) this.#ground.setGrid(step, this.#data.space);
+  }
+
   setAppearance(appearance: Appearance): void {
     const before = this.#appearance;
     this.#appearance = appearance;

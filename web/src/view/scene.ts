@@ -152,6 +152,7 @@ class SceneView implements View {
     this.#handles = handles;
     this.#choice = choice;
     this.#drawing.setPart(choice.part);
+    this.#drawing.setGrid(choice.snapping?.step);
     this.#markers.update(
       handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
       this.#netData.space,

@@ -41,6 +41,8 @@ export const panels = {
     renameGroup: 'Name of all of them',
     hide: 'Hide',
     show: 'Show',
+    lock: 'Lock',
+    unlock: 'Unlock',
     soft: 'Soft',
     weight: 'Weight',
     more: (next: number, left: number) => (next < left ? `Show ${next} of ${left} more` : `Show ${left} more`),
@@ -70,6 +72,8 @@ export const panels = {
       rotate: 'Rotate about their centre (R)',
       scale: 'Scale about their centre (S)',
     },
+    boundaryLoop: 'Boundary loop',
+    netLine: (line: number) => `Net line ${line}`,
     netLineHint: 'Make all vertices of this net line handles',
     patch: 'Patch',
     patchHint:

@@ -1,0 +1,3 @@
+/** Tables of the keys of controls that come late, for the sheet of keys. */
+export { ROW_KEYS } from './handle_row';
+export { SNAP_KEYS } from './snap_controls';
