@@ -257,7 +257,7 @@ export class DrapeDialog implements DraperLike {
     const mesh = { positions, faceStart, faceVertices };
     return {
       net: { mesh, name: netName(this.#name) },
-      handles: 'places' in this.#shown ? suggestedHandles(this.#shown.places) : [],
+      handles: 'places' in this.#shown ? suggestedHandles(this.#shown) : [],
       guide: this.#surface,
     };
   }
