@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "surface/surface.h"
+#include "surface/surface_tree.h"
+
+namespace chebnet {
+
+/// Points on a surface along which to cut it, at least two. Each is joined to the next by a locally shortest path (see
+/// shortest_path); where the last is the first again, the cut is closed.
+using CutLine = std::vector<SurfacePoint>;
+
+/// The points of a surface nearest to some points in space (3×N). Throws Error bad_option naming the first that is
+/// farther from it than a twentieth of the surface's size, non_finite.
+CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points);
+
+/// How a cut runs over a surface, to be drawn: 3×N. Throws Error as cut_open does.
+Positions cut_path(const Surface& surface, const CutLine& line);
+
+/// The surface, cut open: triangles that a cut crosses are split along it, and the vertices on it doubled, so that both
+/// sides are boundary. A cut that ends inside leaves a slit; one from border to border, or closed, may separate pieces.
+/// Where it has been, the surface stays as it is: shape and area remain, nothing is taken off. Vertices keep their
+/// numbers; points are snapped to vertices and edges within a thousandth of a triangle (see snapped). Cuts may meet and
+/// cross each other. Throws Error bad_option naming the cut and the point, counted from 1: fewer than two points, no
+/// triangle of that number, no way between two points, no length, a cut that crosses or touches itself.
+Surface cut_open(const Surface& surface, std::span<const CutLine> cuts);
+
+/// Each piece as a surface of its own, in the order of Surface::components().
+std::vector<Surface> pieces_of(const Surface& surface);
+
+}  // namespace chebnet
