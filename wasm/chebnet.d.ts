@@ -529,6 +529,21 @@ export interface Drape {
   met: number;
 }
 
+/** Nets on all pieces of a surface, as one mesh: that of the seed first, of whose vertices `places` are the first, no two joined. */
+export interface PiecesDrape extends Drape {
+  /** How many have a net, and how many are too small or too bent for one. */
+  pieces: number;
+  bare: number;
+}
+
+/** Cuts that help, in their order; see core/drape/cut_proposals.h. */
+export interface CutProposals {
+  /** Each by its points, for `cut`. */
+  cuts: Point[][];
+  /** Part of the surface's area that is within half an edge of the nets: uncut, and with each further cut. */
+  coverage: number[];
+}
+
 /** How a whole surface is made a net; see core/remesh/remesh.h. */
 export interface RemeshOptions {
   /** About so many, 4000 unless said otherwise; not asked for if there is a length. */
@@ -590,6 +605,16 @@ export interface Surface {
   /** Of several trials the best beginnings, first those that cover most and are sheared least. */
   propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
+  /** Cut open along shortest ways over the surface between points near it, at least two a cut; see
+   *  core/surface/surface_cut.h. Shape and area stay. */
+  cut(cuts: readonly (readonly Readonly<Point>[])[]): Surface;
+  /** How one of these runs, 3 numbers a point. */
+  cutPath(points: readonly Readonly<Point>[]): Float64Array;
+  /** A net on each piece of the surface, with edges of one length: from the seed on its piece, from their middles on the
+   *  others; none goes across a cut. See core/drape/drape_pieces.h. */
+  drapePieces(options: DrapeOptions): PiecesDrape;
+  /** Up to `most` cuts with which such nets cover more of the surface; there may be none. Takes seconds. */
+  proposeCuts(options: DrapeOptions, most: number): CutProposals;
   /** The phases may begin anew where the first attempt does not do. @param progress is told how far a phase is, 0 … 1. */
   remesh(options?: RemeshOptions, progress?: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;

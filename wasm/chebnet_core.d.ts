@@ -3,6 +3,7 @@ import type {
   AdaptReport,
   ChangedMesh,
   CoreFields,
+  CutProposals,
   Defect,
   Drape,
   DrapeOptions,
@@ -21,6 +22,7 @@ import type {
   RemeshOptions,
   RemeshPhase,
   PatternFault,
+  PiecesDrape,
   Point,
   RepairedMesh,
   ShapeInfo,
@@ -139,6 +141,11 @@ export interface CoreSurface {
   suggest(cells: number): { seed: Point; direction: Point; length: number };
   propose(options: Required<DrapeOptions>): DrapeProposal[];
   drape(options: Required<DrapeOptions>): Drape;
+  /** 3 numbers a point, as for `cut`. */
+  cutPath(points: Float64Array): Float64Array;
+  cut(cuts: Float64Array[]): CoreSurface;
+  drapePieces(options: Required<DrapeOptions>): PiecesDrape;
+  proposeCuts(options: Required<DrapeOptions>, most: number): CutProposals;
   remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   delete(): void;

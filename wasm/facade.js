@@ -471,6 +471,11 @@ function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smalles
   };
 }
 
+/** @param {readonly Readonly<Point>[]} points */
+function cutPoints(points) {
+  return Float64Array.from(points.flatMap((point) => finite(point, 'a point of a cut')));
+}
+
 /** @implements {Surface} */
 class WasmSurface {
   /** @type {CoreSurface | null} */
@@ -516,6 +521,26 @@ class WasmSurface {
   /** @param {DrapeOptions} options */
   drape(options) {
     return this.#open.drape(allDrapeOptions(options));
+  }
+
+  /** @param {readonly (readonly Readonly<Point>[])[]} cuts */
+  cut(cuts) {
+    return new WasmSurface(this.#open.cut(cuts.map(cutPoints)));
+  }
+
+  /** @param {readonly Readonly<Point>[]} points */
+  cutPath(points) {
+    return this.#open.cutPath(cutPoints(points));
+  }
+
+  /** @param {DrapeOptions} options */
+  drapePieces(options) {
+    return this.#open.drapePieces(allDrapeOptions(options));
+  }
+
+  /** @param {DrapeOptions} options @param {number} most */
+  proposeCuts(options, most) {
+    return this.#open.proposeCuts(allDrapeOptions(options), integer(most, 'a number of cuts', 1, 100));
   }
 
   /** @param {Core} core @param {Session} session */

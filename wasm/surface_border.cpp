@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "drape/bridged_drape.h"
+#include "drape/cut_proposals.h"
 #include "drape/drape.h"
+#include "drape/drape_pieces.h"
 #include "drape/proposals.h"
 #include "mesh_border.h"
 #include "net/topology.h"
@@ -18,6 +20,7 @@
 #include "surface/curvature.h"
 #include "surface/gallery.h"
 #include "surface/guide.h"
+#include "surface/surface_cut.h"
 
 namespace chebnet {
 namespace {
@@ -200,6 +203,66 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     return object;
 }
 
+// ----------------------------------------------------------------------------------------------------- cuts and pieces
+
+/// `points`: a Float64Array.
+CutLine line_in(const OpenSurface& open, const val& points) {
+    const auto numbers = emscripten::convertJSArrayToNumberVector<double>(points);
+    return cut_line(open.surface, open.tree, Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3));
+}
+
+val cut_path_on(const OpenSurface& open, val points) { return copy_out(cut_path(open.surface, line_in(open, points))); }
+
+/// `cuts`: an array of Float64Arrays.
+OpenSurface* cut_surface(const OpenSurface& open, val cuts) {
+    std::vector<CutLine> lines;
+    for (const val& points : emscripten::vecFromJSArray<val>(cuts)) lines.push_back(line_in(open, points));
+    return new OpenSurface(cut_open(open.surface, lines));
+}
+
+/// `options`: an object with all fields of DrapeOptions, and `leave`.
+val drape_all_pieces(const OpenSurface& open, val options) {
+    PiecesOptions wanted;
+    wanted.drape = options_in(options);
+    wanted.leave = options["leave"].as<double>();
+    wanted.first_seed = true;
+    const DrapedPieces made = drape_pieces(open.surface, wanted);
+    int locked = 0, met = 0, cut_ends = 0, first = 0;
+    Eigen::Matrix2Xi places(2, made.net.vertex_count());
+    for (const DrapedPiece& piece : made.draped) {
+        locked += piece.drape.locked;
+        met += piece.drape.met;
+        cut_ends += piece.drape.cut_ends;
+        places.middleCols(first, piece.drape.places.cols()) = piece.drape.places;
+        first += static_cast<int>(piece.drape.places.cols());
+    }
+    val object = val::object();
+    object.set("mesh", mesh_of_net(made.net));
+    object.set("places", copy_out(places));
+    object.set("locked", locked);
+    object.set("met", met);
+    object.set("cutEnds", cut_ends);
+    object.set("pieces", static_cast<int>(made.draped.size()));
+    object.set("bare", static_cast<int>(made.bare.size()));
+    return object;
+}
+
+/// `options`: an object with all fields of DrapeOptions.
+val propose_cuts_on(const OpenSurface& open, val options, int most) {
+    const CutProposals proposals = propose_cuts(open.surface, options_in(options), most);
+    val cuts = val::array(), coverage = val::array();
+    for (const CutLine& line : proposals.cuts) {
+        val points = val::array();
+        for (const SurfacePoint& point : line) points.call<void>("push", vector_out(open.surface.position_at(point)));
+        cuts.call<void>("push", points);
+    }
+    for (const double part : proposals.coverage) coverage.call<void>("push", part);
+    val object = val::object();
+    object.set("cuts", cuts);
+    object.set("coverage", coverage);
+    return object;
+}
+
 val measure(const OpenSurface& open, val net) {
     Mesh mesh = mesh_in(net);
     const DrapeReport report =
@@ -238,6 +301,10 @@ EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
         .function("suggest", guarded<&suggest>)
         .function("propose", guarded<&propose>)
         .function("drape", guarded<&drape_surface>)
+        .function("cutPath", guarded<&cut_path_on>)
+        .function("cut", guarded<&cut_surface>, emscripten::allow_raw_pointers())
+        .function("drapePieces", guarded<&drape_all_pieces>)
+        .function("proposeCuts", guarded<&propose_cuts_on>)
         .function("remesh", guarded<&remesh_surface>)
         .function("measure", guarded<&measure>);
 }

@@ -2,19 +2,30 @@
 
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "base/error.h"
+#include "base/number.h"
 #include "base/stopwatch.h"
 #include "command.h"
 #include "drape/bridged_drape.h"
+#include "drape/cut_proposals.h"
+#include "drape/drape_pieces.h"
 #include "drape/proposals.h"
 #include "net_output.h"
 #include "report.h"
 #include "surface/curvature.h"
+#include "surface/surface_cut.h"
 #include "surface_argument.h"
 
 namespace chebnet {
 namespace {
+
+constexpr int k_most_seeds = 1000, k_most_cuts = 10;
 
 struct DrapeArguments {
     SurfaceArgument surface;
@@ -26,9 +37,13 @@ struct DrapeArguments {
     double angle = 90, smallest_angle = 30, leave = 0;
     int reach = DrapeOptions().reach;
     bool inside = false, cut = false;
+    std::vector<std::string> cuts;
+    bool pieces = false;
+    int propose_cuts = 0;
 };
 
-DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+/// But for where and how it begins.
+DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
     DrapeOptions options = suggested_drape(surface, tree, arguments.cells);
     if (arguments.has_length) options.length = arguments.length;
     options.angle = arguments.angle * k_degree;
@@ -36,6 +51,11 @@ DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface,
     options.reach = arguments.reach;
     if (arguments.inside) options.border = DrapeOptions::Border::inside;
     if (arguments.cut) options.border = DrapeOptions::Border::cut;
+    return options;
+}
+
+DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    DrapeOptions options = shared_options(arguments, surface, tree);
     if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
     if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
     if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
@@ -50,7 +70,106 @@ Json drape_report(const Drape& draped, const DrapeReport& measured) {
     return report;
 }
 
+// ---------------------------------------------------------------------------------------------------- cuts and pieces
+
+/// "x,y,z x,y,z ..."
+Positions points_in(const std::string& text) {
+    std::istringstream words(text);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;) {
+        std::istringstream parts(word);
+        int count = 0;
+        for (std::string part; std::getline(parts, part, ','); ++count) {
+            const std::optional<double> number = parse_number(part);
+            if (!number) throw Error(ErrorCode::bad_option, "--cut-along: \"" + part + "\" is not a number");
+            numbers.push_back(*number);
+        }
+        if (count != 3)
+            throw Error(ErrorCode::bad_option, "--cut-along: \"" + word + "\" should be three numbers, as in 1,0,2.5");
+    }
+    return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
+}
+
+Json point_report(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json pieces_report(const DrapedPieces& made) {
+    Json list = Json::array();
+    for (const DrapedPiece& piece : made.draped)
+        list.push_back({{"piece", piece.piece + 1},
+                        {"area", piece.area},
+                        {"seed", point_report(piece.options.seed)},
+                        {"direction", point_report(piece.options.direction)},
+                        {"net", drape_report(piece.drape, piece.report)}});
+    for (const BarePiece& piece : made.bare)
+        list.push_back({{"piece", piece.piece + 1}, {"area", piece.area}, {"no_net", piece.reason}});
+    return list;
+}
+
+PiecesOptions pieces_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    PiecesOptions options;
+    if (arguments.propose_cuts > 0) {
+        options.drape = options_of(arguments, surface, tree);
+        options.leave = arguments.leave;
+        options.first_seed = true;
+        return options;
+    }
+    options.drape = shared_options(arguments, surface, tree);
+    options.best = arguments.best;
+    options.leave = arguments.leave;
+    options.has_direction = !arguments.direction.empty();
+    if (options.has_direction) options.drape.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    for (std::size_t k = 0; k + 2 < arguments.seed.size(); k += 3)
+        options.seeds.emplace_back(Eigen::Vector3d::Map(&arguments.seed[k]));
+    return options;
+}
+
+/// Cuts that others can be made from: --cut-along takes their points.
+Json proposals_report(const Surface& surface, const CutProposals& proposals) {
+    Json cuts = Json::array();
+    for (std::size_t k = 0; k < proposals.cuts.size(); ++k) {
+        std::string along;
+        for (const SurfacePoint& point : proposals.cuts[k]) {
+            const Eigen::Vector3d x = surface.position_at(point);
+            if (!along.empty()) along += ' ';
+            along.append(number_text(x.x(), 9)).append(",").append(number_text(x.y(), 9)).append(",");
+            along.append(number_text(x.z(), 9));
+        }
+        cuts.push_back({{"cut_along", along}, {"coverage_with_it", proposals.coverage[k + 1]}});
+    }
+    return {{"coverage_uncut", proposals.coverage[0]}, {"cuts", cuts}};
+}
+
+int run_pieces(const DrapeArguments& arguments) {
+    const Surface whole = load_surface(arguments.surface);
+    Stopwatch watch;
+    const SurfaceTree tree(whole);
+    std::vector<CutLine> cuts;
+    for (const std::string& cut : arguments.cuts) cuts.push_back(cut_line(whole, tree, points_in(cut)));
+    const PiecesOptions options = pieces_options(arguments, whole, tree);
+    Json proposed;
+    if (arguments.propose_cuts > 0) {
+        const CutProposals proposals = propose_cuts(whole, options.drape, arguments.propose_cuts);
+        proposed = proposals_report(whole, proposals);
+        cuts = proposals.cuts;
+    }
+    const Surface surface = cut_open(whole, cuts);
+    const double cut_ms = watch.milliseconds();
+    watch.restart();
+    const DrapedPieces made = drape_pieces(surface, options);
+    const double drape_ms = watch.milliseconds();
+    write_net(arguments.output, made.net.rest_positions(), made.net.faces());
+    print({{"surface", name_of(arguments.surface)},
+           {"described", surface_report(describe(surface))},
+           {"net", net_on_surface_report(made.net, made.report)},
+           {"pieces", pieces_report(made)},
+           {"proposed", proposed},
+           {"milliseconds", {{"cut", cut_ms}, {"drape", drape_ms}}}});
+    return k_success;
+}
+
 int run_drape(const DrapeArguments& arguments) {
+    if (arguments.pieces || !arguments.cuts.empty() || arguments.seed.size() > 3 || arguments.propose_cuts > 0)
+        return run_pieces(arguments);
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
     const auto guide = std::make_shared<const Guide>(std::move(loaded));
@@ -80,9 +199,12 @@ Command add_drape(CLI::App& program) {
     add_surface_argument(command, arguments->surface);
     command
         .add_option("--seed", arguments->seed,
-                    "Where to begin: the point of the surface nearest to this one; its middle if not given")
+                    "Where to begin: the point of the surface nearest to this one; its middle if not given. Given "
+                    "several times: a net from each, on pieces of their own")
         ->type_name("X Y Z")
-        ->expected(3);
+        ->type_size(3)
+        ->expected(1, k_most_seeds)
+        ->allow_extra_args(false);
     command
         .add_option("--direction", arguments->direction,
                     "Of the first family of net lines there, in space; along the x axis if not given")
@@ -104,6 +226,22 @@ Command add_drape(CLI::App& program) {
                     "Cells from the seed along each family; as far as it goes if not given")
         ->type_name("CELLS");
     command.add_flag("--best", arguments->best, "Begin where the best of several trials does");
+    command
+        .add_option(
+            "--cut-along", arguments->cuts,
+            "Cut the surface open along shortest ways between points on it, \"x,y,z x,y,z ...\", and lay a net on "
+            "each piece; no edge goes across a cut. Can be given several times")
+        ->type_name("POINTS")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    command
+        .add_option("--propose-cuts", arguments->propose_cuts,
+                    "Look for up to so many cuts with which more is covered, and cut along those found")
+        ->type_name("CUTS")
+        ->check(CLI::Range(1, k_most_cuts))
+        ->excludes("--cut-along");
+    command.add_flag("--pieces", arguments->pieces, "Lay a net on each piece of a surface that is of several");
     CLI::Option* inside =
         command.add_flag("--inside", arguments->inside, "Set no vertex beyond the border of the surface");
     command

@@ -18,11 +18,9 @@ constexpr int k_halvings = 52;
 
 class Cutter {
 public:
-    Cutter(const Surface& surface, const SurfaceTree& tree, double length, double smallest_angle,
-           const std::vector<DrapedVertex>& vertices)
-        : m_surface(surface),
-          m_tree(tree),
-          m_stub(k_shortest_end * length),
+    Cutter(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices)
+        : m_compass(compass),
+          m_stub(k_shortest_end * compass.length()),
           m_largest_cosine(std::cos(smallest_angle)),
           m_vertices(vertices) {}
 
@@ -72,7 +70,7 @@ private:
         Height left{};
         for (int k = 0; k <= k_halvings; ++k) {
             const double part = k == 0 ? 1 : (inside + outside) / 2;
-            const Height here = height_of(m_surface, m_tree, (1 - part) * from.position + part * beyond, from.at.face);
+            const Height here = m_compass.height((1 - part) * from.position + part * beyond, from.at.face);
             if (here.overhang > 0) {
                 outside = part;
                 left = here;
@@ -80,7 +78,7 @@ private:
                 inside = part;
             }
         }
-        return {m_surface.position_at(left.at), left.at, left.normal, 0};
+        return {m_compass.surface().position_at(left.at), left.at, left.normal, 0};
     }
 
     bool is_sharp(const std::vector<int>& face) const {
@@ -98,8 +96,7 @@ private:
         return vertex < given ? m_vertices[vertex].position : m_cut.ends[vertex - given].vertex.position;
     }
 
-    const Surface& m_surface;
-    const SurfaceTree& m_tree;
+    const Compass& m_compass;
     double m_stub, m_largest_cosine;
     const std::vector<DrapedVertex>& m_vertices;
     std::map<std::pair<int, int>, int> m_end_at;  // of a rod, by the edge that it is a part of
@@ -108,9 +105,9 @@ private:
 
 }  // namespace
 
-BorderCut cut_at_border(const Surface& surface, const SurfaceTree& tree, double length, double smallest_angle,
-                        const std::vector<DrapedVertex>& vertices, const std::vector<std::array<int, 4>>& cells) {
-    return Cutter(surface, tree, length, smallest_angle, vertices).run(cells);
+BorderCut cut_at_border(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices,
+                        const std::vector<std::array<int, 4>>& cells) {
+    return Cutter(compass, smallest_angle, vertices).run(cells);
 }
 
 }  // namespace chebnet

@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "drape/compass.h"
-#include "surface/surface.h"
-#include "surface/surface_tree.h"
 
 namespace chebnet {
 
@@ -24,8 +22,8 @@ struct BorderCut {
 /// an edge goes from each end to the next within a cell. A rod that would end in a stub of less than k_shortest_end
 /// stops at its last vertex, and one that goes no farther than that beyond the border stays whole. What is left of a
 /// cell is taken off where it would be a quad with a corner sharper than `smallest_angle`, or hangs on by a corner.
-BorderCut cut_at_border(const Surface& surface, const SurfaceTree& tree, double length, double smallest_angle,
-                        const std::vector<DrapedVertex>& vertices, const std::vector<std::array<int, 4>>& cells);
+BorderCut cut_at_border(const Compass& compass, double smallest_angle, const std::vector<DrapedVertex>& vertices,
+                        const std::vector<std::array<int, 4>>& cells);
 
 /// In edge lengths.
 inline constexpr double k_shortest_end = 0.05;

@@ -85,7 +85,8 @@ Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOption
                                                              most_height * options.length, options.smallest_angle);
     BorderCut left;
     if (options.border == DrapeOptions::Border::cut)
-        left = cut_at_border(guide->surface(), guide->tree(), options.length, options.smallest_angle, vertices, cells);
+        left = cut_at_border(Compass(guide->surface(), guide->tree(), options.length), options.smallest_angle, vertices,
+                             cells);
     else
         for (const auto& cell : cells) left.faces.emplace_back(cell.begin(), cell.end());
     if (left.faces.empty()) return locked;

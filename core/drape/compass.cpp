@@ -25,8 +25,13 @@ constexpr double k_least_radius = 1e-6;
 }  // namespace
 
 DrapedVertex Compass::vertex_at(const Eigen::Vector3d& position, int guess) const {
-    const Height height = height_of(m_surface, m_tree, position, guess);
-    return {position, height.at, height.normal, height.overhang};
+    const Height here = height(position, guess);
+    return {position, here.at, here.normal, here.overhang};
+}
+
+Height Compass::height(const Eigen::Vector3d& point, int from) const {
+    if (m_slits == nullptr) return height_of(m_surface, m_tree, point, from);
+    return height_at(m_surface, m_slits->nearest(point, from), point);
 }
 
 std::optional<DrapedVertex> Compass::straight_on(const DrapedVertex& from, Eigen::Vector3d& direction) const {
@@ -74,7 +79,7 @@ public:
 
     Point at(const Eigen::Vector3d& direction) const {
         const Eigen::Vector3d position = m_centre + m_radius * direction;
-        return {direction, position, height_of(m_compass.m_surface, m_compass.m_tree, position, m_guess)};
+        return {direction, position, m_compass.height(position, m_guess)};
     }
 
     /// A step round, forwards or backwards.

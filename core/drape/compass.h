@@ -3,31 +3,34 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "drape/draped_vertex.h"
+#include "drape/slits.h"
 #include "surface/height.h"
 #include "surface/surface.h"
 #include "surface/surface_tree.h"
 
 namespace chebnet {
 
-/// A vertex of a net that is made on a surface.
-struct DrapedVertex {
-    Eigen::Vector3d position;
-    SurfacePoint at;         ///< the nearest point of the surface, which is the position unless there is an overhang
-    Eigen::Vector3d normal;  ///< of the surface there
-    double overhang = 0;     ///< how far beyond the boundary
-};
-
 /// Draws a net on a surface with edges of one length, vertex by vertex, as with a pair of compasses (Chebyshev 1878).
 /// Where the surface ends it goes on as flat as it is there. Keeps references to surface and tree.
 class Compass {
 public:
-    /// `length`: of all edges.
-    Compass(const Surface& surface, const SurfaceTree& tree, double length)
-        : m_surface(surface), m_tree(tree), m_length(length) {}
+    /// `length`: of all edges. `slits`: of the surface, for this length, to be kept to; they must outlive it.
+    Compass(const Surface& surface, const SurfaceTree& tree, double length, const Slits* slits = nullptr)
+        : m_surface(surface), m_tree(tree), m_length(length), m_slits(slits) {}
 
     const Surface& surface() const { return m_surface; }
     const SurfaceTree& tree() const { return m_tree; }
     double length() const { return m_length; }
+    bool keeps_to_slits() const { return m_slits != nullptr; }
+
+    /// As height_of, but as seen from a triangle near the point: on this side of slits.
+    Height height(const Eigen::Vector3d& point, int from) const;
+
+    /// Whether a slit runs between two vertices.
+    bool is_slit_between(const DrapedVertex& a, const DrapedVertex& b) const {
+        return m_slits != nullptr && m_slits->part(a, b);
+    }
 
     DrapedVertex vertex_at(const Eigen::Vector3d& position, int guess) const;
 
@@ -46,6 +49,7 @@ private:
     const Surface& m_surface;
     const SurfaceTree& m_tree;
     double m_length;
+    const Slits* m_slits;
 };
 
 }  // namespace chebnet

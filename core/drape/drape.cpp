@@ -17,6 +17,7 @@
 #include "drape/border_cut.h"
 #include "drape/compass.h"
 #include "drape/draped_net.h"
+#include "drape/slits.h"
 
 namespace chebnet {
 
@@ -102,7 +103,8 @@ class Draper {
 public:
     Draper(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options)
         : m_options(options),
-          m_compass(surface, tree, options.length),
+          m_slits(slits_of(surface, tree, options)),
+          m_compass(surface, tree, options.length, m_slits ? &*m_slits : nullptr),
           m_surroundings(options.length),
           m_largest_cosine(std::cos(options.smallest_angle)) {
         const SurfaceTree::Nearest seed = tree.nearest(options.seed);
@@ -129,12 +131,12 @@ private:
     }
 
     void run_arm(const Place& step, Eigen::Vector3d direction) {
-        Place place{0, 0};
-        while (is_on_surface(m_vertices[m_at.at(key(place))])) {
-            const auto vertex = m_compass.straight_on(m_vertices[m_at.at(key(place))], direction);
-            place = place + step;
+        int last = 0;
+        while (is_on_surface(m_vertices[last])) {
+            const auto vertex = m_compass.straight_on(m_vertices[last], direction);
+            const Place place = m_places[last] + step;
             if (!vertex || !is_allowed(place, *vertex)) return;
-            add(place, *vertex);
+            last = add(place, *vertex);
         }
     }
 
@@ -143,36 +145,42 @@ private:
         while (!m_waiting.empty()) {
             const Place place = m_waiting.top();
             m_waiting.pop();
-            if (find(place) >= 0) continue;
-            if (const auto vertex = vertex_across(place)) add(place, *vertex);
+            for (const Corner& corner : corners_at(place))
+                if (const auto vertex = vertex_across(place, corner)) add(place, *vertex);
         }
     }
 
-    std::optional<DrapedVertex> vertex_across(const Place& place) {
-        const std::optional<Place> inward = inward_diagonal(place);
-        if (!inward) return std::nullopt;
-        const DrapedVertex& d = vertex(place + *inward);
-        const DrapedVertex& a = vertex(place + Place{inward->i, 0});
-        const DrapedVertex& b = vertex(place + Place{0, inward->j});
+    /// Three vertices of a cell, a and b next to d.
+    struct Corner {
+        int d, a, b;
+    };
+
+    std::optional<DrapedVertex> vertex_across(const Place& place, const Corner& corner) {
+        if (find(place, corner.a) >= 0) return std::nullopt;
+        const DrapedVertex &d = m_vertices[corner.d], &a = m_vertices[corner.a], &b = m_vertices[corner.b];
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
         const auto c = m_compass.across(d, a, b);
-        if (!c || !keeps_limit({d.position, a.position, c->position, b.position})) {
+        if (!c || !keeps_limit({d.position, a.position, c->position, b.position}) || m_compass.is_slit_between(a, *c) ||
+            m_compass.is_slit_between(b, *c)) {
             refuse(place, m_locked);
             return std::nullopt;
         }
         return is_allowed(place, *c) ? c : std::nullopt;
     }
 
-    /// To the cell at a place whose other three vertices are known; of several the one nearest to the seed.
-    std::optional<Place> inward_diagonal(const Place& place) const {
-        std::optional<Place> inward;
-        for (const Place& diagonal : k_diagonals) {
-            const Place d = place + diagonal;
-            if (find(d) < 0 || find(place + Place{diagonal.i, 0}) < 0 || find(place + Place{0, diagonal.j}) < 0)
-                continue;
-            if (!inward || place + *inward > d) inward = diagonal;
-        }
-        return inward;
+    /// Of the cells at a place whose other three vertices are known: the one nearest to the seed; on a surface with
+    /// slits, where there can be several vertices at a place, all of them, that one first.
+    std::vector<Corner> corners_at(const Place& place) const {
+        std::vector<Corner> corners;
+        for (const Place& diagonal : k_diagonals)
+            for (int d = find(place + diagonal); d >= 0; d = m_other_at[d]) {
+                const int a = find(place + Place{diagonal.i, 0}, d), b = find(place + Place{0, diagonal.j}, d);
+                if (a >= 0 && b >= 0) corners.push_back({d, a, b});
+            }
+        std::stable_sort(corners.begin(), corners.end(),
+                         [&](const Corner& x, const Corner& y) { return m_places[y.d] > m_places[x.d]; });
+        if (!m_slits && corners.size() > 1) corners.erase(corners.begin() + 1, corners.end());
+        return corners;
     }
 
     /// At the rim, where no vertex has three of a cell's before it, the net line nearest to the seed goes one edge
@@ -181,10 +189,11 @@ private:
         while (!m_rim.empty()) {
             const auto [place, from] = m_rim.top();
             m_rim.pop();
-            const Place back = {2 * from.i - place.i, 2 * from.j - place.j};
-            if (find(back) < 0 || !is_in_the_open(place, from) || !is_on_surface(vertex(from))) continue;
-            Eigen::Vector3d direction = vertex(from).position - vertex(back).position;
-            const auto next = m_compass.straight_on(vertex(from), direction);
+            const Place here = m_places[from];
+            const int back = find({2 * here.i - place.i, 2 * here.j - place.j}, from);
+            if (back < 0 || !is_in_the_open(place, here) || !is_on_surface(m_vertices[from])) continue;
+            Eigen::Vector3d direction = m_vertices[from].position - m_vertices[back].position;
+            const auto next = m_compass.straight_on(m_vertices[from], direction);
             if (!next || !is_allowed(place, *next)) continue;
             add(place, *next);
             return true;
@@ -217,18 +226,23 @@ private:
 
     /// Whether a new vertex is not one edge away from a neighbour, or on what other vertices have covered.
     bool meets_net(const Place& place, const DrapedVertex& next) const {
-        for (const Place& step : k_steps) {
-            const int neighbour = find(place + step);
-            if (neighbour < 0) continue;
-            const double distance = (m_vertices[neighbour].position - next.position).norm();
-            if (std::abs(distance - m_options.length) > k_exact * m_options.length) return true;
-        }
+        for (const Place& step : k_steps)
+            for (int neighbour = find(place + step); neighbour >= 0; neighbour = m_other_at[neighbour])
+                if (!is_one_edge(m_vertices[neighbour], next) &&
+                    !m_compass.is_slit_between(m_vertices[neighbour], next))
+                    return true;
+        for (int same = find(place); same >= 0; same = m_other_at[same])
+            if (!m_compass.is_slit_between(m_vertices[same], next)) return true;
         return m_surroundings.any_near(next.position, [&](int other) {
             const Place& there = m_places[other];
             return std::abs(there.i - place.i) + std::abs(there.j - place.j) > k_near_steps &&
                    (m_vertices[other].position - next.position).norm() < k_least_distance * m_options.length &&
-                   m_vertices[other].normal.dot(next.normal) > 0;
+                   m_vertices[other].normal.dot(next.normal) > 0 && !m_compass.is_slit_between(m_vertices[other], next);
         });
+    }
+
+    bool is_one_edge(const DrapedVertex& a, const DrapedVertex& b) const {
+        return std::abs((a.position - b.position).norm() - m_options.length) <= k_exact * m_options.length;
     }
 
     /// Of the corners of a cell.
@@ -240,22 +254,25 @@ private:
         return true;
     }
 
-    void add(const Place& place, const DrapedVertex& vertex) {
+    int add(const Place& place, const DrapedVertex& vertex) {
         if (std::ssize(m_vertices) == k_most_draped_vertices)
             throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
                                                   " vertices: the edges are too short for this surface");
         const int number = static_cast<int>(m_vertices.size());
         m_vertices.push_back(vertex);
         m_places.push_back(place);
-        m_at.emplace(key(place), number);
+        m_other_at.push_back(find(place));
+        m_at[key(place)] = number;
         m_surroundings.add(vertex.position, number);
+        const auto wait_for = [&](const Place& next) {
+            if (m_slits || find(next) < 0) m_waiting.push(next);
+        };
         for (const Place& step : k_steps) {
-            m_rim.push({place + step, place});
-            if (find(place + step) >= 0) continue;
-            m_waiting.push(place + step);
+            m_rim.push({place + step, number});
+            wait_for(place + step);
         }
-        for (const Place& diagonal : k_diagonals)
-            if (find(place + diagonal) < 0) m_waiting.push(place + diagonal);
+        for (const Place& diagonal : k_diagonals) wait_for(place + diagonal);
+        return number;
     }
 
     // --------------------------------------------------------------------------------------------------- the result
@@ -269,8 +286,7 @@ private:
 
     BorderCut left_by_border(const std::vector<std::array<int, 4>>& cells) const {
         if (m_options.border == DrapeOptions::Border::cut)
-            return cut_at_border(m_compass.surface(), m_compass.tree(), m_options.length, m_options.smallest_angle,
-                                 m_vertices, cells);
+            return cut_at_border(m_compass, m_options.smallest_angle, m_vertices, cells);
         BorderCut whole;
         for (const auto& cell : cells) whole.faces.emplace_back(cell.begin(), cell.end());
         return whole;
@@ -288,10 +304,12 @@ private:
         std::vector<std::array<int, 4>> cells;
         for (std::size_t v = 0; v < m_vertices.size(); ++v) {
             const Place& place = m_places[v];
-            const std::array<int, 4> cell{static_cast<int>(v), find(place + Place{1, 0}), find(place + Place{1, 1}),
-                                          find(place + Place{0, 1})};
+            const int d = static_cast<int>(v);
+            const int a = find(place + Place{1, 0}, d), b = find(place + Place{0, 1}, d);
+            const std::array<int, 4> cell{d, a, a < 0 ? -1 : find(place + Place{1, 1}, a), b};
             const auto at = [&](int k) { return m_vertices[cell[k]].position; };
             if (*std::min_element(cell.begin(), cell.end()) < 0) continue;
+            if (m_compass.is_slit_between(m_vertices[b], m_vertices[cell[2]])) continue;
             if (std::none_of(cell.begin(), cell.end(), [&](int c) { return is_on_surface(m_vertices[c]); })) continue;
             if (keeps_limit({at(0), at(1), at(2), at(3)})) cells.push_back(cell);
         }
@@ -300,22 +318,28 @@ private:
 
     /// Those that are joined by edges to the first one at the seed.
     std::vector<std::array<int, 4>> connected(const std::vector<std::array<int, 4>>& cells) const {
-        std::unordered_map<std::uint64_t, int> cell_at;
-        for (std::size_t c = 0; c < cells.size(); ++c) cell_at.emplace(key(m_places[cells[c][0]]), static_cast<int>(c));
+        const auto side_key = [](int from, int to) { return key({from, to}); };
+        std::unordered_map<std::uint64_t, int> cell_at;  // by sides, which run counterclockwise
+        cell_at.reserve(4 * cells.size());
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            for (std::size_t k = 0; k < 4; ++k)
+                cell_at.emplace(side_key(cells[c][k], cells[c][(k + 1) % 4]), static_cast<int>(c));
         std::vector<bool> is_reached(cells.size());
         std::vector<int> waiting;
-        const auto reach = [&](const Place& place) {
-            const auto found = cell_at.find(key(place));
-            if (found == cell_at.end() || is_reached[found->second]) return;
-            is_reached[found->second] = true;
-            waiting.push_back(found->second);
+        const auto reach = [&](int cell) {
+            if (!is_reached[cell]) waiting.push_back(cell);
+            is_reached[cell] = true;
         };
-        for (const Place& corner : {Place{0, 0}, Place{-1, 0}, Place{-1, -1}, Place{0, -1}})
-            if (waiting.empty()) reach(corner);
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t c = 0; c < cells.size() && waiting.empty(); ++c)
+                if (cells[c][k] == 0) reach(static_cast<int>(c));
         while (!waiting.empty()) {
-            const Place place = m_places[cells[waiting.back()][0]];
+            const std::array<int, 4>& cell = cells[waiting.back()];
             waiting.pop_back();
-            for (const Place& step : k_steps) reach(place + step);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto found = cell_at.find(side_key(cell[(k + 1) % 4], cell[k]));
+                if (found != cell_at.end()) reach(found->second);
+            }
         }
         std::vector<std::array<int, 4>> reached;
         for (std::size_t c = 0; c < cells.size(); ++c)
@@ -331,24 +355,42 @@ private:
         const auto found = m_at.find(key(place));
         return found == m_at.end() ? -1 : found->second;
     }
-    const DrapedVertex& vertex(const Place& place) const { return m_vertices[m_at.at(key(place))]; }
+    /// The vertex at a place beside that of another: of several, the one on its side of slits. −1 if there is none.
+    int find(const Place& place, int beside) const {
+        int vertex = find(place);
+        if (!m_slits) return vertex;
+        const DrapedVertex& other = m_vertices[beside];
+        while (vertex >= 0 &&
+               (!is_one_edge(m_vertices[vertex], other) || m_compass.is_slit_between(m_vertices[vertex], other)))
+            vertex = m_other_at[vertex];
+        return vertex;
+    }
+    static std::optional<Slits> slits_of(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
+        std::optional<Slits> slits;
+        if (options.slits) slits.emplace(surface, tree, options.length);
+        if (slits && slits->none()) slits.reset();
+        return slits;
+    }
     void refuse(const Place& place, int& count) {
         if (m_refused.emplace(key(place), true).second) ++count;
     }
     bool is_refused(const Place& place) const { return m_refused.contains(key(place)); }
 
     struct Extension {
-        Place place, from;
+        Place place;
+        int from;  // a vertex
         bool operator>(const Extension& other) const { return place > other.place; }
     };
     template <class T>
     using Queue = std::priority_queue<T, std::vector<T>, std::greater<>>;
 
     const DrapeOptions& m_options;
+    std::optional<Slits> m_slits;  // if there are any to keep to
     Compass m_compass;
     std::vector<DrapedVertex> m_vertices;
     std::vector<Place> m_places;
-    std::unordered_map<std::uint64_t, int> m_at;  // by places
+    std::unordered_map<std::uint64_t, int> m_at;  // by places: the last vertex there
+    std::vector<int> m_other_at;  // the one before at the same place, beyond a slit; −1 if there is none
     std::unordered_map<std::uint64_t, bool> m_refused;
     Surroundings m_surroundings;
     Queue<Place> m_waiting;

@@ -26,6 +26,8 @@ struct DrapeOptions {
     double smallest_angle = std::numbers::pi / 6;          ///< no corner is sharper, nor blunter than π less it
     int reach = std::numeric_limits<int>::max();           ///< cells from the seed along either family
     Border border = Border::beyond;
+    /// Where boundary runs along boundary, as along a cut, no edge goes across. Else what is near enough is joined.
+    bool slits = false;
 };
 
 /// A beginning for want of a better one: from the point nearest to the centre of mass, along the x axis or, where that

@@ -36,7 +36,10 @@ Feature feature_at(const Surface& surface, const SurfacePoint& at) {
 }  // namespace
 
 Height height_of(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point, int guess) {
-    const SurfaceTree::Nearest nearest = tree.nearest(point, guess);
+    return height_at(surface, tree.nearest(point, guess), point);
+}
+
+Height height_at(const Surface& surface, const SurfaceTree::Nearest& nearest, const Eigen::Vector3d& point) {
     const auto [normal, is_boundary, dimension, along] = feature_at(surface, nearest.at);
     const Eigen::Vector3d away = point - nearest.position;
     const double along_normal = away.dot(normal);

@@ -17,6 +17,8 @@ struct Height {
 /// The height changes continuously from 0 on the surface, so that its sign tells the sides apart near it (by normals of
 /// edges and vertices, Bærentzen & Aanæs 2005). `guess`: a triangle near the point.
 Height height_of(const Surface& surface, const SurfaceTree& tree, const Eigen::Vector3d& point, int guess);
+/// The same, where the nearest point is known.
+Height height_at(const Surface& surface, const SurfaceTree::Nearest& nearest, const Eigen::Vector3d& point);
 
 /// The same as a vector, and how it changes with the point.
 struct Offset {

@@ -21,6 +21,8 @@ namespace {
 constexpr double k_far = 0.05;   // of the surface's size: a point that far off is not meant to be on it
 constexpr double k_snap = 1e-3;  // of an edge: nearer to its end a cut goes through that
 
+constexpr double k_at_border = 0.01;  // likewise: an end of a cut that near to the border is meant to be on it
+
 using Corners = std::array<int, 3>;
 using Edge = std::pair<int, int>;  // its lesser vertex first
 using Edges = std::set<Edge>;
@@ -260,7 +262,8 @@ SurfacePath path_of(const Surface& surface, const CutLine& line, const std::stri
 void halve_if_single(const Surface& surface, SurfacePath& path) {
     if (path.points.size() != 2) return;
     const int face = path.faces[0];
-    const Eigen::Vector3d weights = *weights_in(surface, path.points[0], face) + *weights_in(surface, path.points[1], face);
+    const Eigen::Vector3d weights =
+        *weights_in(surface, path.points[0], face) + *weights_in(surface, path.points[1], face);
     path.points.insert(path.points.begin() + 1, {face, weights / 2});
     path.faces.push_back(face);
 }
@@ -288,7 +291,8 @@ SurfacePoint found_in(const Split& split, const Surface& surface, const SurfaceP
     SurfacePoint best{-1, Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity())};
     for (auto parent = first; parent != last; ++parent) {
         const int face = static_cast<int>(parent - split.parents.begin());
-        const Eigen::Vector3d weights = plane_weights(split.surface.positions()(Eigen::all, split.surface.triangles().col(face)), position, normal);
+        const Eigen::Vector3d weights =
+            plane_weights(split.surface.positions()(Eigen::all, split.surface.triangles().col(face)), position, normal);
         if (best.face < 0 || weights.minCoeff() > best.weights.minCoeff()) best = {face, weights};
     }
     if (last - first == 1) return {best.face, point.weights};
@@ -344,6 +348,25 @@ Mesh opened(const Surface& surface, const Edges& edges) {
     return mesh;
 }
 
+/// The point of the border nearest to another; a number below 0 as its face if there is no border.
+SurfacePoint nearest_on_border(const Surface& surface, const Eigen::Vector3d& point) {
+    SurfacePoint best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < 3 * surface.face_count(); ++side) {
+        if (surface.opposite(side) >= 0) continue;
+        const Eigen::Vector3d from = surface.positions().col(surface.from(side)),
+                              along = surface.positions().col(surface.to(side)) - from;
+        const double part = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const double distance = (from + part * along - point).norm();
+        if (distance >= least) continue;
+        least = distance;
+        best = {Surface::face_of(side), Eigen::Vector3d::Zero()};
+        best.weights[side % 3] = 1 - part;
+        best.weights[Surface::next(side) % 3] = part;
+    }
+    return best;
+}
+
 }  // namespace
 
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points) {
@@ -357,6 +380,10 @@ CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Position
         if (nearest.distance > k_far * size)
             refuse(name + " is " + std::to_string(nearest.distance) + " away from the surface");
         line.push_back(nearest.at);
+        if (k > 0 && k + 1 < points.cols()) continue;
+        const SurfacePoint border = nearest_on_border(surface, nearest.position);
+        if (border.face >= 0 && (surface.position_at(border) - nearest.position).norm() < k_at_border * size)
+            line.back() = border;
     }
     return line;
 }

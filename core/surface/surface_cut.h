@@ -12,8 +12,9 @@ namespace chebnet {
 /// shortest_path); where the last is the first again, the cut is closed.
 using CutLine = std::vector<SurfacePoint>;
 
-/// The points of a surface nearest to some points in space (3×N). Throws Error bad_option naming the first that is
-/// farther from it than a twentieth of the surface's size, non_finite.
+/// The points of a surface nearest to some points in space (3×N); the first and the last go on to the border where that
+/// is nearer than a hundredth of the surface's size: a hand does not meet it. Throws Error bad_option naming the first
+/// that is farther from it than a twentieth of the surface's size, non_finite.
 CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points);
 
 /// How a cut runs over a surface, to be drawn: 3×N. Throws Error as cut_open does.

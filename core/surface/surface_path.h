@@ -15,8 +15,8 @@ struct SurfacePath {
     double length = 0;
 };
 
-/// The point itself, or where it is nearer to an edge or a vertex than a thousandth of its triangle's heights, the point
-/// there: its weights for the corners elsewhere are 0.
+/// The point itself, or where it is nearer to an edge or a vertex than a thousandth of its triangle's heights, the
+/// point there: its weights for the corners elsewhere are 0.
 SurfacePoint snapped(const SurfacePoint& point);
 
 /// The weights of a point for the corners of a triangle on which it lies, too; nothing if it does not, as its weights
@@ -24,11 +24,11 @@ SurfacePoint snapped(const SurfacePoint& point);
 std::optional<Eigen::Vector3d> weights_in(const Surface& surface, const SurfacePoint& point, int face);
 
 /// A locally shortest path from `from` to `to`, both snapped: no other near it is shorter. Begun with the triangles on
-/// the shortest way over middles of edges, it is pulled taut within them (the funnel of Lee & Preparata 1984), and where
-/// it bends around a vertex led along that one's other side if that is shorter, until no such change is (Xin & Wang:
-/// Efficiently determining a locally exact shortest path on polyhedral surfaces, 2007). Where it passes an edge nearer
-/// to a vertex than a thousandth of the edge, it goes through the vertex. Nothing if the two are on different pieces of
-/// the surface: its `points` are empty.
+/// the shortest way over middles of edges, it is pulled taut within them (the funnel of Lee & Preparata 1984), and
+/// where it bends around a vertex led along that one's other side if that is shorter, until no such change is (Xin &
+/// Wang: Efficiently determining a locally exact shortest path on polyhedral surfaces, 2007). Where it passes an edge
+/// nearer to a vertex than a thousandth of the edge, it goes through the vertex. Nothing if the two are on different
+/// pieces of the surface: its `points` are empty.
 SurfacePath shortest_path(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to);
 
 }  // namespace chebnet

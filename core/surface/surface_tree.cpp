@@ -133,6 +133,14 @@ void SurfaceTree::visit_nearest(int number, const Eigen::Vector3d& point, double
     if (far.first < least) visit_nearest(far.second, point, least, best);
 }
 
+SurfaceTree::Nearest SurfaceTree::nearest_in(int face, const Eigen::Vector3d& point) const {
+    Nearest nearest{};
+    double square = k_infinity;
+    consider(face, point, square, nearest);
+    nearest.distance = std::sqrt(square);
+    return nearest;
+}
+
 void SurfaceTree::consider(int face, const Eigen::Vector3d& point, double& least, Nearest& best) const {
     const Eigen::Vector3i t = m_surface.triangles().col(face);
     const Positions& x = m_surface.positions();

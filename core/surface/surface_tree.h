@@ -26,6 +26,9 @@ public:
     /// The same point, found faster where it is close to the triangle `guess`.
     Nearest nearest(const Eigen::Vector3d& point, int guess) const;
 
+    /// The nearest point of one triangle.
+    Nearest nearest_in(int face, const Eigen::Vector3d& point) const;
+
     struct Hit {
         SurfacePoint at;
         Eigen::Vector3d position;

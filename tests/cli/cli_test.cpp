@@ -488,6 +488,46 @@ TEST_CASE("drape lays a net on a surface, reports and writes") {
     CHECK(strict.at("net").at("refused_by_the_shear_limit") > 0);
 }
 
+TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each and of all") {
+    const Sandbox box;
+    write_saddle(box, "saddle.obj", 31);
+    const std::string drape = "drape saddle.obj --edge 0.1 --cut ";
+    const Run run = box.run(drape + "--cut-along -1,0.21,-0.1 1,0.33,0.1 --out two.obj");
+    CHECK(run.exit_code != 0);  // points are one argument
+    const json two = box.run(drape + "--cut-along \"-1,0.21,-0.1 1,0.33,0.1\" --out two.obj").json();
+    CHECK(two.at("described").at("components") == 2);
+    REQUIRE(two.at("pieces").size() == 2);
+    int cells = 0;
+    for (const json& piece : two.at("pieces")) {
+        CHECK(piece.at("net").at("coverage") > 0.98);
+        CHECK(piece.at("net").at("smallest_corner_angle_degrees") >= 30);
+        cells += piece.at("net").at("cells").get<int>();
+    }
+    CHECK(two.at("net").at("cells") == cells);
+    CHECK(two.at("net").at("coverage") > 0.98);
+    CHECK(two.at("net").at("max_dL") < 1e-12);
+    CHECK(box.run("info two.obj").json().at("components") == 2);
+
+    const json slit = box.run(drape + "--cut-along \"-1,0,0 0.2,0,0\"").json();
+    CHECK(slit.at("pieces").size() == 1);
+    const json cross = box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --cut-along \"0,-1,0 0,1,0\"").json();
+    CHECK(cross.at("pieces").size() == 4);
+    const json chosen = box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --direction 1 1 0").json();
+    CHECK(chosen.at("pieces")[1].contains("no_net") != chosen.at("pieces")[0].contains("no_net"));
+
+    const json proposed = box.run("drape --surface pebble --cells 300 --propose-cuts 1").json();
+    REQUIRE(proposed.at("proposed").at("cuts").size() == 1);
+    const json& best = proposed.at("proposed").at("cuts")[0];
+    CHECK(best.at("coverage_with_it") > proposed.at("proposed").at("coverage_uncut"));
+    CHECK(proposed.at("net").at("coverage") == best.at("coverage_with_it"));
+
+    check_refused(box.run(drape + "--cut-along \"0,0 1,0,0\""), "\"0,0\" should be three numbers");
+    check_refused(box.run(drape + "--cut-along \"0,0,0 1,x,0\""), "\"x\" is not a number");
+    check_refused(box.run(drape + "--cut-along \"0,0,0\""), "cut 1 needs at least two points");
+    check_refused(box.run(drape + "--cut-along \"0,0,0 0,0,3\""), "away from the surface");
+    check_refused(box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --seed 0.1 0.5 0"), "seed 2");
+}
+
 TEST_CASE("drape takes surfaces of our own, and begins in the middle") {
     const Sandbox box;
     const json report = box.run("drape --surface hypar --cells 500 -o net.obj").json();

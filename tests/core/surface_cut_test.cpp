@@ -82,7 +82,8 @@ TEST_CASE("A path in a plane is the straight line between its ends, whatever the
 TEST_CASE("A path on a sphere is nearly an arc of a great circle, and goes round what is in its way") {
     const Surface sphere(samples::sphere(24));
     const CutLine arc = line_at(sphere, {{1, 0.1, 0.2}, {-0.5, 0.9, -0.2}});
-    const double angle = std::acos(sphere.position_at(arc[0]).normalized().dot(sphere.position_at(arc[1]).normalized()));
+    const double angle =
+        std::acos(sphere.position_at(arc[0]).normalized().dot(sphere.position_at(arc[1]).normalized()));
     CHECK(length_of(cut_path(sphere, arc)) == Approx(angle).epsilon(5e-3));
 
     // A cylinder whose shorter way is across the seam between first and last column.
@@ -183,9 +184,7 @@ TEST_CASE("Two random lines cut a square into the pieces that they do in the pla
 TEST_CASE("A cut that cannot be made is refused, with the reason and the place") {
     const Surface square(samples::plane(9, 1));
     const auto refused = [](const Surface& surface, const std::vector<std::vector<Eigen::Vector3d>>& lines,
-                            const std::string& why) {
-        CHECK_THROWS_WITH(cut(surface, lines), Contains(why));
-    };
+                            const std::string& why) { CHECK_THROWS_WITH(cut(surface, lines), Contains(why)); };
     refused(square, {{{0, 0, 0}}}, "cut 1 needs at least two points");
     refused(square, {{{0, 0, 0}, {0.5, 0, 1}}}, "point 2 of a cut is 1.0");
     refused(square, {{{0, 0, 0}, {0.5, std::nan(""), 1}}}, "point 2 of a cut has a coordinate that is not finite");

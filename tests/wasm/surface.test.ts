@@ -112,6 +112,38 @@ describe('a net on it', () => {
     });
   });
 
+  test('is one for each piece of a surface that is cut, as the native program has them', () => {
+    withSurface(chebnet.ownSurface('shell'), (shell) => {
+      const suggested = shell.suggest(300);
+      const [from, to] = [shell.nearest([-50, 0.3, 0]).position, shell.nearest([50, 0.2, 0]).position];
+      const path = shell.cutPath([from, to]);
+      expect([...path.slice(0, 2), ...path.slice(-3, -1)].every(Number.isFinite)).toBe(true);
+      withSurface(shell.cut([[from, to]]), (halves) => {
+        expect([halves.describe().components, halves.describe().boundaryLoops]).toEqual([2, 2]);
+        expect(halves.describe().area).toBeCloseTo(shell.describe().area, 9);
+        const { mesh, places, pieces, bare } = halves.drapePieces(suggested);
+        expect([pieces, bare]).toEqual([2, 0]);
+        expect(places).toHaveLength((2 * mesh.positions.length) / 3);
+        expect([places[0], shell.measure(mesh).coverage > 0.98]).toEqual([0, true]);
+        const cut = [from, to].map((point) => point.join(',')).join(' ');
+        const command = ['drape', '--surface', 'shell', '--edge', `${suggested.length}`, '--cut-along', cut];
+        const report = JSON.parse(execFileSync(PROGRAM, command, { encoding: 'utf8' }));
+        expect(report.pieces).toHaveLength(2);
+        expect(report.described.area).toBeCloseTo(halves.describe().area, 9);
+      });
+      expect(() => shell.cut([[from]])).toThrow('cut 1 needs at least two points');
+    });
+  });
+
+  test('covers more with the cuts that are proposed', () => {
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      const suggested = pebble.suggest(300);
+      const { cuts, coverage } = pebble.proposeCuts(suggested, 1);
+      expect(cuts).toHaveLength(1);
+      expect(coverage[1]).toBeGreaterThan(coverage[0]! + 0.005);
+    });
+  }, 60_000);
+
   test('is cut at the border as the native program does', () => {
     withSurface(chebnet.ownSurface('shell'), (shell) => {
       const suggested = shell.suggest(300);

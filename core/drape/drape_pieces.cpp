@@ -1,0 +1,115 @@
+#include "drape/drape_pieces.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "drape/bridged_drape.h"
+#include "drape/proposals.h"
+#include "surface/guide.h"
+#include "surface/surface_cut.h"
+
+namespace chebnet {
+
+namespace {
+
+int piece_of(const Surface& surface, const Eigen::Vector3d& point) {
+    return surface.components()[SurfaceTree(surface).nearest(point).at.face];
+}
+
+/// By the numbers of the pieces on which they are.
+std::map<int, Eigen::Vector3d> seeds_by_piece(const Surface& surface, const std::vector<Eigen::Vector3d>& seeds) {
+    const SurfaceTree tree(surface);
+    const std::vector<int> component = surface.components();
+    std::map<int, Eigen::Vector3d> by_piece;
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+        if (!seeds[k].allFinite())
+            throw Error(ErrorCode::non_finite,
+                        "seed " + std::to_string(k + 1) + " has a coordinate that is not finite");
+        if (!by_piece.emplace(component[tree.nearest(seeds[k]).at.face], seeds[k]).second)
+            throw Error(ErrorCode::bad_option,
+                        "seed " + std::to_string(k + 1) + " is on a piece of the surface that has another already");
+    }
+    return by_piece;
+}
+
+DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
+    const DrapeOptions suggested = suggested_drape(piece.surface(), piece.tree(), 1);
+    DrapeOptions own = options.drape;
+    own.seed = suggested.seed;
+    if (!options.has_direction) own.direction = suggested.direction;
+    if (options.best) own = propose_drapes(piece.surface(), piece.tree(), own).front().options;
+    if (seed != nullptr) own.seed = *seed;
+    if (options.has_direction) own.direction = options.drape.direction;
+    return own;
+}
+
+DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, DrapeOptions own, double leave) {
+    own.slits = true;
+    Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
+    const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net);
+    return {number, piece->surface().area(), own, std::move(draped), report};
+}
+
+DrapedPiece draped_piece(int number, const std::shared_ptr<const Guide>& piece, const PiecesOptions& options,
+                         const Eigen::Vector3d* seed) {
+    return draped_from(number, piece, options_on(*piece, options, seed), options.leave);
+}
+
+}  // namespace
+
+Net side_by_side(const std::vector<DrapedPiece>& pieces) {
+    Eigen::Index count = 0;
+    for (const DrapedPiece& piece : pieces) count += piece.drape.net.vertex_count();
+    Positions positions(3, count);
+    Faces faces;
+    int first = 0;
+    for (const DrapedPiece& piece : pieces) {
+        const Net& net = piece.drape.net;
+        positions.middleCols(first, net.vertex_count()) = net.rest_positions();
+        for (int f = 0; f < net.face_count(); ++f) {
+            std::vector<int> face(net.faces()[f].begin(), net.faces()[f].end());
+            for (int& vertex : face) vertex += first;
+            faces.add(face);
+        }
+        first += net.vertex_count();
+    }
+    return Net(std::move(positions), std::move(faces));
+}
+
+DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& options) {
+    check_drape(surface, options.drape);
+    const std::map<int, Eigen::Vector3d> seeds = seeds_by_piece(surface, options.seeds);
+    std::vector<Surface> pieces = pieces_of(surface);
+    const int first = options.first_seed ? piece_of(surface, options.drape.seed) : -1;
+    std::vector<DrapedPiece> draped;
+    std::vector<BarePiece> bare;
+    std::optional<Error> refused;
+    for (int number = 0; number < std::ssize(pieces); ++number) {
+        const double area = pieces[number].area();
+        const auto seed = seeds.find(number);
+        if (!seeds.empty() && seed == seeds.end()) {
+            bare.push_back({number, area, "no seed is on it"});
+            continue;
+        }
+        try {
+            const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
+            draped.push_back(number == first
+                                 ? draped_from(number, piece, options.drape, options.leave)
+                                 : draped_piece(number, piece, options, seed == seeds.end() ? nullptr : &seed->second));
+        } catch (const Error& error) {
+            if (!refused) refused = error;
+            bare.push_back({number, area, error.what()});
+        }
+    }
+    if (draped.empty()) throw *refused;
+    std::stable_partition(draped.begin(), draped.end(), [&](const DrapedPiece& piece) { return piece.piece == first; });
+    Net net = side_by_side(draped);
+    const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net);
+    return {std::move(net), std::move(draped), std::move(bare), report};
+}
+
+}  // namespace chebnet

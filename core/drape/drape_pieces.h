@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "drape/drape.h"
+
+namespace chebnet {
+
+/// How nets are laid on the pieces of a surface.
+struct PiecesOptions {
+    DrapeOptions drape;          ///< of each; seed and direction are chosen anew
+    bool best = false;           ///< each begins where the best of several trials does (see propose_drapes)
+    double leave = 0;            ///< above 0: how far each may leave the surface (see bridged_drape), in edge lengths
+    bool has_direction = false;  ///< all have the direction of `drape`
+    bool first_seed = false;     ///< on its piece, the net has the seed and the direction of `drape`
+    std::vector<Eigen::Vector3d> seeds;  ///< none: a net on each piece; else one for each of these, on its piece
+};
+
+/// A net on one piece.
+struct DrapedPiece {
+    int piece;  ///< in the order of pieces_of()
+    double area;
+    DrapeOptions options;
+    Drape drape;
+    DrapeReport report;  ///< of this piece alone
+};
+
+/// A piece that has no net, and why.
+struct BarePiece {
+    int piece;
+    double area;
+    std::string reason;
+};
+
+struct DrapedPieces {
+    Net net;  ///< of all pieces, one behind the other in the order of `draped`, no two joined; that of `first_seed`
+              ///< comes first, others in the order of their numbers
+    std::vector<DrapedPiece> draped;
+    std::vector<BarePiece> bare;
+    DrapeReport report;  ///< of all, on the whole surface
+};
+
+/// A net on each piece of a surface that may have been cut open (see cut_open), all with edges of one length: each lies
+/// on its piece alone, and no edge goes across a slit. Throws Error bad_option where two seeds are on one piece, and as
+/// drape() does if not one piece takes a net.
+DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& options);
+
+/// Nets as one, with no vertex in common.
+Net side_by_side(const std::vector<DrapedPiece>& pieces);
+
+}  // namespace chebnet

@@ -1,0 +1,159 @@
+#include "drape/slits.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "base/error.h"
+#include "surface/geodesics.h"
+
+namespace chebnet {
+
+namespace {
+
+// A weight below it counts as 0.
+constexpr double k_on_side = 1e-9;
+// Triangles no farther from a slit than so many edges of the net are near it.
+constexpr double k_near = 3;
+
+using Ends = std::array<double, 6>;
+
+}  // namespace
+
+Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach) : m_surface(surface), m_tree(tree) {
+    find_banks();
+    if (!none()) find_near(reach);
+}
+
+/// Sides at the boundary whose ends are those of another one, the other way round, and their vertices, numbered by runs
+/// along the boundary. At the end of a slit it turns back.
+void Slits::find_banks() {
+    const auto ends = [&](int from, int to) {
+        const Eigen::Vector3d a = m_surface.positions().col(from), b = m_surface.positions().col(to);
+        return Ends{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+    };
+    std::map<Ends, int> side_at;
+    const std::vector<std::vector<int>> loops = m_surface.boundary_loops();
+    for (const std::vector<int>& loop : loops)
+        for (const int side : loop) side_at.emplace(ends(m_surface.from(side), m_surface.to(side)), side);
+    const auto twin = [&](int side) {
+        const auto found = side_at.find(ends(m_surface.to(side), m_surface.from(side)));
+        return found == side_at.end() ? -1 : found->second;
+    };
+    const auto turns_back = [&](int side, int next) { return twin(side) == next; };
+    int bank = 0;
+    for (const std::vector<int>& loop : loops) {
+        const std::size_t n = loop.size();
+        std::size_t start = 0;  // behind a place where no bank goes on
+        for (std::size_t k = 0; k < n; ++k)
+            if (twin(loop[k]) < 0 || turns_back(loop[k], loop[(k + 1) % n])) start = (k + 1) % n;
+        ++bank;
+        for (std::size_t k = 0; k < n; ++k) {
+            const int side = loop[(start + k) % n], next = loop[(start + k + 1) % n];
+            if (twin(side) < 0) {
+                ++bank;
+                continue;
+            }
+            if (none()) m_bank_of.assign(static_cast<std::size_t>(m_surface.vertex_count()), 0);
+            const int before = loop[(start + k + n - 1) % n];
+            if (!turns_back(before, side)) m_bank_of[m_surface.from(side)] = bank;
+            if (turns_back(side, next))
+                ++bank;
+            else
+                m_bank_of[m_surface.to(side)] = bank;
+        }
+    }
+}
+
+void Slits::find_near(double reach) {
+    std::vector<SurfacePoint> sources;
+    for (int side = 0; side < 3 * m_surface.face_count(); ++side)
+        if (m_bank_of[m_surface.from(side)] > 0) {
+            sources.push_back({Surface::face_of(side), Eigen::Vector3d::Zero()});
+            sources.back().weights[side % 3] = 1;
+        }
+    const std::vector<double> distances = geodesic_distances(m_surface, sources);
+    m_is_near.resize(static_cast<std::size_t>(m_surface.face_count()));
+    for (int f = 0; f < m_surface.face_count(); ++f) {
+        const Eigen::Vector3i corners = m_surface.triangles().col(f);
+        const double nearest = std::min({distances[corners[0]], distances[corners[1]], distances[corners[2]]});
+        m_is_near[f] = nearest <= k_near * reach;
+    }
+}
+
+int Slits::bank_of(const SurfacePoint& point) const {
+    int bank = 0;
+    for (int k = 0; k < 3; ++k)
+        if (point.weights[k] > k_on_side) {
+            const int vertex = m_surface.triangles()(k, point.face);
+            if (m_surface.is_boundary(vertex)) bank = std::max(bank, m_bank_of[vertex]);
+        }
+    // Inside a triangle, or on a side that is none of the boundary, a point is on no bank.
+    const int corners = static_cast<int>((point.weights.array() > k_on_side).count());
+    if (corners == 3) return 0;
+    if (corners == 2) {
+        int across = 0;
+        point.weights.minCoeff(&across);
+        if (m_surface.opposite(Surface::next(3 * point.face + across)) >= 0) return 0;
+    }
+    return bank;
+}
+
+SurfaceTree::Nearest Slits::nearest(const Eigen::Vector3d& point, int from) const {
+    if (none() || !m_is_near[from]) return m_tree.nearest(point, from);
+    const SurfaceTree::Nearest near = descended(point, from);
+    // What ends at no slit may have ended in a fold.
+    return bank_of(near.at) > 0 ? near : m_tree.nearest(point, near.at.face);
+}
+
+/// From triangle to triangle as long as that leads nearer to a point.
+SurfaceTree::Nearest Slits::descended(const Eigen::Vector3d& point, int from) const {
+    SurfaceTree::Nearest best = m_tree.nearest_in(from, point);
+    for (bool is_better = true; is_better;) {
+        is_better = false;
+        const SurfacePoint here = best.at;
+        for (int k = 0; k < 3; ++k) {
+            if (here.weights[k] == 0) continue;
+            // All triangles around the corners between which the point is.
+            if ((here.weights.array() == 0).count() == 0) break;
+            const int first = m_surface.first_side(m_surface.triangles()(k, here.face));
+            for (int side = first; side >= 0;) {
+                const SurfaceTree::Nearest next = m_tree.nearest_in(Surface::face_of(side), point);
+                if (next.distance < best.distance) best = next, is_better = true;
+                side = m_surface.around(side);
+                if (side == first) break;
+            }
+        }
+    }
+    return best;
+}
+
+/// Whether the straight way from a vertex on the surface to a point near it ends at a slit.
+bool Slits::runs_into_slit(const DrapedVertex& from, const Eigen::Vector3d& to) const {
+    const Eigen::Vector3d direction = to - from.position;
+    try {
+        GeodesicWalk walk(m_surface, from.at, direction);
+        double rest = direction.norm();
+        while (rest > 0 && !walk.is_at_boundary()) rest -= walk.advance(rest);
+        return walk.is_at_boundary() && bank_of(walk.point()) > 0;
+    } catch (const Error&) {
+        return false;  // straight above each other
+    }
+}
+
+bool Slits::reaches_bank(const DrapedVertex& from, const DrapedVertex& banked) const {
+    const Eigen::Vector3d target = m_surface.position_at(banked.at);
+    return bank_of(descended(target, from.at.face).at) == bank_of(banked.at);
+}
+
+bool Slits::part(const DrapedVertex& a, const DrapedVertex& b) const {
+    if (none() || (!m_is_near[a.at.face] && !m_is_near[b.at.face])) return false;
+    const int bank_a = bank_of(a.at), bank_b = bank_of(b.at);
+    if (bank_a > 0 && bank_a == bank_b) return false;
+    if (bank_b > 0) return !reaches_bank(a, b);
+    if (bank_a > 0) return !reaches_bank(b, a);
+    return runs_into_slit(a, b.position);
+}
+
+}  // namespace chebnet

@@ -1,0 +1,170 @@
+#include "drape/drape_pieces.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "base/error.h"
+#include "drape/cut_proposals.h"
+#include "net/measures.h"
+#include "net/topology.h"
+#include "sample_surfaces.h"
+#include "surface/gallery.h"
+#include "surface/surface_cut.h"
+
+using namespace chebnet;
+using Catch::Matchers::Contains;
+
+namespace {
+
+using Border = DrapeOptions::Border;
+
+Positions points(const std::vector<Eigen::Vector3d>& list) {
+    Positions positions(3, std::ssize(list));
+    for (std::size_t k = 0; k < list.size(); ++k) positions.col(static_cast<Eigen::Index>(k)) = list[k];
+    return positions;
+}
+
+Surface cut(const Surface& surface, const std::vector<Eigen::Vector3d>& line) {
+    return cut_open(surface, {{cut_line(surface, SurfaceTree(surface), points(line))}});
+}
+
+PiecesOptions wish(double length, Border border) {
+    PiecesOptions options;
+    options.drape.length = length;
+    options.drape.border = border;
+    return options;
+}
+
+double angle_limit_kept(const DrapedPieces& pieces) { return pieces.report.smallest_angle; }
+
+/// Whether the segments a-b and c-d of the plane cross.
+bool do_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
+    const auto side = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r) {
+        return (q - p).cross(r - p).z();
+    };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+int edges_across(const Net& net, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    int count = 0;
+    for (int e = 0; e < net.edge_count(); ++e)
+        count += do_cross(net.rest_positions().col(net.edges()(0, e)), net.rest_positions().col(net.edges()(1, e)),
+                          from, to);
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("A surface cut in two takes two nets, which lie in one and share nothing") {
+    const Surface saddle(samples::graph(21, 1, [](double x, double y) { return 0.3 * x * y; }));
+    const Surface halves = cut(saddle, {{-1, 0.21, 0}, {0.2, -0.13, 0}, {1, 0.33, 0}});
+    for (const Border border : {Border::inside, Border::beyond, Border::cut}) {
+        const DrapedPieces made = drape_pieces(halves, wish(0.07, border));
+        REQUIRE(made.draped.size() == 2);
+        CHECK(made.bare.empty());
+        CHECK(Topology(made.net).component_count() == 2);
+        CHECK(made.net.vertex_count() ==
+              made.draped[0].drape.net.vertex_count() + made.draped[1].drape.net.vertex_count());
+        CHECK(made.report.max_deviation < 1e-12);
+        CHECK(angle_limit_kept(made) >= std::numbers::pi / 6);
+        CHECK(made.report.length == Approx(0.07));
+        CHECK(made.report.coverage > (border == Border::inside ? 0.85 : 0.99));
+        CHECK(made.draped[0].area + made.draped[1].area == Approx(saddle.area()));
+        for (const DrapedPiece& piece : made.draped)
+            CHECK(piece.report.coverage > (border == Border::inside ? 0.8 : 0.99));
+    }
+}
+
+TEST_CASE("Rods cut at a seam end on it, from either side") {
+    const Surface square(samples::plane(15, 1));
+    const Surface halves = cut(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
+    const DrapedPieces made = drape_pieces(halves, wish(0.11, Border::cut));
+    for (const DrapedPiece& piece : made.draped) {
+        const Positions& x = piece.drape.net.rest_positions();
+        const bool is_upper = x.row(1).mean() > 0.03;
+        CHECK((is_upper ? x.row(1).minCoeff() : x.row(1).maxCoeff()) == Approx(0.03).margin(1e-9 + 0.05 * 0.11));
+        CHECK(piece.drape.cut_ends > 10);
+    }
+    CHECK(made.report.coverage == Approx(1));
+}
+
+TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
+    const Surface square(samples::plane(15, 1));
+    const Eigen::Vector3d from(-1, 0.031, 0), to(0.417, 0.052, 0);
+    const Surface slit = cut(square, {from, to});
+    for (const Border border : {Border::inside, Border::cut}) {
+        PiecesOptions options = wish(0.1, border);
+        options.seeds = {{0.02, -0.5, 0}};
+        const DrapedPieces made = drape_pieces(slit, options);
+        REQUIRE(made.draped.size() == 1);
+        CHECK(edges_across(made.net, from + Eigen::Vector3d(0, 1e-6, 0), to) == 0);
+        CHECK(Topology(made.net).component_count() == 1);
+        CHECK(made.report.coverage > (border == Border::cut ? 0.985 : 0.93));
+        // Without the slit the same net goes across.
+        DrapeOptions across = made.draped[0].options;
+        across.slits = false;
+        CHECK(edges_across(drape(slit, SurfaceTree(slit), across).net, from, to) > 10);
+    }
+}
+
+TEST_CASE("A slit relieves curvature: a cone's tip takes a net that does not go round it") {
+    // A right cone of slope 1 misses 2π (1 − 1/√2) of angle at its tip; slit from there to its border it unrolls.
+    const int around = 72;
+    const Surface cone(samples::quads(around, 25, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / around, r = 0.02 + 0.98 * j / 24;
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), -1.2 * r);
+    }));
+    const Surface slit =
+        cut(cone, {{0.02 * std::cos(0.03), 0.02 * std::sin(0.03), -0.024}, {std::cos(0.03), std::sin(0.03), -1.2}});
+    PiecesOptions options = wish(0.05, Border::inside);
+    options.seeds = {{-0.5, 0.01, -0.6}};
+    const DrapedPieces whole = drape_pieces(cone, options), opened = drape_pieces(slit, options);
+    CAPTURE(whole.report.coverage, opened.report.coverage);
+    CHECK(opened.report.much_sheared == 0);
+    CHECK(whole.report.smallest_angle < 60 * std::numbers::pi / 180);
+    CHECK(opened.report.coverage > 0.93);
+    CHECK(opened.report.smallest_angle > 80 * std::numbers::pi / 180);
+}
+
+TEST_CASE("Seeds choose pieces, and pieces without a net say why") {
+    const Surface square(samples::plane(15, 1));
+    const Surface halves = cut(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
+    PiecesOptions options = wish(0.1, Border::beyond);
+    options.seeds = {{0, 0.5, 0}};
+    const DrapedPieces upper = drape_pieces(halves, options);
+    REQUIRE(upper.draped.size() == 1);
+    REQUIRE(upper.bare.size() == 1);
+    CHECK_THAT(upper.bare[0].reason, Contains("no seed is on it"));
+    CHECK(upper.report.coverage == Approx(0.5).margin(0.05));
+    options.seeds = {{0, 0.5, 0}, {0.3, 0.4, 0}};
+    CHECK_THROWS_WITH(drape_pieces(halves, options), Contains("seed 2 is on a piece"));
+
+    const Surface sliver = cut(square, {{-1, 0.99, 0}, {1, 0.99, 0}});
+    const DrapedPieces rest = drape_pieces(sliver, wish(0.1, Border::inside));
+    CHECK(rest.draped.size() == 1);
+    REQUIRE(rest.bare.size() == 1);
+    CHECK_THAT(rest.bare[0].reason, Contains("no cell"));
+}
+
+TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be gained none is proposed") {
+    const Surface pebble = make_own_surface("pebble");
+    const SurfaceTree tree(pebble);
+    PiecesOptions options;
+    options.first_seed = true;
+    options.drape = suggested_drape(pebble, tree, 500);
+    const CutProposals found = propose_cuts(pebble, options.drape, 2);
+    REQUIRE(found.coverage.size() == found.cuts.size() + 1);
+    REQUIRE_FALSE(found.cuts.empty());
+    for (std::size_t k = 0; k < found.coverage.size(); ++k) {
+        const std::vector<CutLine> cuts(found.cuts.begin(), found.cuts.begin() + static_cast<std::ptrdiff_t>(k));
+        CHECK(drape_pieces(cut_open(pebble, cuts), options).report.coverage == found.coverage[k]);
+        if (k > 0) CHECK(found.coverage[k] > found.coverage[k - 1] + k_least_gain);
+    }
+
+    const Surface square(samples::plane(15, 1));
+    const CutProposals none = propose_cuts(square, suggested_drape(square, SurfaceTree(square), 200), 3);
+    CHECK(none.cuts.empty());
+    CHECK(none.coverage[0] > 0.99);
+}
