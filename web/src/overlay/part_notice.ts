@@ -5,6 +5,7 @@ import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import './messages.css';
+import './part_notice.css';
 
 const TEXT = panelWords.selection;
 

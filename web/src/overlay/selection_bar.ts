@@ -110,6 +110,7 @@ export class SelectionBar implements Panel {
       preview([]);
       handles.takeLine(name, label);
     });
+    button.classList.add('of-line');
     whilePointedAt(
       button,
       () => preview(handles.line(name)),

@@ -58,12 +58,12 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
-  const bar = new SelectionBar(events);
-  const notices = [new PartNotice(events), new SharpNotice(events), new StuckNotice(events), new Narrator()];
+  const tools = [new SelectionBar(events), new PartNotice(events)];
+  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
-    panels: [...usual, flip, convergence, solver, step, comparison, bar, ...notices],
+    panels: [...usual, flip, convergence, solver, step, comparison, ...tools, ...notices],
     notices: notices.map(({ element }) => element),
-    tools: [bar.element],
+    tools: tools.map(({ element }) => element),
     elements: [...usual.map(({ element }) => element), research],
   };
 }
