@@ -20,17 +20,17 @@ struct PiecesOptions {
 
 /// A net on one piece.
 struct DrapedPiece {
-    int piece;  ///< in the order of pieces_of()
-    double area;
+    int piece = 0;  ///< in the order of pieces_of()
+    double area = 0;
     DrapeOptions options;
     Drape drape;
-    DrapeReport report;  ///< of this piece alone
+    DrapeReport report{};  ///< of this piece alone
 };
 
 /// A piece that has no net, and why.
 struct BarePiece {
-    int piece;
-    double area;
+    int piece = 0;
+    double area = 0;
     std::string reason;
 };
 
@@ -39,7 +39,7 @@ struct DrapedPieces {
               ///< comes first, others in the order of their numbers
     std::vector<DrapedPiece> draped;
     std::vector<BarePiece> bare;
-    DrapeReport report;  ///< of all, on the whole surface
+    DrapeReport report{};  ///< of all, on the whole surface
 };
 
 /// A net on each piece of a surface that may have been cut open (see cut_open), all with edges of one length: each lies

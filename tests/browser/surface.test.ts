@@ -262,6 +262,76 @@ test('Escape gives up a drag of the seed, and then the dialog', async () => {
   await draper().waitFor({ state: 'detached' });
 });
 
+/** Clicks the picture at parts of its width and height. */
+async function clickPicture(...places: [number, number][]) {
+  const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
+  for (const [across, down] of places) await visit.page.mouse.click(x + across * width, y + down * height);
+}
+
+test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are opened as one', async () => {
+  const { vertices: first } = await script.stats();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  for (let step = 0; step < 12; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowLeft');
+  await measured();
+  const uncut = await results();
+  expect(uncut).not.toMatch(/Pieces/);
+  const button = (name: string) => draper().getByRole('button', { name, exact: true });
+
+  // A closed cut: the last point is the first again. Beside the surface nothing is set.
+  await press('Draw a cut');
+  await clickPicture([0.3, 0.4], [0.02, 0.02], [0.55, 0.35], [0.5, 0.75], [0.35, 0.8], [0.3, 0.4]);
+  await button('End the cut').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-drawing.png') });
+  await visit.page.keyboard.press('Enter');
+  await expect.poll(results).toMatch(/Pieces\s+2/);
+  await measured();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-pieces.png') });
+
+  await press('Undo');
+  await expect.poll(results).toBe(uncut);
+
+  // Along the keys' way: a slit, which parts nothing.
+  const canvas = draper().getByRole('application');
+  const start = await places();
+  await canvas.press(' ');
+  await button('End the cut').waitFor();
+  for (let step = 0; step < 3; step++) await canvas.press('Shift+ArrowLeft');
+  await expect.poll(async () => Math.round(start.seed.x - (await places()).seed.x)).toBe(90);
+  await canvas.press(' ');
+  await canvas.press('Enter');
+  await button('Remove cuts').waitFor();
+  await press('Remove cuts');
+  await button('Remove cuts').waitFor({ state: 'hidden' });
+  await button('Undo').waitFor({ state: 'hidden' });
+
+  await clickPicture([0.3, 0.4], [0.55, 0.35], [0.5, 0.75], [0.35, 0.8], [0.3, 0.4]);
+  await press('Draw a cut');
+  await expect.poll(results).toMatch(/Pieces\s+2/);
+  const { edges, positions } = await openExactNet(first);
+  expect((await visit.page.evaluate(() => window.chebnet.handles())).length).toBeGreaterThan(2);
+  expect(edges.length / 2).toBeGreaterThan(positions.length / 3);
+});
+
+test('cuts that help a net are proposed with what they help', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
+  await draper()
+    .getByText(/^More curvature than one net can take/)
+    .waitFor();
+  await measured();
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await measured();
+  await press('Propose cuts');
+  const said = draper().getByText(/^With these cuts/);
+  await said.waitFor({ timeout: 60_000 });
+  const [after, before] = (await said.innerText()).match(/[\d.]+(?= %)/g)!.map(Number);
+  expect(after!).toBeGreaterThan(before!);
+  await expect.poll(results).toContain(`${after} %`);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-proposed-cuts.png') });
+});
+
 test('a closed body gets a net over the whole of it, with progress and a stop', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();

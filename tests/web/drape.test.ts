@@ -23,7 +23,7 @@ function answers(...requests: DrapeRequest[]): DrapeResponse[] {
 }
 
 const OPEN: DrapeRequest = { type: 'open', source: { own: 'hypar' } };
-const SETTINGS = { seed: [0, 0, 0] as Point, direction: [1, 1, 0] as Point, length: 0.3 };
+const SETTINGS = { seed: [0, 0, 0] as Point, direction: [1, 1, 0] as Point, length: 0.3, cuts: [] as Point[][] };
 
 describe('the worker', () => {
   test('opens a surface, lays a net from a ray, and measures it', () => {
@@ -59,6 +59,34 @@ describe('the worker', () => {
       expect(Math.max(...wireframe.edges)).toBeLessThan(wireframe.positions.length / 3);
     }
     expect(draped?.type).toBe('draped');
+  });
+
+  test('draws a cut point by point, and lays a net on each piece', () => {
+    const from: Point = [-3.35, 0.3, 0];
+    const across = { origin: [9, 0.3, 0] as Point, direction: [-1, 0, 0] as Point };
+    const [, first, second, missed] = answers(
+      OPEN,
+      { type: 'trace', points: [from] },
+      { type: 'trace', points: [from, [3.35, 0.4, 0]] },
+      { type: 'trace', points: [from, { ...across, direction: [1, 0, 0] }] },
+    );
+    if (first?.type !== 'traced' || second?.type !== 'traced') return expect.fail();
+    expect([first.cut.points.length, first.cut.path.length]).toEqual([1, 3]);
+    expect(second.cut.points).toHaveLength(2);
+    expect(second.cut.path.length).toBeGreaterThan(30);
+    expect(missed).toMatchObject({ type: 'traced', cut: first.cut, asked: 2 });
+
+    const ends: Point[] = [first.cut.points[0]!, second.cut.points[1]!];
+    const [, whole, halves, report] = answers(
+      OPEN,
+      { type: 'drape', settings: SETTINGS },
+      { type: 'drape', settings: { ...SETTINGS, cuts: [ends] } },
+      { type: 'measure' },
+    );
+    if (whole?.type !== 'draped' || halves?.type !== 'draped' || report?.type !== 'measured') return expect.fail();
+    expect([whole.pieces, whole.bare, halves.pieces, halves.bare]).toEqual([1, 0, 2, 0]);
+    expect([whole.net.info.components, halves.net.info.components]).toEqual([1, 2]);
+    expect(report.report.coverage).toBeGreaterThan(0.95);
   });
 
   test('says when a ray misses, and what is refused; the surface stays', () => {
@@ -116,6 +144,8 @@ describe('while a net is being laid', () => {
     const draping = new Draping(() => worker, {
       opened: () => told.push('opened'),
       proposed: () => told.push('proposed'),
+      traced: () => told.push('traced'),
+      cutsProposed: () => told.push('cutsProposed'),
       draped: () => told.push('draped'),
       progressed: (phase) => told.push(phase),
       remeshed: () => told.push('remeshed'),

@@ -20,6 +20,7 @@ import { make, makeButton } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
+import { DrapeCuts } from './drape_cuts';
 import { DrapeForm } from './drape_form';
 import { DrapeMaker } from './drape_maker';
 import { DrapeProposals } from './drape_proposals';
@@ -56,6 +57,13 @@ export class DrapeDialog implements DraperLike {
   readonly #results = new DrapeResults();
   readonly #proposals = new DrapeProposals((proposal) => this.#begin(proposal));
   readonly #maker = new DrapeMaker({ begun: () => this.#remesh(), stopped: () => this.#stop() });
+  readonly #cuts = new DrapeCuts({
+    cuttingChanged: (cutting) => this.#picture.setCutting(cutting),
+    shown: (cuts, points) => this.#picture.setCuts(cuts, points),
+    traceWanted: (points) => this.#draping.trace(points),
+    changed: () => this.#drape(),
+    proposalsWanted: () => this.#draping.proposeCuts({ ...this.#settings(), seed: this.#seedShown() }),
+  });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
   /** The surface that is shown. */
@@ -89,6 +97,7 @@ export class DrapeDialog implements DraperLike {
       { class: 'side' },
       this.#results.prospect,
       this.#form.element,
+      this.#cuts.element,
       this.#maker.element,
       this.#results.element,
     );
@@ -111,11 +120,16 @@ export class DrapeDialog implements DraperLike {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
+      pointed: (at) => this.#cuts.add(at),
+      cutEnded: () => this.#cuts.end(),
+      cutUndone: () => this.#cuts.undo(),
     });
     this.#picture.focus();
     this.#draping = new Draping(() => parts.spawnWorker(), {
       opened: (surface, length) => this.#onOpened(surface, length),
       proposed: (proposals) => this.#onProposed(proposals),
+      traced: (cut, asked) => this.#cuts.setTraced(cut, asked),
+      cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
       measured: (report) => this.#results.setReport(report),
       progressed: (phase, done) => this.#maker.setProgress(phase, done),
@@ -156,6 +170,7 @@ export class DrapeDialog implements DraperLike {
 
   #onOpened(surface: ShownSurface, length: number): void {
     this.#picture.setSurface(surface);
+    this.#cuts.reset();
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report.area, length);
     if (!this.#form.isWhole) this.#results.expectNet();
@@ -170,6 +185,7 @@ export class DrapeDialog implements DraperLike {
 
   #onRefused(message: string): void {
     this.#setMaking(false);
+    this.#cuts.giveUp();
     this.#results.setFault(words.core.sentence(message));
   }
 
@@ -180,6 +196,7 @@ export class DrapeDialog implements DraperLike {
     if (this.#isMaking) this.#stop();
     this.#maker.show(isWhole);
     this.#proposals.element.hidden = isWhole;
+    this.#cuts.element.hidden = isWhole;
     this.#howTo.hidden = isWhole;
     this.#setNet(null);
     this.#picture.removeNet();
@@ -219,6 +236,7 @@ export class DrapeDialog implements DraperLike {
 
   #onDraped(net: DrapedNet): void {
     if (this.#form.isWhole) return;
+    this.#cuts.goOn();
     if (this.#isFirst) this.#picture.face(net.seed);
     this.#isFirst = false;
     this.#setNet(net);
@@ -247,7 +265,16 @@ export class DrapeDialog implements DraperLike {
   #drape(): void {
     if (this.#form.isWhole) return;
     this.#results.expectNet();
-    this.#draping.drape({ ...this.#form.read(), seed: this.#seed });
+    this.#draping.drape(this.#settings());
+  }
+
+  /** Where the net that is shown begins: a wanted seed may be beside the surface. */
+  #seedShown(): Point {
+    return this.#shown !== null && 'seed' in this.#shown ? this.#shown.seed.position : [0, 0, 0];
+  }
+
+  #settings(): DrapeSettings {
+    return { ...this.#form.read(), seed: this.#seed, cuts: this.#cuts.read() };
   }
 
   #taken(): TakenNet | null {

@@ -107,7 +107,7 @@ export class DrapeForm {
     this.#direction = direction;
   }
 
-  read(): Omit<DrapeSettings, 'seed'> {
+  read(): Omit<DrapeSettings, 'seed' | 'cuts'> {
     return {
       direction: this.#direction,
       length: this.#length.valueAsNumber,

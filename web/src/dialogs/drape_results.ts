@@ -88,6 +88,9 @@ export class DrapeResults {
       [TEXT.sheared, percentWords(report.sheared)],
       [TEXT.muchSheared, percentWords(report.muchSheared)],
       'singularVertices' in this.#net ? [TEXT.singular, singularWords(this.#net)] : [TEXT.gaps, gapWords(this.#net)],
+      ...('pieces' in this.#net && this.#net.pieces + this.#net.bare > 1
+        ? [[TEXT.cuts.pieces, TEXT.cuts.piecesOf(this.#net.pieces, this.#net.bare)] as [string, string]]
+        : []),
       [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
       ...(cutEnds > 0 ? [[TEXT.cutEnds, count(cutEnds)] as [string, string]] : []),

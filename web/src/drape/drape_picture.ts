@@ -16,7 +16,8 @@ import type { Place } from '../view/overlay';
 import { type Projection, projectionOf } from '../view/picking';
 import { Space } from '../view/space';
 import { onThemeChange, readTheme } from '../view/theme';
-import type { Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
+import { CutLines } from './cut_lines';
+import type { Cut, Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
 import { SurfaceShade, turn } from '../view/surface_shade';
@@ -28,6 +29,10 @@ export interface PictureEvents {
   turned(direction: Point): void;
   /** A drag was given up: back to where it began. */
   seedBack(seed: Seed): void;
+  /** While cuts are drawn: the next point, where a ray meets the surface, or the seed. */
+  pointed(at: Ray | Point): void;
+  cutEnded(): void;
+  cutUndone(): void;
 }
 
 /** What is wanted of either view: with WebGL, or without any. */
@@ -42,6 +47,10 @@ export interface Picture {
   focus(): void;
   /** Whether cells are coloured by their shear. */
   setShear(shown: boolean): void;
+  /** Whether what is clicked on the surface is a point of a cut. */
+  setCutting(cutting: boolean): void;
+  /** @param points of the cut that is being drawn. */
+  setCuts(cuts: readonly Cut[], points: readonly Point[]): void;
   dispose(): void;
 }
 
@@ -62,6 +71,8 @@ export function createPicture(
     face() {},
     focus() {},
     setShear() {},
+    setCutting() {},
+    setCuts() {},
     dispose: () => notice.remove(),
   };
 }
@@ -83,6 +94,8 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
 const BEHIND = 0.5;
 /** A cosine: a seed that faces less than that is not well seen. */
 const CLEARLY = 0.2;
+/** A pointer that moves no farther than that between down and up has clicked, pixels. */
+const STILL = 5;
 const MARGIN = { top: 0.06, right: 0.06, bottom: 0.06, left: 0.06 };
 
 class DrapePicture implements Picture {
@@ -96,6 +109,7 @@ class DrapePicture implements Picture {
   readonly #faces = new NetFaces(this.#uniforms, this.#colours);
   readonly #markers = new HandleMarkers();
   readonly #ring = new SeedRing();
+  readonly #cuts = new CutLines();
   readonly #size = new Vector2(1, 1);
   readonly #listeners = new AbortController();
   readonly #resizing: ResizeObserver;
@@ -113,6 +127,10 @@ class DrapePicture implements Picture {
   /** What is in hand, by which pointer, and where the seed was before. */
   #grip: { marker: number; pointer: number; before: Seed } | null = null;
   #frame = 0;
+  #isCutting = false;
+  #cutPoints: readonly Point[] = [];
+  /** Where a pointer went down that may be a click. */
+  #pressed: Place | null = null;
 
   constructor(
     container: HTMLElement,
@@ -132,7 +150,7 @@ class DrapePicture implements Picture {
     canvas.setAttribute('aria-label', label);
     container.append(canvas, this.#ring.element);
     this.#rig = new CameraRig(canvas, { moved: () => this.#requestDraw(), rested: () => {} });
-    for (const part of [this.#shade, this.#faces, this.#lines, this.#markers]) this.#scene.add(part.object);
+    for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#markers]) this.#scene.add(part.object);
     this.#addLights();
     this.#listen(canvas);
     this.#readTheme();
@@ -191,13 +209,27 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
+  setCutting(cutting: boolean): void {
+    this.#isCutting = cutting;
+    this.#renderer.domElement.style.cursor = cutting ? 'crosshair' : '';
+  }
+
+  setCuts(cuts: readonly Cut[], points: readonly Point[]): void {
+    if (!this.#space) return;
+    this.#cutPoints = points;
+    const paths = cuts.map(({ path }) => path);
+    this.#cuts.set(paths, this.#space);
+    this.#requestDraw();
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.#frame);
     this.#listeners.abort();
     this.#resizing.disconnect();
     this.#stopThemes();
     this.#forgetNet();
-    const parts = [this.#rig, this.#shade, this.#lines, this.#faces, this.#colours, this.#markers, this.#renderer];
+    const net = [this.#lines, this.#faces, this.#colours];
+    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#markers, this.#renderer];
     for (const part of parts) part.dispose();
     this.#renderer.domElement.remove();
     this.#ring.element.remove();
@@ -219,9 +251,11 @@ class DrapePicture implements Picture {
 
   #down(event: PointerEvent): void {
     if (this.#grip !== null) return event.stopPropagation();
-    if (event.button !== 0 || !event.isPrimary || this.#seed === null) return;
+    if (event.button !== 0 || !event.isPrimary) return;
+    this.#pressed = this.#isCutting ? this.#place(event) : null;
     const marker = this.#markerAt(event);
-    if (marker === null) return;
+    if (marker === null || this.#seed === null) return;
+    this.#pressed = null;
     event.stopPropagation();
     const canvas = this.#renderer.domElement;
     canvas.focus();
@@ -252,17 +286,42 @@ class DrapePicture implements Picture {
   }
 
   #letGo(event: PointerEvent): void {
+    this.#click(event);
     if (event.pointerId !== this.#grip?.pointer) return;
     event.stopPropagation();
     this.#grip = null;
     this.#renderer.domElement.style.cursor = '';
   }
 
+  /** Sets a point of a cut, unless the camera has been moved. */
+  #click(event: PointerEvent): void {
+    const pressed = this.#pressed;
+    this.#pressed = null;
+    if (pressed === null || event.type !== 'pointerup' || !event.isPrimary) return;
+    const place = this.#place(event);
+    if (Math.hypot(place.x - pressed.x, place.y - pressed.y) > STILL) return;
+    this.#renderer.domElement.focus();
+    this.#events.pointed(this.#rayThrough(place));
+  }
+
   #hover(event: PointerEvent): void {
-    this.#renderer.domElement.style.cursor = this.#markerAt(event) === null ? '' : 'grab';
+    const idle = this.#isCutting ? 'crosshair' : '';
+    this.#renderer.domElement.style.cursor = this.#markerAt(event) === null ? idle : 'grab';
+  }
+
+  /** Keys of a cut; whether this was one. */
+  #cutKey(event: KeyboardEvent): boolean {
+    if (!this.#isCutting) return false;
+    if (event.key === ' ' && this.#seed !== null) this.#events.pointed(this.#seed.position);
+    else if (event.key === 'Enter') this.#events.cutEnded();
+    else if (event.key === 'Backspace') this.#events.cutUndone();
+    else return false;
+    event.preventDefault();
+    return true;
   }
 
   #key(event: KeyboardEvent): void {
+    if (this.#cutKey(event)) return;
     const arrow = ARROW_KEYS[event.key];
     if (!arrow || this.#seed === null) return;
     event.preventDefault();
@@ -282,7 +341,9 @@ class DrapePicture implements Picture {
 
   #markerAt(event: PointerEvent): number | null {
     const { x, y } = this.#place(event);
-    return this.#markers.at(this.#projection(), x, y, SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse']);
+    const slack = SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse'];
+    const marker = this.#markers.at(this.#projection(), x, y, slack);
+    return marker === SEED || marker === KNOB ? marker : null;
   }
 
   #place(event: PointerEvent): Place {
@@ -318,6 +379,7 @@ class DrapePicture implements Picture {
   #readTheme(): void {
     const theme = readTheme(this.#container);
     for (const part of [this.#shade, this.#lines, this.#faces, this.#markers]) part.setTheme(theme);
+    this.#cuts.setColour(theme.anchor);
     this.#colours.setScale(scaleOf({ field: 'shear', colourMap: 'paper' }, theme), 'vertex');
     this.setShear(this.#showsShear);
   }
@@ -373,7 +435,8 @@ class DrapePicture implements Picture {
     const radius = (RING * pixel) / this.#space.scale;
     const knob = combined(1, position, radius, direction);
     const marker = (vertex: number, target: Point) => ({ vertex, target, anchor: false });
-    this.#markers.update([marker(SEED, position), { ...marker(KNOB, knob), weight: 1 }], this.#space, [], []);
+    const ends = this.#cutPoints.map((point, i) => ({ ...marker(KNOB + 1 + i, point), anchor: true }));
+    this.#markers.update([marker(SEED, position), { ...marker(KNOB, knob), weight: 1 }, ...ends], this.#space, [], []);
     const across = cross(normal, direction);
     const projection = this.#projection();
     this.#ring.draw((angle) => {

@@ -35,6 +35,18 @@ export interface Ray {
 export interface DrapeSettings extends Omit<DrapeOptions, 'seed'> {
   /** A ray: the first point of the surface that it meets. */
   seed: Point | Ray;
+  /** Along which the surface is cut open before, each by its points. */
+  cuts: Point[][];
+}
+
+/** How nets are to be laid whose beginnings are looked for. */
+export type ProposalSettings = Omit<DrapeSettings, 'seed' | 'direction' | 'cuts'>;
+
+/** A cut that is being drawn, or has been. */
+export interface Cut {
+  points: Point[];
+  /** How it runs over the surface, 3 numbers a point. */
+  path: Float64Array;
 }
 
 /** Where the seed of a net stands on its surface, and the direction of its first family laid into it, of length 1. */
@@ -58,6 +70,9 @@ export interface DrapedNet extends ShownNet {
   locked: number;
   met: number;
   cutEnds: number;
+  /** Of the surface, with a net and without one. */
+  pieces: number;
+  bare: number;
 }
 
 /** Over the whole surface. */
@@ -71,7 +86,11 @@ export type DrapeRequest =
   /** Answered with `draped`, `missed` or `error`. */
   | { type: 'drape'; settings: DrapeSettings }
   /** Where a net would begin well. Answered with `proposed`. */
-  | { type: 'propose'; settings: Omit<DrapeSettings, 'seed' | 'direction'> }
+  | { type: 'propose'; settings: ProposalSettings }
+  /** A cut through some points, without those that are beside the surface. Answered with `traced` or `error`. */
+  | { type: 'trace'; points: (Point | Ray)[] }
+  /** Cuts that help a net. Answered with `cutsProposed` or `error`. */
+  | { type: 'proposeCuts'; settings: DrapeSettings }
   /** Answered with `remeshed` or `error`, and `progress` before. */
   | { type: 'remesh'; options: RemeshOptions }
   /** How the last net lies. Answered with `measured`. */
@@ -80,6 +99,10 @@ export type DrapeRequest =
 export type DrapeResponse =
   | { type: 'opened'; surface: ShownSurface; length: number }
   | { type: 'proposed'; proposals: Proposal[] }
+  /** @see `trace`; `asked` is how many points that had. */
+  | { type: 'traced'; cut: Cut; asked: number }
+  /** @see CutProposals of wasm/chebnet.d.ts about `coverage`. */
+  | { type: 'cutsProposed'; cuts: Cut[]; coverage: number[] }
   | ({ type: 'draped' } & DrapedNet)
   | { type: 'progress'; phase: RemeshPhase; done: number }
   | ({ type: 'remeshed' } & RemeshedNet)

@@ -3,11 +3,21 @@ import type { Chebnet, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from 
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe } from '../worker/opened_net';
-import type { DrapeRequest, DrapeResponse, DrapeSettings, ShownNet, SurfaceSource } from './drape_protocol';
+import type {
+  DrapeRequest,
+  DrapeResponse,
+  DrapeSettings,
+  ProposalSettings,
+  Ray,
+  ShownNet,
+  SurfaceSource,
+} from './drape_protocol';
 import { SUGGESTED_CELLS } from './cells';
 import { laidInto } from './seed';
 
 const MOST_PROPOSALS = 4;
+/** Proposed at a time: looking for each takes seconds. */
+const MOST_CUTS = 2;
 /** More would be black in a small picture. */
 const PICTURED_CELLS = 300;
 
@@ -15,6 +25,8 @@ export class Draper {
   readonly #core: Chebnet;
   readonly #post: (response: DrapeResponse) => void;
   #surface: Surface | null = null;
+  /** The surface, cut open, and along what. */
+  #opened: { surface: Surface; cuts: string } | null = null;
   /** The last net. */
   #mesh: Mesh | null = null;
 
@@ -36,6 +48,8 @@ export class Draper {
     if (this.#surface === null) throw new Error('no surface is open');
     if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
     if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
+    if (request.type === 'trace') return trace(this.#surface, request.points);
+    if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
     if (this.#mesh === null) throw new Error('no net has been laid');
     return { type: 'measured', report: this.#surface.measure(this.#mesh) };
@@ -44,6 +58,8 @@ export class Draper {
   #open(source: SurfaceSource): DrapeResponse {
     const surface = 'own' in source ? this.#core.ownSurface(source.own) : this.#core.openSurface(source.mesh);
     this.#surface?.dispose();
+    this.#opened?.surface.dispose();
+    this.#opened = null;
     this.#surface = surface;
     this.#mesh = null;
     const { positions, normals, triangles } = surface;
@@ -54,7 +70,7 @@ export class Draper {
     };
   }
 
-  #propose(surface: Surface, settings: Omit<DrapeSettings, 'seed' | 'direction'>): DrapeResponse {
+  #propose(surface: Surface, settings: ProposalSettings): DrapeResponse {
     const proposals = surface.propose(settings).slice(0, MOST_PROPOSALS);
     const length = Math.max(settings.length, surface.suggest(PICTURED_CELLS).length);
     return {
@@ -72,10 +88,33 @@ export class Draper {
     if (place === null) return { type: 'missed' };
     const direction = laidInto(settings.direction, place.normal);
     const start = performance.now();
-    const drape = surface.drape({ ...settings, seed: place.position, direction });
+    const options = { ...settings, seed: place.position, direction };
+    const drape =
+      settings.cuts.length === 0
+        ? { ...surface.drape(options), pieces: 1, bare: 0 }
+        : this.#cutOpen(surface, settings.cuts).drapePieces(options);
     const milliseconds = performance.now() - start;
     const { mesh, ...rest } = drape;
     return { type: 'draped', seed: { ...place, direction }, ...rest, milliseconds, ...this.#shown(mesh) };
+  }
+
+  /** While the seed is dragged the cuts stay. */
+  #cutOpen(surface: Surface, cuts: Point[][]): Surface {
+    const key = JSON.stringify(cuts);
+    if (this.#opened?.cuts !== key) {
+      const opened = surface.cut(cuts);
+      this.#opened?.surface.dispose();
+      this.#opened = { surface: opened, cuts: key };
+    }
+    return this.#opened.surface;
+  }
+
+  #proposeCuts(surface: Surface, settings: DrapeSettings): DrapeResponse {
+    const place = placeOf(surface, settings.seed);
+    if (place === null) return { type: 'missed' };
+    const options = { ...settings, seed: place.position, direction: laidInto(settings.direction, place.normal) };
+    const { cuts, coverage } = surface.proposeCuts(options, MOST_CUTS);
+    return { type: 'cutsProposed', cuts: cuts.map((points) => ({ points, path: surface.cutPath(points) })), coverage };
   }
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
@@ -91,6 +130,13 @@ export class Draper {
     this.#mesh = mesh;
     return withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
   }
+}
+
+function trace(surface: Surface, wanted: readonly (Point | Ray)[]): DrapeResponse {
+  const places = wanted.map((point) => placeOf(surface, point));
+  const points = places.flatMap((place) => (place === null ? [] : [place.position]));
+  const path = points.length < 2 ? Float64Array.from(points.flat()) : surface.cutPath(points);
+  return { type: 'traced', cut: { points, path }, asked: wanted.length };
 }
 
 function placeOf(surface: Surface, seed: DrapeSettings['seed']): SurfacePlace | null {

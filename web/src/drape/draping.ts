@@ -1,13 +1,16 @@
 /** The page's side of the draping worker. While a net is being laid only the latest request waits. */
-import type { DrapeReport, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
+import type { DrapeReport, Point, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
 import type {
+  Cut,
   DrapedNet,
   DrapeRequest,
   DrapeResponse,
   DrapeSettings,
   Proposal,
+  ProposalSettings,
+  Ray,
   RemeshedNet,
   ShownSurface,
   SurfaceSource,
@@ -29,6 +32,10 @@ export interface DrapingEvents {
   opened(surface: ShownSurface, length: number): void;
   /** The best first. */
   proposed(proposals: Proposal[]): void;
+  /** A cut through as many points as were asked for, or fewer. */
+  traced(cut: Cut, asked: number): void;
+  /** Cuts that help; `coverage` is one longer, without them and with each further one. */
+  cutsProposed(cuts: Cut[], coverage: number[]): void;
   draped(net: DrapedNet): void;
   /** @param done of the phase, 0 … 1. */
   progressed(phase: RemeshPhase, done: number): void;
@@ -62,8 +69,17 @@ export class Draping {
     this.#ask({ type: 'open', source });
   }
 
-  propose(settings: Omit<DrapeSettings, 'seed' | 'direction'>): void {
+  propose(settings: ProposalSettings): void {
     this.#ask({ type: 'propose', settings });
+  }
+
+  trace(points: (Point | Ray)[]): void {
+    if (this.#next?.type !== 'open') this.#ask({ type: 'trace', points });
+  }
+
+  /** Takes a while. */
+  proposeCuts(settings: DrapeSettings): void {
+    if (this.#next?.type !== 'open') this.#ask({ type: 'proposeCuts', settings });
   }
 
   drape(settings: DrapeSettings): void {
@@ -124,6 +140,8 @@ export class Draping {
   #tell(response: DrapeResponse): void {
     if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
+    else if (response.type === 'traced') this.#events.traced(response.cut, response.asked);
+    else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'remeshed') this.#events.remeshed(response);
     else if (response.type === 'measured') this.#events.measured(response.report);

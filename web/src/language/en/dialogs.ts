@@ -136,6 +136,22 @@ export const dialogs = {
     },
     pieces: (sentence: string, pieces: number) =>
       `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,
+    cuts: {
+      title: 'Cuts',
+      draw: 'Draw a cut',
+      end: 'End the cut',
+      undo: 'Undo',
+      clear: 'Remove cuts',
+      propose: 'Propose cuts',
+      howTo:
+        'Click points of the cut on the surface. By keys: arrows move the seed, Space sets a point there, Enter ends the cut, Backspace takes a point back.',
+      proposing: 'Trying cuts, which takes some seconds…',
+      helped: (before: string, after: string) => `With these cuts ${after} is covered, without them ${before}.`,
+      noneHelps: 'Of the cuts that were tried none lets the net cover more.',
+      pieces: 'Pieces',
+      piecesOf: (pieces: number, bare: number) =>
+        bare > 0 ? `${pieces}, and ${bare} too small for a net` : String(pieces),
+    },
     coverage: 'Covered',
     meanDistance: 'Distance, mean',
     largestDistance: 'Distance, largest',
