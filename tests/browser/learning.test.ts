@@ -16,7 +16,10 @@ test('a key and a button show all keys, and the keys do what the sheet says', as
   for (const line of [
     /Undo\s+Ctrl \+ Z/,
     /Redo\s+Ctrl \+ Shift \+ Z or Ctrl \+ Y/,
-    /Rename a handle\s+F2/,
+    /Take hold of the patch .*\s+P\n/,
+    /Show only what is around the selection.*\s+I\n/,
+    /Drag without snapping\s+Ctrl \+ drag/,
+    /Rename a handle or a group\s+F2/,
     /See the whole net\s+Home/,
   ]) {
     expect(text).toMatch(line);
