@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -261,6 +262,29 @@ TEST_CASE("Equilibrium: a fast, a slow and a middling drag end in one net, and b
     for (Eigen::Vector3d& move : back.moves) move.setZero();
     drag(fast, back, 1);
     CHECK(rms_distance(edit, fast.positions(), edit.net.rest_positions()) < 1e-3);
+}
+
+TEST_CASE("Equilibrium: from a net pulled beyond its reach, or knotted, handles that go home take it home") {
+    Editor editor(GENERATE(samples::patch(9, 9), samples::patch(14, 6), samples::cube()));
+    const Positions rest = editor.net().rest_positions();
+    const int count = editor.net().vertex_count();
+    const double L = editor.net().mean_length();
+    std::vector<Handle> home;
+    for (const int v : {0, count / 3, 2 * count / 3, count - 1}) home.push_back({v, rest.col(v)});
+    const unsigned seed = GENERATE(range(1u, 7u));
+    CAPTURE(count, seed);
+    std::mt19937 random(seed);
+    std::vector<Handle> away = home;
+    for (Handle& handle : away) {
+        Eigen::Vector3d off;
+        for (double& x : off) x = L * (3.6 * static_cast<double>(random()) / random.max() - 1.8);
+        handle.target = rest.col(count / 2) + off;
+    }
+    editor.set_handles(away);
+    editor.solve();
+    editor.set_handles(home);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - rest).colwise().norm().maxCoeff() < 1e-2 * L);
 }
 
 TEST_CASE("Equilibrium: frames of a drag are nets within the limit, and the energy of a net at rest falls") {

@@ -1,3 +1,4 @@
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,6 +33,8 @@ constexpr double k_least_progress = 0.1;
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
 // rough in one does not grow from step to step.
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
+// What the last net counts for, beside one handle, where the rest shape is placed anew.
+constexpr double k_free_weight = 1e-3;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
@@ -110,6 +113,8 @@ private:
     bool move_handles(double part, Positions& x);
     void predict(Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
+    bool begin_again(const Positions& positions);
+    Positions placed_rest_shape() const;
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
@@ -161,6 +166,7 @@ private:
     Positions m_result;                 // where the method last left the net; empty: nowhere
     Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
     double m_walked = 0, m_stride = 1;  // parts of the way: done, and of the next step
+    Positions m_stuck_at;               // where the first walk of this solve ended early; empty: it did not
     Eigen::Matrix3Xd m_last_move;       // of the net, in the last step of stage 2
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
@@ -274,6 +280,7 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
 
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_steps = 0;
+    m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
     if (m_stage == net && m_only_nets) return Status::unreachable;
@@ -478,11 +485,46 @@ void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
     moves += part * m_last_move;
 }
 
+/// Where the way from the last net leads no farther: by the way from the rest shape, or else by `projection`.
 Status Equilibrium::find_another_net(Positions& positions) {
+    if (m_stuck_at.cols() == 0 && begin_again(positions)) return Status::running;
+    if (m_stuck_at.cols() > 0) positions = m_stuck_at;
     m_stage = net;
     const Status status = projection().start(problem(), positions, m_options);
     m_max_deviation = max_deviation(*m_net, positions);
     return status;
+}
+
+/// False if the rest shape is no net.
+bool Equilibrium::begin_again(const Positions& positions) {
+    if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
+    m_stuck_at = positions;
+    m_result = placed_rest_shape();
+    m_limit = limit();
+    watch_corners(m_result);
+    m_last_move.setZero();
+    begin_walk(Positions(m_walk_to));
+    return true;
+}
+
+/// The rest shape, turned and shifted to where handles are to be, and as far as that leaves it free, to the last net
+/// (Kabsch 1976).
+Positions Equilibrium::placed_rest_shape() const {
+    Eigen::VectorXd weight = Eigen::VectorXd::Constant(m_result.cols(), k_free_weight / m_result.cols());
+    Positions to = m_result;
+    for (int v : m_fixed) {
+        weight[v] = 1;
+        to.col(v) = m_walk_to.col(v);
+    }
+    weight /= weight.sum();
+    const Eigen::Vector3d from_centre = m_rest_shape * weight, to_centre = to * weight;
+    const Eigen::Matrix3d covariance = (m_rest_shape.colwise() - from_centre) * weight.asDiagonal() *
+                                       (to.colwise() - to_centre).transpose();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double side = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
+    const Eigen::Matrix3d rotation =
+        svd.matrixV() * Eigen::Vector3d(1, 1, side).asDiagonal() * svd.matrixU().transpose();
+    return (rotation * (m_rest_shape.colwise() - from_centre)).colwise() + to_centre;
 }
 
 void Equilibrium::enter_rest(const Positions& positions) {
@@ -679,7 +721,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 /// present shape leads to. The energy counts from the net's rest shape; where that is no net within the limit, it is
 /// first made one, at rest without handles. In stages:
 ///
-///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails;
+///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails from the
+///      last net and from the rest shape;
 ///   2  after handles have moved: in steps of an edge length at most, free vertices go on as in the step before, as far
 ///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
 ///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
