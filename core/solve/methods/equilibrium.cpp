@@ -317,7 +317,8 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
 
 Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
     const bool is_net = m_max_deviation < m_options.threshold;
-    if (was_left(m_result, positions)) return is_net ? rest : follow;
+    // A handle that has moved by ever so little has left the net less exact than rest needs it.
+    if (was_left(m_result, positions)) return is_net && m_result == positions ? rest : follow;
     const bool has_opened = m_rest_shape != m_net->rest_positions();
     if (was_left(m_net->rest_positions(), positions) && (has_opened || !is_net) &&
         max_deviation(*m_net, m_rest_shape) < m_options.threshold) {
