@@ -264,27 +264,32 @@ TEST_CASE("Equilibrium: a fast, a slow and a middling drag end in one net, and b
     CHECK(rms_distance(edit, fast.positions(), edit.net.rest_positions()) < 1e-3);
 }
 
-TEST_CASE("Equilibrium: from a net pulled beyond its reach, or knotted, handles that go home take it home") {
+TEST_CASE("Equilibrium: from a net pulled beyond its reach, or knotted, handles go home with it, turned or not") {
     Editor editor(GENERATE(samples::patch(9, 9), samples::patch(14, 6), samples::cube()));
     const Positions rest = editor.net().rest_positions();
     const int count = editor.net().vertex_count();
     const double L = editor.net().mean_length();
-    std::vector<Handle> home;
-    for (const int v : {0, count / 3, 2 * count / 3, count - 1}) home.push_back({v, rest.col(v)});
+    const std::vector<int> vertices = {0, count / 3, 2 * count / 3, count - 1};
+    const auto set_handles = [&](auto target) {
+        std::vector<Handle> handles;
+        for (const int v : vertices) handles.push_back({v, target(v)});
+        editor.set_handles(handles);
+    };
     const unsigned seed = GENERATE(range(1u, 7u));
     CAPTURE(count, seed);
     std::mt19937 random(seed);
-    std::vector<Handle> away = home;
-    for (Handle& handle : away) {
-        Eigen::Vector3d off;
-        for (double& x : off) x = L * (3.6 * static_cast<double>(random()) / random.max() - 1.8);
-        handle.target = rest.col(count / 2) + off;
-    }
-    editor.set_handles(away);
+    set_handles([&](int) {
+        Eigen::Vector3d target = rest.col(count / 2);
+        for (double& x : target) x += L * (3.6 * static_cast<double>(random()) / random.max() - 1.8);
+        return target;
+    });
     editor.solve();
-    editor.set_handles(home);
+    const double angle = GENERATE(0.0, 2.0);
+    const Eigen::Matrix3d turn(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, -2, 1).normalized()));
+    const Positions home = (turn * rest).colwise() + angle * 5 * L * Eigen::Vector3d::UnitX();
+    set_handles([&](int v) -> Eigen::Vector3d { return home.col(v); });
     CHECK(editor.solve().status == Status::converged);
-    CHECK((editor.positions() - rest).colwise().norm().maxCoeff() < 1e-2 * L);
+    CHECK((editor.positions() - home).colwise().norm().maxCoeff() < 1e-2 * L);
 }
 
 TEST_CASE("Equilibrium: frames of a drag are nets within the limit, and the energy of a net at rest falls") {

@@ -33,8 +33,11 @@ constexpr double k_least_progress = 0.1;
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
 // rough in one does not grow from step to step.
 constexpr double k_repeated = 0.95, k_most_repeated = 2;
+// Handles that are as near to their places of rest, in edge lengths, in the same arrangement, are at home: there the
+// rest shape is the answer.
+constexpr double k_home = 1e-6;
 // What the last net counts for, beside one handle, where the rest shape is placed anew.
-constexpr double k_free_weight = 1e-3;
+constexpr double k_free_weight = 1e-10;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
@@ -113,7 +116,9 @@ private:
     bool move_handles(double part, Positions& x);
     void predict(Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
-    bool begin_again(const Positions& positions);
+    bool begin_at_rest_shape(double nearer_than);
+    bool rests_at_home() const;
+    double way_left(const Positions& from) const;
     Positions placed_rest_shape() const;
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
@@ -166,7 +171,8 @@ private:
     Positions m_result;                 // where the method last left the net; empty: nowhere
     Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
     double m_walked = 0, m_stride = 1;  // parts of the way: done, and of the next step
-    Positions m_stuck_at;               // where the first walk of this solve ended early; empty: it did not
+    bool m_was_placed = false;          // the rest shape, in this solve: a walk has begun there
+    Positions m_stuck_at;               // where a walk before that ended early; empty: none did
     Eigen::Matrix3Xd m_last_move;       // of the net, in the last step of stage 2
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
@@ -280,6 +286,7 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
 
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_steps = 0;
+    m_was_placed = false;
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
@@ -290,6 +297,10 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
         if (m_stage == net) return status;
     }
     if (m_stage == follow) begin_walk(positions);
+    if (m_stage == follow && !m_only_nets && rests_at_home()) {
+        const double way = way_left(m_result);
+        begin_at_rest_shape(way > k_fast_drag ? way : k_home);
+    }
     if (m_stage != follow) m_last_move.setZero();
     if (m_stage != rest) return Status::running;
     enter_rest(positions);
@@ -343,12 +354,23 @@ bool Equilibrium::was_left(const Positions& before, const Positions& positions) 
 void Equilibrium::begin_walk(const Positions& positions) {
     m_walk_from = m_result;
     m_walk_to = positions;
-    double longest = 0;
-    for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - m_walk_from.col(v)).norm());
-    const double lengths = longest / m_net->mean_length();
+    const double lengths = way_left(m_walk_from);
     const double stride = (lengths <= k_fast_drag ? k_fast_step : k_careful_step) / lengths;
     m_stride = lengths <= k_one_step ? 1 : std::max(stride, k_least_stride);
     m_walked = 0;
+}
+
+/// Whether the rest shape is at rest where handles do not deform it.
+bool Equilibrium::rests_at_home() const {
+    const bool is_guided = m_guide != nullptr && m_options.guide_mode != 0;
+    return m_pulls.empty() && !is_guided && m_options.gravity == 0 && !m_options.straight_rods;
+}
+
+/// The farthest that a handle has to go from this net, in edge lengths.
+double Equilibrium::way_left(const Positions& from) const {
+    double longest = 0;
+    for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - from.col(v)).norm());
+    return longest / m_net->mean_length();
 }
 
 void Equilibrium::choose_energy() {
@@ -488,7 +510,10 @@ void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else by `projection`.
 Status Equilibrium::find_another_net(Positions& positions) {
-    if (m_stuck_at.cols() == 0 && begin_again(positions)) return Status::running;
+    if (begin_at_rest_shape(std::numeric_limits<double>::infinity())) {
+        m_stuck_at = positions;
+        return Status::running;
+    }
     if (m_stuck_at.cols() > 0) positions = m_stuck_at;
     m_stage = net;
     const Status status = projection().start(problem(), positions, m_options);
@@ -496,15 +521,18 @@ Status Equilibrium::find_another_net(Positions& positions) {
     return status;
 }
 
-/// False if the rest shape is no net.
-bool Equilibrium::begin_again(const Positions& positions) {
-    if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
-    m_stuck_at = positions;
-    m_result = placed_rest_shape();
+/// Walks from the rest shape in place of the last net. False if it has done so in this solve, or the rest shape is no
+/// net, or handles would have as far to go as this, in edge lengths.
+bool Equilibrium::begin_at_rest_shape(double nearer_than) {
+    if (m_was_placed || !(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
+    const Positions placed = placed_rest_shape();
+    if (!(way_left(placed) < nearer_than)) return false;
+    m_was_placed = true;
+    m_result = placed;
     m_limit = limit();
     watch_corners(m_result);
     m_last_move.setZero();
-    begin_walk(Positions(m_walk_to));
+    begin_walk(m_walk_to);
     return true;
 }
 
@@ -519,8 +547,8 @@ Positions Equilibrium::placed_rest_shape() const {
     }
     weight /= weight.sum();
     const Eigen::Vector3d from_centre = m_rest_shape * weight, to_centre = to * weight;
-    const Eigen::Matrix3d covariance = (m_rest_shape.colwise() - from_centre) * weight.asDiagonal() *
-                                       (to.colwise() - to_centre).transpose();
+    const Eigen::Matrix3d covariance =
+        (m_rest_shape.colwise() - from_centre) * weight.asDiagonal() * (to.colwise() - to_centre).transpose();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const double side = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
     const Eigen::Matrix3d rotation =
@@ -726,7 +754,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      last net and from the rest shape;
 ///   2  after handles have moved: in steps of an edge length at most, free vertices go on as in the step before, as far
 ///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
-///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does;
+///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does. Where the way leads
+///      no farther, and where it is shorter for handles that jump, it begins at the rest shape;
 ///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///
