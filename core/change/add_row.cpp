@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/sets.h"
 #include "change/corner_edges.h"
-#include "change/sets.h"
 
 namespace chebnet {
 

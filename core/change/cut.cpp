@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "base/sets.h"
 #include "change/corner_edges.h"
-#include "change/sets.h"
 
 namespace chebnet {
 

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/sets.h"
 #include "change/corner_edges.h"
-#include "change/sets.h"
 
 namespace chebnet {
 

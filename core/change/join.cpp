@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "change/sets.h"
+#include "base/sets.h"
 #include "net/repair.h"
 #include "net/topology.h"
 

@@ -1,4 +1,3 @@
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "solve/methods/methods.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/length_projection.h"
+#include "solve/parts/nearest_rotation.h"
 #include "solve/parts/stopping.h"
 #include "solve/parts/tangent_newton.h"
 #include "solve/terms/bending_term.h"
@@ -539,21 +539,25 @@ bool Equilibrium::begin_at_rest_shape(double nearer_than) {
 /// The rest shape, turned and shifted to where handles are to be, and as far as that leaves it free, to the last net
 /// (Kabsch 1976).
 Positions Equilibrium::placed_rest_shape() const {
-    Eigen::VectorXd weight = Eigen::VectorXd::Constant(m_result.cols(), k_free_weight / m_result.cols());
     Positions to = m_result;
+    Eigen::VectorXd weight = Eigen::VectorXd::Constant(to.cols(), k_free_weight / static_cast<double>(to.cols()));
     for (int v : m_fixed) {
-        weight[v] = 1;
         to.col(v) = m_walk_to.col(v);
+        weight[v] = 1;
     }
-    weight /= weight.sum();
-    const Eigen::Vector3d from_centre = m_rest_shape * weight, to_centre = to * weight;
-    const Eigen::Matrix3d covariance =
-        (m_rest_shape.colwise() - from_centre) * weight.asDiagonal() * (to.colwise() - to_centre).transpose();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double side = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0 ? -1 : 1;
-    const Eigen::Matrix3d rotation =
-        svd.matrixV() * Eigen::Vector3d(1, 1, side).asDiagonal() * svd.matrixU().transpose();
-    return (rotation * (m_rest_shape.colwise() - from_centre)).colwise() + to_centre;
+    Eigen::Vector3d from_centre(0, 0, 0), to_centre(0, 0, 0);
+    for (Eigen::Index v = 0; v < to.cols(); ++v) {
+        from_centre += weight[v] * m_rest_shape.col(v);
+        to_centre += weight[v] * to.col(v);
+    }
+    from_centre /= weight.sum();
+    to_centre /= weight.sum();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (Eigen::Index v = 0; v < to.cols(); ++v)
+        covariance += weight[v] * (to.col(v) - to_centre) * (m_rest_shape.col(v) - from_centre).transpose();
+    const Eigen::Quaterniond rotation = nearest_rotation(covariance, Eigen::Quaterniond::Identity());
+    for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = to_centre + rotation * (m_rest_shape.col(v) - from_centre);
+    return to;
 }
 
 void Equilibrium::enter_rest(const Positions& positions) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/sets.h"
+
 namespace chebnet {
 
 std::vector<bool> free_vertices(int vertex_count, std::span<const int> fixed) {
@@ -31,21 +33,17 @@ FreePart::FreePart(const Net& net, const std::vector<bool>& is_free)
     find_pieces();
 }
 
-/// By union–find over the links; a piece is held if an edge joins it to a fixed vertex.
+/// A piece is held if an edge joins it to a fixed vertex.
 void FreePart::find_pieces() {
-    std::vector<int> parent(m_vertices.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int node) {
-        while (parent[node] != node) node = parent[node] = parent[parent[node]];
-        return node;
-    };
-    for (int k = 0; k < m_links.cols(); ++k) parent[root(m_links(0, k))] = root(m_links(1, k));
+    Sets pieces(size());
+    for (int k = 0; k < m_links.cols(); ++k) pieces.join(m_links(0, k), m_links(1, k));
     std::vector<bool> is_held(m_vertices.size(), false);
     for (const Edge& edge : m_edges)
-        if (edge.link < 0) is_held[root(std::max(edge.node_a, edge.node_b))] = true;
-    for (int node = 0; node < size(); ++node)
-        if (root(node) == node && !is_held[node]) m_floating_nodes.push_back(node);
-    for (int node = 0; node < size(); ++node) m_piece_of_node.push_back(root(node));
+        if (edge.link < 0) is_held[pieces.of(std::max(edge.node_a, edge.node_b))] = true;
+    for (int node = 0; node < size(); ++node) {
+        m_piece_of_node.push_back(pieces.of(node));
+        if (pieces.of(node) == node && !is_held[node]) m_floating_nodes.push_back(node);
+    }
 }
 
 std::vector<int> FreePart::induced_order(const FreePart& whole, const std::vector<int>& rank_in_whole) const {
