@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -588,8 +589,10 @@ std::vector<UnreachablePair> Editor::unreachable_pairs() const {
     const auto strain = [](const UnreachablePair& pair) {
         return std::max(pair.distance / pair.reach, pair.reach / pair.distance);
     };
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [&](const UnreachablePair& a, const UnreachablePair& b) { return strain(a) > strain(b); });
+    // Those of one strain, in the order of their vertices.
+    std::sort(pairs.begin(), pairs.end(), [&](const UnreachablePair& a, const UnreachablePair& b) {
+        return std::tuple(-strain(a), a.vertex_a, a.vertex_b) < std::tuple(-strain(b), b.vertex_a, b.vertex_b);
+    });
     return pairs;
 }
 

@@ -1,7 +1,7 @@
 #include "shapes/voxel_solid.h"
 
 #include <array>
-#include <unordered_map>
+#include <map>
 #include <utility>
 
 namespace chebnet {
@@ -122,7 +122,7 @@ private:
     int vertex_count() const { return static_cast<int>(m_coordinates.size() / 3); }
 
     const VoxelSolid& m_solid;
-    std::unordered_map<int, CornerVertices> m_corners;  // at the lattice points of the boundary
+    std::map<int, CornerVertices> m_corners;  // at the lattice points of the boundary
     std::vector<double> m_coordinates;
     Faces m_faces;
 };
