@@ -15,6 +15,8 @@ namespace {
 
 // Halves the edge that is cut until no digit is left.
 constexpr int k_halvings = 52;
+// In edge lengths: what is nearer to each other is one point.
+constexpr double k_point = 1e-9;
 
 class Cutter {
 public:
@@ -27,7 +29,7 @@ public:
     BorderCut run(const std::vector<std::array<int, 4>>& cells) {
         for (const auto& cell : cells) {
             std::vector<int> face = cut(cell);
-            if (face.size() < 3 || (face.size() == 4 && is_sharp(face))) continue;
+            if (face.size() < 3 || has_point_edge(face) || (face.size() == 4 && is_sharp(face))) continue;
             m_cut.faces.push_back(std::move(face));
         }
         m_cut.faces = joined_to_seed(m_cut.faces);
@@ -56,21 +58,21 @@ private:
     int end_of(int kept, int beyond) {
         const auto [known, is_new] = m_end_at.try_emplace(std::minmax(kept, beyond), kept);
         if (!is_new || m_vertices[kept].overhang > 0) return known->second;
-        const DrapedVertex end = on_boundary(m_vertices[kept], m_vertices[beyond].position);
+        const DrapedVertex end = on_boundary(m_vertices[kept], m_vertices[beyond]);
         if ((end.position - m_vertices[kept].position).norm() < m_stub) return kept;
         known->second = static_cast<int>(m_vertices.size() + m_cut.ends.size());
         m_cut.ends.push_back({end, beyond});
         return known->second;
     }
 
-    /// The point of the boundary nearest to where the straight way from a vertex to a point beyond it leaves the
-    /// surface.
-    DrapedVertex on_boundary(const DrapedVertex& from, const Eigen::Vector3d& beyond) const {
+    /// The point of the boundary nearest to where the straight way from a vertex to one beyond it leaves the surface.
+    DrapedVertex on_boundary(const DrapedVertex& from, const DrapedVertex& beyond) const {
         double inside = 0, outside = 1;
-        Height left{};
+        // What is beyond a slit may not be so as seen from another vertex, past the slit's end.
+        Height left{0, beyond.overhang, beyond.normal, beyond.at};
         for (int k = 0; k <= k_halvings; ++k) {
             const double part = k == 0 ? 1 : (inside + outside) / 2;
-            const Height here = m_compass.height((1 - part) * from.position + part * beyond, from.at.face);
+            const Height here = m_compass.height((1 - part) * from.position + part * beyond.position, from.at.face);
             if (here.overhang > 0) {
                 outside = part;
                 left = here;
@@ -79,6 +81,14 @@ private:
             }
         }
         return {m_compass.surface().position_at(left.at), left.at, left.normal, 0};
+    }
+
+    /// Rods that end in the same corner of the boundary.
+    bool has_point_edge(const std::vector<int>& face) const {
+        for (std::size_t k = 0; k < face.size(); ++k)
+            if ((position(face[k]) - position(face[(k + 1) % face.size()])).norm() < k_point * m_compass.length())
+                return true;
+        return false;
     }
 
     bool is_sharp(const std::vector<int>& face) const {

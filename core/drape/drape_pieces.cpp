@@ -1,6 +1,7 @@
 #include "drape/drape_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "drape/bridged_drape.h"
 #include "drape/proposals.h"
+#include "surface/geodesics.h"
 #include "surface/guide.h"
 #include "surface/surface_cut.h"
 
@@ -36,8 +38,38 @@ std::map<int, Eigen::Vector3d> seeds_by_piece(const Surface& surface, const std:
     return by_piece;
 }
 
+// In edge lengths: nearer to a border or a slit a net would hardly begin.
+constexpr double k_clear_of_border = 2;
+// A cosine: the x axis is no direction where the normal is nearer to it.
+constexpr double k_along_x = 0.9;
+
+/// Of each vertex, to the nearest border; infinity if there is none.
+std::vector<double> distances_from_border(const Surface& surface) {
+    std::vector<SurfacePoint> sources;
+    for (const std::vector<int>& loop : surface.boundary_loops())
+        for (const int side : loop) {
+            sources.push_back({Surface::face_of(side), Eigen::Vector3d::Zero()});
+            sources.back().weights[side % 3] = 1;
+        }
+    return geodesic_distances(surface, sources);
+}
+
+/// In the middle or, where that is near a border or a slit, as far from these as can be.
+DrapeOptions beginning_on(const Guide& piece, double length) {
+    const Surface& surface = piece.surface();
+    DrapeOptions beginning = suggested_drape(surface, piece.tree(), 1);
+    const std::vector<double> distances = distances_from_border(surface);
+    const int nearest = surface.triangles()(0, piece.tree().nearest(beginning.seed).at.face);
+    if (distances[nearest] >= k_clear_of_border * length) return beginning;
+    const auto farthest = std::max_element(distances.begin(), distances.end()) - distances.begin();
+    beginning.seed = surface.positions().col(farthest);
+    const bool is_along_x = std::abs(surface.vertex_normals()(0, farthest)) > k_along_x;
+    beginning.direction = is_along_x ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+    return beginning;
+}
+
 DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const Eigen::Vector3d* seed) {
-    const DrapeOptions suggested = suggested_drape(piece.surface(), piece.tree(), 1);
+    const DrapeOptions suggested = beginning_on(piece, options.drape.length);
     DrapeOptions own = options.drape;
     own.seed = suggested.seed;
     if (!options.has_direction) own.direction = suggested.direction;

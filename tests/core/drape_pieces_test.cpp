@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include "base/error.h"
@@ -167,4 +168,30 @@ TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be 
     const CutProposals none = propose_cuts(square, suggested_drape(square, SurfaceTree(square), 200), 3);
     CHECK(none.cuts.empty());
     CHECK(none.coverage[0] > 0.99);
+}
+
+TEST_CASE("Slits anywhere on a body, curved or not, leave an exact net within its limit in every way to end at them") {
+    const unsigned seed = GENERATE(range(1u, 7u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Surface surfaces[] = {make_own_surface("pebble"), Surface(samples::torus(36, 18, 2, 0.7)),
+                                make_own_surface("shell")};
+    for (const Surface& surface : surfaces) {
+        std::vector<CutLine> cuts;
+        for (int k = 0; k < 2; ++k)
+            cuts.push_back({samples::random_place(surface, random), samples::random_place(surface, random)});
+        PiecesOptions options;
+        options.drape = suggested_drape(surface, SurfaceTree(surface), 400);
+        for (const Border border : {Border::inside, Border::beyond, Border::cut})
+            for (const double leave : {0., 0.5}) {
+                if (leave > 0 && seed > 1) continue;  // takes long
+                CAPTURE(border, leave);
+                options.drape.border = border;
+                options.leave = leave;
+                const DrapedPieces made = drape_pieces(cut_open(surface, cuts), options);
+                CHECK(made.report.max_deviation < (leave > 0 ? 1e-9 : 1e-12));
+                CHECK(made.report.smallest_angle > 29.9 * std::numbers::pi / 180);
+                CHECK(made.report.coverage > 0.3);
+            }
+    }
 }
