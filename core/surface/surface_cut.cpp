@@ -205,7 +205,7 @@ private:
         for (const Corners& part : parts_of(face)) {
             const auto here = std::find(part.begin(), part.end(), from);
             if (here == part.end()) continue;
-            const std::size_t k = static_cast<std::size_t>(here - part.begin());
+            const auto k = static_cast<std::size_t>(here - part.begin());
             const int a = part[(k + 1) % 3], b = part[(k + 2) % 3];
             if (a == to || b == to) return to;
             // The way leads between a and b if a is on its right, b on its left.

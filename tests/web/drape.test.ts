@@ -66,15 +66,15 @@ describe('the worker', () => {
     const across = { origin: [9, 0.3, 0] as Point, direction: [-1, 0, 0] as Point };
     const [, first, second, missed] = answers(
       OPEN,
-      { type: 'trace', points: [from] },
-      { type: 'trace', points: [from, [3.35, 0.4, 0]] },
-      { type: 'trace', points: [from, { ...across, direction: [1, 0, 0] }] },
+      { type: 'trace', points: [from], revision: 1 },
+      { type: 'trace', points: [from, [3.35, 0.4, 0]], revision: 2 },
+      { type: 'trace', points: [from, { ...across, direction: [1, 0, 0] }], revision: 3 },
     );
     if (first?.type !== 'traced' || second?.type !== 'traced') return expect.fail();
     expect([first.cut.points.length, first.cut.path.length]).toEqual([1, 3]);
     expect(second.cut.points).toHaveLength(2);
     expect(second.cut.path.length).toBeGreaterThan(30);
-    expect(missed).toMatchObject({ type: 'traced', cut: first.cut, asked: 2 });
+    expect(missed).toMatchObject({ type: 'traced', cut: first.cut, revision: 3 });
 
     const ends: Point[] = [first.cut.points[0]!, second.cut.points[1]!];
     const [, whole, halves, report] = answers(

@@ -13,7 +13,7 @@ export interface CutEvents {
   /** What is to be drawn: all cuts, and the points of the one that is not ended. */
   shown(cuts: readonly Cut[], points: readonly Point[]): void;
   /** How a cut through some points runs. */
-  traceWanted(points: (Point | Ray)[]): void;
+  traceWanted(points: (Point | Ray)[], revision: number): void;
   /** Other cuts are to be made. */
   changed(): void;
   proposalsWanted(): void;
@@ -41,6 +41,8 @@ export class DrapeCuts {
   #cuts: readonly Cut[] = [];
   /** Points of the cut that is being drawn; those not yet found on the surface are rays. */
   #points: (Point | Ray)[] = [];
+  /** Counts how often they have become others. */
+  #revision = 0;
   /** That cut, as far as it is known. */
   #open: Cut | null = null;
   #isCutting = false;
@@ -60,18 +62,18 @@ export class DrapeCuts {
     this.#setPoints([...this.#points, point]);
   }
 
-  /** @param asked of how many points it is, those included that are beside the surface. */
-  setTraced(cut: Cut, asked: number): void {
-    if (this.#points.length < asked) return; // given up
-    this.#points = [...cut.points, ...this.#points.slice(asked)];
+  /** @param revision of the points through which it runs; others may have come, or been given up. */
+  setTraced(cut: Cut, revision: number): void {
+    if (revision !== this.#revision) return;
+    this.#points = cut.points;
     this.#open = cut.points.length > 0 ? cut : null;
-    if (this.#isEnding && this.#isKnown) this.end();
+    if (this.#isEnding) this.end();
     else this.#show();
   }
 
   /** Another request may have taken the place of that for the last points. */
   goOn(): void {
-    if (!this.#isKnown) this.#events.traceWanted(this.#points);
+    if (!this.#isKnown) this.#events.traceWanted(this.#points, this.#revision);
   }
 
   setProposed(cuts: readonly Cut[], coverage: readonly number[]): void {
@@ -118,12 +120,14 @@ export class DrapeCuts {
 
   #setPoints(points: (Point | Ray)[]): void {
     this.#points = points;
-    this.#events.traceWanted(points);
+    this.#revision++;
+    this.#events.traceWanted(points, this.#revision);
   }
 
   #change(cuts: readonly Cut[]): void {
     this.#cuts = cuts;
     this.#points = [];
+    this.#revision++;
     this.#open = null;
     this.#isEnding = false;
     this.#show();

@@ -60,7 +60,7 @@ export class DrapeDialog implements DraperLike {
   readonly #cuts = new DrapeCuts({
     cuttingChanged: (cutting) => this.#picture.setCutting(cutting),
     shown: (cuts, points) => this.#picture.setCuts(cuts, points),
-    traceWanted: (points) => this.#draping.trace(points),
+    traceWanted: (points, revision) => this.#draping.trace(points, revision),
     changed: () => this.#drape(),
     proposalsWanted: () => this.#draping.proposeCuts({ ...this.#settings(), seed: this.#seedShown() }),
   });
@@ -128,7 +128,7 @@ export class DrapeDialog implements DraperLike {
     this.#draping = new Draping(() => parts.spawnWorker(), {
       opened: (surface, length) => this.#onOpened(surface, length),
       proposed: (proposals) => this.#onProposed(proposals),
-      traced: (cut, asked) => this.#cuts.setTraced(cut, asked),
+      traced: (cut, revision) => this.#cuts.setTraced(cut, revision),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
       measured: (report) => this.#results.setReport(report),

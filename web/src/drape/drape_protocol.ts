@@ -88,7 +88,7 @@ export type DrapeRequest =
   /** Where a net would begin well. Answered with `proposed`. */
   | { type: 'propose'; settings: ProposalSettings }
   /** A cut through some points, without those that are beside the surface. Answered with `traced` or `error`. */
-  | { type: 'trace'; points: (Point | Ray)[] }
+  | { type: 'trace'; points: (Point | Ray)[]; revision: number }
   /** Cuts that help a net. Answered with `cutsProposed` or `error`. */
   | { type: 'proposeCuts'; settings: DrapeSettings }
   /** Answered with `remeshed` or `error`, and `progress` before. */
@@ -99,8 +99,8 @@ export type DrapeRequest =
 export type DrapeResponse =
   | { type: 'opened'; surface: ShownSurface; length: number }
   | { type: 'proposed'; proposals: Proposal[] }
-  /** @see `trace`; `asked` is how many points that had. */
-  | { type: 'traced'; cut: Cut; asked: number }
+  /** `revision` is that of the `trace`. */
+  | { type: 'traced'; cut: Cut; revision: number }
   /** @see CutProposals of wasm/chebnet.d.ts about `coverage`. */
   | { type: 'cutsProposed'; cuts: Cut[]; coverage: number[] }
   | ({ type: 'draped' } & DrapedNet)

@@ -48,7 +48,7 @@ export class Draper {
     if (this.#surface === null) throw new Error('no surface is open');
     if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
     if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
-    if (request.type === 'trace') return trace(this.#surface, request.points);
+    if (request.type === 'trace') return trace(this.#surface, request.points, request.revision);
     if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
     if (this.#mesh === null) throw new Error('no net has been laid');
@@ -132,11 +132,11 @@ export class Draper {
   }
 }
 
-function trace(surface: Surface, wanted: readonly (Point | Ray)[]): DrapeResponse {
+function trace(surface: Surface, wanted: readonly (Point | Ray)[], revision: number): DrapeResponse {
   const places = wanted.map((point) => placeOf(surface, point));
   const points = places.flatMap((place) => (place === null ? [] : [place.position]));
   const path = points.length < 2 ? Float64Array.from(points.flat()) : surface.cutPath(points);
-  return { type: 'traced', cut: { points, path }, asked: wanted.length };
+  return { type: 'traced', cut: { points, path }, revision };
 }
 
 function placeOf(surface: Surface, seed: DrapeSettings['seed']): SurfacePlace | null {

@@ -32,8 +32,8 @@ export interface DrapingEvents {
   opened(surface: ShownSurface, length: number): void;
   /** The best first. */
   proposed(proposals: Proposal[]): void;
-  /** A cut through as many points as were asked for, or fewer. */
-  traced(cut: Cut, asked: number): void;
+  /** A cut through the points that were asked for, without those beside the surface. */
+  traced(cut: Cut, revision: number): void;
   /** Cuts that help; `coverage` is one longer, without them and with each further one. */
   cutsProposed(cuts: Cut[], coverage: number[]): void;
   draped(net: DrapedNet): void;
@@ -73,8 +73,8 @@ export class Draping {
     this.#ask({ type: 'propose', settings });
   }
 
-  trace(points: (Point | Ray)[]): void {
-    if (this.#next?.type !== 'open') this.#ask({ type: 'trace', points });
+  trace(points: (Point | Ray)[], revision: number): void {
+    if (this.#next?.type !== 'open') this.#ask({ type: 'trace', points, revision });
   }
 
   /** Takes a while. */
@@ -140,7 +140,7 @@ export class Draping {
   #tell(response: DrapeResponse): void {
     if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
-    else if (response.type === 'traced') this.#events.traced(response.cut, response.asked);
+    else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
     else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'remeshed') this.#events.remeshed(response);
