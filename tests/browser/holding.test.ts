@@ -63,7 +63,7 @@ describe('a patch', () => {
     await click(place);
     const before = await handles();
     await radius().fill('2');
-    expect(await previewed()).toBe(13);
+    await expect.poll(previewed).toBe(13);
     await press('Tab');
     await expect.poll(previewed).toBe(0);
     await button('Patch').hover();
@@ -71,7 +71,7 @@ describe('a patch', () => {
     await visit.page.screenshot({ path: join(OUTPUT, 'holding-patch-preview.png') });
     await button('Patch').click();
     await row(/^Patch · \d+ \(13\)$/).waitFor();
-    expect(await previewed()).toBe(0);
+    await expect.poll(previewed).toBe(0);
     expect(await handles()).toHaveLength(before.length + 12);
     await script.settled();
 
@@ -102,6 +102,7 @@ describe('a patch', () => {
     await press('Enter');
     const group = row(/^Patch · \d+ \(5\)$/);
     await group.waitFor();
+    await script.settled();
 
     const rename = async (key: string, name: string, end: string) => {
       await visit.page.locator('.handles li .name').last().press(key);
@@ -115,7 +116,7 @@ describe('a patch', () => {
     await rename('F2', 'Crown', 'Enter');
     await row(/^Crown \(5\)$/).waitFor();
     expect((await handles()).filter(({ name }) => name === 'Crown')).toHaveLength(5);
-    expect(await visit.page.evaluate(() => document.activeElement?.textContent)).toBe('Crown (5)');
+    await expect.poll(() => visit.page.evaluate(() => document.activeElement?.textContent)).toBe('Crown (5)');
     await press('Control+z');
     await group.waitFor();
     await group.getByRole('button', { pressed: true }).first().dblclick();
@@ -147,14 +148,14 @@ describe('a part of the net', () => {
   test('is shown alone by a button, and all of it again by another; what is hidden cannot be taken', async () => {
     await visit.page.evaluate((vertex) => window.chebnet.setHandles([...window.chebnet.handles(), { vertex }]), far);
     await script.settled();
-    expect(await isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
     await click(place);
     const before = await handles();
     await button('Isolate').click();
     await notice().waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'holding-isolated.png') });
-    expect(await isSeen(vertexAt(0.7, 0.3))).toBe(false);
-    expect(await isSeen(place)).toBe(true);
+    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(false);
+    await expect.poll(() => isSeen(place)).toBe(true);
 
     // Neither a vertex nor a handle: a click there is one on nothing.
     await click(vertexAt(0.7, 0.3));
@@ -166,7 +167,7 @@ describe('a part of the net', () => {
 
     await visit.page.getByRole('button', { name: 'Show the whole net' }).click();
     await notice().waitFor({ state: 'detached' });
-    expect(await isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
     await click(far);
     await bar().waitFor();
   });
@@ -181,7 +182,7 @@ describe('a part of the net', () => {
     await notice().waitFor();
     await script.open({ recipe: SHAPE });
     await notice().waitFor({ state: 'detached' });
-    expect(await isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
   });
 });
 
@@ -259,11 +260,13 @@ describe('a drag', () => {
     const { x, y } = await script.screenPosition(low);
     await visit.page.mouse.move(x, y);
     await visit.page.mouse.down();
-    // Down until it is level with the feet.
+    // Down until it is level with the feet; what the readout says is of the frame before.
+    const framesShown = () =>
+      visit.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const said = async () => (await readout().count()) > 0 && (await readout().textContent())!;
     for (let by = 1; by < 120 && !/z [^·]*\(/.test((await said()) || ''); by += 2) {
       await visit.page.mouse.move(x, y + by);
-      await visit.page.waitForTimeout(20);
+      await framesShown();
     }
     expect(await said()).toMatch(/z -?[\d.]+ \(Vertex \d+\)$/);
     await visit.page.mouse.up();
