@@ -113,6 +113,14 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     ownSurface: () => core.ownSurface('nonsense'),
     propose: () => surface.propose({ length: -1 }),
     drape: () => surface.drape({ ...surface.suggest(100), length: -1 }),
+    cut: () => surface.cut([[[0, 0, 0]]]),
+    cutPath: () =>
+      surface.cutPath([
+        [99, 0, 0],
+        [0, 99, 0],
+      ]),
+    drapePieces: () => surface.drapePieces({ ...surface.suggest(100), length: -1 }),
+    proposeCuts: () => surface.proposeCuts({ ...surface.suggest(100), length: -1 }, 1),
     remesh: () => surface.remesh({ smallestAngle: 9 }),
     measure: () => surface.measure(broken),
   };
@@ -169,6 +177,10 @@ const WHOLE = {
   ownSurface: ['bad_option'],
   propose: ['bad_option'],
   drape: ['bad_option'],
+  cut: ['bad_option'],
+  cutPath: ['bad_option'],
+  drapePieces: ['bad_option'],
+  proposeCuts: ['bad_option'],
   remesh: ['bad_option'],
   measure: ['index_out_of_range'],
 };

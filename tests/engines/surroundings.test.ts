@@ -52,10 +52,19 @@ function placeOfCrown(visitor: Visitor) {
 test('after one visit the page opens without its server, a net can be dragged, and it can be read whose work it contains', async () => {
   const visitor = await arrive();
   await vi.waitUntil(() => visitor.run(() => navigator.serviceWorker.controller !== null), PATIENCE);
-  // The last that the page asks for of itself.
+  // With the next input the page asks for the whole core, for pictures of the gallery; that is the last, and kept.
   await vi.waitUntil(
     () =>
       visitor.run(() => performance.getEntriesByType('resource').some(({ name }) => name.includes('late_thumbnail'))),
+    PATIENCE,
+  );
+  await visitor.drag((await visitor.handles()).at(-1)!, [-20, -20]);
+  await vi.waitUntil(
+    () =>
+      visitor.run(async () => {
+        const kept = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+        return kept.flat().some(({ url }) => /chebnet_core[^/]*\.wasm$/.test(url));
+      }),
     PATIENCE,
   );
   closeSite();
