@@ -149,7 +149,7 @@ TEST_CASE("Seeds choose pieces, and pieces without a net say why") {
     CHECK_THAT(rest.bare[0].reason, Contains("no cell"));
 }
 
-TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be gained none is proposed") {
+TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be gained none is proposed", "[large]") {
     const Surface pebble = make_own_surface("pebble");
     const SurfaceTree tree(pebble);
     PiecesOptions options;

@@ -99,7 +99,7 @@ TEST_CASE("A surface with borders gets a net with borders") {
     CHECK(singular_count(hypar) == 0);
 }
 
-TEST_CASE("Net lines do not wave: from vertex to vertex they go on bending to the same side") {
+TEST_CASE("Net lines do not wave: from vertex to vertex they go on bending to the same side", "[large]") {
     const Net net = remeshed(Surface(samples::sphere(24)), of_cells(1500), 2);
     const Positions& x = net.rest_positions();
     const auto turn = [&](const std::vector<int>& line, std::size_t k) {
