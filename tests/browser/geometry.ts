@@ -5,6 +5,15 @@ export function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 }
 
+/** The vertex of a net that rests nearest to a point, given in parts of the net's extent in x and y. */
+export function vertexAt(restPositions: Float64Array, u: number, v: number): number {
+  const [xs, ys] = [0, 1].map((axis) => restPositions.filter((_, i) => i % 3 === axis));
+  const between = (values: Float64Array, part: number) => Math.min(...values) * (1 - part) + Math.max(...values) * part;
+  const [x, y] = [between(xs!, u), between(ys!, v)];
+  const far = Array.from(xs!, (each, vertex) => Math.hypot(each - x, ys![vertex]! - y));
+  return far.indexOf(Math.min(...far));
+}
+
 /** dL of the worst edge against `length`. */
 export function largestDeviation(positions: Float64Array, edges: Int32Array, length: number): number {
   let largest = 0;

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { centreOf } from '../../web/src/handles/transform';
 import { load } from '../wasm/load';
-import { distance, dragBy } from './geometry';
+import { distance, dragBy, vertexAt } from './geometry';
 import type { Script, Visit } from './page';
 import { OUTPUT, visits } from './page';
 
@@ -38,20 +38,13 @@ function rest(vertex: number): Vec3 {
   return [x, y, z];
 }
 
-/** The vertex that rests nearest to a point, given in parts of the net's extent in x and y. */
-function vertexAt(u: number, v: number): number {
-  const vertices = [...Array(net.info.vertices).keys()];
-  const [lowX, highX] = extent(0);
-  const [lowY, highY] = extent(1);
-  const place = [lowX + u * (highX - lowX), lowY + v * (highY - lowY)];
-  const far = (vertex: number) => Math.hypot(rest(vertex)[0] - place[0]!, rest(vertex)[1] - place[1]!);
-  return vertices.reduce((best, vertex) => (far(vertex) < far(best) ? vertex : best), 0);
-}
-
 function extent(axis: number): [number, number] {
   const values = net.restPositions.filter((_, i) => i % 3 === axis);
   return [Math.min(...values), Math.max(...values)];
 }
+
+/** The vertex at these parts of the net's extent. */
+const at = (u: number, v: number) => vertexAt(net.restPositions, u, v);
 
 async function click(vertex: number, keys: string[] = []) {
   const { x, y } = await script.screenPosition(vertex);
@@ -97,7 +90,7 @@ function hexagon({ x, y }: { x: number; y: number }, radius: number) {
   }));
 }
 
-const [left, right] = [vertexAt(0.35, 0.35), vertexAt(0.65, 0.35)];
+const [left, right] = [at(0.35, 0.35), at(0.65, 0.35)];
 const openSection = () => visit.page.getByText(/^Handles \(/).click();
 const isSelected = (vertex: number) =>
   visit.page.getByRole('button', { name: `Vertex ${vertex}`, exact: true, pressed: true });

@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import { beforeEach, describe, expect, test } from 'vitest';
 import { load } from '../wasm/load';
-import { distance, dragBy } from './geometry';
+import { distance, dragBy, vertexAt } from './geometry';
 import type { Script, Visit } from './page';
 import { OUTPUT, visits } from './page';
 
@@ -34,18 +34,8 @@ const openSection = (name: RegExp) => visit.page.locator('summary', { hasText: n
 const previewed = () =>
   visit.page.locator('svg.overlay path.preview').evaluate((path) => path.getAttribute('d')!.split('M').length - 1);
 
-/** The vertex that rests nearest to a point, given in parts of the net's extent in x and y. */
-function vertexAt(u: number, v: number): number {
-  const { restPositions: at } = net;
-  const extent = (axis: number) => {
-    const values = at.filter((_, i) => i % 3 === axis);
-    return [Math.min(...values), Math.max(...values)] as const;
-  };
-  const [[lowX, highX], [lowY, highY]] = [extent(0), extent(1)];
-  const far = (i: number) =>
-    Math.hypot(at[3 * i]! - lowX - u * (highX - lowX), at[3 * i + 1]! - lowY - v * (highY - lowY));
-  return [...Array(net.info.vertices).keys()].reduce((best, i) => (far(i) < far(best) ? i : best), 0);
-}
+/** The vertex at these parts of the net's extent. */
+const at = (u: number, v: number) => vertexAt(net.restPositions, u, v);
 
 async function click(vertex: number) {
   const { x, y } = await script.screenPosition(vertex);
@@ -53,7 +43,7 @@ async function click(vertex: number) {
   await script.settled();
 }
 
-const place = vertexAt(0.3, 0.3);
+const place = at(0.3, 0.3);
 
 describe('a patch', () => {
   beforeEach(() => open());
@@ -127,7 +117,7 @@ describe('a patch', () => {
 describe('a part of the net', () => {
   beforeEach(() => open());
 
-  const far = vertexAt(0.8, 0.8);
+  const far = at(0.8, 0.8);
   const notice = () => visit.page.getByText('Only a part of the net is shown.');
 
   /** Whether lines stand out from what is around a vertex on the screen. */
@@ -148,17 +138,17 @@ describe('a part of the net', () => {
   test('is shown alone by a button, and all of it again by another; what is hidden cannot be taken', async () => {
     await visit.page.evaluate((vertex) => window.chebnet.setHandles([...window.chebnet.handles(), { vertex }]), far);
     await script.settled();
-    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(at(0.7, 0.3))).toBe(true);
     await click(place);
     const before = await handles();
     await button('Isolate').click();
     await notice().waitFor();
     await visit.page.screenshot({ path: join(OUTPUT, 'holding-isolated.png') });
-    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(false);
+    await expect.poll(() => isSeen(at(0.7, 0.3))).toBe(false);
     await expect.poll(() => isSeen(place)).toBe(true);
 
     // Neither a vertex nor a handle: a click there is one on nothing.
-    await click(vertexAt(0.7, 0.3));
+    await click(at(0.7, 0.3));
     await click(far);
     expect(await handles()).toEqual(before);
     await bar().waitFor({ state: 'hidden' });
@@ -167,7 +157,7 @@ describe('a part of the net', () => {
 
     await visit.page.getByRole('button', { name: 'Show the whole net' }).click();
     await notice().waitFor({ state: 'detached' });
-    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(at(0.7, 0.3))).toBe(true);
     await click(far);
     await bar().waitFor();
   });
@@ -182,7 +172,7 @@ describe('a part of the net', () => {
     await notice().waitFor();
     await script.open({ recipe: SHAPE });
     await notice().waitFor({ state: 'detached' });
-    await expect.poll(() => isSeen(vertexAt(0.7, 0.3))).toBe(true);
+    await expect.poll(() => isSeen(at(0.7, 0.3))).toBe(true);
   });
 });
 
@@ -254,7 +244,7 @@ describe('a drag', () => {
   test('snaps level with other handles, which are named', async () => {
     await visit.page.getByRole('checkbox', { name: 'Snap to other handles' }).check();
     const height = (await target(corner))[2]!;
-    const low = vertexAt(0.12, 0.12);
+    const low = at(0.12, 0.12);
     await click(low);
     await visit.page.getByRole('checkbox', { name: 'Keep within reach' }).check();
     const { x, y } = await script.screenPosition(low);

@@ -265,16 +265,10 @@ test('Escape gives up a drag of the seed, and then the dialog', async () => {
 /** Clicks the picture at parts of its width and height. */
 async function clickPicture(...places: [number, number][]) {
   const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
-  for (const [across, down] of places) {
-    await visit.page.mouse.click(x + across * width, y + down * height);
-    await visit.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  }
+  for (const [across, down] of places) await visit.page.mouse.click(x + across * width, y + down * height);
 }
 
-// Tried twice: beside three other busy programs it failed once, where is not known, and not again.
-test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are opened as one', {
-  retry: 1,
-}, async () => {
+test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are opened as one', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

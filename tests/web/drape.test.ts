@@ -147,6 +147,7 @@ describe('while a net is being laid', () => {
       traced: () => told.push('traced'),
       cutsProposed: () => told.push('cutsProposed'),
       draped: () => told.push('draped'),
+      missed: () => told.push('missed'),
       progressed: (phase) => told.push(phase),
       remeshed: () => told.push('remeshed'),
       measured: () => told.push('measured'),
@@ -156,16 +157,43 @@ describe('while a net is being laid', () => {
       worker.asked.map((request) => (request.type === 'drape' ? request.settings.length : request.type));
     return { worker, told, draping, lengths };
   }
-  const [opened, draped] = answers(OPEN, { type: 'drape', settings: SETTINGS }) as [DrapeResponse, DrapeResponse];
+  const [opened, draped, measured] = answers(OPEN, { type: 'drape', settings: SETTINGS }, { type: 'measure' }) as [
+    DrapeResponse,
+    DrapeResponse,
+    DrapeResponse,
+  ];
 
-  test('only the latest request waits', () => {
+  test('of requests of one kind only the latest waits', () => {
     const { worker, told, draping, lengths } = start();
     for (const length of [1, 2, 3, 4]) draping.drape({ ...SETTINGS, length });
     expect(lengths()).toEqual([1]);
     worker.answer(draped);
     expect(lengths()).toEqual([1, 4]);
     worker.answer({ type: 'missed' });
-    expect(told).toEqual(['draped']);
+    expect(told).toEqual(['draped', 'missed']);
+    draping.close();
+  });
+
+  test('a request takes no place from one of another kind, and what is measured is of the net asked for', async () => {
+    const { worker, told, draping, lengths } = start();
+    draping.drape({ ...SETTINGS, length: 1 });
+    draping.drape({ ...SETTINGS, length: 2 });
+    draping.trace([[0, 0, 0]], 1);
+    draping.proposeCuts(SETTINGS);
+    worker.answer(draped);
+    worker.answer(draped);
+    worker.answer({ type: 'traced', cut: { points: [], path: new Float64Array() }, revision: 1 });
+    worker.answer({ type: 'cutsProposed', cuts: [], coverage: [1] });
+    expect(told).toEqual(['draped', 'draped', 'traced', 'cutsProposed']);
+    const asked = [1, 2, 'trace', 'proposeCuts', 'measure'];
+    await expect.poll(lengths).toEqual(asked);
+    draping.drape({ ...SETTINGS, length: 3 });
+    worker.answer(measured);
+    expect(told).not.toContain('measured');
+    worker.answer({ type: 'missed' });
+    await expect.poll(lengths).toEqual([...asked, 3, 'measure']);
+    worker.answer(measured);
+    expect(told.at(-1)).toBe('measured');
     draping.close();
   });
 

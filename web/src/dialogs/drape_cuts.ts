@@ -71,11 +71,6 @@ export class DrapeCuts {
     else this.#show();
   }
 
-  /** Another request may have taken the place of that for the last points. */
-  goOn(): void {
-    if (!this.#isKnown) this.#events.traceWanted(this.#points, this.#revision);
-  }
-
   setProposed(cuts: readonly Cut[], coverage: readonly number[]): void {
     this.#propose.disabled = false;
     const [before, after] = [coverage[0]!, coverage.at(-1)!];

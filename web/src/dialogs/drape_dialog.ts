@@ -131,6 +131,7 @@ export class DrapeDialog implements DraperLike {
       traced: (cut, revision) => this.#cuts.setTraced(cut, revision),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
+      missed: () => this.#results.keepNet(),
       measured: (report) => this.#results.setReport(report),
       progressed: (phase, done) => this.#maker.setProgress(phase, done),
       remeshed: (net) => this.#onRemeshed(net),
@@ -236,7 +237,6 @@ export class DrapeDialog implements DraperLike {
 
   #onDraped(net: DrapedNet): void {
     if (this.#form.isWhole) return;
-    this.#cuts.goOn();
     if (this.#isFirst) this.#picture.face(net.seed);
     this.#isFirst = false;
     this.#setNet(net);

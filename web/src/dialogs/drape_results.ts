@@ -47,8 +47,9 @@ export class DrapeResults {
     this.removeNet();
   }
 
-  /** A net is being made; setNet() or setFault() ends that. */
+  /** A net is being made, which the facts are not of; setNet(), keepNet() or setFault() ends that. */
   expectNet(): void {
+    this.#facts.classList.add('stale');
     this.#patience ??= setTimeout(() => setText(this.#making, TEXT.making), PATIENCE_MS);
   }
 
@@ -56,6 +57,12 @@ export class DrapeResults {
     clearTimeout(this.#patience);
     this.#patience = undefined;
     setText(this.#making, '');
+  }
+
+  /** None was made. */
+  keepNet(): void {
+    this.#expectNone();
+    this.#facts.classList.remove('stale');
   }
 
   removeNet(): void {
@@ -102,7 +109,7 @@ export class DrapeResults {
   }
 
   setFault(sentence: string): void {
-    this.#expectNone();
+    this.keepNet();
     this.#fault.hidden = false;
     setText(this.#fault, sentence);
   }

@@ -1,4 +1,4 @@
-/** The page's side of the draping worker. While a net is being laid only the latest request waits. */
+/** The page's side of the draping worker. While it is busy the latest request of each kind waits. */
 import type { DrapeReport, Point, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
@@ -37,6 +37,8 @@ export interface DrapingEvents {
   /** Cuts that help; `coverage` is one longer, without them and with each further one. */
   cutsProposed(cuts: Cut[], coverage: number[]): void;
   draped(net: DrapedNet): void;
+  /** The seed is beside the surface; the net of before stays. */
+  missed(): void;
   /** @param done of the phase, 0 … 1. */
   progressed(phase: RemeshPhase, done: number): void;
   remeshed(net: RemeshedNet): void;
@@ -54,7 +56,9 @@ export class Draping {
   /** The surface that is being opened was open before, in a worker that has been stopped. */
   #isReopening = false;
   #isBusy = false;
-  #next: DrapeRequest | null = null;
+  /** At most one of each type, in the order in which they came; with another surface all before it are gone. */
+  #waiting: readonly DrapeRequest[] = [];
+  #isMeasured = true;
   #still: ReturnType<typeof setTimeout> | undefined;
 
   constructor(spawn: () => DrapeWorkerLike, events: DrapingEvents) {
@@ -74,22 +78,21 @@ export class Draping {
   }
 
   trace(points: (Point | Ray)[], revision: number): void {
-    if (this.#next?.type !== 'open') this.#ask({ type: 'trace', points, revision });
+    this.#askOfSurface({ type: 'trace', points, revision });
   }
 
   /** Takes a while. */
   proposeCuts(settings: DrapeSettings): void {
-    if (this.#next?.type !== 'open') this.#ask({ type: 'proposeCuts', settings });
+    this.#askOfSurface({ type: 'proposeCuts', settings });
   }
 
   drape(settings: DrapeSettings): void {
-    // It would be of the surface before.
-    if (this.#next?.type !== 'open') this.#ask({ type: 'drape', settings });
+    this.#askOfSurface({ type: 'drape', settings });
   }
 
   /** A net over the whole surface, which takes a while. */
   remesh(options: RemeshOptions): void {
-    if (this.#next?.type !== 'open') this.#ask({ type: 'remesh', options });
+    this.#askOfSurface({ type: 'remesh', options });
   }
 
   /** Gives up what is being made; the surface stays open. */
@@ -97,7 +100,8 @@ export class Draping {
     this.close();
     this.#worker = this.#start();
     this.#isBusy = false;
-    this.#next = null;
+    this.#waiting = [];
+    this.#isMeasured = true;
     if (this.#source === null) return;
     this.#isReopening = true;
     this.#ask({ type: 'open', source: this.#source });
@@ -116,25 +120,39 @@ export class Draping {
     return worker;
   }
 
+  /** While another surface is to be opened, it would be of the surface before. */
+  #askOfSurface(request: DrapeRequest): void {
+    if (!this.#waits('open')) this.#ask(request);
+  }
+
   #ask(request: DrapeRequest): void {
     clearTimeout(this.#still);
-    if (this.#isBusy) {
-      this.#next = request;
-      return;
-    }
+    if (!this.#isBusy) this.#post(request);
+    else if (request.type === 'open') this.#waiting = [request];
+    else this.#waiting = [...this.#waiting.filter(({ type }) => type !== request.type), request];
+  }
+
+  #post(request: DrapeRequest): void {
     this.#isBusy = true;
+    if (request.type === 'open' || request.type === 'measure') this.#isMeasured = true;
     this.#worker.postMessage(request);
+  }
+
+  #waits(...types: DrapeRequest['type'][]): boolean {
+    return this.#waiting.some(({ type }) => types.includes(type));
   }
 
   #receive(response: DrapeResponse): void {
     if (response.type === 'progress') return this.#events.progressed(response.phase, response.done);
     this.#isBusy = false;
-    const next = this.#next;
-    this.#next = null;
-    if (next !== null) this.#ask(next);
-    if (next?.type !== 'open') this.#tell(response);
-    if ((response.type === 'draped' || response.type === 'remeshed') && next === null && !this.#isBusy)
-      this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
+    const isOld = this.#waits('open') || (response.type === 'measured' && this.#waits('drape', 'remesh'));
+    if (response.type === 'draped' || response.type === 'remeshed' || (response.type === 'measured' && isOld))
+      this.#isMeasured = false;
+    const [next, ...others] = this.#waiting;
+    this.#waiting = others;
+    if (next !== undefined) this.#post(next);
+    if (!isOld) this.#tell(response);
+    if (!this.#isBusy && !this.#isMeasured) this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
   }
 
   #tell(response: DrapeResponse): void {
@@ -143,6 +161,7 @@ export class Draping {
     else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
     else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);
+    else if (response.type === 'missed') this.#events.missed();
     else if (response.type === 'remeshed') this.#events.remeshed(response);
     else if (response.type === 'measured') this.#events.measured(response.report);
     else if (response.type === 'error')
