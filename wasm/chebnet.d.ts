@@ -554,6 +554,46 @@ export interface RemeshOptions {
   smallestAngle?: number;
   /** 0 … 100, 1 unless said otherwise: the more, the larger are the bumps that make no singular vertices. */
   smoothing?: number;
+  /** Where singular vertices are wanted. Not always kept: see `kept` of what comes of it. */
+  singular?: readonly WishedSingular[];
+  /** Where none are wanted. */
+  forbidden?: readonly ForbiddenRegion[];
+  /** No others than `singular` are wanted. On a closed piece of the surface 4 − valence must then add up to four times its
+   *  Euler characteristic; a `bad_option` says what is missing. */
+  only?: boolean;
+}
+
+/** A singular vertex where it is wanted: on the surface, or that point of it which is nearest. */
+export interface WishedSingular {
+  point: Readonly<Point>;
+  valence: 3 | 5 | 6;
+}
+
+/** The part of a surface that is in a ball; the radius is in the surface's unit. */
+export interface ForbiddenRegion {
+  centre: Readonly<Point>;
+  radius: number;
+}
+
+/** An inner vertex of a net at which other than four edges meet. */
+export interface SingularVertex {
+  vertex: number;
+  valence: number;
+  position: Point;
+}
+
+/** What has become of what was wanted. */
+export interface KeptWishes {
+  /** Of each of `singular`, whether one of its valence stands within one and a half edges of its point. */
+  vertices: boolean[];
+  /** Of each, how far away the nearest of its valence stands, in edges; null: there is none. */
+  distances: (number | null)[];
+  /** Of each of `forbidden`, the singular vertices that stand in it. */
+  intruders: number[];
+  /** Singular vertices beyond those wanted, if there were to be none. */
+  others: number;
+  /** One for each wish that is not kept. */
+  sentences: string[];
 }
 
 /** What is done, in this order. */
@@ -564,6 +604,9 @@ export interface Remesh {
   mesh: Mesh;
   /** Ascending by valence. */
   singularVertices: { valence: number; count: number }[];
+  /** Each of them, in the order of their numbers. */
+  singular: SingularVertex[];
+  kept: KeptWishes;
   milliseconds: Record<RemeshPhase, number>;
 }
 

@@ -471,6 +471,12 @@ function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smalles
   };
 }
 
+/** @template T @param {readonly T[]} value @param {string} what */
+function list(value, what) {
+  if (!Array.isArray(value)) throw failure('bad_option', `${what} must be an array, not ${shown(value)}`);
+  return /** @type {readonly T[]} */ (value);
+}
+
 /** @param {readonly Readonly<Point>[]} points */
 function cutPoints(points) {
   return Float64Array.from(points.flatMap((point) => finite(point, 'a point of a cut')));
@@ -549,12 +555,24 @@ class WasmSurface {
   }
 
   /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
-  remesh({ cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1 } = {}, progress = () => {}) {
+  remesh(
+    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, singular = [], forbidden = [], only = false } = {},
+    progress = () => {},
+  ) {
     const options = {
       cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
       length: size(length, 'an edge length'),
       smallestAngle: size(smallestAngle, 'the shear limit'),
       smoothing: size(smoothing, 'the smoothing'),
+      singular: list(singular, 'singular vertices').map(({ point, valence }) => ({
+        point: finite(point, 'the place of a singular vertex'),
+        valence: /** @type {3 | 5 | 6} */ (integer(valence, 'the valence of a singular vertex', 3, LARGEST_INT)),
+      })),
+      forbidden: list(forbidden, 'forbidden regions').map(({ centre, radius }) => ({
+        centre: finite(centre, 'the centre of a forbidden region'),
+        radius: size(radius, 'the radius of a forbidden region'),
+      })),
+      only: only === true,
     };
     return this.#open.remesh(options, progress);
   }

@@ -184,13 +184,53 @@ val singular_vertices_out(const Net& net) {
     return list;
 }
 
-/// `options`: an object with all fields of RemeshOptions; `progress`: a function of a phase and a part.
+SingularWishes wishes_in(const val& options) {
+    SingularWishes wishes;
+    for (const val& row : emscripten::vecFromJSArray<val>(options["singular"]))
+        wishes.vertices.push_back({vector_in(row["point"]), row["valence"].as<int>()});
+    for (const val& row : emscripten::vecFromJSArray<val>(options["forbidden"]))
+        wishes.forbidden.push_back({vector_in(row["centre"]), row["radius"].as<double>()});
+    wishes.only = options["only"].as<bool>();
+    return wishes;
+}
+
+val singular_out(const std::vector<SingularVertex>& vertices) {
+    val list = val::array();
+    for (const SingularVertex& singular : vertices) {
+        val row = val::object();
+        row.set("vertex", singular.vertex);
+        row.set("valence", singular.valence);
+        row.set("position", vector_out(singular.position));
+        list.call<void>("push", row);
+    }
+    return list;
+}
+
+val kept_out(const SingularWishes& wishes, const KeptWishes& kept) {
+    val vertices = val::array(), distances = val::array(), intruders = val::array(), sentences = val::array();
+    for (const bool is_kept : kept.vertices) vertices.call<void>("push", is_kept);
+    for (const double distance : kept.distances)
+        distances.call<void>("push", distance < 0 ? val::null() : val(distance));
+    for (const int count : kept.intruders) intruders.call<void>("push", count);
+    for (const std::string& sentence : unkept_wishes(wishes, kept)) sentences.call<void>("push", sentence);
+    val object = val::object();
+    object.set("vertices", vertices);
+    object.set("distances", distances);
+    object.set("intruders", intruders);
+    object.set("others", kept.others);
+    object.set("sentences", sentences);
+    return object;
+}
+
+/// `options`: an object with all fields of RemeshOptions and of SingularWishes; `progress`: a function of a phase and a
+/// part.
 val remesh_surface(const OpenSurface& open, val options, val progress) {
     RemeshOptions wanted;
     wanted.cells = options["cells"].as<int>();
     wanted.length = options["length"].as<double>();
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
+    wanted.singular = wishes_in(options);
     const Remesh made = remesh(open.guide, wanted,
                                [&](RemeshPhase phase, double done) { progress(std::string(to_string(phase)), done); });
     val milliseconds = val::object();
@@ -199,6 +239,8 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     val object = val::object();
     object.set("mesh", mesh_of_net(made.net));
     object.set("singularVertices", singular_vertices_out(made.net));
+    object.set("singular", singular_out(made.singular));
+    object.set("kept", kept_out(wanted.singular, made.kept));
     object.set("milliseconds", milliseconds);
     return object;
 }

@@ -1,14 +1,21 @@
 #include "remesh/remesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "base/error.h"
+#include "base/number.h"
 #include "base/stopwatch.h"
+#include "base/text.h"
 #include "command.h"
 #include "drape/drape.h"
-#include "net/topology.h"
 #include "net_output.h"
 #include "report.h"
 #include "surface_argument.h"
@@ -21,18 +28,71 @@ struct RemeshArguments {
     NetOutput output;
     RemeshOptions options;
     double smallest_angle = 30;
+    std::vector<std::string> singular, forbidden;
 };
 
-Json remesh_report(const Net& net, const DrapeReport& measured) {
-    Json report = net_on_surface_report(net, measured);
-    Json by_valence = Json::object();
-    int singular = 0;
-    for (const auto& [valence, count] : Topology(net).singular_vertices()) {
-        by_valence[std::to_string(valence)] = count;
-        singular += count;
+/// "X,Y,Z:NUMBER".
+std::pair<Eigen::Vector3d, double> point_and_number(const std::string& text, const char* option, const char* form) {
+    std::vector<double> numbers;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(numbers.size() < 2 ? ',' : ':', start), text.size());
+        const std::optional<double> number = parse_number(std::string_view(text).substr(start, end - start));
+        if (!number || numbers.size() == 4)
+            throw Error(ErrorCode::bad_syntax, std::string(option) + " " + chebnet::quoted(text) + " is not " + form);
+        numbers.push_back(*number);
+        start = end + 1;
     }
-    report["singular_vertices"] = singular;
+    if (numbers.size() != 4)
+        throw Error(ErrorCode::bad_syntax, std::string(option) + " " + chebnet::quoted(text) + " is not " + form);
+    return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+}
+
+void read_wishes(const RemeshArguments& arguments, SingularWishes& wishes) {
+    for (const std::string& text : arguments.singular) {
+        const auto [point, valence] = point_and_number(text, "--singular", "X,Y,Z:VALENCE");
+        if (valence != std::round(valence) || !(std::abs(valence) < 100))
+            throw Error(ErrorCode::bad_syntax,
+                        "--singular " + chebnet::quoted(text) + ": the valence is no whole number");
+        wishes.vertices.push_back({point, static_cast<int>(valence)});
+    }
+    for (const std::string& text : arguments.forbidden) {
+        const auto [centre, radius] = point_and_number(text, "--forbid", "X,Y,Z:RADIUS");
+        wishes.forbidden.push_back({centre, radius});
+    }
+}
+
+Json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+/// What was wished for, and what came of it.
+Json wishes_report(const SingularWishes& wishes, const KeptWishes& kept) {
+    Json vertices = Json::array(), forbidden = Json::array(), unkept = Json::array();
+    for (std::size_t k = 0; k < wishes.vertices.size(); ++k)
+        vertices.push_back({{"point", point_json(wishes.vertices[k].point)},
+                            {"valence", wishes.vertices[k].valence},
+                            {"kept", static_cast<bool>(kept.vertices[k])},
+                            {"distance_in_edges", kept.distances[k] < 0 ? Json() : Json(kept.distances[k])}});
+    for (std::size_t k = 0; k < wishes.forbidden.size(); ++k)
+        forbidden.push_back({{"centre", point_json(wishes.forbidden[k].centre)},
+                             {"radius", wishes.forbidden[k].radius},
+                             {"kept", kept.intruders[k] == 0},
+                             {"singular_vertices", kept.intruders[k]}});
+    for (const std::string& sentence : unkept_wishes(wishes, kept)) unkept.push_back(sentence);
+    return {{"vertices", vertices}, {"forbidden", forbidden}, {"only", wishes.only}, {"not_kept", unkept}};
+}
+
+Json remesh_report(const Remesh& made, const DrapeReport& measured, const SingularWishes& wishes) {
+    Json report = net_on_surface_report(made.net, measured);
+    Json by_valence = Json::object(), list = Json::array();
+    for (const SingularVertex& singular : made.singular) {
+        Json& count = by_valence[std::to_string(singular.valence)];
+        count = (count.is_null() ? 0 : count.get<int>()) + 1;
+        list.push_back(
+            {{"vertex", singular.vertex}, {"valence", singular.valence}, {"position", point_json(singular.position)}});
+    }
+    report["singular_vertices"] = made.singular.size();
     report["singular_vertices_by_valence"] = by_valence;
+    report["singular"] = list;
+    if (!wishes.is_empty()) report["wishes"] = wishes_report(wishes, made.kept);
     return report;
 }
 
@@ -43,6 +103,7 @@ int run_remesh(const RemeshArguments& arguments) {
     Json milliseconds = {{"tree", watch.milliseconds()}};
     RemeshOptions options = arguments.options;
     options.smallest_angle = arguments.smallest_angle * std::numbers::pi / 180;
+    read_wishes(arguments, options.singular);
     const Remesh made = remesh(guide, options);
     for (int phase = 0; phase < k_remesh_phases; ++phase)
         milliseconds[to_string(static_cast<RemeshPhase>(phase))] = made.milliseconds[phase];
@@ -50,7 +111,7 @@ int run_remesh(const RemeshArguments& arguments) {
     const DrapeReport measured = measure_drape(guide->surface(), guide->tree(), made.net);
     print({{"surface", name_of(arguments.surface)},
            {"described", surface_report(describe(guide->surface()))},
-           {"net", remesh_report(made.net, measured)},
+           {"net", remesh_report(made, measured, options.singular)},
            {"milliseconds", milliseconds}});
     return k_success;
 }
@@ -80,6 +141,18 @@ Command add_remesh(CLI::App& program) {
                     "The more, the larger are the bumps that make no singular vertices: 0 to 100")
         ->type_name("NUMBER")
         ->capture_default_str();
+    command
+        .add_option("--singular", arguments->singular,
+                    "A singular vertex is wanted at that point, of valence 3, 5 or 6; may be given again")
+        ->type_name("X,Y,Z:VALENCE")
+        ->allow_extra_args(false);
+    command
+        .add_option("--forbid", arguments->forbidden,
+                    "No singular vertex is wanted within the radius of that point; may be given again")
+        ->type_name("X,Y,Z:RADIUS")
+        ->allow_extra_args(false);
+    command.add_flag("--only-these", arguments->options.singular.only,
+                     "No singular vertices are wanted but those of --singular");
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments] { return run_remesh(*arguments); }};
 }

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <random>
+
+#include "surface/surface_tree.h"
 
 namespace chebnet {
 
@@ -15,6 +18,12 @@ using Complex = std::complex<double>;
 
 // Of the boundary's direction, where an edge inside counts 1.
 constexpr double k_boundary_weight = 1;
+// The same where the singular vertices wished for do not allow a field along the boundary.
+constexpr double k_unaligned_weight = 0.01;
+// Of the way between two pinned vertices, at so many points; others than the nearest, but as near, are next to one,
+// too.
+constexpr double k_between_weight = 0.01, k_as_near = 1.15;
+constexpr int k_held_points = 16;
 // Added to the diagonal, relative to an edge: inverse iteration takes it off as many times as it is smaller than the
 // eigenvalues.
 constexpr double k_shift = 1e-5;
@@ -82,22 +91,101 @@ std::vector<Frame> vertex_frames(const Surface& surface, int smoothing) {
     return frames;
 }
 
+/// How directions go from vertex to vertex, and along what they are held.
+struct Connection {
+    std::vector<Complex> transports;  // of each side, from its beginning to its end
+    std::vector<Complex> targets;     // of each vertex the sum over its sides on the boundary
+    std::vector<double> weights;      // of each vertex, of such a side
+    std::vector<bool> is_pinned;      // of each vertex: directions turn around it, so its own is not one of theirs
+};
+
+Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames) {
+    Connection connection;
+    connection.targets.assign(frames.size(), 0);
+    connection.weights.assign(frames.size(), k_boundary_weight);
+    connection.is_pinned.assign(frames.size(), false);
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
+        const int a = surface.from(s), b = surface.to(s);
+        connection.transports.push_back(transport(frames[a], frames[b]));
+        if (surface.opposite(s) >= 0) continue;
+        const Eigen::Vector3d along = surface.positions().col(b) - surface.positions().col(a);
+        for (const int v : {a, b}) connection.targets[v] += fourth_power(unit(frames[v].of(along)));
+    }
+    return connection;
+}
+
+double angle_of(Complex z) { return std::atan2(z.imag(), z.real()); }
+
+/// Four times the area of the triangle of three unit vectors on the sphere (van Oosterom & Strackee 1983).
+double curvature_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    return 8 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+}
+
+/// If there are to be no others, pinned vertices leave the field free to turn as a whole. It is to go straight from
+/// each to those next to it, and so net lines join them.
+void hold_between_pins(Connection& connection, const Surface& surface, const std::vector<Frame>& frames,
+                       const PlacedWishes& wishes) {
+    const SurfaceTree tree(surface);
+    const auto at = [&](const PlacedWishes::Pin& pin) { return surface.positions().col(pin.vertex); };
+    for (const PlacedWishes::Pin& from : wishes.pins) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const PlacedWishes::Pin& to : wishes.pins)
+            if (to.vertex != from.vertex) least = std::min(least, (at(to) - at(from)).norm());
+        for (const PlacedWishes::Pin& to : wishes.pins) {
+            const Eigen::Vector3d way = at(to) - at(from);
+            if (to.vertex == from.vertex || way.norm() > k_as_near * least) continue;
+            for (int k = 1; k < k_held_points; ++k) {
+                const int face = tree.nearest(at(from) + k * way / k_held_points).at.face;
+                for (const int v : surface.triangles().col(face))
+                    connection.targets[v] += k_between_weight * fourth_power(unit(frames[v].of(way)));
+            }
+        }
+    }
+}
+
+/// Turned so that singular vertices are where they are wished for.
+void turn(Connection& connection, const Surface& surface, const std::vector<Frame>& frames,
+          const PlacedWishes& wishes) {
+    std::vector<double> curvature, border(connection.transports.size(), 0.0);
+    for (int f = 0; f < surface.face_count(); ++f) {
+        const auto& corners = surface.triangles().col(f);
+        curvature.push_back(
+            curvature_of(frames[corners[0]].normal, frames[corners[1]].normal, frames[corners[2]].normal));
+    }
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        if (surface.opposite(s) < 0)
+            border[s] =
+                angle_of(times(connection.targets[surface.to(s)],
+                               std::conj(times(connection.transports[s], connection.targets[surface.from(s)]))));
+    const TurnedConnection turned = turned_connection(surface, curvature, border, wishes);
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        connection.transports[s] =
+            times(connection.transports[s], {std::cos(turned.angles[s]), std::sin(turned.angles[s])});
+    for (int v = 0; v < surface.vertex_count(); ++v)
+        if (turned.is_unaligned[v]) connection.weights[v] = k_unaligned_weight;
+    for (const PlacedWishes::Pin& pin : wishes.pins) connection.is_pinned[pin.vertex] = true;
+    if (wishes.only) hold_between_pins(connection, surface, frames, wishes);
+}
+
 /// Σ over edges |z_to − r z_from|² + Σ over the boundary |z − b|² as a real system, two rows for each vertex.
 class Smoother {
 public:
-    Smoother(const Surface& surface, const std::vector<Frame>& frames) : m_size(2 * surface.vertex_count()) {
+    Smoother(const Surface& surface, const Connection& connection) : m_size(2 * surface.vertex_count()) {
         std::vector<Eigen::Triplet<double>> entries;
         m_target.setZero(m_size);
+        for (int v = 0; v < surface.vertex_count(); ++v) {
+            m_target[2 * v] = connection.weights[v] * connection.targets[v].real();
+            m_target[2 * v + 1] = connection.weights[v] * connection.targets[v].imag();
+        }
         for (int s = 0; s < 3 * surface.face_count(); ++s) {
             const int a = surface.from(s), b = surface.to(s);
-            if (surface.opposite(s) < 0) {
-                hold(entries, frames, a, surface.positions().col(b) - surface.positions().col(a));
-                hold(entries, frames, b, surface.positions().col(b) - surface.positions().col(a));
-            }
+            if (surface.opposite(s) < 0)
+                for (const int v : {a, b})
+                    for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, connection.weights[v]);
             if (surface.opposite(s) >= 0 && surface.opposite(s) < s) continue;
-            const Complex r = transport(frames[a], frames[b]);
             for (const int v : {a, b})
                 for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, 1);
+            const Complex r = connection.transports[s];
             const double block[2][2] = {{-r.real(), r.imag()}, {-r.imag(), -r.real()}};
             for (int i = 0; i < 2; ++i)
                 for (int j = 0; j < 2; ++j) {
@@ -135,14 +223,6 @@ public:
     }
 
 private:
-    void hold(std::vector<Eigen::Triplet<double>>& entries, const std::vector<Frame>& frames, int v,
-              const Eigen::Vector3d& along) {
-        const Complex target = fourth_power(unit(frames[v].of(along)));
-        m_target[2 * v] += k_boundary_weight * target.real();
-        m_target[2 * v + 1] += k_boundary_weight * target.imag();
-        for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, k_boundary_weight);
-    }
-
     void factorize(double shift) {
         Eigen::SparseMatrix<double> shifted = m_matrix;
         for (int k = 0; k < m_size; ++k) shifted.coeffRef(k, k) += shift;
@@ -179,9 +259,11 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 
 }  // namespace
 
-DirectionField smoothest_field(const Surface& surface, int smoothing) {
+DirectionField smoothest_field(const Surface& surface, int smoothing, const PlacedWishes* wishes) {
     const std::vector<Frame> frames = vertex_frames(surface, smoothing);
-    const std::vector<Complex> at_vertices = Smoother(surface, frames).run();
+    Connection connection = natural_connection(surface, frames);
+    if (wishes) turn(connection, surface, frames, *wishes);
+    const std::vector<Complex> at_vertices = Smoother(surface, connection).run();
     DirectionField field;
     field.directions.resize(3, surface.face_count());
     for (int f = 0; f < surface.face_count(); ++f) {
@@ -189,7 +271,7 @@ DirectionField smoothest_field(const Surface& surface, int smoothing) {
         Complex sum = 0;
         for (int k = 0; k < 3; ++k) {
             const int v = surface.triangles()(k, f);
-            sum += times(transport(frames[v], frame), at_vertices[v]);
+            if (!connection.is_pinned[v]) sum += times(transport(frames[v], frame), at_vertices[v]);
         }
         field.directions.col(f) = frame.direction(fourth_root(unit(sum)));
     }

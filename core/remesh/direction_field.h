@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "remesh/connection.h"
 #include "surface/surface.h"
 
 namespace chebnet {
@@ -18,8 +19,9 @@ struct DirectionField {
 
 /// The smoothest field (Knöppel, Crane, Pinkall & Schröder, Globally Optimal Direction Fields, 2013), along the
 /// boundary where there is one. Directions go from vertex to vertex as the normals turn, after so many rounds of
-/// smoothing these: the more there are, the less noise and small bumps make singular vertices.
-DirectionField smoothest_field(const Surface& surface, int smoothing);
+/// smoothing these: the more there are, the less noise and small bumps make singular vertices. `wishes`, if there are
+/// any, say where these are to be, and turn the way of directions from vertex to vertex for it.
+DirectionField smoothest_field(const Surface& surface, int smoothing, const PlacedWishes* wishes = nullptr);
 
 /// The vertices whose holonomy is not 0.
 int singular_count(const DirectionField& field);

@@ -95,6 +95,7 @@ private:
     void make_fair() {
         const bool fits = m_options.length == 0;
         const Net net = with_length(m_length);
+        m_pulls = m_options.pulls;
         for (const int v : m_border) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
         FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
         double done = 0;
@@ -185,6 +186,7 @@ private:
         m_force.setZero(3, m_positions.cols());
         draw_to_surface();
         draw_to_border();
+        draw_to_points();
         for (const Bend& bend : m_bends) straighten(bend);
         for (const Bar& edge : m_edges) pull(edge, 1);
         const double shortest = 2 * std::sin(m_options.smallest_angle / 2) + k_diagonal_margin;
@@ -232,6 +234,13 @@ private:
             const double weight = k_border * k_hold;
             m_system->add_at_node(v, weight * (Eigen::Matrix3d::Identity() - along * along.transpose()));
             m_force.col(v) -= weight / m_length * (away - away.dot(along) * along);
+        }
+    }
+
+    void draw_to_points() {
+        for (const Pull& pull : m_options.pulls) {
+            m_system->add_at_node(pull.vertex, pull.weight * Eigen::Matrix3d::Identity());
+            m_force.col(pull.vertex) -= pull.weight / m_length * (m_positions.col(pull.vertex) - pull.target);
         }
     }
 
@@ -316,7 +325,7 @@ private:
     double m_length;
     Positions m_positions;
     std::vector<int> m_guess;
-    std::vector<Pull> m_pulls;                  // of the border, to where it is once edges are even
+    std::vector<Pull> m_pulls;                  // those asked for, and the border to where it is once edges are even
     std::vector<int> m_border, m_border_sides;  // vertices of the net, sides of the surface
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "net/mesh.h"
 #include "net/net.h"
+#include "solve/pull.h"
 #include "surface/guide.h"
 
 namespace chebnet {
@@ -12,6 +14,7 @@ namespace chebnet {
 struct FitOptions {
     double length = 0;          ///< L, of all edges; 0: the one that fits best
     double smallest_angle = 0;  ///< of corners of quads, radians
+    std::vector<Pull> pulls;    ///< of vertices of the mesh, each towards a point of the surface
 };
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.

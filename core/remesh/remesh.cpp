@@ -17,6 +17,7 @@
 #include "net/topology.h"
 #include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
+#include "remesh/connection.h"
 #include "remesh/direction_field.h"
 #include "remesh/even_triangles.h"
 #include "remesh/fit.h"
@@ -37,8 +38,12 @@ constexpr double k_most_smoothing = 100;
 constexpr double k_smoothings[] = {1, 0.3, 3};
 constexpr double k_sizes[] = {1, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5};
 constexpr double k_least_size_for_length = 0.9;
-// So many nets with corners beyond the limit are enough.
-constexpr int k_most_sharp_nets = 2;
+// So many nets with corners beyond the limit, or other singular vertices than those wished for, are enough.
+constexpr int k_most_lesser_nets = 2;
+// A singular vertex farther from where one is wished for, in cells, is another one.
+constexpr double k_near = 3;
+// By which one is drawn to its place, beside edges that weigh 1 (see Pull).
+constexpr double k_pull = 10;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
@@ -65,12 +70,21 @@ public:
     Remesh run() {
         begin(RemeshPhase::triangles);
         m_triangles.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell));
+        if (!m_options.singular.is_empty())
+            m_wishes = placed(m_options.singular, *m_triangles, m_guide->tree(), m_cell);
         for (const double size : k_sizes)
             for (const double smoothing : k_smoothings)
-                if (const auto net = try_once(size, smoothing * m_options.smoothing)) return result(*net);
-        if (!m_sharp_nets.empty()) return result(m_sharp_nets.front());
-        throw Error(ErrorCode::bad_option,
-                    "cells of this size do not cover the surface; smaller ones may: " + m_first_failure);
+                if (try_once(size, smoothing * m_options.smoothing)) return result(m_found.back());
+        const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
+            return a.kept.missed() < b.kept.missed();
+        });
+        if (best != m_found.end()) return result(*best);
+        throw Error(
+            ErrorCode::bad_option,
+            (m_wishes ? "no net was found with singular vertices as they are wished for; other wishes or smaller "
+                        "cells may lead to one: "
+                      : "cells of this size do not cover the surface; smaller ones may: ") +
+                m_first_failure);
     }
 
 private:
@@ -87,26 +101,34 @@ private:
         if (m_progress) m_progress(m_phase, done);
     }
 
-    /// Nothing where no net comes of it, or corners are beyond the limit.
-    std::optional<Net> try_once(double size, double smoothing) {
-        if (std::ssize(m_sharp_nets) == k_most_sharp_nets) return std::nullopt;
-        if (m_options.length > 0 && size < k_least_size_for_length) return std::nullopt;
+    struct Found {
+        Net net;
+        std::vector<SingularVertex> singular;
+        KeptWishes kept;
+    };
+
+    /// Whether the last net found is as it should be.
+    bool try_once(double size, double smoothing) {
+        if (std::ssize(m_found) == k_most_lesser_nets) return false;
+        if (m_options.length > 0 && size < k_least_size_for_length) return false;
         try {
             Net net = attempt(size, smoothing);
-            if (corner_angle_range(net, net.rest_positions()).smallest >= m_options.smallest_angle - k_angle_tolerance)
-                return net;
-            m_sharp_nets.push_back(std::move(net));
+            const double smallest = corner_angle_range(net, net.rest_positions()).smallest;
+            std::vector<SingularVertex> singular = singular_vertices(net);
+            KeptWishes kept = kept_wishes(net, singular, m_options.singular);
+            m_found.push_back({std::move(net), std::move(singular), std::move(kept)});
+            return smallest >= m_options.smallest_angle - k_angle_tolerance && m_found.back().kept.missed() == 0;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
             if (m_first_failure.empty()) m_first_failure = error.what();
         }
-        return std::nullopt;
+        return false;
     }
 
     Net attempt(double size, double smoothing) {
         begin(RemeshPhase::field);
         const int rounds = static_cast<int>(smoothing * m_triangles->vertex_count() / k_vertices_a_round);
-        const DirectionField field = smoothest_field(*m_triangles, rounds);
+        const DirectionField field = smoothest_field(*m_triangles, rounds, m_wishes ? &*m_wishes : nullptr);
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
@@ -114,8 +136,34 @@ private:
         const Mesh mesh = mesh_of(cells_of(*m_triangles, fit_grid(*m_triangles, field, size * m_cell)));
         check(mesh);
         begin(RemeshPhase::fit);
-        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle},
+        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle, pulls(mesh)},
                        [this](double done) { tell(done); });
+    }
+
+    /// Of the singular vertices wished for, each towards its point; of others near a forbidden region, to where they
+    /// are.
+    std::vector<Pull> pulls(const Mesh& mesh) const {
+        const SingularWishes& wishes = m_options.singular;
+        if (wishes.is_empty()) return {};
+        const std::vector<SingularVertex> singular =
+            singular_vertices(Net(mesh.positions, mesh.faces, RestLengths::own));
+        const std::vector<int> stands = standing_for(wishes, singular, k_near * m_cell);
+        std::vector<Pull> result;
+        for (std::size_t k = 0; k < stands.size(); ++k)
+            if (stands[k] >= 0)
+                result.push_back(
+                    {singular[stands[k]].vertex, m_guide->tree().nearest(wishes.vertices[k].point).position, k_pull});
+        for (int k = 0; k < std::ssize(singular); ++k)
+            if (std::find(stands.begin(), stands.end(), k) == stands.end() && is_near_forbidden(singular[k].position))
+                result.push_back({singular[k].vertex, singular[k].position, k_pull});
+        return result;
+    }
+
+    bool is_near_forbidden(const Eigen::Vector3d& point) const {
+        const std::vector<ForbiddenRegion>& regions = m_options.singular.forbidden;
+        return std::any_of(regions.begin(), regions.end(), [&](const ForbiddenRegion& region) {
+            return (point - region.centre).norm() < region.radius + 2 * k_near * m_cell;
+        });
     }
 
     /// It has to be of one piece where the surface is, and have no other holes and handles.
@@ -145,9 +193,9 @@ private:
                             std::to_string(euler_characteristic(m_surface)) + ")");
     }
 
-    Remesh result(Net net) {
+    Remesh result(Found& found) {
         end_phase();
-        return {std::move(net), m_milliseconds};
+        return {std::move(found.net), std::move(found.singular), std::move(found.kept), m_milliseconds};
     }
 
     std::shared_ptr<const Guide> m_guide;
@@ -156,7 +204,8 @@ private:
     const RemeshProgress& m_progress;
     double m_cell;  // the length of the grid's cells
     std::optional<Surface> m_triangles;
-    std::vector<Net> m_sharp_nets;
+    std::optional<PlacedWishes> m_wishes;
+    std::vector<Found> m_found;
     std::string m_first_failure;
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
@@ -170,7 +219,8 @@ const char* to_string(RemeshPhase phase) {
     return k_names[static_cast<int>(phase)];
 }
 
-void check_remesh(const Surface& surface, const RemeshOptions& options) {
+void check_remesh(const Guide& guide, const RemeshOptions& options) {
+    const Surface& surface = guide.surface();
     for (const double number : {options.length, options.smallest_angle, options.smoothing})
         if (!std::isfinite(number)) throw Error(ErrorCode::non_finite, "a number for the net is not finite");
     if (!(options.length >= 0)) throw Error(ErrorCode::bad_option, "the length of the edges must be positive");
@@ -188,11 +238,12 @@ void check_remesh(const Surface& surface, const RemeshOptions& options) {
         throw Error(ErrorCode::too_large, "the net would have about " + number_text(cells, 3) + " cells; more than " +
                                               std::to_string(k_most_remeshed_cells) +
                                               " are not made of a whole surface");
+    check_wishes(guide, options.singular);
 }
 
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress) {
-    check_remesh(surface->surface(), options);
+    check_remesh(*surface, options);
     return Remesher(surface, options, progress).run();
 }
 

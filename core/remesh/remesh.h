@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 #include "net/net.h"
+#include "remesh/singular_wishes.h"
 #include "surface/guide.h"
 
 namespace chebnet {
@@ -18,6 +20,7 @@ struct RemeshOptions {
     double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
+    SingularWishes singular;
 };
 
 /// What is done, in this order.
@@ -34,9 +37,11 @@ const char* to_string(RemeshPhase phase);
 /// Is told which phase has come how far (0 … 1). Whoever wants an end throws.
 using RemeshProgress = std::function<void(RemeshPhase phase, double done)>;
 
-/// A net on a whole surface, and how long each phase took.
+/// A net on a whole surface, what its singular vertices are, and how long each phase took.
 struct Remesh {
     Net net;
+    std::vector<SingularVertex> singular;
+    KeptWishes kept;
     std::array<double, k_remesh_phases> milliseconds{};
 };
 
@@ -44,15 +49,17 @@ struct Remesh {
 /// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
-/// surface. The same input gives the same net.
+/// surface. The same input gives the same net. What is wished of its singular vertices is not always kept; of the nets
+/// that are tried the one that keeps most of it is given, with what it keeps.
 ///
-/// Throws Error bad_option (numbers out of range; a surface that is too thin or too narrow somewhere for cells of this
-/// size, with what and where; no such net found), non_finite, too_large, and as the constructor of Surface does.
+/// Throws Error bad_option (numbers out of range; wishes as check_wishes does; a surface that is too thin or too narrow
+/// somewhere for cells of this size, with what and where; no such net found), non_finite, too_large, and as the
+/// constructor of Surface does.
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 
-/// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers alone.
-void check_remesh(const Surface& surface, const RemeshOptions& options);
+/// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers and wishes alone.
+void check_remesh(const Guide& guide, const RemeshOptions& options);
 
 inline constexpr int k_least_remeshed_cells = 20, k_most_remeshed_cells = 100'000;
 

@@ -591,6 +591,39 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
 }
 
+TEST_CASE("remesh takes wishes for singular vertices, and reports which were kept") {
+    const Sandbox box;
+    const json pebble = box.run("remesh --surface pebble --cells 300 --out net.obj").json().at("net");
+    const json& first = pebble.at("singular").at(0);
+    CHECK(pebble.at("singular").size() == pebble.at("singular_vertices"));
+    CHECK(pebble.count("wishes") == 0);
+    const auto coordinates = [&](const json& point) {
+        return std::to_string(point.at(0).get<double>()) + "," + std::to_string(point.at(1).get<double>()) + "," +
+               std::to_string(point.at(2).get<double>());
+    };
+    const std::string place = coordinates(first.at("position"));
+    const Run run = box.run("remesh --surface pebble --cells 300 --forbid " + place + ":1 --singular " +
+                            coordinates(pebble.at("singular").at(1).at("position")) + ":3");
+    INFO(run.err);
+    const json wishes = run.json().at("net").at("wishes");
+    CHECK(wishes.at("vertices").at(0).at("valence") == 3);
+    CHECK(wishes.at("vertices").at(0).at("kept") == true);
+    CHECK(wishes.at("vertices").at(0).at("distance_in_edges") < 1.5);
+    CHECK(wishes.at("forbidden").at(0).at("kept") == true);
+    CHECK(wishes.at("forbidden").at(0).at("singular_vertices") == 0);
+    CHECK(wishes.at("only") == false);
+    CHECK(wishes.at("not_kept").empty());
+
+    check_refused(box.run("remesh --surface pebble --only-these --singular " + place + ":3"),
+                  "7 more of valence 3 are missing");
+    check_refused(box.run("remesh --surface pebble --singular " + place), "X,Y,Z:VALENCE");
+    check_refused(box.run("remesh --surface pebble --singular 0,0,1:3:4"), "X,Y,Z:VALENCE");
+    check_refused(box.run("remesh --surface pebble --singular 0,0,1:3.5"), "no whole number");
+    check_refused(box.run("remesh --surface pebble --singular 0,0,1:7"), "must be 3, 5 or 6");
+    check_refused(box.run("remesh --surface pebble --forbid 0,0,x:1"), "X,Y,Z:RADIUS");
+    check_refused(box.run("remesh --surface pebble --forbid 0,0,1:-1"), "radius");
+}
+
 TEST_CASE("what cannot be remeshed is refused with one line") {
     const Sandbox box;
     write_saddle(box, "saddle.obj", 5);

@@ -1,5 +1,6 @@
 #include "remesh/remesh.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -11,6 +12,7 @@
 #include "net/measures.h"
 #include "net/topology.h"
 #include "remesh/cells.h"
+#include "remesh/connection.h"
 #include "remesh/direction_field.h"
 #include "remesh/even_triangles.h"
 #include "remesh/grid_map.h"
@@ -43,9 +45,10 @@ int singular_count(const Net& net) {
 }
 
 /// A net over the whole of it, with all that is promised.
-Net remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
+Remesh remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
     const auto guide = std::make_shared<const Guide>(surface);
-    const Net net = remesh(guide, options).net;
+    Remesh made = remesh(guide, options);
+    const Net& net = made.net;
     CHECK(faces_by_arity(net.faces()).count(4) == 1);
     CHECK(faces_by_arity(net.faces()).size() == 1);
     CHECK(euler_characteristic(net) == characteristic);
@@ -55,7 +58,7 @@ Net remeshed(const Surface& surface, const RemeshOptions& options, int character
     const DrapeReport report = measure_drape(surface, guide->tree(), net);
     CHECK(report.mean_distance < 0.3 * net.mean_length());
     CHECK(report.coverage > 0.85);
-    return net;
+    return made;
 }
 
 RemeshOptions of_cells(int cells) {
@@ -78,29 +81,29 @@ Surface cube() {
 }  // namespace
 
 TEST_CASE("A smooth closed body gets a net with eight singular vertices") {
-    const Net net = remeshed(make_own_surface("pebble"), of_cells(400), 2);
+    const Net net = remeshed(make_own_surface("pebble"), of_cells(400), 2).net;
     CHECK(net.face_count() == Approx(400).epsilon(0.1));
     CHECK(Topology(net).singular_vertices() == std::map<int, int>{{3, 8}});
 }
 
 TEST_CASE("A cube of twelve triangles gets a net with eight singular vertices") {
-    CHECK(Topology(remeshed(cube(), of_cells(600), 2)).singular_vertices() == std::map<int, int>{{3, 8}});
+    CHECK(Topology(remeshed(cube(), of_cells(600), 2).net).singular_vertices() == std::map<int, int>{{3, 8}});
 }
 
 TEST_CASE("A torus gets a net with few singular vertices, and as many of either kind") {
-    const Net net = remeshed(Surface(samples::torus(60, 24, 3, 1)), of_cells(500), 0);
+    const Net net = remeshed(Surface(samples::torus(60, 24, 3, 1)), of_cells(500), 0).net;
     CHECK(singular_count(net) <= 16);
 }
 
 TEST_CASE("A surface with borders gets a net with borders") {
-    const Net tube = remeshed(make_own_surface("torso"), of_cells(400), 0);
+    const Net tube = remeshed(make_own_surface("torso"), of_cells(400), 0).net;
     CHECK(Topology(tube).boundary_loops().size() == 2);
-    const Net hypar = remeshed(make_own_surface("hypar"), of_cells(400), 1);
+    const Net hypar = remeshed(make_own_surface("hypar"), of_cells(400), 1).net;
     CHECK(singular_count(hypar) == 0);
 }
 
 TEST_CASE("Net lines do not wave: from vertex to vertex they go on bending to the same side", "[large]") {
-    const Net net = remeshed(Surface(samples::sphere(24)), of_cells(1500), 2);
+    const Net net = remeshed(Surface(samples::sphere(24)), of_cells(1500), 2).net;
     const Positions& x = net.rest_positions();
     const auto turn = [&](const std::vector<int>& line, std::size_t k) {
         return Eigen::Vector3d(x.col(line[k - 1]) - 2 * x.col(line[k]) + x.col(line[k + 1]));
@@ -119,7 +122,7 @@ TEST_CASE("A rough scan gets a net with as few singular vertices as the shape wi
     Mesh mesh = samples::sphere(24);
     std::mt19937 random(7);
     for (int v = 0; v < mesh.positions.cols(); ++v) mesh.positions.col(v) += samples::random_point(0.01, random);
-    CHECK(singular_count(remeshed(Surface(mesh), of_cells(500), 2)) <= 12);
+    CHECK(singular_count(remeshed(Surface(mesh), of_cells(500), 2).net) <= 12);
 }
 
 TEST_CASE("All pieces of a surface are covered") {
@@ -133,14 +136,14 @@ TEST_CASE("All pieces of a surface are covered") {
         for (int& v : face) v += count;
         mesh.faces.add(face);
     }
-    CHECK(Topology(remeshed(Surface(mesh), of_cells(600), 4)).component_count() == 2);
+    CHECK(Topology(remeshed(Surface(mesh), of_cells(600), 4).net).component_count() == 2);
 }
 
 TEST_CASE("The length and the limit of corners are kept where they are given") {
     RemeshOptions options;
     options.length = 0.2;
     options.smallest_angle = 45 * k_degree;
-    const Net net = remeshed(Surface(samples::sphere(16)), options, 2);
+    const Net net = remeshed(Surface(samples::sphere(16)), options, 2).net;
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
 }
 
@@ -186,6 +189,128 @@ TEST_CASE("A field on a sphere has the holonomy of its curvature") {
     CHECK(chebnet::singular_count(field) == 8);
 }
 
+TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere the cube's pattern, and no others") {
+    RemeshOptions options = of_cells(800);
+    options.singular.only = true;
+    for (const double x : {-1, 1})
+        for (const double y : {-1, 1})
+            for (const double z : {-1, 1})
+                options.singular.vertices.push_back({Eigen::Vector3d(x, y, z) / std::sqrt(3.0), 3});
+    const Remesh made = remeshed(Surface(samples::sphere(24)), options, 2);
+    CHECK(made.kept.missed() == 0);
+    REQUIRE(made.singular.size() == 8);
+    for (const double distance : made.kept.distances) CHECK(distance < 1);
+    // Along each of the cube's twelve edges a net line goes from corner to corner: all are as long.
+    const Topology topology(made.net);
+    std::vector<std::size_t> between;
+    for (const std::vector<int>& line : topology.net_lines()) {
+        const auto is_singular = [&](int v) { return topology.valence(v) == 3; };
+        if (is_singular(line.front()) && is_singular(line.back())) between.push_back(line.size());
+    }
+    CHECK(between.size() == 12);
+    CHECK(*std::max_element(between.begin(), between.end()) - *std::min_element(between.begin(), between.end()) <= 1);
+}
+
+TEST_CASE("A singular vertex wished for stands where it is wished for, and takes its turn from the others") {
+    for (const int valence : {3, 5, 6}) {
+        CAPTURE(valence);
+        RemeshOptions options = of_cells(800);
+        const Eigen::Vector3d point(0, 0.6, 0.8);
+        options.singular.vertices = {{point, valence}};
+        const Remesh made = remeshed(Surface(samples::sphere(24)), options, 2);
+        CHECK(made.kept.vertices == std::vector{true});
+        int there = 0;
+        for (const SingularVertex& singular : made.singular)
+            there += singular.valence == valence && (singular.position - point).norm() < made.net.mean_length() ? 1 : 0;
+        CHECK(there == 1);
+    }
+}
+
+TEST_CASE("In a forbidden region there is no singular vertex") {
+    const Surface sphere(samples::sphere(24));
+    const Remesh before = remeshed(sphere, of_cells(800), 2);
+    RemeshOptions options = of_cells(800);
+    const double radius = 4 * before.net.mean_length();
+    for (const int k : {0, 4}) options.singular.forbidden.push_back({before.singular[k].position, radius});
+    const Remesh made = remeshed(sphere, options, 2);
+    CHECK(made.kept.intruders == std::vector{0, 0});
+    for (const SingularVertex& singular : made.singular)
+        for (const ForbiddenRegion& region : options.singular.forbidden)
+            CHECK((singular.position - region.centre).norm() >= radius);
+}
+
+TEST_CASE("A torus for which no singular vertices are wished gets none") {
+    RemeshOptions options = of_cells(500);
+    options.singular.only = true;
+    const Remesh made = remeshed(Surface(samples::torus(80, 20, 3, 0.6)), options, 0);
+    CHECK(made.singular.empty());
+    CHECK(made.kept.missed() == 0);
+}
+
+TEST_CASE("With singular vertices wished for the turns of a field still add up to its Euler characteristic") {
+    const Surface sphere(samples::sphere(24));
+    const SurfaceTree tree(sphere);
+    SingularWishes wishes;
+    wishes.vertices = {{{1, 0, 0}, 3}, {{0, 1, 0}, 5}, {{0, 0, 1}, 6}};
+    wishes.forbidden = {{{-1, 0, 0}, 0.6}};
+    const PlacedWishes on_triangles = placed(wishes, sphere, tree, 0.08);
+    const DirectionField field = smoothest_field(sphere, 0, &on_triangles);
+    int sum = 0;
+    for (int v = 0; v < sphere.vertex_count(); ++v) {
+        // 3 quarter turns are −1; only the one of valence 6 is −2.
+        const int turns = field.holonomy[v];
+        sum += turns == 1 ? 1 : turns == 3 ? -1 : -turns;
+        if (turns != 0) CHECK((sphere.positions().col(v) - wishes.forbidden[0].centre).norm() > 0.6);
+    }
+    CHECK(sum == 8);
+    for (const PlacedWishes::Pin& pin : on_triangles.pins) CHECK(field.holonomy[pin.vertex] == (pin.index + 4) % 4);
+}
+
+TEST_CASE("What was not kept is said, wish by wish") {
+    const Net net = remesh(std::make_shared<const Guide>(make_own_surface("pebble")), of_cells(200)).net;
+    const std::vector<SingularVertex> singular = singular_vertices(net);
+    SingularWishes wishes;
+    wishes.vertices = {{singular[0].position, 3}, {singular[0].position, 3}, {{0, 0, 0}, 6}};
+    wishes.forbidden = {{singular[1].position, 1e-6}, {singular[1].position + Eigen::Vector3d(0, 0, 100), 1}};
+    wishes.only = true;
+    const KeptWishes kept = kept_wishes(net, singular, wishes);
+    CHECK(kept.vertices == std::vector{true, false, false});
+    CHECK(kept.distances[0] == 0);
+    CHECK(kept.distances[2] == -1);
+    CHECK(kept.intruders == std::vector{1, 0});
+    CHECK(kept.others == std::ssize(singular) - 1);
+    CHECK(kept.missed() == 4);
+    const std::vector<std::string> sentences = unkept_wishes(wishes, kept);
+    REQUIRE(sentences.size() == 4);
+    CHECK_THAT(sentences[0], Contains("the nearest stands"));
+    CHECK_THAT(sentences[1], Contains("valence 6") && Contains("has not come about"));
+    CHECK_THAT(sentences[2], Contains("forbidden region"));
+    CHECK_THAT(sentences[3], Contains("where none were wished for"));
+}
+
+TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
+    const auto refusal = [](const Guide& surface, const SingularWishes& wishes) {
+        return [&surface, wishes] { check_wishes(surface, wishes); };
+    };
+    const Guide sphere(Surface(samples::sphere(8)));
+    const Guide hypar(make_own_surface("hypar"));
+    const WishedSingular at_top{{0, 0, 1}, 3};
+    CHECK_THROWS_WITH(refusal(sphere, {{at_top}, {}, true})(), Contains("7 more of valence 3 are missing"));
+    CHECK_THROWS_WITH(refusal(sphere, {{9, at_top}, {}, true})(), Contains("1 more of valence 5 is missing"));
+    CHECK_NOTHROW(refusal(hypar, {{at_top}, {}, true})());
+    CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, 1}, 4}}, {}, false})(), Contains("valence 4; it must be 3, 5 or 6"));
+    CHECK_THROWS_WITH(refusal(sphere, {{{{0, 0, NAN}, 3}}, {}, false})(), Contains("finite"));
+    CHECK_THROWS_WITH(refusal(sphere, {{}, {{{0, 0, 1}, 0}}, false})(), Contains("radius"));
+    CHECK_THROWS_WITH(refusal(sphere, {{}, {{{0, 0, 1}, INFINITY}}, false})(), Contains("finite"));
+    CHECK_THROWS_WITH(refusal(sphere, {{at_top}, {{{0, 0, 1.1}, 0.3}}, false})(), Contains("stands in the forbidden"));
+    CHECK_THROWS_WITH(refusal(sphere, {std::vector(601, at_top), {}, false})(), Contains("no more than 600"));
+
+    RemeshOptions options = of_cells(400);
+    options.singular.vertices = std::vector(40, at_top);
+    CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(Surface(samples::sphere(8))), options),
+                      Contains("no place of its own"));
+}
+
 TEST_CASE("A map that folds over still gives quads without gaps") {
     const Surface plane(samples::plane(9, 1));
     const DirectionField field = smoothest_field(plane, 0);
@@ -226,7 +351,7 @@ TEST_CASE("Integers are rounded together") {
 }
 
 TEST_CASE("Numbers out of range are refused") {
-    const Surface surface = make_own_surface("hypar");
+    const Guide surface(make_own_surface("hypar"));
     const auto refusal = [&](auto change) {
         RemeshOptions options;
         change(options);

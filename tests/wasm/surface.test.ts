@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, test } from 'vitest';
-import type { Mesh, Point, Surface } from '../../wasm/chebnet';
+import type { Mesh, Point, RemeshOptions, SingularVertex, Surface } from '../../wasm/chebnet';
 import { objText } from '../../web/src/document/obj_text';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { ROOT, failure, largestDistance, load } from './load';
@@ -204,6 +204,41 @@ describe('a net over a whole surface', () => {
       );
       expect(net.cells).toBe(mesh.faceStart.length - 1);
       expect(net.singular_vertices_by_valence).toEqual({ 3: 8 });
+    });
+  });
+
+  test('has singular vertices where they are wanted, and none where they are not', () => {
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      const first = pebble.remesh({ cells: 300 });
+      expect(first.singular.map(({ valence }) => valence)).toEqual(Array(8).fill(3));
+      expect(first.kept).toEqual({ vertices: [], distances: [], intruders: [], others: 0, sentences: [] });
+      const [{ position: centre }, { position: point }] = first.singular as [SingularVertex, SingularVertex];
+      const { length } = pebble.measure(first.mesh);
+      const made = pebble.remesh({
+        cells: 300,
+        singular: [{ point, valence: 3 }],
+        forbidden: [{ centre, radius: 3 * length }],
+      });
+      expect(made.kept).toMatchObject({ vertices: [true], intruders: [0], sentences: [] });
+      expect(made.kept.distances[0]).toBeLessThan(1.5);
+      const away = (to: Point) =>
+        made.singular.map(({ position }) => Math.hypot(...position.map((x, i) => x - to[i]!)));
+      expect(Math.min(...away(centre))).toBeGreaterThan(3 * length);
+      expect(Math.min(...away(point))).toBeLessThan(1.5 * length);
+    });
+  });
+
+  test('says what is missing to singular vertices alone, and refuses what is none', () => {
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      const at: Point = [0, 0, 1];
+      const message = (options: RemeshOptions) => failure(() => pebble.remesh(options)).message;
+      expect(message({ only: true })).toContain('8 more of valence 3 are missing');
+      expect(message({ singular: [{ point: at, valence: 4 as 3 }] })).toContain('must be 3, 5 or 6');
+      expect(message({ singular: [{ point: [0, 0] as never, valence: 3 }] })).toContain(
+        'the place of a singular vertex',
+      );
+      expect(message({ forbidden: [{ centre: at, radius: 0 }] })).toContain('radius');
+      expect(message({ forbidden: 'all' as never })).toContain('must be an array');
     });
   });
 

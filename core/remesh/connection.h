@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "remesh/singular_wishes.h"
+#include "surface/surface.h"
+#include "surface/surface_tree.h"
+
+namespace chebnet {
+
+/// The wishes on one of the surfaces of triangles: by its numbers.
+struct PlacedWishes {
+    struct Pin {
+        int vertex, index;  ///< inside; quarter turns
+    };
+    std::vector<Pin> pins;
+    std::vector<bool> is_forbidden;  ///< of each triangle
+    bool only = false;
+};
+
+/// Each vertex wished for goes to the inner vertex nearest to it that has triangles enough for its index, and forbids
+/// its surroundings to others. `tree` is of the surface that was wished for, `cell` the length of the cells to be.
+/// Throws Error bad_option where two go to the same vertex, or there is none inside.
+PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const SurfaceTree& tree, double cell);
+
+/// By which angle transport along each side is turned (radians of the fourth power), so that the curvature of the
+/// connection is where singular vertices may be: 2π · index in the triangles at a pinned vertex, none in those that are
+/// forbidden, and, unless these alone are wished for, elsewhere what it was, less what a pinned vertex has taken from
+/// its neighbourhood and more by what forbidden triangles have given to theirs. Then the smoothest field has its
+/// singular vertices there (Crane, Desbrun & Schröder, Trivial Connections on Discrete Surfaces, 2010). Opposite sides
+/// have opposite angles.
+///
+/// `curvature`: of each triangle, four times its own, in radians; `border`: of each side on the boundary the angle by
+/// which transport is turned for a field along the boundary; else 0.
+struct TurnedConnection {
+    std::vector<double> angles;      ///< of each side
+    std::vector<bool> is_unaligned;  ///< of each vertex: it is on a boundary that cannot be followed with these alone
+};
+TurnedConnection turned_connection(const Surface& surface, std::vector<double> curvature,
+                                   const std::vector<double>& border, const PlacedWishes& wishes);
+
+}  // namespace chebnet
