@@ -358,3 +358,76 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
 
   await openExactNet(first);
 });
+
+test('a singular vertex is dragged, and the next net has one there; none where a region is to be free', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  await draper()
+    .getByText(/^More curvature than one net can take/)
+    .waitFor();
+  const cells = draper().getByRole('slider', { name: 'Cells' });
+  await cells.press('Home');
+  for (let step = 0; step < 12; step++) await cells.press('ArrowRight');
+  await press('Make the net');
+  await measured();
+
+  /** Of the dots that face the eye, those that are pinned or not, where they are in the window. */
+  const dots = (isPinned: boolean) =>
+    visit.page
+      .locator(`.singular .dot[data-pinned="${isPinned}"]:not(.behind) circle:not(.halo)`)
+      .evaluateAll((circles) =>
+        circles.map((circle) => {
+          const { x, y, width, height } = circle.getBoundingClientRect();
+          return { x: x + width / 2, y: y + height / 2 };
+        }),
+      );
+  const wishes = draper().getByRole('group', { name: 'Singular vertices' });
+  const list = wishes.getByRole('combobox', { name: 'Chosen' });
+  expect(await list.locator('option').count()).toBe(1 + 8);
+  const free = await dots(false);
+  const box = (await draper().locator('.picture canvas').boundingBox())!;
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const away = (p: { x: number; y: number }, q = middle) => Math.hypot(p.x - q.x, p.y - q.y);
+  const start = free.sort((a, b) => away(a) - away(b))[0]!;
+  // Towards the middle, where the surface faces the eye, or away from it by a little.
+  const [dx, dy] = [0.5 * (middle.x - start.x), 0.5 * (middle.y - start.y) + 30];
+  await drag(start, dx, dy);
+  const target = { x: start.x + dx, y: start.y + dy };
+  await expect.poll(async () => (await dots(true)).map((dot) => away(dot, target) < 4)).toEqual([true]);
+  await wishes.getByText(/^Pinned there/).waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-singular-dragged.png') });
+  await press('Make the net');
+  await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
+  await measured();
+  await wishes.getByText('Drag a numbered dot, and make the net again.').waitFor();
+  expect((await dots(true)).map((dot) => away(dot, target) < 4)).toEqual([true]);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-singular-kept.png') });
+
+  // By keys: another is chosen and taken away, and none is there any more.
+  await list.selectOption({ index: 3 });
+  const before = await list.locator('option').count();
+  await draper().locator('.picture canvas').press('Delete');
+  await wishes.getByText(/its turn goes to the others/).waitFor();
+  expect(await list.locator('option').allInnerTexts()).toContain('Region 1 without any');
+  expect(await list.locator('option').count()).toBe(before);
+  await press('Undo');
+  await expect.poll(() => list.locator('option').allInnerTexts()).not.toContain('Region 1 without any');
+  await list.selectOption({ index: 3 });
+  await wishes.getByRole('button', { name: 'Remove' }).click();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-singular-region.png') });
+  await press('Make the net');
+  await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
+  await measured();
+  await wishes.getByText('Drag a numbered dot, and make the net again.').waitFor();
+
+  // These alone: one too many says what is missing.
+  await wishes.getByRole('checkbox', { name: 'These and no others' }).check();
+  await press('Pin another');
+  await draper().locator('.picture canvas').focus();
+  await visit.page.keyboard.press(' ');
+  await wishes.getByText(/1 more with 5 edges is missing/).waitFor();
+  await press('Undo');
+  await wishes.getByText(/is missing/).waitFor({ state: 'hidden' });
+});

@@ -117,6 +117,32 @@ describe('the worker', () => {
     expect(measured.report.coverage).toBeGreaterThan(0.95);
   });
 
+  test('says where a mark stands on the surface, and makes a net with singular vertices where they are pinned', () => {
+    const down = { origin: [0.3, 0.2, 9] as Point, direction: [0, 0, -1] as Point };
+    const responses = answers(
+      { type: 'open', source: { own: 'pebble' } },
+      { type: 'place', at: down, mark: 2 },
+      { type: 'place', at: { ...down, direction: [0, 0, 1] }, mark: null },
+    );
+    const [, placed, missed] = responses;
+    if (placed?.type !== 'placed' || placed.place === null) return expect.fail();
+    expect(placed.mark).toBe(2);
+    expect(placed.place.position.slice(0, 2)).toEqual([expect.closeTo(0.3), expect.closeTo(0.2)]);
+    expect(missed).toEqual({ type: 'placed', place: null, mark: null });
+
+    const singular = [{ point: placed.place.position, valence: 3 as const }];
+    const remeshed = answers(
+      { type: 'open', source: { own: 'pebble' } },
+      { type: 'remesh', options: { cells: 300, singular } },
+    ).at(-1);
+    if (remeshed?.type !== 'remeshed') return expect.fail();
+    expect(remeshed.kept.vertices).toEqual([true]);
+    const { position } = placed.place;
+    const away = remeshed.singular.map((each) => Math.hypot(...each.position.map((x, i) => x - position[i]!)));
+    expect(Math.min(...away)).toBeLessThan(1.5 * remeshed.net.info.meanLength);
+    for (const { normal } of remeshed.singular) expect(Math.hypot(...normal)).toBeCloseTo(1);
+  });
+
   test('lays a direction that stands upright along some other', () => {
     const [, draped] = answers(OPEN, { type: 'drape', settings: { ...SETTINGS, direction: [0, 0, 1] } });
     expect(draped).toMatchObject({ type: 'draped' });
@@ -146,6 +172,7 @@ describe('while a net is being laid', () => {
       proposed: () => told.push('proposed'),
       traced: () => told.push('traced'),
       cutsProposed: () => told.push('cutsProposed'),
+      placed: () => told.push('placed'),
       draped: () => told.push('draped'),
       missed: () => told.push('missed'),
       progressed: (phase) => told.push(phase),

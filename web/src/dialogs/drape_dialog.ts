@@ -25,6 +25,7 @@ import { DrapeForm } from './drape_form';
 import { DrapeMaker } from './drape_maker';
 import { DrapeProposals } from './drape_proposals';
 import { DrapeResults } from './drape_results';
+import { DrapeSingular } from './drape_singular';
 import './dialog.css';
 import './pictured.css';
 import './drape_dialog.css';
@@ -64,6 +65,13 @@ export class DrapeDialog implements DraperLike {
     changed: () => this.#drape(),
     proposalsWanted: () => this.#draping.proposeCuts({ ...this.#settings(), seed: this.#seedShown() }),
   });
+  readonly #singular = new DrapeSingular({
+    shown: (marks) => this.#picture.setMarks(marks),
+    pointingChanged: (pointing) => this.#picture.setCutting(pointing),
+    placeWanted: (at, mark) => this.#draping.place(at, mark),
+    edgeLength: () => this.#form.read().length,
+    faced: (place) => this.#picture.face(place),
+  });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
   /** The surface that is shown. */
@@ -98,6 +106,7 @@ export class DrapeDialog implements DraperLike {
       this.#results.prospect,
       this.#form.element,
       this.#cuts.element,
+      this.#singular.element,
       this.#maker.element,
       this.#results.element,
     );
@@ -120,15 +129,21 @@ export class DrapeDialog implements DraperLike {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
-      pointed: (at) => this.#cuts.add(at),
+      pointed: (at) => (this.#form.isWhole ? this.#singular.point(at) : this.#cuts.add(at)),
       cutEnded: () => this.#cuts.end(),
-      cutUndone: () => this.#cuts.undo(),
+      cutUndone: () => (this.#form.isWhole ? this.#singular.undo() : this.#cuts.undo()),
+      markChosen: (mark) => this.#singular.choose(mark),
+      markTaken: () => this.#singular.begin(),
+      markMoved: (mark, at) => this.#singular.move(mark, at),
+      markBack: () => this.#singular.back(),
+      markRemoved: () => this.#singular.remove(),
     });
     this.#picture.focus();
     this.#draping = new Draping(() => parts.spawnWorker(), {
       opened: (surface, length) => this.#onOpened(surface, length),
       proposed: (proposals) => this.#onProposed(proposals),
       traced: (cut, revision) => this.#cuts.setTraced(cut, revision),
+      placed: (place, mark) => this.#singular.setPlace(place, mark),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
       missed: () => this.#results.keepNet(),
@@ -172,6 +187,7 @@ export class DrapeDialog implements DraperLike {
   #onOpened(surface: ShownSurface, length: number): void {
     this.#picture.setSurface(surface);
     this.#cuts.reset();
+    this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report.area, length);
     if (!this.#form.isWhole) this.#results.expectNet();
@@ -198,6 +214,7 @@ export class DrapeDialog implements DraperLike {
     this.#maker.show(isWhole);
     this.#proposals.element.hidden = isWhole;
     this.#cuts.element.hidden = isWhole;
+    this.#singular.show(isWhole);
     this.#howTo.hidden = isWhole;
     this.#setNet(null);
     this.#picture.removeNet();
@@ -208,7 +225,7 @@ export class DrapeDialog implements DraperLike {
   #remesh(): void {
     this.#setMaking(true);
     this.#results.removeNet();
-    this.#draping.remesh(this.#form.readWhole());
+    this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read() });
   }
 
   #stop(): void {
@@ -219,6 +236,7 @@ export class DrapeDialog implements DraperLike {
   #setMaking(making: boolean): void {
     this.#isMaking = making;
     this.#maker.setBusy(making);
+    this.#singular.setBusy(making);
   }
 
   #onRemeshed(net: RemeshedNet): void {
@@ -226,6 +244,7 @@ export class DrapeDialog implements DraperLike {
     this.#setNet(net);
     this.#picture.setNet(net, null);
     this.#results.setNet(net);
+    this.#singular.setNet(net);
   }
 
   // ---------------------------------------------------------------------------------------------- one piece from a seed

@@ -1,7 +1,7 @@
 /** The picture of a surface and the net being laid on it. The sphere at the seed is dragged over the surface, the hollow
  *  one beside it around the seed; a drag elsewhere moves the camera. Arrow keys move the seed, too. */
 import { DirectionalLight, HemisphereLight, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { Point } from '../../../wasm/chebnet';
+import type { Point, SurfacePlace } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
@@ -20,6 +20,7 @@ import { CutLines } from './cut_lines';
 import type { Cut, Ray, Seed, ShownNet, ShownSurface } from './drape_protocol';
 import { combined, cross, dot } from './seed';
 import { SeedRing } from './seed_ring';
+import { SingularDots, type SingularMarks } from './singular_dots';
 import { SurfaceShade, turn } from '../view/surface_shade';
 
 export interface PictureEvents {
@@ -33,6 +34,15 @@ export interface PictureEvents {
   pointed(at: Ray | Point): void;
   cutEnded(): void;
   cutUndone(): void;
+  /** Of the marks one is chosen; null: none. */
+  markChosen(mark: number | null): void;
+  /** It begins to move. */
+  markTaken(): void;
+  /** It is wanted where a ray meets the surface. */
+  markMoved(mark: number, at: Ray): void;
+  /** The drag was given up: back to where it began. */
+  markBack(): void;
+  markRemoved(): void;
 }
 
 /** What is wanted of either view: with WebGL, or without any. */
@@ -41,8 +51,8 @@ export interface Picture {
   /** @param seed from which it has been laid; null: it has none. */
   setNet(shown: ShownNet, seed: Seed | null): void;
   removeNet(): void;
-  /** Looks at a seed from the front, if it faces away. */
-  face(seed: Seed): void;
+  /** Looks at a place from the front, if it faces away. */
+  face(place: SurfacePlace): void;
   /** For the arrow keys. */
   focus(): void;
   /** Whether cells are coloured by their shear. */
@@ -51,6 +61,7 @@ export interface Picture {
   setCutting(cutting: boolean): void;
   /** @param points of the cut that is being drawn. */
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void;
+  setMarks(marks: SingularMarks): void;
   dispose(): void;
 }
 
@@ -73,6 +84,7 @@ export function createPicture(
     setShear() {},
     setCutting() {},
     setCuts() {},
+    setMarks() {},
     dispose: () => notice.remove(),
   };
 }
@@ -96,6 +108,13 @@ const BEHIND = 0.5;
 const CLEARLY = 0.2;
 /** A pointer that moves no farther than that between down and up has clicked, pixels. */
 const STILL = 5;
+interface Grip {
+  pointer: number;
+  /** To where a ray goes, through a place of the canvas. */
+  moved(to: Ray, place: Place): void;
+  /** It was given up. */
+  back(): void;
+}
 const MARGIN = { top: 0.06, right: 0.06, bottom: 0.06, left: 0.06 };
 
 class DrapePicture implements Picture {
@@ -110,6 +129,7 @@ class DrapePicture implements Picture {
   readonly #markers = new HandleMarkers();
   readonly #ring = new SeedRing();
   readonly #cuts = new CutLines();
+  readonly #dots = new SingularDots();
   readonly #size = new Vector2(1, 1);
   readonly #listeners = new AbortController();
   readonly #resizing: ResizeObserver;
@@ -124,8 +144,8 @@ class DrapePicture implements Picture {
   #showsShear = true;
   /** From where the whole surface is seen. */
   readonly #direction = directionFor(new Vector3()).clone();
-  /** What is in hand, by which pointer, and where the seed was before. */
-  #grip: { marker: number; pointer: number; before: Seed } | null = null;
+  /** What is in hand, and by which pointer. */
+  #grip: Grip | null = null;
   #frame = 0;
   #isCutting = false;
   #cutPoints: readonly Point[] = [];
@@ -148,7 +168,7 @@ class DrapePicture implements Picture {
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', label);
-    container.append(canvas, this.#ring.element);
+    container.append(canvas, this.#ring.element, this.#dots.element);
     this.#rig = new CameraRig(canvas, { moved: () => this.#requestDraw(), rested: () => {} });
     for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#markers]) this.#scene.add(part.object);
     this.#addLights();
@@ -188,7 +208,7 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
-  face({ position, normal }: Seed): void {
+  face({ position, normal }: SurfacePlace): void {
     const eye = this.#space!.toNet(this.#rig.camera.position);
     const towards = combined(1, eye, -1, position);
     if (dot(towards, normal) > CLEARLY * Math.hypot(...towards)) return;
@@ -222,6 +242,11 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
+  setMarks(marks: SingularMarks): void {
+    this.#dots.set(marks);
+    this.#requestDraw();
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.#frame);
     this.#listeners.abort();
@@ -233,6 +258,7 @@ class DrapePicture implements Picture {
     for (const part of parts) part.dispose();
     this.#renderer.domElement.remove();
     this.#ring.element.remove();
+    this.#dots.element.remove();
   }
 
   // ----------------------------------------------------------------------------------------------------------- gestures
@@ -253,15 +279,49 @@ class DrapePicture implements Picture {
     if (this.#grip !== null) return event.stopPropagation();
     if (event.button !== 0 || !event.isPrimary) return;
     this.#pressed = this.#isCutting ? this.#place(event) : null;
-    const marker = this.#markerAt(event);
-    if (marker === null || this.#seed === null) return;
+    this.#grip = this.#gripOfMark(event) ?? this.#gripOfSeed(event);
+    if (this.#grip === null) return;
     this.#pressed = null;
     event.stopPropagation();
     const canvas = this.#renderer.domElement;
     canvas.focus();
     canvas.setPointerCapture(event.pointerId);
-    this.#grip = { marker, pointer: event.pointerId, before: this.#seed };
     canvas.style.cursor = 'grabbing';
+  }
+
+  #gripOfSeed(event: PointerEvent): Grip | null {
+    const marker = this.#markerAt(event);
+    const before = this.#seed;
+    if (marker === null || before === null) return null;
+    return {
+      pointer: event.pointerId,
+      moved: (ray) => {
+        if (marker === SEED) this.#events.seedMoved(ray);
+        else if (this.#seed !== null) this.#turnTo(ray, this.#seed);
+      },
+      back: () => this.#events.seedBack(before),
+    };
+  }
+
+  /** A mark that is only pressed is chosen, and stays where it is. */
+  #gripOfMark(event: PointerEvent): Grip | null {
+    const start = this.#place(event);
+    const mark = this.#markAt(event);
+    if (mark === null) return null;
+    this.#events.markChosen(mark);
+    let hasMoved = false;
+    return {
+      pointer: event.pointerId,
+      moved: (ray, { x, y }) => {
+        if (!hasMoved && Math.hypot(x - start.x, y - start.y) <= STILL) return;
+        if (!hasMoved) this.#events.markTaken();
+        hasMoved = true;
+        this.#events.markMoved(mark, ray);
+      },
+      back: () => {
+        if (hasMoved) this.#events.markBack();
+      },
+    };
   }
 
   #move(event: PointerEvent): void {
@@ -270,10 +330,9 @@ class DrapePicture implements Picture {
       return;
     }
     event.stopPropagation();
-    if (event.pointerId !== this.#grip.pointer || this.#seed === null) return;
-    const ray = this.#rayThrough(this.#place(event));
-    if (this.#grip.marker === SEED) this.#events.seedMoved(ray);
-    else this.#turnTo(ray, this.#seed);
+    if (event.pointerId !== this.#grip.pointer) return;
+    const place = this.#place(event);
+    this.#grip.moved(this.#rayThrough(place), place);
   }
 
   /** Along the line from the seed to where the ray meets the plane that touches the surface there. */
@@ -306,13 +365,14 @@ class DrapePicture implements Picture {
 
   #hover(event: PointerEvent): void {
     const idle = this.#isCutting ? 'crosshair' : '';
-    this.#renderer.domElement.style.cursor = this.#markerAt(event) === null ? idle : 'grab';
+    const isFree = this.#markerAt(event) === null && this.#markAt(event) === null;
+    this.#renderer.domElement.style.cursor = isFree ? idle : 'grab';
   }
 
   /** Keys of a cut; whether this was one. */
   #cutKey(event: KeyboardEvent): boolean {
     if (!this.#isCutting) return false;
-    if (event.key === ' ' && this.#seed !== null) this.#events.pointed(this.#seed.position);
+    if (event.key === ' ') this.#events.pointed(this.#seed?.position ?? this.#rayThrough(this.#middle()));
     else if (event.key === 'Enter') this.#events.cutEnded();
     else if (event.key === 'Backspace') this.#events.cutUndone();
     else return false;
@@ -321,22 +381,50 @@ class DrapePicture implements Picture {
   }
 
   #key(event: KeyboardEvent): void {
-    if (this.#cutKey(event)) return;
+    if (this.#markKey(event) || this.#cutKey(event)) return;
     const arrow = ARROW_KEYS[event.key];
     if (!arrow || this.#seed === null) return;
     event.preventDefault();
-    const step = event.shiftKey ? STEP.big : STEP.small;
-    const { x, y } = toScreen(this.#projection(), this.#scenePoint(this.#seed.position));
-    this.#events.seedMoved(this.#rayThrough({ x: x + step * arrow[0], y: y + step * arrow[1] }));
+    this.#events.seedMoved(this.#beside(this.#seed, arrow, event));
+  }
+
+  /** Keys of the mark that is chosen; whether this was one. */
+  #markKey(event: KeyboardEvent): boolean {
+    const { dots, discs, selected } = this.#dots.marks;
+    const mark = selected === null ? undefined : [...dots, ...discs][selected];
+    if (selected === null || !mark) return false;
+    const arrow = ARROW_KEYS[event.key];
+    if (event.key === 'Delete' || event.key === 'Backspace') this.#events.markRemoved();
+    else if (arrow) {
+      this.#events.markTaken();
+      this.#events.markMoved(selected, this.#beside(mark.place, arrow, event));
+    } else return false;
+    event.preventDefault();
+    return true;
+  }
+
+  /** A step of an arrow key away. */
+  #beside({ position }: SurfacePlace, arrow: readonly [number, number], { shiftKey }: KeyboardEvent): Ray {
+    const step = shiftKey ? STEP.big : STEP.small;
+    const { x, y } = toScreen(this.#projection(), this.#scenePoint(position));
+    return this.#rayThrough({ x: x + step * arrow[0], y: y + step * arrow[1] });
+  }
+
+  #middle(): Place {
+    return { x: this.#size.x / 2, y: this.#size.y / 2 };
   }
 
   #escape(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || this.#grip === null) return;
     event.preventDefault();
     event.stopPropagation();
-    const { before } = this.#grip;
+    const { back } = this.#grip;
     this.#grip = null;
-    this.#events.seedBack(before);
+    back();
+  }
+
+  #markAt(event: PointerEvent): number | null {
+    return this.#dots.at(this.#place(event), SLACK[event.pointerType === 'touch' ? 'touch' : 'mouse']);
   }
 
   #markerAt(event: PointerEvent): number | null {
@@ -417,6 +505,7 @@ class DrapePicture implements Picture {
     this.#rig.update();
     const { camera, distance } = this.#rig;
     this.#placeSeed();
+    this.#placeMarks();
     if (this.#netData) this.#lines.beforeDraw(camera, this.#size, this.#renderer.getPixelRatio(), distance);
     this.#markers.beforeDraw(camera, this.#size.y, this.#netData?.edgeLength ?? 0, distance);
     this.#lines.object.visible = this.#netData !== null;
@@ -443,6 +532,13 @@ class DrapePicture implements Picture {
       const arm = combined(Math.cos(angle), direction, Math.sin(angle), across);
       return toScreen(projection, this.#scenePoint(combined(1, position, radius, arm)));
     });
+  }
+
+  #placeMarks(): void {
+    if (!this.#space) return;
+    const projection = this.#projection();
+    const at = (point: Point) => toScreen(projection, this.#scenePoint(point));
+    this.#dots.draw(at, this.#space.toNet(this.#rig.camera.position));
   }
 
   #scenePoint(place: Readonly<Point>): Vector3 {

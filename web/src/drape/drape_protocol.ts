@@ -3,6 +3,7 @@ import type {
   CoreFields,
   DrapeOptions,
   DrapeReport,
+  KeptWishes,
   Mesh,
   Point,
   Remesh,
@@ -78,6 +79,13 @@ export interface DrapedNet extends ShownNet {
 /** Over the whole surface. */
 export interface RemeshedNet extends ShownNet {
   singularVertices: Remesh['singularVertices'];
+  /** Each of them, and the normal of the surface there. */
+  singular: SingularPlace[];
+  kept: KeptWishes;
+}
+
+export interface SingularPlace extends SurfacePlace {
+  valence: number;
 }
 
 export type DrapeRequest =
@@ -89,6 +97,8 @@ export type DrapeRequest =
   | { type: 'propose'; settings: ProposalSettings }
   /** A cut through some points, without those that are beside the surface. Answered with `traced` or `error`. */
   | { type: 'trace'; points: (Point | Ray)[]; revision: number }
+  /** A point of the surface, for a mark on it; null: for a new one. Answered with `placed`. */
+  | { type: 'place'; at: Point | Ray; mark: number | null }
   /** Cuts that help a net. Answered with `cutsProposed` or `error`. */
   | { type: 'proposeCuts'; settings: DrapeSettings }
   /** Answered with `remeshed` or `error`, and `progress` before. */
@@ -101,6 +111,8 @@ export type DrapeResponse =
   | { type: 'proposed'; proposals: Proposal[] }
   /** `revision` is that of the `trace`. */
   | { type: 'traced'; cut: Cut; revision: number }
+  /** null: the ray does not meet the surface. */
+  | { type: 'placed'; place: SurfacePlace | null; mark: number | null }
   /** @see CutProposals of wasm/chebnet.d.ts about `coverage`. */
   | { type: 'cutsProposed'; cuts: Cut[]; coverage: number[] }
   | ({ type: 'draped' } & DrapedNet)

@@ -49,6 +49,8 @@ export class Draper {
     if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
     if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
     if (request.type === 'trace') return trace(this.#surface, request.points, request.revision);
+    if (request.type === 'place')
+      return { type: 'placed', place: placeOf(this.#surface, request.at), mark: request.mark };
     if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
     if (this.#mesh === null) throw new Error('no net has been laid');
@@ -119,11 +121,18 @@ export class Draper {
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
     const start = performance.now();
-    const { mesh, singularVertices } = surface.remesh(options, (phase, done) =>
+    const { mesh, singularVertices, singular, kept } = surface.remesh(options, (phase, done) =>
       this.#post({ type: 'progress', phase, done }),
     );
     const milliseconds = performance.now() - start;
-    return { type: 'remeshed', singularVertices, milliseconds, ...this.#shown(mesh) };
+    return {
+      type: 'remeshed',
+      singularVertices,
+      singular: singular.map(({ position, valence }) => ({ ...surface.nearest(position), position, valence })),
+      kept,
+      milliseconds,
+      ...this.#shown(mesh),
+    };
   }
 
   #shown(mesh: Mesh): Omit<ShownNet, 'milliseconds'> {

@@ -1,5 +1,5 @@
 /** The page's side of the draping worker. While it is busy the latest request of each kind waits. */
-import type { DrapeReport, Point, RemeshOptions, RemeshPhase } from '../../../wasm/chebnet';
+import type { DrapeReport, Point, RemeshOptions, RemeshPhase, SurfacePlace } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
 import type {
@@ -34,6 +34,8 @@ export interface DrapingEvents {
   proposed(proposals: Proposal[]): void;
   /** A cut through the points that were asked for, without those beside the surface. */
   traced(cut: Cut, revision: number): void;
+  /** Where a mark is to stand; null: for a new one. */
+  placed(place: SurfacePlace, mark: number | null): void;
   /** Cuts that help; `coverage` is one longer, without them and with each further one. */
   cutsProposed(cuts: Cut[], coverage: number[]): void;
   draped(net: DrapedNet): void;
@@ -79,6 +81,11 @@ export class Draping {
 
   trace(points: (Point | Ray)[], revision: number): void {
     this.#askOfSurface({ type: 'trace', points, revision });
+  }
+
+  /** Where a ray, or what is nearest to a point, is on the surface: for a mark there, or for a new one, null. */
+  place(at: Point | Ray, mark: number | null): void {
+    this.#askOfSurface({ type: 'place', at, mark });
   }
 
   /** Takes a while. */
@@ -159,6 +166,7 @@ export class Draping {
     if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
     else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
+    else if (response.type === 'placed') this.#tellPlaced(response.place, response.mark);
     else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'missed') this.#events.missed();
@@ -166,6 +174,10 @@ export class Draping {
     else if (response.type === 'measured') this.#events.measured(response.report);
     else if (response.type === 'error')
       this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)));
+  }
+
+  #tellPlaced(place: SurfacePlace | null, mark: number | null): void {
+    if (place !== null) this.#events.placed(place, mark);
   }
 
   #tellOpened(surface: ShownSurface, length: number): void {

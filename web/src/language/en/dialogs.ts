@@ -91,7 +91,7 @@ export const dialogs = {
     making: 'Making the net…',
     proposals: 'Good beginnings, the best first',
     proposal: (number: number) => `Beginning ${number}`,
-    picture: 'The surface and the net on it; arrow keys move the seed',
+    picture: 'The surface and the net on it; arrow keys move the seed, or the singular vertex that is chosen',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
     fromFile: 'A file of yours…',
@@ -151,6 +151,43 @@ export const dialogs = {
       pieces: 'Pieces',
       piecesOf: (pieces: number, bare: number) =>
         bare > 0 ? `${pieces}, and ${bare} too small for a net` : String(pieces),
+    },
+    singularWishes: {
+      title: 'Singular vertices',
+      list: 'Chosen',
+      noneYet: 'none yet',
+      noneChosen: 'none',
+      dot: (number: number, edges: number, isPinned: boolean) =>
+        `${number}: ${edges} edges${isPinned ? ', pinned' : ''}`,
+      disc: (number: number) => `Region ${number} without any`,
+      add: 'Pin another',
+      forbid: 'Keep a region free',
+      remove: 'Remove',
+      undo: 'Undo',
+      valence: 'Edges',
+      edges: (edges: number) => String(edges),
+      radius: 'Radius of a region',
+      edgeLengths: (number: number) => `${number} edges`,
+      only: 'These and no others',
+      howTo:
+        'Drag a numbered dot to where its singular vertex is to be; arrow keys move the one that is chosen. It holds for the next net.',
+      click: 'Click where on the surface. By keys: Space sets it in the middle of the picture, arrows move it.',
+      added: 'Pinned there: it takes its turn from the others. It holds for the next net.',
+      moved: 'Pinned there. It holds for the next net.',
+      forbidden: 'No singular vertex is to stand in this region. It holds for the next net.',
+      removed: 'None is to stand there any more: its turn goes to the others. It holds for the next net.',
+      released: 'No longer pinned: the next net has it where it fits.',
+      taken: 'It is gone from the list.',
+      kept: (vertices: number, intruders: number, others: number) =>
+        [
+          vertices > 0 ? `Pinned, but not there: ${vertices}.` : '',
+          intruders > 0 ? `In regions to be kept free: ${intruders}.` : '',
+          others > 0 ? `Besides these: ${others}.` : '',
+        ]
+          .filter((each) => each !== '')
+          .join(' ') || 'Drag a numbered dot, and make the net again.',
+      missing: (count: number, edges: number) =>
+        `These alone do not close: ${count} more with ${edges} edges ${count === 1 ? 'is' : 'are'} missing.`,
     },
     coverage: 'Covered',
     meanDistance: 'Distance, mean',
