@@ -188,14 +188,23 @@ val handle_weights(const Session& session) {
     return copy_out(weights);
 }
 
-/// `vertices`: an Int32Array of n, `targets`: a Float64Array of 3n, `weights`: a Float64Array of n.
-std::vector<Handle> handles_in(val vertices, val targets, val weights) {
+/// The axes along which each slides, as Axes.
+val handle_slides(const Session& session) {
+    std::vector<int> slides;
+    for (const Handle& handle : session.editor.handles()) slides.push_back(handle.slides);
+    return copy_out(slides);
+}
+
+/// `vertices` and `slides`: an Int32Array of n, `targets`: a Float64Array of 3n, `weights`: a Float64Array of n.
+std::vector<Handle> handles_in(val vertices, val targets, val weights, val slides) {
     const auto vertex = emscripten::convertJSArrayToNumberVector<int>(vertices);
     const auto target = emscripten::convertJSArrayToNumberVector<double>(targets);
     const auto weight = emscripten::convertJSArrayToNumberVector<double>(weights);
+    const auto axes = emscripten::convertJSArrayToNumberVector<int>(slides);
     std::vector<Handle> handles;
     for (std::size_t i = 0; i < vertex.size(); ++i)
-        handles.push_back({vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2]), weight[i]});
+        handles.push_back(
+            {vertex[i], Eigen::Vector3d(target[3 * i], target[3 * i + 1], target[3 * i + 2]), weight[i], axes[i]});
     return handles;
 }
 
@@ -254,7 +263,7 @@ void set_state(Session& session, std::string method, std::string initialisation,
     state.initialisation = std::move(initialisation);
     const auto words = emscripten::vecFromJSArray<std::string>(options);
     for (std::size_t i = 0; i + 1 < words.size(); i += 2) set_option(state.options, words[i], words[i + 1]);
-    state.handles = handles_in(handles["vertices"], handles["targets"], handles["weights"]);
+    state.handles = handles_in(handles["vertices"], handles["targets"], handles["weights"], handles["slides"]);
     if (!locality.isNull())
         state.locality = Locality{locality["radius"].as<double>(),
                                   emscripten::convertJSArrayToNumberVector<int>(locality["origins"]),
@@ -359,6 +368,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("handleVertices", guarded<&handle_vertices>)
         .function("handleTargets", guarded<&handle_targets>)
         .function("handleWeights", guarded<&handle_weights>)
+        .function("handleSlides", guarded<&handle_slides>)
         .function("locality", guarded<&locality>)
         .function("reach", guarded<&reach>)
         .function("flipped", guarded<&flipped>)

@@ -97,11 +97,19 @@ export interface NetInfo {
   isChebyshev: boolean;
 }
 
+/** Along which a handle slides. */
+export type Axes = 'x' | 'y' | 'z' | 'xy' | 'xz' | 'yz';
+
 export interface Handle {
   vertex: number;
   target: [number, number, number];
   /** Above 0: a soft handle, which pulls with this weight beside that of an edge; without one the target is kept exactly. */
   weight?: number;
+  /**
+   * An exact handle that slides: it holds its other coordinates exactly and leaves these to the net, where its target
+   * follows the vertex. `equilibrium` knows this; other methods hold the vertex where it stands.
+   */
+  slides?: Axes;
 }
 
 /** Where a net may move; see `setLocality`. */

@@ -48,6 +48,8 @@ export interface CoreHandles {
   targets: Float64Array;
   /** Infinity: exact. */
   weights: Float64Array;
+  /** The sum of 1 for x, 2 for y and 4 for z. */
+  slides: Int32Array;
 }
 
 export interface CoreLocality {
@@ -75,6 +77,7 @@ export interface Session {
   handleTargets(): Float64Array;
   /** Infinity: exact. */
   handleWeights(): Float64Array;
+  handleSlides(): Int32Array;
   locality(): CoreLocality | null;
   /** 5 numbers a ball: the vertex, the centre, the radius. */
   reach(vertex: number): Float64Array;

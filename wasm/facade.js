@@ -2,7 +2,7 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Axes, Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
  * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
@@ -83,6 +83,16 @@ function size(value, what) {
   return value;
 }
 
+/** By the sum of 1 for x, 2 for y and 4 for z. @type {readonly (Axes | undefined)[]} */
+const AXES = [undefined, 'x', 'y', 'xy', 'z', 'xz', 'yz'];
+
+/** @param {unknown} value @returns {number} */
+function axesNumber(value) {
+  const number = AXES.findIndex((axes) => axes === value);
+  if (number >= 0) return number;
+  throw failure('bad_option', `a handle slides along one of ${AXES.slice(1).join(', ')}, not ${shown(value)}`);
+}
+
 /** @param {readonly Handle[]} handles @returns {CoreHandles} */
 function flatHandles(handles) {
   if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
@@ -90,6 +100,7 @@ function flatHandles(handles) {
     vertices: Int32Array.from(handles, (handle) => vertexNumber(handle?.vertex)),
     targets: Float64Array.from(handles.flatMap((handle) => point(handle.target, handle.vertex))),
     weights: Float64Array.from(handles, ({ weight = Infinity }) => size(weight, 'the weight of a handle')),
+    slides: Int32Array.from(handles, ({ slides }) => axesNumber(slides)),
   };
 }
 
@@ -271,11 +282,16 @@ class WasmEditor {
     const vertices = this.#open.handleVertices();
     const targets = this.#open.handleTargets();
     const weights = this.#open.handleWeights();
-    return Array.from(vertices, (vertex, i) => ({
-      vertex,
-      target: point(Array.from(targets.subarray(3 * i, 3 * i + 3)), vertex),
-      ...(weights[i] === Infinity ? {} : { weight: weights[i] ?? 0 }),
-    }));
+    const slides = this.#open.handleSlides();
+    return Array.from(vertices, (vertex, i) => {
+      const axes = AXES[slides[i] ?? 0];
+      return {
+        vertex,
+        target: point(Array.from(targets.subarray(3 * i, 3 * i + 3)), vertex),
+        ...(weights[i] === Infinity ? {} : { weight: weights[i] ?? 0 }),
+        ...(axes === undefined ? {} : { slides: axes }),
+      };
+    });
   }
 
   /** @param {readonly Handle[]} handles */

@@ -51,12 +51,30 @@ double read_weight(const json& value, const std::string& where) {
     return value.get<double>();
 }
 
+/// "x", "yz": one axis or two, in any order.
+Axes read_axes(const json& value, const std::string& where) {
+    const std::string letters = "xyz";
+    Axes axes = k_no_axes;
+    for (const char letter : value.is_string() ? value.get<std::string>() : "") {
+        const std::size_t coordinate = letters.find(letter);
+        if (coordinate == std::string::npos || has_axis(axes, static_cast<int>(coordinate))) axes = k_all_axes;
+        if (axes != k_all_axes) axes |= 1 << coordinate;
+    }
+    if (axes == k_no_axes || axes == k_all_axes)
+        throw Error(ErrorCode::bad_syntax, where + R"( is not one of "x", "y", "z", "xy", "xz", "yz")");
+    return axes;
+}
+
 Handle read_handle(const json& value, int vertex_count, const std::string& where) {
     if (!value.is_object()) throw Error(ErrorCode::bad_syntax, where + " is not an object");
     Handle handle{read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
                   read_target(member(value, "target", where), where + ".target")};
     if (const auto weight = value.find("weight"); weight != value.end())
         handle.weight = read_weight(*weight, where + ".weight");
+    if (const auto slides = value.find("slides"); slides != value.end()) {
+        handle.slides = read_axes(*slides, where + ".slides");
+        if (!handle.is_exact()) throw Error(ErrorCode::bad_syntax, where + " has a weight: only exact handles slide");
+    }
     return handle;
 }
 

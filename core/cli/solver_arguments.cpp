@@ -71,7 +71,10 @@ std::string usual_methods() {
 
 void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     add_net_argument(command, arguments.net);
-    command.add_option("--edit", arguments.edit, R"({"handles": [{"vertex": 0, "target": [x, y, z]}, ...]})")
+    command
+        .add_option("--edit", arguments.edit,
+                    R"({"handles": [{"vertex": 0, "target": [x, y, z]}, ...]}; "weight": 1 makes a handle soft, )"
+                    R"("slides": "xy" lets it slide along these axes, with equilibrium; others hold it)")
         ->required()
         ->type_name("EDIT.json");
     command.add_option("--method", arguments.method, "Method, see below; " + usual_methods())->type_name("NAME");

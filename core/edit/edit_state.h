@@ -9,19 +9,37 @@
 
 #include "net/net.h"
 #include "solve/options.h"
+#include "solve/slide.h"
 
 namespace chebnet {
 
 class Guide;
 
 /// A vertex that is held at a point: exactly, or softly by a pull beside which the net keeps its edges and its shape. A
-/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Pull).
+/// soft handle's weight is finite and above 0; an edge has the weight 1 (see Pull). An exact handle may slide: it holds
+/// some coordinates and leaves the others, one or two, to the net; there its target follows the vertex. Methods that do
+/// not know this (Method::knows_slides()) hold it where it stands.
 struct Handle {
     int vertex;
     Eigen::Vector3d target;
     double weight = std::numeric_limits<double>::infinity();
+    Axes slides = k_no_axes;  ///< along these
 
     bool is_exact() const { return weight == std::numeric_limits<double>::infinity(); }
+    /// Exact in all its coordinates.
+    bool is_pinned() const { return is_exact() && slides == k_no_axes; }
+    /// Whether a vertex there is where an exact handle holds it.
+    bool holds_at(const Eigen::Vector3d& position) const { return across(slides, position) == across(slides, target); }
+    /// Takes the target to where the vertex has slid.
+    void follow(const Eigen::Vector3d& position) {
+        for (int k = 0; k < 3; ++k)
+            if (has_axis(slides, k)) target[k] = position[k];
+    }
+    /// The same, and puts the vertex of an exact handle where that holds it.
+    void snap(Eigen::Ref<Eigen::Vector3d> position) {
+        follow(position);
+        position = target;
+    }
     bool operator==(const Handle&) const = default;
 };
 

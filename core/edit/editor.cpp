@@ -43,6 +43,12 @@ void check_handles(const Net& net, const std::vector<Handle>& handles) {
         if (!(handle.weight > 0))
             throw Error(ErrorCode::bad_option,
                         "the weight of handle " + std::to_string(handle.vertex) + " must be a number above 0");
+        if (handle.slides < k_no_axes || handle.slides >= k_all_axes)
+            throw Error(ErrorCode::bad_option,
+                        "handle " + std::to_string(handle.vertex) + " may slide along one or two of x, y and z");
+        if (handle.slides != k_no_axes && !handle.is_exact())
+            throw Error(ErrorCode::bad_option,
+                        "handle " + std::to_string(handle.vertex) + " is soft: only exact handles slide");
     }
 }
 
@@ -68,9 +74,9 @@ void check_locality(const Net& net, const Locality& locality) {
     if (locality.held_at.size() > 0) check_positions(net, locality.held_at);
 }
 
-void snap(const std::vector<Handle>& handles, Positions& positions) {
-    for (const Handle& handle : handles)
-        if (handle.is_exact()) positions.col(handle.vertex) = handle.target;
+void snap(std::vector<Handle>& handles, Positions& positions) {
+    for (Handle& handle : handles)
+        if (handle.is_exact()) handle.snap(positions.col(handle.vertex));
 }
 
 /// The state in the form of Editor::state(): exact handles at their targets, no locality where everything may move.
@@ -112,12 +118,13 @@ void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
     let_go();
     Handle& handle = m_handles[place];
     move(handle, target);
-    if (handle.is_exact()) m_positions.col(vertex) = target;
+    if (handle.is_exact()) handle.snap(m_positions.col(vertex));
 }
 
 void Editor::move(Handle& handle, const Eigen::Vector3d& target) {
     if (m_region && m_region->is_outside(handle.vertex)) replace_region(std::nullopt);
-    handle.target = target;
+    for (int k = 0; k < 3; ++k)
+        if (!has_axis(handle.slides, k)) handle.target[k] = target[k];
     m_running = false;
 }
 
@@ -162,9 +169,18 @@ bool Editor::is_held(const Handle& handle) const {
     return handle.is_exact() && !(m_holds_back && m_is_in_hand[handle.vertex]);
 }
 
-void Editor::snap_held(Positions& positions) const {
-    for (const Handle& handle : m_handles)
-        if (handle.is_exact() && !m_is_in_hand[handle.vertex]) positions.col(handle.vertex) = handle.target;
+/// After a solve. What is in hand may still be on its way; where it has arrived it takes its target's own digits.
+void Editor::snap_held() {
+    for (Handle& handle : m_handles) {
+        if (!handle.is_exact()) continue;
+        const int vertex = handle.vertex;
+        const bool has_arrived = !m_is_in_hand[vertex] || across(handle.slides, m_unit_positions.col(vertex)) ==
+                                                              across(handle.slides, handle.target / m_unit);
+        if (has_arrived)
+            handle.snap(m_positions.col(vertex));
+        else
+            handle.follow(m_positions.col(vertex));
+    }
 }
 
 void Editor::hold_back(bool on) {
@@ -345,7 +361,7 @@ Positions Editor::grown(const Positions& positions, double factor) const {
 
 void Editor::replace_handles(std::vector<Handle> handles) {
     const auto same_kind = [](const Handle& a, const Handle& b) {
-        return a.vertex == b.vertex && a.is_exact() == b.is_exact();
+        return a.vertex == b.vertex && a.is_exact() == b.is_exact() && a.slides == b.slides;
     };
     const bool same_set = std::equal(handles.begin(), handles.end(), m_handles.begin(), m_handles.end(), same_kind);
     for (const Handle& handle : m_handles) m_handle_at[handle.vertex] = -1;
@@ -368,11 +384,23 @@ std::optional<Region> Editor::region_of(const std::optional<Locality>& locality)
     return region_around(*m_net, *m_topology, locality->held_at, locality->origins, locality->radius);
 }
 
-/// Exact handles, and what lies outside the region that may move.
+bool Editor::slides_now(const Handle& handle) const {
+    return handle.slides != k_no_axes && is_held(handle) && m_method->knows_slides() &&
+           !(m_region && m_region->is_outside(handle.vertex));
+}
+
+std::vector<Slide> Editor::slides() const {
+    std::vector<Slide> slides;
+    for (const Handle& handle : m_handles)
+        if (slides_now(handle)) slides.push_back({handle.vertex, handle.slides});
+    return slides;
+}
+
+/// Exact handles that do not slide, and what lies outside the region that may move.
 std::vector<int> Editor::fixed_vertices() const {
     std::vector<int> vertices;
     for (const Handle& handle : m_handles)
-        if (is_held(handle)) vertices.push_back(handle.vertex);
+        if (is_held(handle) && !slides_now(handle)) vertices.push_back(handle.vertex);
     if (!m_region) return vertices;
     vertices.insert(vertices.end(), m_region->outside.begin(), m_region->outside.end());
     std::sort(vertices.begin(), vertices.end());
@@ -412,14 +440,17 @@ void Editor::collect_pulls() {
 }
 
 Problem Editor::problem() const {
-    return {*m_unit_net,      *m_topology, m_fixed, m_pulls,           m_reachable,
-            &m_unit_last_net, m_guide,     m_unit,  !m_in_hand.empty()};
+    return {*m_unit_net, *m_topology,        m_fixed, m_pulls, m_reachable, &m_unit_last_net, m_guide,
+            m_unit,      !m_in_hand.empty(), m_slides};
 }
 
 void Editor::prepare() {
     m_fixed = fixed_vertices();
+    m_slides = slides();
     m_method->prepare(problem());
-    m_initialisation.prepare(*m_unit_net, m_fixed);
+    std::vector<int> held = m_fixed;
+    for (const Slide& slide : m_slides) held.push_back(slide.vertex);
+    m_initialisation.prepare(*m_unit_net, held);
     m_prepared = true;
 }
 
@@ -458,19 +489,16 @@ void Editor::load_positions() {
     m_unit_last_net = in_unit(m_last_net);
     m_unit_positions = in_unit(m_positions).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
-        if (is_held(m_handles[i]))
-            m_unit_positions.col(m_handles[i].vertex) = m_near_targets.col(static_cast<Eigen::Index>(i));
+        for (int k = 0; k < 3 && is_held(m_handles[i]); ++k)
+            if (!has_axis(m_handles[i].slides, k))
+                m_unit_positions(k, m_handles[i].vertex) = m_near_targets(k, static_cast<Eigen::Index>(i));
 }
 
 void Editor::store_positions() {
     const Positions kept = m_region ? Positions(m_positions(Eigen::all, m_region->outside)) : Positions();
     m_positions = m_unit * m_unit_positions;
     if (m_region) m_positions(Eigen::all, m_region->outside) = kept;
-    snap_held(m_positions);
-    for (int vertex : m_in_hand) {
-        const Eigen::Vector3d& target = m_handles[m_handle_at[vertex]].target;
-        if (m_unit_positions.col(vertex) == target / m_unit) m_positions.col(vertex) = target;
-    }
+    snap_held();
 }
 
 /// Adds what the initialisation does to the trace.
@@ -571,7 +599,7 @@ SolveReport Editor::go_on(const Budget& budget) {
 const HandleGraph& Editor::handle_graph() const {
     if (m_handle_graph) return *m_handle_graph;
     std::vector<int> vertices;
-    for (const Handle& handle : m_handles) vertices.push_back(handle.is_exact() ? handle.vertex : -1);
+    for (const Handle& handle : m_handles) vertices.push_back(handle.is_pinned() ? handle.vertex : -1);
     return m_handle_graph.emplace(*m_net, *m_topology, vertices);
 }
 
@@ -600,7 +628,7 @@ void Editor::add_worst_of_border(std::vector<UnreachablePair>& pairs) const {
     UnreachablePair worst{0, 0, 0, 1};
     for (const auto& [vertex, origin, reach] : m_region->border) {
         const Handle* handle = find_handle(origin);
-        if (handle == nullptr || !handle->is_exact()) continue;
+        if (handle == nullptr || !handle->is_pinned()) continue;
         const double distance = (handle->target - m_positions.col(vertex)).stableNorm();
         if (distance * worst.reach > worst.distance * reach) worst = {origin, vertex, distance, reach};
     }
@@ -619,7 +647,7 @@ bool Editor::is_out_of_reach(const UnreachablePair& pair) const {
 
 std::vector<Ball> Editor::reach(int vertex) const {
     const std::size_t place = place_of_handle(vertex);
-    if (!m_handles[place].is_exact()) return {};
+    if (!m_handles[place].is_pinned()) return {};
     std::vector<Ball> balls;
     for (const auto& [other, radius] : handle_graph().neighbours(static_cast<int>(place)))
         balls.push_back({m_handles[other].vertex, m_handles[other].target, radius});

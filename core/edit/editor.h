@@ -53,7 +53,8 @@ public:
     /// As it came, whatever the scale of its lengths.
     const Net& original() const { return *m_original; }
     const Topology& topology() const { return *m_topology; }
-    /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand.
+    /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand; the targets of
+    /// those that slide follow them along their axes.
     const Positions& positions() const { return m_positions; }
     const std::vector<Handle>& handles() const { return m_handles; }
     /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
@@ -77,10 +78,13 @@ public:
     /// changes nothing.
     void set_state(EditState next);
 
-    /// Replaces the handles; everything may move again. Throws Error index_out_of_range, repeated_vertex, non_finite,
-    /// or bad_option for a weight out of range or one that the method does not know, and then changes nothing.
+    /// Replaces the handles; everything may move again. What slides begins where its vertex is, whatever its target
+    /// says along its axes. Throws Error index_out_of_range, repeated_vertex, non_finite, or bad_option for a weight
+    /// out of range or one that the method does not know, for a handle that slides along all axes or is soft beside,
+    /// and then changes nothing.
     void set_handles(std::vector<Handle> handles);
-    /// Moves the handle at `vertex`. Throws Error index_out_of_range if there is none, non_finite.
+    /// Moves the handle at `vertex`, across its axes if it slides. Throws Error index_out_of_range if there is none,
+    /// non_finite.
     void move_handle(int vertex, const Eigen::Vector3d& target);
     /// Takes the handle at `vertex` in hand, or moves it there, as who drags it does: with a method that goes from net
     /// to net (`equilibrium`) every frame is a net, and where none leads to the target the handle is held back, pulled
@@ -131,18 +135,19 @@ public:
     /// allowed or there (see k_most_factor_bytes); then the positions stay, and another method may do.
     SolveReport solve(const Budget& budget = {});
 
-    /// Pairs of exact handles farther apart than the net allows, worst first, and such a handle with the vertex outside
-    /// the region that may move which holds one back most. Sufficient, not necessary, for no net to exist. Two handles
-    /// joined by an edge whose targets are not exactly its length apart count too. A pair with another exact handle on
-    /// a shortest path between the two is left out: it never is the worst (see HandleGraph).
+    /// Pairs of exact handles that do not slide, farther apart than the net allows, worst first, and such a handle with
+    /// the vertex outside the region that may move which holds one back most. Sufficient, not necessary, for no net to
+    /// exist. Two handles joined by an edge whose targets are not exactly its length apart count too. A pair with
+    /// another exact handle on a shortest path between the two is left out: it never is the worst (see HandleGraph).
     std::vector<UnreachablePair> unreachable_pairs() const;
     /// Where the handle at `vertex` may be moved as far as unreachable_pairs() tells: the points in all these balls,
     /// one for each other exact handle with no third one on a shortest path from there, which imply the balls of all
     /// others unless those are out of reach of each other, and one for each vertex of the border of the region that may
     /// move (see Region) to which this handle is the nearest origin; as wide as the net between them is long. None for
-    /// a soft handle. Throws Error index_out_of_range.
+    /// a soft handle or one that slides, which bounds no other either. Throws Error index_out_of_range.
     std::vector<Ball> reach(int vertex) const;
-    /// Which exact handles bound each other directly: places in handles(), where soft ones have no neighbours. Made
+    /// Which exact handles bound each other directly: places in handles(), where those that are soft or slide have no
+    /// neighbours. Made
     /// when needed, once for a set of handles.
     const HandleGraph& handle_graph() const;
     /// V, how freely set_locality() would let each vertex move, 0 … 1; see chebnet::mobility(). Throws as it does.
@@ -161,10 +166,12 @@ private:
     Positions grown(const Positions& positions, double factor) const;
     Positions in_unit(const Positions& positions) const;
     void move(Handle& handle, const Eigen::Vector3d& target);
+    bool slides_now(const Handle& handle) const;
+    std::vector<Slide> slides() const;
     std::vector<int> fixed_vertices() const;
     bool is_held(const Handle& handle) const;
     Problem problem() const;
-    void snap_held(Positions& positions) const;
+    void snap_held();
     bool is_nearly_there() const;
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
@@ -203,6 +210,7 @@ private:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
     std::vector<int> m_fixed;
+    std::vector<Slide> m_slides;
     std::vector<Pull> m_pulls;  // of soft handles and of the region
     Options m_options;
     std::string m_method_name;

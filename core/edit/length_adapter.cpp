@@ -47,7 +47,7 @@ LengthAdapter::LengthAdapter(const Editor& editor, const std::vector<Handle>& wa
 }
 
 void LengthAdapter::want(const std::vector<Handle>& wanted) {
-    for (const auto& [vertex, target, weight] : wanted) {
+    for (const auto& [vertex, target, weight, slides] : wanted) {
         const auto own =
             std::find_if(m_wanted.begin(), m_wanted.end(), [v = vertex](const Handle& h) { return h.vertex == v; });
         const std::string name = "handle " + std::to_string(vertex);
@@ -118,7 +118,7 @@ CornerLimit LengthAdapter::limit() const {
 bool LengthAdapter::is_there() const {
     const Positions& x = m_editor.positions();
     const auto stands = [&](const Handle& handle) {
-        return !handle.is_exact() || x.col(handle.vertex) == handle.target;
+        return !handle.is_exact() || handle.holds_at(x.col(handle.vertex));
     };
     return std::all_of(m_wanted.begin(), m_wanted.end(), stands) && max_deviation(m_editor.net(), x) < k_exact &&
            limit().largest_lack(x) <= 2 * CornerLimit::k_tolerance;

@@ -27,6 +27,9 @@ public:
     /// Whether the pulls of a problem are heeded. Edges come first: pulls give way.
     virtual bool knows_pulls() const { return false; }
 
+    /// Whether the slides of a problem are heeded. To other methods what slides has to be among the fixed vertices.
+    virtual bool knows_slides() const { return false; }
+
     /// Begins a solve of the problem that was prepared, with the pulls of the moment, at `positions` (3×V), where the
     /// fixed vertices already stand. May move free vertices off degenerate places. Returns `running`, or `converged` if
     /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`. If only nets

@@ -6,6 +6,7 @@
 #include "net/net.h"
 #include "net/topology.h"
 #include "solve/pull.h"
+#include "solve/slide.h"
 
 namespace chebnet {
 
@@ -23,6 +24,7 @@ struct Problem {
     std::shared_ptr<const Guide> guide = nullptr;  ///< a surface for Options::guide_mode; null: none
     double unit = 1;                               ///< of the net, in the guide's
     bool only_nets = false;                        ///< see Method::start(); for methods that go from net to net
+    std::span<const Slide> slides = {};            ///< of free vertices, distinct; for methods that know slides
 };
 
 }  // namespace chebnet

@@ -215,6 +215,28 @@ TEST_CASE("a net so large that nobody waits for it to rest is solved by its edge
     CHECK(method("sheet:vertices=900 --method li2022") == "li2022");
 }
 
+TEST_CASE("feet that slide on the ground come in when the middle of a sheet is raised, others hold it down") {
+    const Sandbox box;
+    const Positions rest = make_shape("sheet:vertices=121").net.rest_positions();
+    const std::vector<int> feet{5, 55, 65, 115};  // in the middle of each side
+    const auto raise = [&](const char* slides) {
+        json edit{{"handles", {edit_entry(60, {0, 0, 1.5})}}};
+        for (int foot : feet) {
+            edit["handles"].push_back(edit_entry(foot, rest.col(foot)));
+            if (slides != nullptr) edit["handles"].back()["slides"] = slides;
+        }
+        box.write("edit.json", edit.dump());
+        return box.run("solve sheet:vertices=121 --edit edit.json -o out.obj").json().at("status");
+    };
+    CHECK(raise(nullptr) == "unreachable");
+    CHECK(raise("yx") == "converged");
+    const Positions out = read_obj(box.read("out.obj"), "out.obj").positions;
+    for (int foot : feet) {
+        CHECK(out(2, foot) == rest(2, foot));
+        CHECK(out.col(foot).norm() < rest.col(foot).norm() - 0.05);
+    }
+}
+
 TEST_CASE("the shear limit is asked for by name") {
     const Sandbox box;
     // Ten quads between corners 17.5 edges apart: their diagonals leave corners of 57.7 degrees at most.
@@ -771,6 +793,12 @@ TEST_CASE("a bad edit is refused, naming file and handle") {
         {R"({"handles": [{"vertex": 1, "target": [0, 0]}]})", "handles[0].target"},
         {R"({"handles": [{"vertex": 1, "target": [0, 0, null]}]})", "handles[0].target"},
         {R"({"handles": [{"vertex": 1, "target": [0, 0, 1e999]}]})", "edit.json"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": ""}]})", "handles[0].slides"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": "xyz"}]})", "handles[0].slides"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": "xx"}]})", "handles[0].slides"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": "w"}]})", "handles[0].slides"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": 3}]})", "handles[0].slides"},
+        {R"({"handles": [{"vertex": 1, "target": [0, 0, 0], "slides": "z", "weight": 1}]})", "handles[0] has a weight"},
         {R"({"handles": [{"vertex": 1, "target": [0, 0, 0]}, {"vertex": 1, "target": [0, 0, 0]}]})", "handles[1]"},
     }));
     const Sandbox box;

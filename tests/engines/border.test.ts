@@ -22,7 +22,16 @@ const SAFE = [
     'boundaryLoops',
     'suggestedHandles',
   ],
-  ...['method', 'initialisation', 'options', 'handleVertices', 'handleTargets', 'handleWeights', 'locality'],
+  ...[
+    'method',
+    'initialisation',
+    'options',
+    'handleVertices',
+    'handleTargets',
+    'handleWeights',
+    'handleSlides',
+    'locality',
+  ],
   ...[
     'reset',
     'positions',

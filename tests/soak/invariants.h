@@ -111,7 +111,7 @@ inline Violations of_refused_call(const Snapshot& before, const Snapshot& after)
         if (!same) violations.push_back("a call that was refused has changed the " + std::string(what));
     };
     const auto same_handle = [](const Handle& a, const Handle& b) {
-        return a.vertex == b.vertex && a.target == b.target && a.weight == b.weight;
+        return a.vertex == b.vertex && a.target == b.target && a.weight == b.weight && a.slides == b.slides;
     };
     require_same(before.positions == after.positions, "positions");
     require_same(std::equal(before.handles.begin(), before.handles.end(), after.handles.begin(), after.handles.end(),

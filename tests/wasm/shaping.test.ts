@@ -1,6 +1,6 @@
 /** Soft handles, locality and reach, across the border. */
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
-import type { Editor, Handle } from '../../wasm/chebnet';
+import type { Axes, Editor, Handle, Point } from '../../wasm/chebnet';
 import { type InHand, limitsOf, nearestInAll, translated } from '../../web/src/handles/reach';
 import { failure, firstEdit, load } from './load';
 
@@ -52,6 +52,50 @@ describe('soft handles', () => {
     expect(failure(() => editor.setHandles([{ ...dragged, weight: 1 }]))).toMatchObject({
       code: 'bad_option',
       message: expect.stringContaining('li2022'),
+    });
+  });
+});
+
+describe('handles that slide', () => {
+  const target: [number, number, number] = [0, 0, 1.5];
+  const crown: Handle = { vertex: 60, target };
+  const foot = (vertex: number, slides: Axes): Handle => ({
+    vertex,
+    target: [...sheet.restPositions.slice(3 * vertex, 3 * vertex + 3)] as Point,
+    slides,
+  });
+  const FEET = [5, 55, 65, 115];
+  let sheet: Editor;
+  beforeEach(() => {
+    sheet = chebnet.openRecipe('sheet:vertices=121');
+  });
+  afterEach(() => sheet.dispose());
+
+  test('come back with their axes, at targets that have followed them on the ground, which they do not leave', () => {
+    sheet.setHandles([...FEET.map((vertex) => foot(vertex, 'xy')), crown]);
+    expect(sheet.solve()).toMatchObject({ status: 'converged' });
+    const positions = sheet.positions();
+    const handles = sheet.handles();
+    for (const [i, vertex] of FEET.entries()) {
+      const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
+      expect(handles[i]).toEqual({ vertex, target: [x, y, z], slides: 'xy' });
+      expect(z).toBe(0);
+      expect(Math.hypot(x!, y!)).toBeLessThan(Math.hypot(...foot(vertex, 'xy').target) - 0.05);
+    }
+    expect(sheet.unreachablePairs()).toEqual([]);
+    const other = chebnet.openRecipe('sheet:vertices=121');
+    other.setState(sheet.state());
+    expect(other.state()).toEqual(sheet.state());
+    other.dispose();
+  });
+
+  test('are refused along all axes or none by name, and if they are soft', () => {
+    for (const slides of ['', 'xyz', 'yx', 3, null]) {
+      expect(failure(() => sheet.setHandles([{ ...crown, slides: slides as Axes }])).code).toBe('bad_option');
+    }
+    expect(failure(() => sheet.setHandles([{ ...crown, slides: 'x', weight: 1 }]))).toMatchObject({
+      code: 'bad_option',
+      message: expect.stringContaining('only exact handles slide'),
     });
   });
 });

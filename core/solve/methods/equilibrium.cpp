@@ -87,6 +87,7 @@ public:
     void prepare(const Problem& problem) override;
     bool knows_pulls() const override { return true; }
     bool goes_from_net_to_net() const override { return true; }
+    bool knows_slides() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
     std::span<const double> edge_forces() const override;
@@ -95,7 +96,7 @@ private:
     enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
 
     Method& projection();
-    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    Problem problem() const { return {*m_net, *m_topology, m_held, m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     bool take_guide(const Problem& problem);
     CornerLimit limit() const;
@@ -108,6 +109,9 @@ private:
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
     Stage first_stage(const Positions& positions);
+    Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const;
+    void take_held(const Positions& from, int vertex, Positions& to) const;
+    void take_free(const Positions& from, int vertex, Positions& to) const;
     bool was_left(const Positions& before, const Positions& positions) const;
     void begin_walk(const Positions& positions);
     Status find_net(Positions& positions, TraceRow& row);
@@ -140,8 +144,10 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_fixed;
+    std::vector<int> m_held;  // the vertices that are fixed, then those that slide
     std::vector<bool> m_is_free;
+    std::vector<Slide> m_slides;
+    std::vector<Axes> m_axes;  // V, along which a vertex may move
     std::vector<Pull> m_pulls;
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     std::shared_ptr<const Guide> m_guide;
@@ -192,8 +198,11 @@ void Equilibrium::prepare(const Problem& problem) {
     }
     m_net = &of;
     m_topology = &problem.topology;
-    m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
-    m_is_free = free_vertices(of.vertex_count(), m_fixed);
+    m_held.assign(problem.fixed.begin(), problem.fixed.end());
+    m_is_free = free_vertices(of.vertex_count(), m_held);
+    m_slides.assign(problem.slides.begin(), problem.slides.end());
+    m_axes = axes_of_motion(m_is_free, m_slides);
+    for (const Slide& slide : m_slides) m_held.push_back(slide.vertex);
     m_part = std::make_unique<FreePart>(of, m_is_free);
     m_projection.reset();
     m_newton.reset();
@@ -201,7 +210,7 @@ void Equilibrium::prepare(const Problem& problem) {
     m_has_metric = m_is_still = m_is_linearised = false;
 }
 
-/// Made when first asked for: most edits do without.
+/// Made when first asked for: most edits do without. It keeps what slides where it stands.
 Method& Equilibrium::projection() {
     if (!m_projection) {
         m_projection = make_method("projection");
@@ -314,7 +323,7 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
         if (!same_energy) choose_energy();
         if (!m_pulls.empty()) m_terms.back() = std::make_unique<PullTerm>(*m_net, m_pulls);
-        if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part);
+        if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part, m_slides);
         if (!m_lengths) watch_corners(positions);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large) throw;
@@ -322,7 +331,7 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     }
     if (!m_has_metric) m_newton->set_metric(m_terms);
     m_has_metric = true;
-    m_lengths->system().set_free(m_is_free);
+    m_lengths->system().set_free(m_is_free, m_slides);
     return true;
 }
 
@@ -342,11 +351,27 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
     return max_deviation(*m_net, m_result) < m_options.threshold ? follow : net;
 }
 
-/// Whether the free vertices stand where they were in a state of before.
+/// What of a vertex's move is the handles' to say: all of it, but along the axes of what slides.
+Eigen::Vector3d Equilibrium::held_part(int vertex, const Eigen::Vector3d& move) const {
+    return across(m_axes[vertex], move);
+}
+
+void Equilibrium::take_held(const Positions& from, int vertex, Positions& to) const {
+    for (int k = 0; k < 3; ++k)
+        if (!has_axis(m_axes[vertex], k)) to(k, vertex) = from(k, vertex);
+}
+
+void Equilibrium::take_free(const Positions& from, int vertex, Positions& to) const {
+    for (int k = 0; k < 3; ++k)
+        if (has_axis(m_axes[vertex], k)) to(k, vertex) = from(k, vertex);
+}
+
+/// Whether what is free stands where it was in a state of before.
 bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
     if (before.cols() == 0) return false;
     for (int v : m_part->vertices())
-        if (positions.col(v) != before.col(v)) return false;
+        for (int k = 0; k < 3; ++k)
+            if (has_axis(m_axes[v], k) && positions(k, v) != before(k, v)) return false;
     return true;
 }
 
@@ -369,7 +394,7 @@ bool Equilibrium::rests_at_home() const {
 /// The farthest that a handle has to go from this net, in edge lengths.
 double Equilibrium::way_left(const Positions& from) const {
     double longest = 0;
-    for (int v : m_fixed) longest = std::max(longest, (m_walk_to.col(v) - from.col(v)).norm());
+    for (int v : m_held) longest = std::max(longest, held_part(v, m_walk_to.col(v) - from.col(v)).norm());
     return longest / m_net->mean_length();
 }
 
@@ -455,7 +480,7 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     if (m_only_nets)
         positions = x;
     else
-        for (int v : m_part->vertices()) positions.col(v) = x.col(v);
+        for (int v : m_part->vertices()) take_free(x, v, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     if (m_walked < 1) {
         m_stage = follow;
@@ -484,11 +509,12 @@ void Equilibrium::walk(double part, Positions& x) {
 bool Equilibrium::move_handles(double part, Positions& x) {
     const std::vector<double> held = m_limit.held();
     Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (int v : m_fixed) moves.col(v) = m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v);
+    for (int v : m_held)
+        moves.col(v) = held_part(v, m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v));
     predict(moves);
     x += moves;
     if (part == 1)
-        for (int v : m_fixed) x.col(v) = m_walk_to.col(v);
+        for (int v : m_held) take_held(m_walk_to, v, x);
     if (project(x)) return true;
     hold(held);
     return false;
@@ -498,12 +524,13 @@ bool Equilibrium::move_handles(double part, Positions& x) {
 /// for the rest as smoothly as the energy's bound allows.
 void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
     double along = 0, before = 0;
-    for (int v : m_fixed) {
-        along += moves.col(v).dot(m_last_move.col(v));
-        before += m_last_move.col(v).squaredNorm();
+    for (int v : m_held) {
+        const Eigen::Vector3d last = held_part(v, m_last_move.col(v));
+        along += moves.col(v).dot(last);
+        before += last.squaredNorm();
     }
     const double part = before > 0 ? k_repeated * std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
-    for (int v : m_fixed) moves.col(v) -= part * m_last_move.col(v);
+    for (int v : m_held) moves.col(v) -= part * held_part(v, m_last_move.col(v));
     m_newton->extend(moves);
     moves += part * m_last_move;
 }
@@ -536,13 +563,13 @@ bool Equilibrium::begin_at_rest_shape(double nearer_than) {
     return true;
 }
 
-/// The rest shape, turned and shifted to where handles are to be, and as far as that leaves it free, to the last net
-/// (Kabsch 1976).
+/// The rest shape, turned and shifted to where handles are to be, what slides to where it has slid, and as far as that
+/// leaves it free, to the last net (Kabsch 1976).
 Positions Equilibrium::placed_rest_shape() const {
     Positions to = m_result;
     Eigen::VectorXd weight = Eigen::VectorXd::Constant(to.cols(), k_free_weight / static_cast<double>(to.cols()));
-    for (int v : m_fixed) {
-        to.col(v) = m_walk_to.col(v);
+    for (int v : m_held) {
+        take_held(m_walk_to, v, to);
         weight[v] = 1;
     }
     Eigen::Vector3d from_centre(0, 0, 0), to_centre(0, 0, 0);
@@ -714,7 +741,7 @@ bool Equilibrium::project_lengths(Positions& positions) {
 void Equilibrium::watch_corners(const Positions& positions) {
     m_limit.watch(positions);
     m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology, m_limit.watched());
-    m_lengths->system().set_free(m_is_free);
+    m_lengths->system().set_free(m_is_free, m_slides);
     m_limit.apply(m_lengths->system());
     m_lengths->system().assemble(positions);
 }
@@ -762,6 +789,9 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      no farther, and where it is shorter for handles that jump, it begins at the rest shape;
 ///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
+///
+/// What slides is free, but for the coordinates that it keeps: these walk with the handles, and moves, Newton steps and
+/// projections leave them alone. At rest no force is left along its axes. Stage 1 and a shape to begin with have it stand.
 ///
 /// From the end of stage 2 on every iteration ends in a net, and the energy falls, but while corners are being opened.
 /// `converged` says that lengths, limit and rest are reached; `exact` that rest is not; `stalled` that the limit is not

@@ -22,8 +22,10 @@ public:
     /// See LengthSystem, also for what it throws.
     LengthProjection(const Net& net, const Topology& topology, std::span<const Distance> more = {});
 
-    /// V: the vertices that may move. The old factor stays a preconditioner.
-    void set_free(const std::vector<bool>& is_free) { m_system.set_free(is_free); }
+    /// V: the vertices that may move, and those of them that slide. The old factor stays a preconditioner.
+    void set_free(const std::vector<bool>& is_free, std::span<const Slide> slides = {}) {
+        m_system.set_free(is_free, slides);
+    }
     /// W of one vertex that may move, 0 < mobility ≤ 1, until the next set_free().
     void set_mobility(int vertex, double mobility) { m_system.set_mobility(vertex, mobility); }
 

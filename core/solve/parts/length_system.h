@@ -7,12 +7,14 @@
 #include "linear/cholesky.h"
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/slide.h"
 #include "solve/terms/distance_constraint.h"
 
 namespace chebnet {
 
 /// The system J W Jᵀ of the constraints c_e = ℓ_e / L_e − 1, where J is their Jacobian and W is 1 on vertices that may
-/// move, 0 on handles, and between on vertices that shall give way last. It has a row for each edge and couples edges
+/// move, 0 on handles, and between on vertices that shall give way last; of a vertex that slides it is 0 for the
+/// coordinates that it keeps. It has a row for each edge and couples edges
 /// that share a free vertex. More distances may be kept beside the edges, each a further row that can be switched on
 /// and off. Its factor in single precision serves as preconditioner for the system of the moment, from which it may be
 /// older. Nothing is allocated after construction.
@@ -31,8 +33,8 @@ public:
     void switch_on(int row, double distance);
     bool is_on(int row) const { return m_is_on[row]; }
 
-    /// V: the vertices that may move. The old factor stays a preconditioner.
-    void set_free(const std::vector<bool>& is_free);
+    /// V: the vertices that may move, and those of them that slide. The old factor stays a preconditioner.
+    void set_free(const std::vector<bool>& is_free, std::span<const Slide> slides = {});
     /// W of one vertex that may move, 0 < mobility ≤ 1, until the next set_free().
     void set_mobility(int vertex, double mobility) { m_weight[vertex] = mobility; }
     double weight(int vertex) const { return m_weight[vertex]; }
@@ -58,6 +60,8 @@ public:
 
 private:
     void couple_rows(int vertex_count);
+    void take_off_what_is_kept();
+    void add_pull_beside_what_is_kept(const Eigen::VectorXd& y, Eigen::Matrix3Xd& moves) const;
 
     using Entry = Eigen::Matrix<double, 1, 1>;
     /// Two rows that share a vertex.
@@ -70,6 +74,8 @@ private:
     std::vector<bool> m_is_on;
     std::vector<double> m_weight;  // V: W
     std::vector<Coupling> m_couplings;
+    std::vector<Axes> m_kept;  // V, coordinates that a vertex keeps though it may move; empty: nothing slides
+    std::vector<int> m_rows_that_slide, m_couplings_that_slide;
     std::vector<Entry> m_diagonal, m_off_diagonal;  // of J W Jᵀ, by rows and by couplings
     Eigen::Matrix3Xd m_jacobian;
     Eigen::VectorXd m_errors;

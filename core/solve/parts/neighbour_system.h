@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "linear/cholesky.h"
 #include "solve/parts/free_part.h"
 #include "solve/parts/neighbour_pairs.h"
+#include "solve/slide.h"
 #include "solve/terms/term.h"
 
 namespace chebnet {
@@ -21,6 +23,8 @@ public:
     void set_zero();
     void add_vertex(int vertex, const Eigen::Matrix3d& B) override;
     void add_pair(int row_vertex, int column_vertex, const Eigen::Matrix3d& B) override;
+    /// Takes what slides out of what has been added: the coordinates that it keeps stay 0 in solutions.
+    void hold(std::span<const Slide> slides);
     /// False if it is not positive definite as far as single precision can tell.
     bool factorize() { return m_factor.factorize(m_node_blocks, m_link_blocks); }
     /// The rows of free vertices of `to` become the solution for those of `from` (both 3×V).

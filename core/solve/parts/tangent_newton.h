@@ -13,6 +13,7 @@
 #include "solve/parts/neighbour_form.h"
 #include "solve/parts/neighbour_pairs.h"
 #include "solve/parts/neighbour_system.h"
+#include "solve/slide.h"
 #include "solve/terms/term.h"
 
 namespace chebnet {
@@ -24,17 +25,18 @@ namespace chebnet {
 /// where J is the Jacobian of the lengths and H the curvature of the energy and of the lengths, Σ λ_e ∇²c_e. Solved by
 /// projected conjugate gradients (Gould, Hribar, Nocedal 2001), cut short: what the first tens of iterations leave is
 /// the next step's to correct. The preconditioner is Π M⁻¹ Π, with M a fixed form that treats the coordinates alike,
-/// factored once for a set of handles, and Π the projection onto J d = 0 by the factor of the system of lengths. Where
-/// many iterations are left, H itself with stiff lengths, factored in single precision, takes M's place.
+/// factored once for a set of handles (for each coordinate, where vertices slide), and Π the projection onto J d = 0 by
+/// the factor of the system of lengths. Where many iterations are left, H itself with stiff lengths, factored in single
+/// precision, takes M's place.
 class TangentNewton {
 public:
-    /// Keeps references to net and part.
-    TangentNewton(const Net& net, const Topology& topology, const FreePart& part);
+    /// Keeps references to net and part, of which some vertices may slide.
+    TangentNewton(const Net& net, const Topology& topology, const FreePart& part, std::span<const Slide> slides = {});
 
     /// Takes over the bounds of these terms, and factors M anew.
     void set_metric(std::span<const std::unique_ptr<Term>> terms);
-    /// How free vertices follow if fixed ones move by the columns of `moves` (3×V): as smoothly as M allows. Fills in
-    /// their columns.
+    /// How free vertices follow if fixed ones move by the columns of `moves` (3×V), and those that slide by what they
+    /// have there across their axes: as smoothly as M allows. Fills in the rest.
     void extend(Eigen::Matrix3Xd& moves);
 
     /// Takes a net and the gradient of its energy there, and finds the multipliers λ of ∇E + Jᵀλ = 0 that fit best.
@@ -46,7 +48,7 @@ public:
     bool shorten(const Eigen::VectorXd& rows);
     /// λ of each row of the system: positive where it pulls.
     const Eigen::VectorXd& multipliers() const { return m_multipliers; }
-    /// ‖∇E + Jᵀλ‖ over the free vertices.
+    /// ‖∇E + Jᵀλ‖ over what may move.
     double gradient_norm() const { return m_gradient_norm; }
     /// What the errors of lengths cost at the net of the last linearise(), λ·c. E + λ·c differs from the energy of the
     /// exact net by the square of the errors only.
@@ -60,10 +62,10 @@ public:
     void forget_factor() { m_factor_is_used = false; }
     bool has_factor() const { return m_factor_is_used; }
 
-    /// A move that lowers the energy, zero on fixed vertices, by so many iterations at most; fewer if they have brought
-    /// the residual to this part. No vertex moves farther than `radius`: where the minimum is farther, or where there
-    /// is none since the curvature along the way is negative, the move ends at that distance (Steihaug 1983). Returns
-    /// its slope ∇E·d, negative unless there is none.
+    /// A move that lowers the energy, zero on fixed vertices and across the axes of those that slide, by so many
+    /// iterations at most; fewer if they have brought the residual to this part. No vertex moves farther than `radius`:
+    /// where the minimum is farther, or where there is none since the curvature along the way is negative, the move
+    /// ends at that distance (Steihaug 1983). Returns its slope ∇E·d, negative unless there is none.
     double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
                      double tolerance, double radius, Eigen::Matrix3Xd& move);
     /// What is left of a move beside the rows as they are now. Returns its slope.
@@ -75,6 +77,18 @@ public:
 private:
     double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
                           double radius) const;
+    /// M for some of the coordinates: those in which the same vertices are free.
+    struct Metric {
+        Axes coordinates;
+        std::unique_ptr<FreePart> own_part;  // null: all that is free moves in these coordinates
+        const FreePart* part;
+        std::unique_ptr<LaplacianSystem> system;  // the vertices of the part are its nodes
+    };
+
+    void add_metric(Axes coordinates, const std::vector<bool>& is_free);
+    void fill(Metric& metric) const;
+    void extend(Metric& metric, Eigen::Matrix3Xd& moves);
+    void solve_for(Metric& metric, Eigen::Matrix3Xd& solution);
     void mask(Eigen::Matrix3Xd& vectors) const;
     void project(Eigen::Matrix3Xd& vectors);
     void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
@@ -85,10 +99,11 @@ private:
     const FreePart& m_part;
     LengthProjection* m_lengths = nullptr;
     std::vector<int> m_fixed;  // vertices
-    // M as links and weights at vertices; the system has the free vertices as nodes.
+    std::vector<Slide> m_slides;
+    // M as links and weights at vertices.
     NeighbourPairs m_pairs;
     NeighbourForm m_form;
-    std::unique_ptr<LaplacianSystem> m_system;
+    std::vector<Metric> m_metrics;
     std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
     bool m_factor_is_used = false;
 

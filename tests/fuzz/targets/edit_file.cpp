@@ -21,6 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(handle.vertex >= 0 && handle.vertex < vertex_count && !is_held[handle.vertex], "a bad vertex");
         is_held[handle.vertex] = true;
         require(handle.target.allFinite() && handle.weight > 0, "a target or a weight that no editor takes");
+        require(handle.slides >= k_no_axes && handle.slides < k_all_axes, "axes that no editor takes");
     }
     return 0;
 }

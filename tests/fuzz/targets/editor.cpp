@@ -150,7 +150,9 @@ private:
         for (int count = m_input.ConsumeIntegralInRange(0, 5); count > 0; --count) {
             const int vertex = m_input.ConsumeIntegralInRange(0, m_editor.net().vertex_count() - 1);
             handles.push_back({vertex, any_target(vertex)});
-            if (m_input.ConsumeIntegralInRange(0, 3) == 0) handles.back().weight = fuzz::any_number(m_input);
+            const int kind = m_input.ConsumeIntegralInRange(0, 3);
+            if (kind == 0) handles.back().weight = fuzz::any_number(m_input);
+            if (kind == 1) handles.back().slides = m_input.ConsumeIntegralInRange(-1, 8);
         }
         return handles;
     }

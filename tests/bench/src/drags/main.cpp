@@ -55,7 +55,7 @@ public:
 
     /// Moves the handles to a part of their way, for one frame: until the net has its lengths, or the solve ends.
     SolveReport frame(double part) {
-        for (const auto& [vertex, target, weight] : m_problem.handles) {
+        for (const auto& [vertex, target, weight, slides] : m_problem.handles) {
             const Eigen::Vector3d rest = m_problem.net.rest_positions().col(vertex);
             m_editor.move_handle(vertex, rest + part * (target - rest));
         }

@@ -1,0 +1,305 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "edit/editor.h"
+#include "edit/length_adapter.h"
+#include "first_order.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "solve/method.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr Axes k_x = 1, k_y = 2, k_z = 4, k_ground = k_x + k_y;
+
+Handle pinned(const Net& net, int vertex) { return {vertex, net.rest_positions().col(vertex)}; }
+
+Handle sliding(const Net& net, int vertex, Axes axes) {
+    Handle handle = pinned(net, vertex);
+    handle.slides = axes;
+    return handle;
+}
+
+/// A flat sheet of n × n vertices whose border slides on the ground, and its middle.
+struct Sheet {
+    Net net;
+    int n, middle;
+    std::vector<Handle> handles;
+};
+
+Sheet sheet(int n) {
+    Sheet sheet{samples::patch(n, n, 0), n, n * (n / 2) + n / 2, {}};
+    for (int v = 0; v < n * n; ++v)
+        if (v % n == 0 || v % n == n - 1 || v < n || v >= n * (n - 1))
+            sheet.handles.push_back(sliding(sheet.net, v, k_ground));
+    sheet.handles.push_back(pinned(sheet.net, sheet.middle));
+    return sheet;
+}
+
+Editor editor_of(const Net& net, std::vector<Handle> handles) {
+    Editor editor(net);
+    editor.set_handles(std::move(handles));
+    return editor;
+}
+
+/// Whether each handle holds its vertex bit for bit where it was wanted, and its target is where the vertex is.
+bool holds(const Editor& editor, const std::vector<Handle>& wanted) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Eigen::Vector3d at = editor.positions().col(wanted[i].vertex);
+        if (!wanted[i].holds_at(at) || editor.handles()[i].target != at) return false;
+    }
+    return true;
+}
+
+double gradient(const Editor& editor) {
+    return samples::first_order(editor.net(), editor.handles(), editor.options(), editor.positions()).gradient;
+}
+
+/// How far apart the feet in the middle of opposite sides stand.
+double width(const Sheet& sheet, const Positions& x) {
+    const int half = sheet.n / 2;
+    return (x.col(sheet.middle - half) - x.col(sheet.middle + half)).norm();
+}
+double depth(const Sheet& sheet, const Positions& x) {
+    const int half = sheet.n * (sheet.n / 2);
+    return (x.col(sheet.middle - half) - x.col(sheet.middle + half)).norm();
+}
+
+}  // namespace
+
+TEST_CASE("The border of a sheet whose crown is raised slides inwards, on the ground to the last bit, and back") {
+    const Sheet flat = sheet(9);
+    Editor editor = editor_of(flat.net, flat.handles);
+    std::vector<Handle> wanted = flat.handles;
+    for (const double lift : {0.5, 1.0, 2.0}) {
+        CAPTURE(lift);
+        const double before = width(flat, editor.positions());
+        wanted.back().target.z() = lift;
+        editor.move_handle(flat.middle, wanted.back().target);
+        const SolveReport report = editor.solve();
+        CHECK(report.status == Status::converged);
+        CHECK(report.max_deviation < 1e-9);
+        CHECK(holds(editor, wanted));
+        CHECK(width(flat, editor.positions()) < before - 0.01);
+        CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
+        CHECK(editor.unreachable_pairs().empty());
+    }
+    CHECK(width(flat, editor.positions()) == Approx(depth(flat, editor.positions())).epsilon(1e-4));
+    editor.move_handle(flat.middle, flat.net.rest_positions().col(flat.middle));
+    CHECK(editor.solve().max_deviation < 1e-9);
+    CHECK(width(flat, editor.positions()) == Approx(8).epsilon(1e-3));
+}
+
+TEST_CASE("The feet of an arch of two edges stand where Pythagoras says when its crown is raised") {
+    const Net net = samples::patch(3, 2, 0.4);
+    std::vector<Handle> handles;
+    for (int v : {0, 2, 3, 5}) handles.push_back(sliding(net, v, k_x));
+    for (int v : {1, 4}) handles.push_back(pinned(net, v));
+    Editor editor = editor_of(net, handles);
+    editor.set_option("threshold", "1e-16");
+    const double crown = net.rest_positions()(0, 1);
+    for (const double height : {0.6, 0.8, 0.3}) {
+        CAPTURE(height);
+        for (Handle& handle : handles)
+            if (handle.slides == k_no_axes) {
+                handle.target.z() = height;
+                editor.move_handle(handle.vertex, handle.target);
+            }
+        CHECK(editor.solve().status == Status::converged);
+        CHECK(holds(editor, handles));
+        const double span = std::sqrt(1 - height * height);
+        for (int v : {0, 3}) CHECK(editor.positions()(0, v) == Approx(crown - span).margin(1e-7));
+        for (int v : {2, 5}) CHECK(editor.positions()(0, v) == Approx(crown + span).margin(1e-7));
+    }
+}
+
+TEST_CASE("A strip with one foot fixed and one that slides up and down hangs straight down") {
+    const Net net = samples::patch(2, 7, 0.5);
+    std::vector<Handle> handles;
+    for (int v : {0, 1}) handles.push_back(pinned(net, v));
+    for (int v : {12, 13}) handles.push_back(sliding(net, v, k_z));
+    Editor editor = editor_of(net, handles);
+    editor.set_option("straight_rods", "on");
+    editor.set_option("gravity", "1");
+    // The feet are brought below the others, and slide down as far as the strip is long.
+    for (int step = 1; step <= 20; ++step) {
+        for (std::size_t i : {2, 3}) {
+            handles[i].target.y() = net.rest_positions()(1, handles[i].vertex) * (20 - step) / 20;
+            editor.move_handle(handles[i].vertex, handles[i].target);
+        }
+        editor.solve();
+    }
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(holds(editor, handles));
+    for (int v = 0; v < 14; ++v) {
+        CHECK(editor.positions()(1, v) == Approx(0).margin(1e-3));
+        CHECK(editor.positions()(2, v) == Approx(-(v / 2)).margin(1e-3));
+    }
+}
+
+TEST_CASE("A symmetric arch whose crown is raised draws both feet in by as much") {
+    const Net net = samples::patch(9, 3, 0.5);
+    std::vector<Handle> handles;
+    for (int j = 0; j < 3; ++j) {
+        handles.push_back(sliding(net, 9 * j, k_ground));
+        handles.push_back(sliding(net, 9 * j + 8, k_ground));
+        handles.push_back(pinned(net, 9 * j + 4));
+        handles.back().target.z() += 0.7;
+    }
+    Editor editor = editor_of(net, handles);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(holds(editor, handles));
+    CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
+    const Positions &x = editor.positions(), &rest = net.rest_positions();
+    for (int j = 0; j < 3; ++j) {
+        const double left = x(0, 9 * j) - rest(0, 9 * j), right = rest(0, 9 * j + 8) - x(0, 9 * j + 8);
+        CHECK(left > 0.05);
+        CHECK(left == Approx(right).margin(1e-3));
+    }
+}
+
+TEST_CASE("A foot that slides is lifted by moving it, whatever is said of where it slides") {
+    const Sheet flat = sheet(7);
+    Editor editor = editor_of(flat.net, flat.handles);
+    editor.move_handle(flat.middle, flat.handles.back().target + Eigen::Vector3d(0, 0, 1));
+    editor.solve();
+    std::vector<Handle> wanted = editor.handles();
+    wanted[0].target.z() = 0.3;
+    const double x = wanted[0].target.x();
+    editor.drag_handle(wanted[0].vertex, wanted[0].target + Eigen::Vector3d(100, -100, 0));
+    CHECK(editor.handles()[0].target.x() == x);
+    CHECK(editor.solve().status == Status::converged);
+    editor.release_handles();
+    editor.solve();
+    CHECK(holds(editor, wanted));
+    CHECK(max_deviation(flat.net, editor.positions()) < 1e-9);
+    CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
+}
+
+TEST_CASE("A foot that is dragged higher than the net goes is held back, and every frame is a net") {
+    const Net net = samples::patch(5, 5, 0.3);
+    std::vector<Handle> handles{pinned(net, 0), pinned(net, 4), sliding(net, 22, k_ground)};
+    Editor editor = editor_of(net, handles);
+    for (int frame = 1; frame <= 20; ++frame) {
+        editor.drag_handle(22, handles[2].target + Eigen::Vector3d(0, 0, 0.5 * frame));
+        CHECK(editor.solve({.iterations = 1}).max_deviation < 1e-6);
+    }
+    while (editor.solve({.iterations = 100}).status == Status::running) {
+    }
+    CHECK(editor.holds_back());
+    editor.release_handles();
+    while (editor.solve({.iterations = 100}).status == Status::running) {
+    }
+    CHECK(editor.handle_error() == 0);
+    CHECK(max_deviation(net, editor.positions()) < 1e-6);
+}
+
+TEST_CASE("Methods that do not let handles slide keep them where they stand") {
+    for (const MethodInfo& info : method_table()) {
+        if (make_method(info.name)->knows_slides()) continue;
+        CAPTURE(info.name);
+        const Sheet flat = sheet(5);
+        Editor editor = editor_of(flat.net, flat.handles);
+        editor.set_method(info.name);
+        editor.set_option("max_iterations", "30");
+        editor.move_handle(flat.middle, flat.handles.back().target + Eigen::Vector3d(0.1, 0, 0.2));
+        editor.solve();
+        for (std::size_t i = 0; i + 1 < flat.handles.size(); ++i)
+            CHECK(editor.positions().col(flat.handles[i].vertex) == flat.handles[i].target);
+    }
+}
+
+TEST_CASE("What slides is as an editor set to the same state has it") {
+    const Sheet flat = sheet(7);
+    Editor editor = editor_of(flat.net, flat.handles);
+    editor.move_handle(flat.middle, flat.handles.back().target + Eigen::Vector3d(0.2, 0, 1));
+    editor.solve();
+    const EditState state = editor.state();
+    Editor other(flat.net);
+    other.set_state(state);
+    CHECK(other.state() == state);
+    // Where it has slid counts, not where its target says.
+    EditState stale = state;
+    stale.handles[0].target.x() -= 1;
+    other.set_state(stale);
+    CHECK(other.state() == state);
+    CHECK(other.solve().max_deviation < 1e-9);
+}
+
+TEST_CASE("Handles that slide never are out of reach along their axes, and bound no other") {
+    const Net net = samples::patch(4, 4, 0);
+    Editor editor = editor_of(net, {pinned(net, 0), sliding(net, 3, k_ground), sliding(net, 1, k_x)});
+    CHECK(editor.unreachable_pairs().empty());
+    CHECK(editor.reach(3).empty());
+    CHECK(editor.reach(0).empty());
+    editor.move_handle(0, Eigen::Vector3d(-100, 0, 0));
+    CHECK(editor.unreachable_pairs().empty());
+    CHECK(editor.solve().max_deviation < 1e-6);  // all of it has slid along
+}
+
+TEST_CASE("Handles that slide along everything, or softly, are refused and change nothing") {
+    const Net net = samples::patch(3, 3);
+    Editor editor = editor_of(net, {pinned(net, 0)});
+    const EditState before = editor.state();
+    for (const Axes axes : {-1, 7, 8}) {
+        Handle handle = sliding(net, 4, axes);
+        CHECK_THROWS_AS(editor.set_handles({handle}), Error);
+    }
+    Handle soft = sliding(net, 4, k_x);
+    soft.weight = 1;
+    CHECK_THROWS_WITH(editor.set_handles({soft}), Catch::Contains("handle 4 is soft"));
+    CHECK(editor.state() == before);
+}
+
+TEST_CASE("Lengths adapt to handles beside some that slide") {
+    const Net net = samples::patch(5, 5, 0.3);
+    std::vector<Handle> handles{pinned(net, 0), pinned(net, 4), sliding(net, 22, k_ground)};
+    const Editor editor = editor_of(net, handles);
+    handles[1].target.x() += 1;
+    LengthAdapter adapter(editor, {handles[1]});
+    while (adapter.solve({.iterations = 50}).status == Status::running) {
+    }
+    const EditState found = adapter.state();
+    CHECK(found.options.length_scale > 1);
+    CHECK(found.handles[2].slides == k_ground);
+    CHECK(found.positions(2, 22) == handles[2].target.z());
+}
+
+TEST_CASE("Whatever slides along whatever: lengths, held coordinates and first-order conditions") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    int converged = 0;
+    constexpr int k_rounds = 12;
+    for (int round = 0; round < k_rounds; ++round) {
+        CAPTURE(round);
+        const Net net = samples::patch(7, 6, 0.5);
+        std::vector<int> vertices{0, 6, 35, 41, 17};
+        std::shuffle(vertices.begin(), vertices.end(), random);
+        std::vector<Handle> handles;
+        for (int v : vertices) handles.push_back(sliding(net, v, std::uniform_int_distribution(0, 6)(random)));
+        Editor editor = editor_of(net, handles);
+        for (int drag = 0; drag < 3; ++drag) {
+            std::uniform_real_distribution<double> move(-0.25, 0.25);
+            for (Handle& handle : handles) {
+                handle.target += Eigen::Vector3d(move(random), move(random), move(random));
+                editor.move_handle(handle.vertex, handle.target);
+            }
+            const SolveReport report = editor.solve();
+            CHECK(holds(editor, handles));
+            if (!keeps_lengths(report.status)) continue;
+            CHECK(report.max_deviation < editor.options().threshold);
+            if (report.status != Status::converged) continue;
+            ++converged;
+            CHECK(report.max_deviation < 1e-9);
+            CHECK(gradient(editor) < 2 * editor.options().rest_tolerance);
+        }
+    }
+    CHECK(converged > k_rounds);  // of three times as many
+}
