@@ -791,7 +791,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///
 /// What slides is free, but for the coordinates that it keeps: these walk with the handles, and moves, Newton steps and
-/// projections leave them alone. At rest no force is left along its axes. Stage 1 and a shape to begin with have it stand.
+/// projections leave them alone. At rest no force is left along its axes. Stage 1 and a shape to begin with have it
+/// stand.
 ///
 /// From the end of stage 2 on every iteration ends in a net, and the energy falls, but while corners are being opened.
 /// `converged` says that lengths, limit and rest are reached; `exact` that rest is not; `stalled` that the limit is not
