@@ -20,7 +20,7 @@ struct RemeshOptions {
     double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
-    SingularWishes singular;
+    SingularWishes singular = {};
 };
 
 /// What is done, in this order.

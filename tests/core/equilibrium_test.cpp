@@ -219,6 +219,45 @@ TEST_CASE("Equilibrium: from a net pulled beyond its reach, or knotted, handles 
     CHECK((editor.positions() - home).colwise().norm().maxCoeff() < 1e-2 * L);
 }
 
+TEST_CASE(
+    "Equilibrium: a net that had to be opened comes back from a knot to where it was, though it could buckle twice") {
+    const Net patch = samples::patch(9, 9);
+    Positions leaning = patch.rest_positions();
+    leaning.row(0) += 0.9 * leaning.row(1);
+    Editor editor(Net(leaning, patch.faces(), RestLengths::own));
+    editor.set_method("equilibrium");
+    editor.set_option("shear_limit", "55");
+    const std::vector<Handle> at_rest = samples::handles_at_rest(editor.net(), {0, 8, 72, 80});
+    editor.set_handles(at_rest);
+    REQUIRE(editor.solve().status == Status::converged);
+    const Positions home = editor.positions();
+    const double L = editor.net().mean_length();
+    const unsigned seed = GENERATE(range(1u, 9u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::vector<Handle> knotted = at_rest;
+    for (Handle& handle : knotted)
+        for (double& x : handle.target) x += L * (3.6 * static_cast<double>(random()) / random.max() - 1.8);
+    editor.set_handles(knotted);
+    editor.solve();
+    editor.set_handles(at_rest);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - home).colwise().norm().maxCoeff() < 1e-2 * L);
+}
+
+TEST_CASE("Equilibrium: a rigid net beyond the limit is not said to have converged") {
+    const Net cube = samples::cube();
+    Positions leaning = cube.rest_positions();
+    leaning.row(0) += 0.9 * leaning.row(2);
+    Editor editor(Net(leaning, cube.faces(), RestLengths::own));
+    editor.set_method("equilibrium");
+    editor.set_option("shear_limit", "55");
+    const int last = cube.vertex_count() - 1;
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, last / 3, 2 * last / 3, last}));
+    CHECK(editor.solve().status == Status::stalled);
+    REQUIRE(corner_angle_range(editor.net(), editor.positions()).smallest < 54 * k_degree);
+}
+
 TEST_CASE("Equilibrium: frames of a drag are nets within the limit, and the energy of a net at rest falls") {
     const Edit edit = pulled_diagonal();
     Editor editor = at_rest(edit);

@@ -85,6 +85,16 @@ TEST_CASE("Projections converge quadratically and never move a held vertex") {
     CHECK(x.col(143) == before.col(143));
 }
 
+TEST_CASE("A projection of exact lengths moves nothing") {
+    const Net net = samples::cube();
+    const Topology topology(net);
+    LengthProjection projection(net, topology);
+    projection.set_free(std::vector<bool>(8, true));
+    Positions positions = net.rest_positions();
+    for (int time = 0; time < 2; ++time) CHECK(projection.project(positions));
+    CHECK(positions == net.rest_positions());
+}
+
 TEST_CASE("The first step of the spring descent is a local-global iteration, and its energy never rises") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);

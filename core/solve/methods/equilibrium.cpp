@@ -36,8 +36,10 @@ constexpr double k_repeated = 0.95, k_most_repeated = 2;
 // Handles that are as near to their places of rest, in edge lengths, in the same arrangement, are at home: there the
 // rest shape is the answer.
 constexpr double k_home = 1e-6;
-// What the last net counts for, beside one handle, where the rest shape is placed anew.
+// What the last net counts for, beside one handle, where handles alone do not say how the rest shape is turned.
 constexpr double k_free_weight = 1e-10;
+// Handles that are nearer to one line than this leave a turn about it free.
+constexpr double k_determined = 1e-6;
 // Tries of such a step, at once or in shorter ones.
 constexpr int k_most_trials = 8;
 // Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
@@ -78,6 +80,34 @@ bool ask_for_the_same(const Options& a, const Options& b) {
            a.guide_weight == b.guide_weight;
 }
 
+struct RigidMotion {
+    Eigen::Vector3d from_centre, to_centre;
+    Eigen::Quaterniond rotation;
+    bool is_determined;  // by what it was fitted to: no turn about a point or a line would do as well
+
+    Eigen::Vector3d of(const Eigen::Vector3d& x) const { return to_centre + rotation * (x - from_centre); }
+};
+
+/// The one with the least Σ weight · ‖motion(from) − to‖² (Kabsch 1976).
+RigidMotion fit(const Positions& from, const Positions& to, const Eigen::VectorXd& weight) {
+    RigidMotion motion{{0, 0, 0}, {0, 0, 0}, Eigen::Quaterniond::Identity(), false};
+    for (Eigen::Index v = 0; v < to.cols(); ++v) {
+        motion.from_centre += weight[v] * from.col(v);
+        motion.to_centre += weight[v] * to.col(v);
+    }
+    motion.from_centre /= weight.sum();
+    motion.to_centre /= weight.sum();
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (Eigen::Index v = 0; v < to.cols(); ++v)
+        covariance += weight[v] * (to.col(v) - motion.to_centre) * (from.col(v) - motion.from_centre).transpose();
+    motion.rotation = nearest_rotation(covariance, Eigen::Quaterniond::Identity());
+    // The product of the two largest singular values against the square of the largest.
+    Eigen::Matrix3d minors;
+    for (int k = 0; k < 3; ++k) minors.col(k) = covariance.col((k + 1) % 3).cross(covariance.col((k + 2) % 3));
+    motion.is_determined = minors.norm() > k_determined * covariance.squaredNorm();
+    return motion;
+}
+
 class Equilibrium : public Method {
 public:
     /// What costs no energy: the net's rest shape, or that once it is a net within the limit.
@@ -115,6 +145,7 @@ private:
     bool was_left(const Positions& before, const Positions& positions) const;
     void begin_walk(const Positions& positions);
     Status find_net(Positions& positions, TraceRow& row);
+    Status begin_rest(Status of_projection, Positions& positions);
     Status follow_handles(Positions& positions, TraceRow& row);
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
@@ -123,7 +154,8 @@ private:
     bool begin_at_rest_shape(double nearer_than);
     bool rests_at_home() const;
     double way_left(const Positions& from) const;
-    Positions placed_rest_shape() const;
+    bool is_arrangement_of(const Positions& shape) const;
+    Positions placed(const Positions& shape) const;
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
@@ -307,8 +339,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     }
     if (m_stage == follow) begin_walk(positions);
     if (m_stage == follow && !m_only_nets && rests_at_home()) {
-        const double way = way_left(m_result);
-        begin_at_rest_shape(way > k_fast_drag ? way : k_home);
+        const double way = way_left(m_result), any = std::numeric_limits<double>::infinity();
+        begin_at_rest_shape(is_arrangement_of(m_net->rest_positions()) ? any : way > k_fast_drag ? way : k_home);
     }
     if (m_stage != follow) m_last_move.setZero();
     if (m_stage != rest) return Status::running;
@@ -451,7 +483,12 @@ Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
 Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
     const Status status = projection().iterate(positions, row);
     m_max_deviation = row.max_deviation;
-    if (status != Status::converged || !m_reachable) return status;
+    return begin_rest(status, positions);
+}
+
+/// From where `projection` has ended like this, if it has found a net.
+Status Equilibrium::begin_rest(Status of_projection, Positions& positions) {
+    if (of_projection != Status::converged || !m_reachable) return of_projection;
     if (!m_lengths || !m_newton) return Status::exact;
     const Positions found = positions;
     if (!project(positions)) {
@@ -545,45 +582,39 @@ Status Equilibrium::find_another_net(Positions& positions) {
     m_stage = net;
     const Status status = projection().start(problem(), positions, m_options);
     m_max_deviation = max_deviation(*m_net, positions);
-    return status;
+    return begin_rest(status, positions);
 }
 
 /// Walks from the rest shape in place of the last net. False if it has done so in this solve, or the rest shape is no
 /// net, or handles would have as far to go as this, in edge lengths.
 bool Equilibrium::begin_at_rest_shape(double nearer_than) {
     if (m_was_placed || !(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
-    const Positions placed = placed_rest_shape();
-    if (!(way_left(placed) < nearer_than)) return false;
+    const Positions start = placed(m_rest_shape);
+    if (!(way_left(start) < nearer_than)) return false;
     m_was_placed = true;
-    m_result = placed;
-    m_limit = limit();
-    watch_corners(m_result);
+    m_result = start;
+    // As if nothing had been before, so that the end does not depend on it.
+    if (!prepare_energy(m_result, false)) return false;
+    m_newton->forget_multipliers();
     m_last_move.setZero();
     begin_walk(m_walk_to);
     return true;
 }
 
-/// The rest shape, turned and shifted to where handles are to be, what slides to where it has slid, and as far as that
-/// leaves it free, to the last net (Kabsch 1976).
-Positions Equilibrium::placed_rest_shape() const {
+/// Whether handles are to be as they are in this shape, wherever that is.
+bool Equilibrium::is_arrangement_of(const Positions& shape) const { return way_left(placed(shape)) < k_home; }
+
+/// A shape, turned and shifted to where handles are to be, what slides to where it has slid, and as far as that leaves
+/// it free, to the last net.
+Positions Equilibrium::placed(const Positions& shape) const {
     Positions to = m_result;
-    Eigen::VectorXd weight = Eigen::VectorXd::Constant(to.cols(), k_free_weight / static_cast<double>(to.cols()));
-    for (int v : m_held) {
-        take_held(m_walk_to, v, to);
-        weight[v] = 1;
-    }
-    Eigen::Vector3d from_centre(0, 0, 0), to_centre(0, 0, 0);
-    for (Eigen::Index v = 0; v < to.cols(); ++v) {
-        from_centre += weight[v] * m_rest_shape.col(v);
-        to_centre += weight[v] * to.col(v);
-    }
-    from_centre /= weight.sum();
-    to_centre /= weight.sum();
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (Eigen::Index v = 0; v < to.cols(); ++v)
-        covariance += weight[v] * (to.col(v) - to_centre) * (m_rest_shape.col(v) - from_centre).transpose();
-    const Eigen::Quaterniond rotation = nearest_rotation(covariance, Eigen::Quaterniond::Identity());
-    for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = to_centre + rotation * (m_rest_shape.col(v) - from_centre);
+    for (int v : m_held) take_held(m_walk_to, v, to);
+    Eigen::VectorXd weight = Eigen::VectorXd::Zero(to.cols());
+    for (int v : m_held) weight[v] = 1;
+    if (m_held.size() < 3 || !fit(shape, to, weight).is_determined)
+        weight.array() += k_free_weight / static_cast<double>(to.cols());
+    const RigidMotion motion = fit(shape, to, weight);
+    for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = motion.of(shape.col(v));
     return to;
 }
 

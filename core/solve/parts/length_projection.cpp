@@ -72,7 +72,7 @@ bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess
         m_multipliers.setZero();
     }
     const double enough = tolerance * tolerance * squared_error();
-    if (guess != nullptr && dot(m_residual, m_residual) <= enough) return true;
+    if (dot(m_residual, m_residual) <= enough) return true;  // also where nothing is asked for
     double product = 0;
     for (int k = 0; k < k_most_iterations; ++k) {
         m_system.precondition(m_residual, m_preconditioned);

@@ -48,6 +48,8 @@ public:
     bool shorten(const Eigen::VectorXd& rows);
     /// λ of each row of the system: positive where it pulls.
     const Eigen::VectorXd& multipliers() const { return m_multipliers; }
+    /// Those of before are what the search for new ones begins with, and so a trace of the way here.
+    void forget_multipliers() { m_multipliers.setZero(); }
     /// ‖∇E + Jᵀλ‖ over what may move.
     double gradient_norm() const { return m_gradient_norm; }
     /// What the errors of lengths cost at the net of the last linearise(), λ·c. E + λ·c differs from the energy of the
