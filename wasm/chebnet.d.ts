@@ -562,6 +562,9 @@ export interface RemeshOptions {
   smallestAngle?: number;
   /** 0 … 100, 1 unless said otherwise: the more, the larger are the bumps that make no singular vertices. */
   smoothing?: number;
+  /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0,
+   *  unless said otherwise: no edge is followed. */
+  crease?: number;
   /** Where singular vertices are wanted. Not always kept: see `kept` of what comes of it. */
   singular?: readonly WishedSingular[];
   /** Where none are wanted. */

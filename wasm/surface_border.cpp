@@ -230,6 +230,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.length = options["length"].as<double>();
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
+    wanted.crease = options["crease"].as<double>();
     wanted.singular = wishes_in(options);
     const Remesh made = remesh(open.guide, wanted,
                                [&](RemeshPhase phase, double done) { progress(std::string(to_string(phase)), done); });

@@ -28,6 +28,7 @@ struct RemeshArguments {
     NetOutput output;
     RemeshOptions options;
     double smallest_angle = 30;
+    double crease = 0;
     std::vector<std::string> singular, forbidden;
 };
 
@@ -103,6 +104,7 @@ int run_remesh(const RemeshArguments& arguments) {
     Json milliseconds = {{"tree", watch.milliseconds()}};
     RemeshOptions options = arguments.options;
     options.smallest_angle = arguments.smallest_angle * std::numbers::pi / 180;
+    options.crease = arguments.crease * std::numbers::pi / 180;
     read_wishes(arguments, options.singular);
     const Remesh made = remesh(guide, options);
     for (int phase = 0; phase < k_remesh_phases; ++phase)
@@ -153,6 +155,12 @@ Command add_remesh(CLI::App& program) {
         ->allow_extra_args(false);
     command.add_flag("--only-these", arguments->options.singular.only,
                      "No singular vertices are wanted but those of --singular");
+    command
+        .add_option(
+            "--crease", arguments->crease,
+            "Net lines follow edges of the surface that are sharper than this, in degrees; 0: none are followed")
+        ->type_name("DEGREES")
+        ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments] { return run_remesh(*arguments); }};
 }

@@ -94,22 +94,29 @@ std::vector<Frame> vertex_frames(const Surface& surface, int smoothing) {
 /// How directions go from vertex to vertex, and along what they are held.
 struct Connection {
     std::vector<Complex> transports;  // of each side, from its beginning to its end
-    std::vector<Complex> targets;     // of each vertex the sum over its sides on the boundary
+    std::vector<Complex> targets;     // of each vertex the sum over its sides on the boundary and on creases
+    std::vector<int> held_sides;      // of each vertex, how many there are
     std::vector<double> weights;      // of each vertex, of such a side
     std::vector<bool> is_pinned;      // of each vertex: directions turn around it, so its own is not one of theirs
 };
 
-Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames) {
+Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames,
+                              const std::vector<bool>& creases) {
     Connection connection;
+    connection.held_sides.assign(frames.size(), 0);
     connection.targets.assign(frames.size(), 0);
     connection.weights.assign(frames.size(), k_boundary_weight);
     connection.is_pinned.assign(frames.size(), false);
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int a = surface.from(s), b = surface.to(s);
         connection.transports.push_back(transport(frames[a], frames[b]));
-        if (surface.opposite(s) >= 0) continue;
+        const bool is_held = surface.opposite(s) < 0 || (!creases.empty() && creases[s] && surface.opposite(s) < s);
+        if (!is_held) continue;
         const Eigen::Vector3d along = surface.positions().col(b) - surface.positions().col(a);
-        for (const int v : {a, b}) connection.targets[v] += fourth_power(unit(frames[v].of(along)));
+        for (const int v : {a, b}) {
+            connection.targets[v] += fourth_power(unit(frames[v].of(along)));
+            ++connection.held_sides[v];
+        }
     }
     return connection;
 }
@@ -167,7 +174,8 @@ void turn(Connection& connection, const Surface& surface, const std::vector<Fram
     if (wishes.only) hold_between_pins(connection, surface, frames, wishes);
 }
 
-/// Σ over edges |z_to − r z_from|² + Σ over the boundary |z − b|² as a real system, two rows for each vertex.
+/// Σ over edges |z_to − r z_from|² + Σ over the boundary and creases |z − b|² as a real system, two rows for each
+/// vertex.
 class Smoother {
 public:
     Smoother(const Surface& surface, const Connection& connection) : m_size(2 * surface.vertex_count()) {
@@ -176,12 +184,11 @@ public:
         for (int v = 0; v < surface.vertex_count(); ++v) {
             m_target[2 * v] = connection.weights[v] * connection.targets[v].real();
             m_target[2 * v + 1] = connection.weights[v] * connection.targets[v].imag();
+            for (int k = 0; k < 2; ++k)
+                entries.emplace_back(2 * v + k, 2 * v + k, connection.held_sides[v] * connection.weights[v]);
         }
         for (int s = 0; s < 3 * surface.face_count(); ++s) {
             const int a = surface.from(s), b = surface.to(s);
-            if (surface.opposite(s) < 0)
-                for (const int v : {a, b})
-                    for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, connection.weights[v]);
             if (surface.opposite(s) >= 0 && surface.opposite(s) < s) continue;
             for (const int v : {a, b})
                 for (int k = 0; k < 2; ++k) entries.emplace_back(2 * v + k, 2 * v + k, 1);
@@ -259,10 +266,10 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 
 }  // namespace
 
-DirectionField smoothest_field(const Surface& surface, int smoothing, const PlacedWishes* wishes) {
-    const std::vector<Frame> frames = vertex_frames(surface, smoothing);
-    Connection connection = natural_connection(surface, frames);
-    if (wishes) turn(connection, surface, frames, *wishes);
+DirectionField smoothest_field(const Surface& surface, const FieldOptions& options) {
+    const std::vector<Frame> frames = vertex_frames(surface, options.smoothing);
+    Connection connection = natural_connection(surface, frames, options.creases);
+    if (options.wishes) turn(connection, surface, frames, *options.wishes);
     const std::vector<Complex> at_vertices = Smoother(surface, connection).run();
     DirectionField field;
     field.directions.resize(3, surface.face_count());

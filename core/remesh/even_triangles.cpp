@@ -17,6 +17,8 @@ constexpr double k_longest = 4.0 / 3, k_shortest = 4.0 / 5;
 constexpr double k_step = 0.8;
 // A triangle turns by less than this when an edge is collapsed or flipped: a cosine.
 constexpr double k_least_cosine = 0.3;
+// Twice the area of a triangle that has any, in lengths squared.
+constexpr double k_least_area = 1e-6;
 // An edge of the boundary is collapsed where the boundary turns by less: a cosine.
 constexpr double k_straight_boundary = 0.9;
 constexpr int k_inner_valence = 6, k_boundary_valence = 4;
@@ -24,7 +26,9 @@ constexpr int k_inner_valence = 6, k_boundary_valence = 4;
 /// Triangles that are edited. Sides are numbered as in Surface; a triangle that is gone has vertices −1.
 class Triangles {
 public:
-    Triangles(const Surface& surface, const SurfaceTree& tree, double length) : m_tree(tree), m_length(length) {
+    Triangles(const Surface& surface, const SurfaceTree& tree, double length, const std::vector<bool>& creases)
+        : m_tree(tree), m_length(length), m_is_crease(creases) {
+        m_is_crease.resize(3 * static_cast<std::size_t>(surface.face_count()), false);
         m_from.assign(surface.triangles().reshaped().begin(), surface.triangles().reshaped().end());
         m_opposite.resize(m_from.size());
         m_first_side.resize(static_cast<std::size_t>(surface.vertex_count()));
@@ -79,7 +83,7 @@ public:
     void relax() {
         const std::vector<Eigen::Vector3d> before = m_points;
         for (int v = 0; v < static_cast<int>(m_points.size()); ++v) {
-            if (m_first_side[v] < 0 || is_boundary(v)) continue;
+            if (m_first_side[v] < 0 || is_boundary(v) || !creases_at(v).empty()) continue;
             Eigen::Vector3d sum = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
             int count = 0;
             for (const int s : sides_around(v)) {
@@ -91,6 +95,14 @@ public:
             const Eigen::Vector3d move = sum / count - before[v];
             put_on_surface(v, before[v] + move - move.dot(normal) * normal);
         }
+    }
+
+    /// Of each side of mesh().
+    std::vector<bool> creases() const {
+        std::vector<bool> result;
+        for (int s = 0; s < side_count(); ++s)
+            if (is_there(s)) result.push_back(m_is_crease[s]);
+        return result;
     }
 
     Mesh mesh() const {
@@ -136,6 +148,13 @@ private:
 
     bool is_boundary(int vertex) const { return m_opposite[sides_around(vertex).front()] < 0; }
 
+    /// The sides on creases that begin at a vertex.
+    std::vector<int> creases_at(int vertex) const {
+        std::vector<int> sides = sides_around(vertex);
+        std::erase_if(sides, [this](int s) { return !m_is_crease[s]; });
+        return sides;
+    }
+
     std::vector<int> neighbours(int vertex) const {
         std::vector<int> vertices;
         for (const int s : sides_around(vertex)) {
@@ -155,6 +174,7 @@ private:
         for (const int v : {a, b, c}) {
             m_from.push_back(v);
             m_opposite.push_back(-1);
+            m_is_crease.push_back(false);
         }
         return side;
     }
@@ -164,6 +184,9 @@ private:
         const int beyond = m_opposite[next(side)];
         const int added = add_triangle(m, to(side), m_from[previous(side)]);
         m_from[next(side)] = m;
+        m_is_crease[added] = m_is_crease[side];
+        m_is_crease[next(added)] = m_is_crease[next(side)];
+        m_is_crease[next(side)] = false;
         join(next(added), beyond);
         join(next(side), previous(added));
         m_first_side[m_from[next(added)]] = next(added);
@@ -199,6 +222,7 @@ private:
         const bool is_rim = m_opposite[side] < 0;
         if (is_boundary(a) && !is_rim) return false;
         if (is_rim && !is_straight_at(a)) return false;
+        if (!is_free_along(a, side)) return false;
         std::vector<int> around_a = neighbours(a), around_b = neighbours(b);
         int common = 0;
         for (const int v : around_a) common += static_cast<int>(std::count(around_b.begin(), around_b.end(), v));
@@ -213,8 +237,18 @@ private:
             const Eigen::Vector3d before = (m_points[p] - m_points[a]).cross(m_points[q] - m_points[a]);
             const Eigen::Vector3d after = (m_points[p] - m_points[b]).cross(m_points[q] - m_points[b]);
             if (!(before.dot(after) > k_least_cosine * before.norm() * after.norm())) return false;
+            if (has_area(before) && !has_area(after)) return false;
         }
         return true;
+    }
+
+    /// A vertex of a crease goes along that, where it is straight.
+    bool is_free_along(int vertex, int side) const {
+        const std::vector<int> creases = creases_at(vertex);
+        if (creases.empty()) return true;
+        if (creases.size() != 2 || !m_is_crease[side]) return false;
+        const Eigen::Vector3d out = edge(creases[0]), back = edge(creases[1]);
+        return -out.dot(back) > k_straight_boundary * out.norm() * back.norm();
     }
 
     bool is_straight_at(int vertex) const {
@@ -222,6 +256,9 @@ private:
         const Eigen::Vector3d out = edge(sides.front()), in = edge(previous(sides.back()));
         return out.dot(in) > k_straight_boundary * out.norm() * in.norm();
     }
+
+    /// Three vertices on one crease have none but by rounding.
+    bool has_area(const Eigen::Vector3d& twice) const { return twice.norm() > k_least_area * m_length * m_length; }
 
     void collapse(int side) {
         const int a = m_from[side], b = to(side), other = m_opposite[side];
@@ -231,7 +268,10 @@ private:
             if (gone < 0) continue;
             const int left = m_opposite[next(gone)], right = m_opposite[previous(gone)];
             const int c = m_from[previous(gone)];
+            const bool is_crease = m_is_crease[next(gone)] || m_is_crease[previous(gone)];
             join(left, right);
+            for (const int s : {left, right})
+                if (s >= 0) m_is_crease[s] = is_crease && left >= 0 && right >= 0;
             for (const int s : {gone, next(gone), previous(gone)}) m_from[s] = -1;
             // One of the two triangles at c's merged edge is there: a vertex keeps at least one.
             m_first_side[c] = left >= 0 ? left : next(right);
@@ -241,6 +281,7 @@ private:
 
     bool may_flip(int side) const {
         const int other = m_opposite[side];
+        if (m_is_crease[side]) return false;
         const int a = m_from[side], b = m_from[other], c = m_from[previous(side)], d = m_from[previous(other)];
         const std::vector<int> around = neighbours(c);
         if (c == d || std::find(around.begin(), around.end(), d) != around.end()) return false;
@@ -251,6 +292,7 @@ private:
         for (const auto& [p, q, r] : {std::array{c, a, d}, std::array{d, b, c}}) {
             const Eigen::Vector3d area = (m_points[q] - m_points[p]).cross(m_points[r] - m_points[p]);
             if (!(area.dot(normal) > 2 * k_least_cosine * area.norm())) return false;
+            if (has_area(first) && has_area(second) && !has_area(area)) return false;
         }
         return true;
     }
@@ -261,6 +303,10 @@ private:
         const int a = m_from[side], b = m_from[other], c = m_from[previous(side)], d = m_from[previous(other)];
         const int bc = m_opposite[next(side)], ca = m_opposite[previous(side)];
         const int ad = m_opposite[next(other)], db = m_opposite[previous(other)];
+        const bool is_bc = m_is_crease[next(side)], is_ca = m_is_crease[previous(side)];
+        const bool is_ad = m_is_crease[next(other)], is_db = m_is_crease[previous(other)];
+        m_is_crease[next(side)] = is_ca, m_is_crease[previous(side)] = is_ad;
+        m_is_crease[next(other)] = is_db, m_is_crease[previous(other)] = is_bc;
         m_from[side] = d, m_from[next(side)] = c, m_from[previous(side)] = a;
         m_from[other] = c, m_from[next(other)] = d, m_from[previous(other)] = b;
         join(next(side), ca);
@@ -275,21 +321,23 @@ private:
     double m_length;
     std::vector<Eigen::Vector3d> m_points;
     std::vector<int> m_from, m_opposite;  // of each side
+    std::vector<bool> m_is_crease;        // of each side
     std::vector<int> m_first_side;        // of each vertex one that begins there; −1: the vertex is gone
     std::vector<int> m_guess;             // of each vertex a triangle of the surface near it
 };
 
 }  // namespace
 
-Surface even_triangles(const Surface& surface, const SurfaceTree& tree, double length) {
-    Triangles triangles(surface, tree, length);
+EvenTriangles even_triangles(const Surface& surface, const SurfaceTree& tree, double length,
+                             const std::vector<bool>& creases) {
+    Triangles triangles(surface, tree, length, creases);
     for (int round = 0; round < k_rounds; ++round) {
         triangles.split_long_edges();
         triangles.collapse_short_edges();
         triangles.flip_for_valence();
         triangles.relax();
     }
-    return Surface(triangles.mesh());
+    return {Surface(triangles.mesh()), triangles.creases()};
 }
 
 }  // namespace chebnet

@@ -38,11 +38,13 @@ constexpr double k_least_gain = 0.99;  // of what a step leaves of the error of 
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
 constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
+// A vertex that is so near to a crease, in L, is on it: as the mean of its cells it stands off from one at first.
+constexpr double k_on_crease = 0.5;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
 constexpr int k_most_projections = 60, k_most_openings = 30;
 // Towards rest near the surface: beyond so many steps little changes.
-constexpr double k_pull_of_border = 0.3;
+constexpr double k_pull_of_border = 0.3, k_pull_of_crease = 30;
 constexpr int k_steps_to_rest = 20;
 // The part of the work that is done after each of its stages.
 constexpr double k_even_at = 0.3, k_fair_at = 0.7, k_exact_at = 0.75;
@@ -65,10 +67,8 @@ public:
           m_guess(static_cast<std::size_t>(m_net.vertex_count()), -1) {
         find_diagonals();
         find_bends();
-        for (const std::vector<int>& loop : m_surface.boundary_loops())
-            m_border_sides.insert(m_border_sides.end(), loop.begin(), loop.end());
-        for (int v = 0; v < m_net.vertex_count() && !m_border_sides.empty(); ++v)
-            if (m_topology.is_boundary(v)) m_border.push_back(v);
+        find_border();
+        find_creases();
         m_system = std::make_unique<BlockSystem>(m_net.vertex_count(), links());
     }
 
@@ -96,7 +96,8 @@ private:
         const bool fits = m_options.length == 0;
         const Net net = with_length(m_length);
         m_pulls = m_options.pulls;
-        for (const int v : m_border) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
+        for (const int v : m_border.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
+        for (const int v : m_creases.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_crease});
         FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
         double done = 0;
         do {
@@ -147,6 +148,27 @@ private:
             }
     }
 
+    void find_border() {
+        for (const std::vector<int>& loop : m_surface.boundary_loops())
+            m_border.sides.insert(m_border.sides.end(), loop.begin(), loop.end());
+        for (int v = 0; v < m_net.vertex_count() && !m_border.sides.empty(); ++v)
+            if (m_topology.is_boundary(v)) m_border.vertices.push_back(v);
+    }
+
+    void find_creases() {
+        for (int s = 0; s < std::ssize(m_options.creases); ++s)
+            if (m_options.creases[s] && m_surface.opposite(s) < s) m_creases.sides.push_back(s);
+        for (int v = 0; v < m_net.vertex_count() && !m_creases.sides.empty(); ++v)
+            if (!is_held(v) && length_of(way_from(m_creases, m_positions.col(v)).away) < k_on_crease * m_length)
+                m_creases.vertices.push_back(v);
+    }
+
+    /// To something else.
+    bool is_held(int v) const {
+        return m_topology.is_boundary(v) || std::any_of(m_options.pulls.begin(), m_options.pulls.end(),
+                                                        [v](const Pull& pull) { return pull.vertex == v; });
+    }
+
     void find_bends() {
         for (const std::vector<int>& line : m_topology.net_lines()) {
             const bool is_closed = line.front() == line.back();
@@ -185,7 +207,7 @@ private:
         m_system->set_zero();
         m_force.setZero(3, m_positions.cols());
         draw_to_surface();
-        draw_to_border();
+        for (const Rail& rail : {m_border, m_creases}) draw_to(rail);
         draw_to_points();
         for (const Bend& bend : m_bends) straighten(bend);
         for (const Bar& edge : m_edges) pull(edge, 1);
@@ -215,22 +237,33 @@ private:
         }
     }
 
-    /// The border of the net to that of the surface, along which it may slide.
-    void draw_to_border() {
-        for (const int v : m_border) {
-            const Eigen::Vector3d x = m_positions.col(v);
-            double least = std::numeric_limits<double>::infinity();
-            Eigen::Vector3d away = Eigen::Vector3d::Zero(), along = away;
-            for (const int s : m_border_sides) {
-                const Eigen::Vector3d from = m_surface.positions().col(m_surface.from(s));
-                const Eigen::Vector3d side = m_surface.positions().col(m_surface.to(s)) - from;
-                const double fraction = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
-                const Eigen::Vector3d difference = x - from - fraction * side;
-                if (difference.squaredNorm() >= least) continue;
-                least = difference.squaredNorm();
-                away = difference, along = side;
-            }
-            along /= length_of(along);
+    /// Lines on the surface, and vertices of the net that are drawn to them and may slide along.
+    struct Rail {
+        std::vector<int> sides, vertices;
+    };
+    struct Way {
+        Eigen::Vector3d away = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();  // from, and of, the line
+    };
+
+    Way way_from(const Rail& rail, const Eigen::Vector3d& x) const {
+        double least = std::numeric_limits<double>::infinity();
+        Way way;
+        for (const int s : rail.sides) {
+            const Eigen::Vector3d from = m_surface.positions().col(m_surface.from(s));
+            const Eigen::Vector3d side = m_surface.positions().col(m_surface.to(s)) - from;
+            const double fraction = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
+            const Eigen::Vector3d difference = x - from - fraction * side;
+            if (difference.squaredNorm() >= least) continue;
+            least = difference.squaredNorm();
+            way = {difference, side};
+        }
+        way.along /= length_of(way.along);
+        return way;
+    }
+
+    void draw_to(const Rail& rail) {
+        for (const int v : rail.vertices) {
+            const auto [away, along] = way_from(rail, m_positions.col(v));
             const double weight = k_border * k_hold;
             m_system->add_at_node(v, weight * (Eigen::Matrix3d::Identity() - along * along.transpose()));
             m_force.col(v) -= weight / m_length * (away - away.dot(along) * along);
@@ -325,8 +358,8 @@ private:
     double m_length;
     Positions m_positions;
     std::vector<int> m_guess;
-    std::vector<Pull> m_pulls;                  // those asked for, and the border to where it is once edges are even
-    std::vector<int> m_border, m_border_sides;  // vertices of the net, sides of the surface
+    std::vector<Pull> m_pulls;  // those asked for, and the border to where it is once edges are even
+    Rail m_border, m_creases;
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;
     std::vector<Bend> m_bends;

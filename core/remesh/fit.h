@@ -15,6 +15,7 @@ struct FitOptions {
     double length = 0;          ///< L, of all edges; 0: the one that fits best
     double smallest_angle = 0;  ///< of corners of quads, radians
     std::vector<Pull> pulls;    ///< of vertices of the mesh, each towards a point of the surface
+    std::vector<bool> creases;  ///< of each side of the surface, whether net lines near it follow it; empty: none
 };
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.

@@ -16,6 +16,9 @@ constexpr double k_shift = 1e-8;
 // The weights of sides are cotangents, but no less than this.
 constexpr double k_least_weight = 0.1;
 
+// A crease is on a line of the grid if the field's direction is nearer to it than this: a sine.
+constexpr double k_along = 0.3;
+
 /// A component ± variable of one coordinate.
 struct Component {
     int axis, sign;
@@ -159,10 +162,11 @@ private:
 /// Unknowns: two coordinates of each regular vertex, and integers: two of each branch and two of each singular vertex.
 class Fit {
 public:
-    Fit(const Surface& surface, const DirectionField& field, double length)
+    Fit(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& creases)
         : m_surface(surface), m_field(field), m_length(length), m_cut(surface, field) {
         number_unknowns();
         place_corners();
+        if (!creases.empty()) hold(creases);
     }
 
     GridMap run() {
@@ -242,15 +246,109 @@ private:
     }
 
     std::vector<Entry> corner(int side, int axis) const {
-        const Place& place = m_places[side];
-        const Component own = turned_component(axis, place.turns);
-        std::vector<Entry> entries{{m_unknown[m_surface.from(side)] + own.axis, static_cast<double>(own.sign)}};
-        for (const ShiftTerm& term : place.shifts) {
+        const int own = own_coordinate(side, axis);
+        const int sign = turned_component(axis, m_places[side].turns).sign;
+        if (own < std::ssize(m_held) && !m_held[own].empty()) return sum(m_held[own], sign, shifts_of(side, axis), 1);
+        return sum({{m_unknown[m_surface.from(side)] + own % 2, 1}}, sign, shifts_of(side, axis), 1);
+    }
+
+    /// Of the vertex where a side begins: 2 · vertex + axis, of what is that axis of the side's triangle.
+    int own_coordinate(int side, int axis) const {
+        return 2 * m_surface.from(side) + turned_component(axis, m_places[side].turns).axis;
+    }
+
+    std::vector<Entry> shifts_of(int side, int axis) const {
+        std::vector<Entry> entries;
+        for (const ShiftTerm& term : m_places[side].shifts) {
             const Component component = turned_component(axis, term.turns);
             entries.push_back(
                 {m_reals + 2 * term.branch + component.axis, static_cast<double>(term.sign * component.sign)});
         }
         return entries;
+    }
+
+    static std::vector<Entry> sum(const std::vector<Entry>& x, int by_x, const std::vector<Entry>& y, int by_y) {
+        std::vector<Entry> entries;
+        const auto add = [&](const Entry& added, int by) {
+            const auto same = std::find_if(entries.begin(), entries.end(),
+                                           [&](const Entry& entry) { return entry.unknown == added.unknown; });
+            if (same == entries.end())
+                entries.push_back({added.unknown, by * added.coefficient});
+            else
+                same->coefficient += by * added.coefficient;
+        };
+        for (const Entry& entry : x) add(entry, by_x);
+        for (const Entry& entry : y) add(entry, by_y);
+        std::erase_if(entries, [](const Entry& entry) { return entry.coefficient == 0; });
+        return entries;
+    }
+
+    /// The axis of whose coordinate there is hardly any change along a side; −1: neither.
+    int constant_axis(int side) const {
+        const int f = Surface::face_of(side);
+        const Eigen::Vector3d edge =
+            m_surface.positions().col(m_surface.to(side)) - m_surface.positions().col(m_surface.from(side));
+        const Eigen::Vector3d x = m_field.directions.col(f), y = m_surface.face_normals().col(f).cross(x);
+        const double along[2] = {edge.dot(x), edge.dot(y)};
+        for (int axis = 0; axis < 2; ++axis) {
+            const Component component = turned_component(axis, (4 - m_cut.face_turns()[f]) % 4);
+            if (std::abs(along[component.axis]) < k_along * edge.norm()) return axis;
+        }
+        return -1;
+    }
+
+    /// Along a crease that the field follows one coordinate is a whole number of cells. It is that of a singular vertex
+    /// or an integer of its own, and goes over from vertex to vertex.
+    void hold(const std::vector<bool>& creases) {
+        m_held.assign(2 * static_cast<std::size_t>(m_surface.vertex_count()), {});
+        CreaseLinks links(m_held.size());
+        for (int s = 0; s < 3 * m_surface.face_count(); ++s) {
+            const int axis = creases[s] && m_surface.opposite(s) < s ? constant_axis(s) : -1;
+            if (axis < 0) continue;
+            for (const int corner_side : {s, Surface::next(s)}) links[own_coordinate(corner_side, axis)].push_back(s);
+        }
+        std::vector<bool> is_done(creases.size(), false);
+        for (const bool is_singular : {true, false})
+            for (int own = 0; own < std::ssize(links); ++own) {
+                if (links[own].empty() || !m_held[own].empty() || (m_field.holonomy[own / 2] != 0) != is_singular)
+                    continue;
+                m_held[own] = {{is_singular ? m_unknown[own / 2] + own % 2 : m_reals + m_integers++, 1}};
+                carry_on(own, links, is_done);
+            }
+    }
+
+    using CreaseLinks =
+        std::vector<std::vector<int>>;  // of each coordinate of a vertex the creases along which it is one
+
+    void carry_on(int first, const CreaseLinks& links, std::vector<bool>& is_done) {
+        std::vector<int> queue{first};
+        for (std::size_t k = 0; k < queue.size(); ++k)
+            for (const int s : links[queue[k]]) {
+                if (is_done[s]) continue;
+                is_done[s] = true;
+                const int axis = constant_axis(s);
+                const bool is_forth = own_coordinate(s, axis) == queue[k];
+                const int here = is_forth ? s : Surface::next(s), there = is_forth ? Surface::next(s) : s;
+                const int sign = turned_component(axis, m_places[there].turns).sign;
+                const std::vector<Entry> value = sum(corner(here, axis), sign, shifts_of(there, axis), -sign);
+                const int other = own_coordinate(there, axis);
+                const bool is_new = m_held[other].empty();
+                if (is_new) queue.push_back(other);
+                if (is_new && m_field.holonomy[other / 2] == 0) {
+                    m_held[other] = value;
+                    continue;
+                }
+                if (is_new) m_held[other] = {{m_unknown[other / 2] + other % 2, 1}};
+                demand(sum(value, 1, m_held[other], -1));
+            }
+    }
+
+    /// That a sum of integers is 0.
+    void demand(const std::vector<Entry>& entries) {
+        IntegerCondition condition;
+        for (const Entry& entry : entries)
+            condition.entries.push_back({entry.unknown - m_reals, static_cast<int>(entry.coefficient)});
+        m_conditions.push_back(condition);
     }
 
     double weight(int side) const {
@@ -339,8 +437,9 @@ private:
     double m_length;
     Cut m_cut;
     int m_reals = 0, m_integers = 0;
-    std::vector<int> m_unknown;   // of each vertex, the first of two
-    std::vector<Place> m_places;  // of the corner at which each side begins
+    std::vector<int> m_unknown;              // of each vertex, the first of two
+    std::vector<Place> m_places;             // of the corner at which each side begins
+    std::vector<std::vector<Entry>> m_held;  // of each coordinate of a vertex on a crease what it is, in integers
     std::vector<IntegerCondition> m_conditions;
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
@@ -358,8 +457,8 @@ GridPoint turned(const GridPoint& p, int quarter_turns) {
     return result;
 }
 
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length) {
-    return Fit(surface, field, length).run();
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& creases) {
+    return Fit(surface, field, length, creases).run();
 }
 
 }  // namespace chebnet

@@ -26,7 +26,9 @@ struct GridMap {
 
 /// The map that follows the field best with cells of the given length: least squares in the gradients, with whole
 /// numbers of cells between singular vertices. No point of a triangle's corner has a coordinate in the middle of a
-/// cell.
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length);
+/// cell. Creases, of each side of the surface whether it is one, are on lines of the grid where the field goes along
+/// them.
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
+                 const std::vector<bool>& creases = {});
 
 }  // namespace chebnet

@@ -18,6 +18,7 @@
 #include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
+#include "remesh/creases.h"
 #include "remesh/direction_field.h"
 #include "remesh/even_triangles.h"
 #include "remesh/fit.h"
@@ -69,12 +70,13 @@ public:
 
     Remesh run() {
         begin(RemeshPhase::triangles);
-        m_triangles.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell));
+        if (m_options.crease > 0) m_creases = creases_of(m_surface, m_options.crease);
+        m_even.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell, m_creases));
         if (!m_options.singular.is_empty())
-            m_wishes = placed(m_options.singular, *m_triangles, m_guide->tree(), m_cell);
-        for (const double size : k_sizes)
-            for (const double smoothing : k_smoothings)
-                if (try_once(size, smoothing * m_options.smoothing)) return result(m_found.back());
+            m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
+        if (!m_creases.empty() && try_all()) return result(m_found.back());
+        m_holds_creases = false;
+        if (m_found.empty() && try_all()) return result(m_found.back());
         const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
             return a.kept.missed() < b.kept.missed();
         });
@@ -99,6 +101,13 @@ private:
     }
     void tell(double done) const {
         if (m_progress) m_progress(m_phase, done);
+    }
+
+    bool try_all() {
+        for (const double size : k_sizes)
+            for (const double smoothing : k_smoothings)
+                if (try_once(size, smoothing * m_options.smoothing)) return true;
+        return false;
     }
 
     struct Found {
@@ -127,16 +136,20 @@ private:
 
     Net attempt(double size, double smoothing) {
         begin(RemeshPhase::field);
-        const int rounds = static_cast<int>(smoothing * m_triangles->vertex_count() / k_vertices_a_round);
-        const DirectionField field = smoothest_field(*m_triangles, rounds, m_wishes ? &*m_wishes : nullptr);
+        const Surface& triangles = m_even->surface;
+        const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
+        const DirectionField field =
+            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases});
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
         begin(RemeshPhase::grid);
-        const Mesh mesh = mesh_of(cells_of(*m_triangles, fit_grid(*m_triangles, field, size * m_cell)));
+        const Mesh mesh =
+            mesh_of(cells_of(triangles, fit_grid(triangles, field, size * m_cell,
+                                                 m_holds_creases ? m_even->creases : std::vector<bool>())));
         check(mesh);
         begin(RemeshPhase::fit);
-        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle, pulls(mesh)},
+        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases},
                        [this](double done) { tell(done); });
     }
 
@@ -202,8 +215,10 @@ private:
     const Surface& m_surface;
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
-    double m_cell;  // the length of the grid's cells
-    std::optional<Surface> m_triangles;
+    double m_cell;                // the length of the grid's cells
+    std::vector<bool> m_creases;  // of each side of the surface; empty: none are followed
+    bool m_holds_creases = true;  // on lines of the grid; where no net comes of it, the field alone follows them
+    std::optional<EvenTriangles> m_even;
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;
     std::string m_first_failure;
@@ -221,13 +236,15 @@ const char* to_string(RemeshPhase phase) {
 
 void check_remesh(const Guide& guide, const RemeshOptions& options) {
     const Surface& surface = guide.surface();
-    for (const double number : {options.length, options.smallest_angle, options.smoothing})
+    for (const double number : {options.length, options.smallest_angle, options.smoothing, options.crease})
         if (!std::isfinite(number)) throw Error(ErrorCode::non_finite, "a number for the net is not finite");
     if (!(options.length >= 0)) throw Error(ErrorCode::bad_option, "the length of the edges must be positive");
     if (!(options.smoothing >= 0 && options.smoothing <= k_most_smoothing))
         throw Error(ErrorCode::bad_option, "the smoothing must be from 0 to 100");
     if (!(options.smallest_angle >= 0 && options.smallest_angle <= std::numbers::pi / 3))
         throw Error(ErrorCode::bad_option, "the shear limit must be from 0 to 60 degrees");
+    if (!(options.crease >= 0 && options.crease <= std::numbers::pi))
+        throw Error(ErrorCode::bad_option, "the angle of creases must be from 0 to 180 degrees");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
     const double cells = options.length > 0 ? surface.area() / options.length / options.length : options.cells;
     if (!(cells >= k_least_remeshed_cells))

@@ -21,6 +21,9 @@ struct RemeshOptions {
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
     SingularWishes singular = {};
+    /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
+    /// no edge is followed.
+    double crease = 0;
 };
 
 /// What is done, in this order.

@@ -608,7 +608,7 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(info.at("chebyshev") == true);
     CHECK(info.at("faces") == net.at("cells"));
 
-    const json given = box.run("remesh net.obj --length 0.8 --shear-limit 40").json();
+    const json given = box.run("remesh net.obj --length 0.8 --shear-limit 40 --crease 60").json();
     CHECK(given.at("net").at("length") == Approx(0.8).epsilon(1e-9));
     CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
 }
@@ -657,6 +657,7 @@ TEST_CASE("what cannot be remeshed is refused with one line") {
     check_refused(box.run("remesh saddle.obj --length -1"), "--length");
     check_refused(box.run("remesh saddle.obj --shear-limit 80"), "shear limit");
     check_refused(box.run("remesh saddle.obj --smoothing -1"), "smoothing");
+    check_refused(box.run("remesh saddle.obj --crease 200"), "angle of creases");
     check_refused(box.run("remesh saddle.obj -o net.3dm"), "net.3dm");
 }
 

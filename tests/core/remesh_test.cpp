@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <string>
@@ -13,6 +14,7 @@
 #include "net/topology.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
+#include "remesh/creases.h"
 #include "remesh/direction_field.h"
 #include "remesh/even_triangles.h"
 #include "remesh/grid_map.h"
@@ -68,14 +70,32 @@ RemeshOptions of_cells(int cells) {
 }
 
 Surface cube() {
-    return Surface(
-        {(Positions(3, 8) << 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1).finished(), [] {
-             Faces faces;
-             for (const auto& face : {std::array{3, 2, 1, 0}, std::array{4, 5, 6, 7}, std::array{0, 1, 5, 4},
-                                      std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6}, std::array{3, 0, 4, 7}})
-                 faces.add(face);
-             return faces;
-         }()});
+    Mesh mesh;
+    mesh.positions.resize(3, 8);
+    mesh.positions << 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1;
+    for (const auto& face : {std::array{3, 2, 1, 0}, std::array{4, 5, 6, 7}, std::array{0, 1, 5, 4},
+                             std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6}, std::array{3, 0, 4, 7}})
+        mesh.faces.add(face);
+    return Surface(mesh);
+}
+
+Surface stretched(const Surface& surface, const Eigen::Vector3d& by) {
+    Mesh mesh{surface.positions(), {}};
+    for (int axis = 0; axis < 3; ++axis) mesh.positions.row(axis) *= by[axis];
+    for (int f = 0; f < surface.face_count(); ++f)
+        mesh.faces.add({surface.triangles()(0, f), surface.triangles()(1, f), surface.triangles()(2, f)});
+    return Surface(mesh);
+}
+
+double distance_to_edges(const Net& net, const Eigen::Vector3d& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const Eigen::Vector3d from = net.rest_positions().col(net.edges()(0, e));
+        const Eigen::Vector3d edge = net.rest_positions().col(net.edges()(1, e)) - from;
+        const double part = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (point - from - part * edge).norm());
+    }
+    return least;
 }
 
 }  // namespace
@@ -173,7 +193,7 @@ TEST_CASE("What is too thin for its cells is refused, and says so") {
 TEST_CASE("Even triangles keep topology and lie on the surface") {
     const Surface surface(samples::torus(40, 12, 3, 1));
     const SurfaceTree tree(surface);
-    const Surface even = even_triangles(surface, tree, 0.3);
+    const Surface even = even_triangles(surface, tree, 0.3).surface;
     int short_or_long = 0;
     for (int s = 0; s < 3 * even.face_count(); ++s) {
         const double length = (even.positions().col(even.to(s)) - even.positions().col(even.from(s))).norm();
@@ -184,8 +204,69 @@ TEST_CASE("Even triangles keep topology and lie on the surface") {
     for (int v = 0; v < even.vertex_count(); ++v) CHECK(tree.nearest(even.positions().col(v)).distance < 1e-9);
 }
 
+TEST_CASE("Even triangles keep creases, and the flat faces between them") {
+    const Surface surface = cube();
+    const SurfaceTree tree(surface);
+    const std::vector<bool> creases = creases_of(surface, 40 * k_degree);
+    CHECK(std::count(creases.begin(), creases.end(), true) == 2 * 12);
+    const EvenTriangles even = even_triangles(surface, tree, 0.07, creases);
+    CHECK(even.surface.area() == Approx(6).epsilon(1e-12));
+    double length = 0;
+    for (int s = 0; s < 3 * even.surface.face_count(); ++s) {
+        if (!even.creases[s]) continue;
+        CHECK(even.creases[even.surface.opposite(s)]);
+        const auto from = even.surface.positions().col(even.surface.from(s)),
+                   to = even.surface.positions().col(even.surface.to(s));
+        length += (to - from).norm() / 2;
+        CHECK(((to - from).cwiseAbs().array() > 1e-9).count() == 1);
+    }
+    CHECK(length == Approx(12));
+}
+
+TEST_CASE("Net lines follow the creases of a box if they are asked to") {
+    const Surface box = stretched(cube(), {3, 1.7, 1.1});
+    /// Mean over the box's edges of the way to the nearest edge of the net, in its edges.
+    const auto off_creases = [&](const Net& net) {
+        double sum = 0;
+        int count = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int corner = 0; corner < 4; ++corner)
+                for (double part = 0.02; part < 1; part += 0.02, ++count) {
+                    Eigen::Vector3d at(3, 1.7, 1.1);
+                    at[axis] *= part;
+                    if (corner % 2 == 0) at[(axis + 1) % 3] = 0;
+                    if (corner / 2 == 0) at[(axis + 2) % 3] = 0;
+                    sum += distance_to_edges(net, at) / net.mean_length();
+                }
+        return sum / count;
+    };
+    RemeshOptions options = of_cells(800);
+    const Remesh before = remeshed(box, options, 2);
+    CHECK(off_creases(before.net) > 0.2);
+    options.crease = 40 * k_degree;
+    const Remesh made = remeshed(box, options, 2);
+    CHECK(off_creases(made.net) < 0.1);
+    CHECK(made.singular.size() == 8);
+    CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * k_degree);
+}
+
+TEST_CASE("Creases, borders and singular vertices wished for go together") {
+    // Half a box, without its lid: creases end at the border.
+    const Surface whole = cube();
+    Mesh open{whole.positions(), {}};
+    for (int f = 0; f < whole.face_count(); ++f)
+        if (whole.face_normals()(2, f) < 0.5)
+            open.faces.add({whole.triangles()(0, f), whole.triangles()(1, f), whole.triangles()(2, f)});
+    RemeshOptions options = of_cells(500);
+    options.crease = 40 * k_degree;
+    options.singular.vertices = {{{0, 0, 0}, 3}, {{1, 1, 0}, 3}};
+    const Remesh made = remeshed(Surface(open), options, 1);
+    CHECK(made.kept.missed() == 0);
+    CHECK(Topology(made.net).boundary_loops().size() == 1);
+}
+
 TEST_CASE("A field on a sphere has the holonomy of its curvature") {
-    const DirectionField field = smoothest_field(Surface(samples::sphere(12)), 0);
+    const DirectionField field = smoothest_field(Surface(samples::sphere(12)), {});
     CHECK(chebnet::singular_count(field) == 8);
 }
 
@@ -254,7 +335,7 @@ TEST_CASE("With singular vertices wished for the turns of a field still add up t
     wishes.vertices = {{{1, 0, 0}, 3}, {{0, 1, 0}, 5}, {{0, 0, 1}, 6}};
     wishes.forbidden = {{{-1, 0, 0}, 0.6}};
     const PlacedWishes on_triangles = placed(wishes, sphere, tree, 0.08);
-    const DirectionField field = smoothest_field(sphere, 0, &on_triangles);
+    const DirectionField field = smoothest_field(sphere, {0, &on_triangles, {}});
     int sum = 0;
     for (int v = 0; v < sphere.vertex_count(); ++v) {
         // 3 quarter turns are −1; only the one of valence 6 is −2.
@@ -313,7 +394,7 @@ TEST_CASE("Wishes that cannot be kept are refused, with what is missing") {
 
 TEST_CASE("A map that folds over still gives quads without gaps") {
     const Surface plane(samples::plane(9, 1));
-    const DirectionField field = smoothest_field(plane, 0);
+    const DirectionField field = smoothest_field(plane, {});
     GridMap map = fit_grid(plane, field, 0.3);
     std::mt19937 random(3);
     std::vector<GridPoint> moved(static_cast<std::size_t>(plane.vertex_count()), GridPoint{});
@@ -363,5 +444,6 @@ TEST_CASE("Numbers out of range are refused") {
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.length = NAN; })(), Contains("finite"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.length = 100; })(), Contains("too long"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smallest_angle = 2; })(), Contains("shear limit"));
+    CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.crease = 4; })(), Contains("angle of creases"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smoothing = 101; })(), Contains("smoothing"));
 }

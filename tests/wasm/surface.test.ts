@@ -238,6 +238,7 @@ describe('a net over a whole surface', () => {
         'the place of a singular vertex',
       );
       expect(message({ forbidden: [{ centre: at, radius: 0 }] })).toContain('radius');
+      expect(message({ crease: 9 })).toContain('angle of creases');
       expect(message({ forbidden: 'all' as never })).toContain('must be an array');
     });
   });

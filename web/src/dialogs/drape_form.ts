@@ -17,6 +17,9 @@ const BORDERS = ['beyond', 'cut', 'inside'] as const;
 /** How far the net may leave the surface where it locks, in edge lengths. */
 const HEIGHTS = [0, 0.1, 0.25, 0.5, 1];
 
+/** Edges of the surface that are sharper are followed, degrees; 0: none are. */
+const CREASES = [0, 30, 45, 60];
+
 export interface FormEvents {
   /** The name of one of our own, or null: the visitor's. */
   surfaceChosen(own: string | null): void;
@@ -43,6 +46,11 @@ export class DrapeForm {
     HEIGHTS.map((height) => ({ value: String(height), text: TEXT.leaves(height) })),
     () => this.#events.changed(),
   );
+  readonly #crease = makeSelect(
+    TEXT.crease,
+    CREASES.map((degrees) => ({ value: String(degrees), text: TEXT.creases(degrees) })),
+    () => {},
+  );
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
   readonly #kinds: ReturnType<typeof makeSelect>;
   /** What only a net from a seed has. */
@@ -65,6 +73,7 @@ export class DrapeForm {
     this.#length.addEventListener('change', () => this.#chooseLength());
     this.#angle.input.value = '90';
     this.#shear.box.checked = true;
+    this.#crease.row.hidden = true;
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
     this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#border.row, this.#leave.row];
     this.element = make(
@@ -74,6 +83,7 @@ export class DrapeForm {
       this.#kinds.row,
       this.#cells.row,
       ...this.#pieceRows,
+      this.#crease.row,
       this.#shear.row,
     );
     this.#show();
@@ -86,7 +96,10 @@ export class DrapeForm {
 
   /** Of a net over the whole surface. */
   readWhole(): RemeshOptions {
-    return { cells: Math.round(cellsOf(this.#length.valueAsNumber, this.#area)) };
+    return {
+      cells: Math.round(cellsOf(this.#length.valueAsNumber, this.#area)),
+      crease: Number(this.#crease.select.value) * DEGREE,
+    };
   }
 
   /** Another surface, and a length that suits it. */
@@ -119,6 +132,7 @@ export class DrapeForm {
 
   #chooseKind(): void {
     for (const row of this.#pieceRows) row.hidden = this.isWhole;
+    this.#crease.row.hidden = !this.isWhole;
     this.#events.kindChanged();
   }
 
