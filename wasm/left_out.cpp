@@ -1,5 +1,6 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, shapes that are relaxed, and surfaces. Called, they throw the code "left_out".
+// nets pushed through, handles that slide, localities, shapes that are relaxed, and surfaces. Called, they throw the
+// code "left_out".
 
 #include <memory>
 #include <span>
@@ -7,10 +8,14 @@
 #include <string_view>
 
 #include "edit/flip.h"
+#include "edit/locality.h"
 #include "fabricate/edge_table.h"
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "shapes/smooth_figure.h"
+#include "solve/parts/coordinate_metric.h"
+#include "solve/parts/length_system.h"
+#include "solve/parts/neighbour_system.h"
 #include "solve/terms/closeness_term.h"
 
 namespace chebnet {
@@ -27,6 +32,10 @@ Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Ve
     leave_to_the_whole_core();
 }
 
+Region region_around(const Net&, const Topology&, const Positions&, std::span<const int>, double) {
+    leave_to_the_whole_core();
+}
+Eigen::VectorXf mobility(const Net&, const Topology&, std::span<const int>, double) { leave_to_the_whole_core(); }
 Positions flipped(const Net&, std::span<const Handle>, const Positions&) { leave_to_the_whole_core(); }
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
@@ -35,6 +44,16 @@ std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, doub
     leave_to_the_whole_core();
 }
 Eigen::VectorXd heights_over(const Guide&, const Positions&) { leave_to_the_whole_core(); }
+void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
+// Never called where no handle has passed that check.
+void LengthSystem::set_slides(std::span<const Slide>) {}
+void LengthSystem::take_off_what_is_kept() {}
+void LengthSystem::add_pull_beside_what_is_kept(const Eigen::VectorXd&, Eigen::Matrix3Xd&) const {}
+void NeighbourSystem::hold(std::span<const Slide>) {}
+std::vector<std::unique_ptr<CoordinateMetric>> metrics_by_coordinate(const Net&, const NeighbourPairs&, const FreePart&,
+                                                                     std::span<const Slide>) {
+    return {};
+}
 val flat_pattern_out(const Net&, const Topology&) { leave_to_the_whole_core(); }
 
 }  // namespace chebnet

@@ -31,10 +31,7 @@ struct Handle {
     /// Whether a vertex there is where an exact handle holds it.
     bool holds_at(const Eigen::Vector3d& position) const { return across(slides, position) == across(slides, target); }
     /// Takes the target to where the vertex has slid.
-    void follow(const Eigen::Vector3d& position) {
-        for (int k = 0; k < 3; ++k)
-            if (has_axis(slides, k)) target[k] = position[k];
-    }
+    void follow(const Eigen::Vector3d& position) { copy_along(slides, position.data(), target.data()); }
     /// The same, and puts the vertex of an exact handle where that holds it.
     void snap(Eigen::Ref<Eigen::Vector3d> position) {
         follow(position);

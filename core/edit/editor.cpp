@@ -43,12 +43,7 @@ void check_handles(const Net& net, const std::vector<Handle>& handles) {
         if (!(handle.weight > 0))
             throw Error(ErrorCode::bad_option,
                         "the weight of handle " + std::to_string(handle.vertex) + " must be a number above 0");
-        if (handle.slides < k_no_axes || handle.slides >= k_all_axes)
-            throw Error(ErrorCode::bad_option,
-                        "handle " + std::to_string(handle.vertex) + " may slide along one or two of x, y and z");
-        if (handle.slides != k_no_axes && !handle.is_exact())
-            throw Error(ErrorCode::bad_option,
-                        "handle " + std::to_string(handle.vertex) + " is soft: only exact handles slide");
+        if (handle.slides != k_no_axes) check_slide(handle.vertex, handle.slides, handle.is_exact());
     }
 }
 
@@ -123,8 +118,7 @@ void Editor::move_handle(int vertex, const Eigen::Vector3d& target) {
 
 void Editor::move(Handle& handle, const Eigen::Vector3d& target) {
     if (m_region && m_region->is_outside(handle.vertex)) replace_region(std::nullopt);
-    for (int k = 0; k < 3; ++k)
-        if (!has_axis(handle.slides, k)) handle.target[k] = target[k];
+    copy_along(k_all_axes - handle.slides, target.data(), handle.target.data());
     m_running = false;
 }
 
@@ -306,6 +300,7 @@ void Editor::set_state(EditState next) {
     if (next.locality) check_locality(*m_net, *next.locality);
     normalise(next);
     if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
+    std::optional<Region> region = region_of(next.locality);
     let_go();
 
     if (next.options.length_scale != present.options.length_scale) {
@@ -317,6 +312,7 @@ void Editor::set_state(EditState next) {
         }
         m_last_net = grown(m_last_net, factor);
         set_length_scale(next.options.length_scale);
+        region = region_of(next.locality);
     }
     if (other_method) {
         m_method = std::move(other_method);
@@ -331,7 +327,7 @@ void Editor::set_state(EditState next) {
     m_guide = std::move(next.guide);
     if (next.positions != m_positions) m_unit_positions.resize(3, 0);
     replace_handles(std::move(next.handles));
-    replace_region(region_of(next.locality));
+    replace_region(std::move(region));
     m_positions = std::move(next.positions);
     if (max_deviation(*m_net, m_positions) < m_options.threshold) m_last_net = m_positions;
     m_running = false;
@@ -489,9 +485,9 @@ void Editor::load_positions() {
     m_unit_last_net = in_unit(m_last_net);
     m_unit_positions = in_unit(m_positions).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
-        for (int k = 0; k < 3 && is_held(m_handles[i]); ++k)
-            if (!has_axis(m_handles[i].slides, k))
-                m_unit_positions(k, m_handles[i].vertex) = m_near_targets(k, static_cast<Eigen::Index>(i));
+        if (is_held(m_handles[i]))
+            copy_along(k_all_axes - m_handles[i].slides, m_near_targets.col(static_cast<Eigen::Index>(i)).data(),
+                       m_unit_positions.col(m_handles[i].vertex).data());
 }
 
 void Editor::store_positions() {

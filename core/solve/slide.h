@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace chebnet {
@@ -18,20 +19,15 @@ struct Slide {
     Axes along;
 };
 
-/// For each vertex the axes along which it may move: all of a free one, none of a fixed one.
-inline std::vector<Axes> axes_of_motion(const std::vector<bool>& is_free, const std::vector<Slide>& slides) {
-    std::vector<Axes> axes(is_free.size(), k_no_axes);
-    for (std::size_t v = 0; v < is_free.size(); ++v)
-        if (is_free[v]) axes[v] = k_all_axes;
-    for (const Slide& slide : slides) axes[slide.vertex] = slide.along;
-    return axes;
-}
+/// Throws Error bad_option for a handle that is to slide along none or all of the axes, or is soft.
+void check_slide(int vertex, Axes along, bool is_exact);
 
+/// V, the axes along which a vertex may move: all of a free one, none of a fixed one.
+std::vector<Axes> axes_of_motion(const std::vector<bool>& is_free, std::span<const Slide> slides);
+
+/// Copies the coordinates along these axes, of one point to another.
+void copy_along(Axes axes, const double* from, double* to);
 /// The same vector without its coordinates along these axes.
-inline Eigen::Vector3d across(Axes axes, Eigen::Vector3d vector) {
-    for (int k = 0; k < 3; ++k)
-        if (has_axis(axes, k)) vector[k] = 0;
-    return vector;
-}
+Eigen::Vector3d across(Axes axes, const Eigen::Vector3d& vector);
 
 }  // namespace chebnet

@@ -1,6 +1,6 @@
 /** The scenes and histories that golden files are made of. The types of the tables see to it that every field a document can
  *  have is in one of them: a new field is added here, and the golden files that are missing are made (golden.test.ts). */
-import type { Chebnet, RestLengths } from '../../wasm/chebnet';
+import type { Axes as AxesToSlide, Chebnet, RestLengths } from '../../wasm/chebnet';
 import { DEFAULT_VIEW, freshScene } from '../../web/src/document/defaults';
 import type {
   HandleSeed,
@@ -36,7 +36,8 @@ export const SMALL = { obj: uneven(3, 3), name: 'small.obj' };
 const CAMERA = { position: [1.5, -20.25, 3] as Vec3, target: [0, 0.125, -1e-3] as Vec3 };
 const SCREW: Vec3 = [0.3, -0.2, -0.4];
 
-const HANDLE: Whole<HandleSeed> = {
+/** Which is soft, and so does not slide. */
+const HANDLE: Whole<Omit<HandleSeed, 'slides'>> = {
   vertex: 58,
   target: [-1e-17, 0.1 + 0.2, 2.2],
   anchor: false,
@@ -51,6 +52,21 @@ const HANDLES: HandleSeed[] = [
   HANDLE,
   { vertex: 116, target: [2.8, 4.9, 0.95], anchor: false },
 ];
+
+/** A sheet whose feet slide, and whose middle is raised. */
+function sliding(slides: AxesToSlide): GoldenLink {
+  const feet = [5, 55, 65, 115].map((vertex): HandleSeed => ({ vertex, target: null, anchor: false, slides }));
+  const handles = [...feet, { vertex: 60, target: null, anchor: false }];
+  return { scene: { ...freshScene({ recipe: 'sheet:vertices=121' }), handles }, drag: [0.1, 0, 0.7] };
+}
+const SLIDES: Record<AxesToSlide, GoldenLink> = {
+  x: sliding('x'),
+  y: sliding('y'),
+  z: sliding('z'),
+  xy: sliding('xy'),
+  xz: sliding('xz'),
+  yz: sliding('yz'),
+};
 
 const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
   net: { recipe: VAULT },
@@ -203,6 +219,7 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
     ...named('symmetry', AXES),
     ...named('plane', PLANES),
     ...named('lengths', REST_LENGTHS),
+    ...named('slides', SLIDES),
     'lengths-not-said': pulled({ obj: uneven(5, 5), name: 'cloth' }, 24, [4, 4, 0.5]),
     pieces: pulled(
       { obj: [...PIECES, ...FACES.map((face) => `f ${face}`), ''].join('\n'), name: 'pieces.obj' },
@@ -260,6 +277,8 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   show: [['show', { handle: '7' }]],
   soften: [['soften', { handle: '7' }]],
   harden: [['harden', { handle: '7' }]],
+  slide: [['slide', { handles: '4' }]],
+  hold: [['hold', { handle: '7' }]],
   rename: [['rename', { handle: 'crown' }]],
   symmetry: [['symmetry']],
   noSymmetry: [['noSymmetry']],

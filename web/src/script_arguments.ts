@@ -1,6 +1,7 @@
 /** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
  *  of its type or throws a Failure that says which argument must be what. */
-import type { Vec3 } from './document/document';
+import type { Axes } from '../../wasm/chebnet';
+import { axesToSlide, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
 
 export type ScriptNet = { recipe: string } | { obj: string; name?: string };
@@ -15,6 +16,7 @@ export interface ScriptHandle {
   name?: string;
   hidden?: boolean;
   weight?: number;
+  slides?: Axes;
 }
 
 /** One of our own by its name, or polygons by the numbers of their vertices. */
@@ -50,6 +52,7 @@ function readHandle(handle: Untrusted): ScriptHandle {
   const name = handle.at('name').maybe(readText);
   const hidden = handle.at('hidden').maybe((each) => each.flag());
   const weight = handle.at('weight').maybe((each) => each.positive());
+  const slides = handle.at('slides').maybe((each) => each.oneOf(axesToSlide()));
   return {
     vertex: readVertex(handle.at('vertex')),
     ...(target === undefined ? {} : { target }),
@@ -57,6 +60,7 @@ function readHandle(handle: Untrusted): ScriptHandle {
     ...(name === undefined ? {} : { name }),
     ...(hidden === undefined ? {} : { hidden }),
     ...(weight === undefined ? {} : { weight }),
+    ...(slides === undefined ? {} : { slides }),
   };
 }
 

@@ -146,7 +146,7 @@ function argument(name: string, value: unknown): Untrusted {
   return new Untrusted(value, name, 'bad_arguments');
 }
 
-function handleOf(app: App, { vertex, target, anchor, name, hidden, weight }: ScriptHandle): HandleData {
+function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slides }: ScriptHandle): HandleData {
   return {
     vertex,
     target: target ?? app.handles.positionOf(vertex),
@@ -154,6 +154,7 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight }: Sc
     ...(name ? { name: name.slice(0, LONGEST_NAME) } : {}),
     ...(hidden ? { hidden } : {}),
     ...(weight === undefined ? {} : { weight }),
+    ...(slides === undefined ? {} : { slides }),
   };
 }
 

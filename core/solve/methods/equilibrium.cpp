@@ -140,6 +140,7 @@ private:
     bool prepare_energy(const Positions& positions, bool same_energy);
     Stage first_stage(const Positions& positions);
     Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const;
+    Eigen::Vector3d free_part(int vertex, const Positions& positions) const;
     void take_held(const Positions& from, int vertex, Positions& to) const;
     void take_free(const Positions& from, int vertex, Positions& to) const;
     bool was_left(const Positions& before, const Positions& positions) const;
@@ -388,22 +389,23 @@ Eigen::Vector3d Equilibrium::held_part(int vertex, const Eigen::Vector3d& move) 
     return across(m_axes[vertex], move);
 }
 
+Eigen::Vector3d Equilibrium::free_part(int vertex, const Positions& positions) const {
+    return across(k_all_axes - m_axes[vertex], positions.col(vertex));
+}
+
 void Equilibrium::take_held(const Positions& from, int vertex, Positions& to) const {
-    for (int k = 0; k < 3; ++k)
-        if (!has_axis(m_axes[vertex], k)) to(k, vertex) = from(k, vertex);
+    copy_along(k_all_axes - m_axes[vertex], from.col(vertex).data(), to.col(vertex).data());
 }
 
 void Equilibrium::take_free(const Positions& from, int vertex, Positions& to) const {
-    for (int k = 0; k < 3; ++k)
-        if (has_axis(m_axes[vertex], k)) to(k, vertex) = from(k, vertex);
+    copy_along(m_axes[vertex], from.col(vertex).data(), to.col(vertex).data());
 }
 
 /// Whether what is free stands where it was in a state of before.
 bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
     if (before.cols() == 0) return false;
     for (int v : m_part->vertices())
-        for (int k = 0; k < 3; ++k)
-            if (has_axis(m_axes[v], k) && positions(k, v) != before(k, v)) return false;
+        if (positions.col(v) != before.col(v) && free_part(v, positions) != free_part(v, before)) return false;
     return true;
 }
 

@@ -13,8 +13,6 @@ namespace {
 constexpr double k_shift = 1e-9;
 // The same for its factor in single precision.
 constexpr double k_factor_shift = 1e-6;
-// An edge that lies so much across where its ends slide, by the square of its sine, cannot change.
-constexpr double k_least_part = 1e-8;
 // The edges at a vertex are all coupled with each other: a dense block, whose factor takes as many operations.
 constexpr double k_most_block_operations = 3e9;
 
@@ -79,16 +77,7 @@ void LengthSystem::set_free(const std::vector<bool>& is_free, std::span<const Sl
     m_weight.resize(is_free.size());
     for (std::size_t v = 0; v < is_free.size(); ++v) m_weight[v] = is_free[v] ? 1 : 0;
     m_kept.clear();
-    m_rows_that_slide.clear();
-    m_couplings_that_slide.clear();
-    if (slides.empty()) return;
-    m_kept.assign(is_free.size(), k_no_axes);
-    for (const Slide& slide : slides) m_kept[slide.vertex] = k_all_axes - slide.along;
-    for (int row = 0; row < row_count(); ++row)
-        if (m_kept[m_rows[row].vertex_a] != k_no_axes || m_kept[m_rows[row].vertex_b] != k_no_axes)
-            m_rows_that_slide.push_back(row);
-    for (std::size_t k = 0; k < m_couplings.size(); ++k)
-        if (m_kept[m_couplings[k].vertex] != k_no_axes) m_couplings_that_slide.push_back(static_cast<int>(k));
+    if (!slides.empty()) set_slides(slides);
 }
 
 void LengthSystem::assemble(const Positions& positions) {
@@ -110,28 +99,6 @@ void LengthSystem::assemble(const Positions& positions) {
     if (!m_kept.empty()) take_off_what_is_kept();
 }
 
-/// The system has been assembled as if what slides were free.
-void LengthSystem::take_off_what_is_kept() {
-    const auto kept = [this](int vertex, int row_a, int row_b) {
-        const Axes moving = k_all_axes - m_kept[vertex];
-        return m_weight[vertex] * dot(across(moving, m_jacobian.col(row_a)), across(moving, m_jacobian.col(row_b)));
-    };
-    for (int row : m_rows_that_slide) {
-        const auto& [a, b, distance, unit] = m_rows[row];
-        if (!m_is_on[row] || !(m_weight[a] + m_weight[b] > 0)) continue;
-        const double largest = m_diagonal[row][0];
-        m_diagonal[row][0] -= (1 + k_shift) * (kept(a, row, row) + kept(b, row, row));
-        if (m_diagonal[row][0] > k_least_part * largest) continue;
-        // It lies across where its ends slide, and cannot change.
-        m_diagonal[row][0] = largest;
-        m_errors[row] = 0;
-    }
-    for (int k : m_couplings_that_slide) {
-        const auto& [a, b, vertex, sign] = m_couplings[k];
-        m_off_diagonal[k][0] -= sign * kept(vertex, a, b);
-    }
-}
-
 void LengthSystem::stretch(const Eigen::Matrix3Xd& moves, Eigen::VectorXd& changes) const {
     for (int row = 0; row < row_count(); ++row)
         changes[row] = dot(m_jacobian.col(row), moves.col(m_rows[row].vertex_a) - moves.col(m_rows[row].vertex_b));
@@ -144,15 +111,6 @@ void LengthSystem::add_pull(const Eigen::VectorXd& y, Eigen::Matrix3Xd& moves) c
         const Eigen::Vector3d pull = y[row] * m_jacobian.col(row);
         moves.col(a) += m_weight[a] * pull;
         moves.col(b) -= m_weight[b] * pull;
-    }
-}
-
-void LengthSystem::add_pull_beside_what_is_kept(const Eigen::VectorXd& y, Eigen::Matrix3Xd& moves) const {
-    for (int row = 0; row < row_count(); ++row) {
-        const int a = m_rows[row].vertex_a, b = m_rows[row].vertex_b;
-        const Eigen::Vector3d pull = y[row] * m_jacobian.col(row);
-        moves.col(a) += m_weight[a] * across(m_kept[a], pull);
-        moves.col(b) -= m_weight[b] * across(m_kept[b], pull);
     }
 }
 

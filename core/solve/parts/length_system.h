@@ -60,6 +60,8 @@ public:
 
 private:
     void couple_rows(int vertex_count);
+    // In slides.cpp:
+    void set_slides(std::span<const Slide> slides);
     void take_off_what_is_kept();
     void add_pull_beside_what_is_kept(const Eigen::VectorXd& y, Eigen::Matrix3Xd& moves) const;
 

@@ -1,7 +1,5 @@
 #include "solve/parts/neighbour_system.h"
 
-#include <utility>
-
 #include "linear/ordering.h"
 
 namespace chebnet {
@@ -42,30 +40,6 @@ void NeighbourSystem::add_pair(int row_vertex, int column_vertex, const Eigen::M
         block += B;
     else
         block += B.transpose();
-}
-
-void NeighbourSystem::hold(std::span<const Slide> slides) {
-    std::vector<Axes> moving(m_node_blocks.size(), k_all_axes);
-    for (const Slide& slide : slides) {
-        const int node = m_part.node_of(slide.vertex);
-        moving[node] = slide.along;
-        for (int k = 0; k < 3; ++k) {
-            if (has_axis(slide.along, k)) continue;
-            m_node_blocks[node].row(k).setZero();
-            m_node_blocks[node].col(k).setZero();
-            m_node_blocks[node](k, k) = 1;
-        }
-    }
-    for (std::size_t pair = 0; pair < m_pairs.size(); ++pair) {
-        if (m_link_of_pair[pair] < 0) continue;
-        int row = m_part.node_of(m_pairs[pair][0]), column = m_part.node_of(m_pairs[pair][1]);
-        if (m_factor.rank()[row] < m_factor.rank()[column]) std::swap(row, column);
-        Eigen::Matrix3d& block = m_link_blocks[m_link_of_pair[pair]];
-        for (int k = 0; k < 3; ++k) {
-            if (!has_axis(moving[row], k)) block.row(k).setZero();
-            if (!has_axis(moving[column], k)) block.col(k).setZero();
-        }
-    }
 }
 
 void NeighbourSystem::solve(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to) {

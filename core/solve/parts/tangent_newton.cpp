@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "base/error.h"
@@ -39,41 +38,15 @@ TangentNewton::TangentNewton(const Net& net, const Topology& topology, const Fre
       m_slides(slides.begin(), slides.end()),
       m_pairs(net, topology),
       m_form(m_pairs, net.vertex_count()) {
-    std::vector<bool> is_free(static_cast<std::size_t>(net.vertex_count()), true);
     for (int v = 0; v < net.vertex_count(); ++v)
-        if (part.node_of(v) < 0) {
-            m_fixed.push_back(v);
-            is_free[v] = false;
-        }
-    std::map<std::vector<bool>, Axes> coordinates_by_what_is_free;
-    for (int k = 0; k < 3; ++k) {
-        std::vector<bool> moves = is_free;
-        for (const Slide& slide : m_slides) moves[slide.vertex] = has_axis(slide.along, k);
-        coordinates_by_what_is_free[std::move(moves)] |= 1 << k;
-    }
-    for (const auto& [moves, coordinates] : coordinates_by_what_is_free) add_metric(coordinates, moves);
-    m_single.setZero(4, part.size());
+        if (part.node_of(v) < 0) m_fixed.push_back(v);
+    if (m_slides.empty())
+        m_metrics.push_back(std::make_unique<CoordinateMetric>(m_pairs, part));
+    else
+        m_metrics = metrics_by_coordinate(net, m_pairs, part, m_slides);
 }
 
-/// None where nothing can move along these coordinates.
-void TangentNewton::add_metric(Axes coordinates, const std::vector<bool>& is_free) {
-    Metric metric{coordinates, nullptr, &m_part, nullptr};
-    if (std::count(is_free.begin(), is_free.end(), true) < m_part.size()) {
-        metric.own_part = std::make_unique<FreePart>(m_net, is_free);
-        metric.part = metric.own_part.get();
-    }
-    const FreePart& part = *metric.part;
-    if (part.size() == 0) return;
-    Eigen::Matrix2Xi links(2, static_cast<Eigen::Index>(m_pairs.size()));
-    Eigen::Index count = 0;
-    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
-        const int i = part.node_of(m_pairs[k][0]), j = part.node_of(m_pairs[k][1]);
-        if (i >= 0 && j >= 0) links.col(count++) << i, j;
-    }
-    links.conservativeResize(2, count);
-    metric.system = std::make_unique<LaplacianSystem>(part.size(), links);
-    m_metrics.push_back(std::move(metric));
-}
+TangentNewton::~TangentNewton() = default;
 
 void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
     m_form.set_zero();
@@ -81,64 +54,11 @@ void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
     const double unit = m_net.mean_length();
     for (int e = 0; e < m_net.edge_count(); ++e)
         m_form.add_link(m_net.edges()(0, e), m_net.edges()(1, e), k_length_stiffness / (unit * unit));
-    for (Metric& metric : m_metrics) fill(metric);
-}
-
-/// Takes over M, and factors it.
-void TangentNewton::fill(Metric& metric) const {
-    const FreePart& part = *metric.part;
-    LaplacianSystem& system = *metric.system;
-    const double unit = m_net.mean_length();
-    system.set_zero();
-    int link = 0;
-    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
-        const auto& [a, b] = m_pairs[k];
-        const int i = part.node_of(a), j = part.node_of(b);
-        const LaplacianSystem::Block weight(m_form.weight(k));
-        if (i >= 0 && j >= 0)
-            system.add_at_link(link++, weight);
-        else if (i >= 0 || j >= 0)
-            system.add_at_node(std::max(i, j), weight);
-    }
-    for (int i = 0; i < part.size(); ++i)
-        system.add_at_node(i,
-                           LaplacianSystem::Block(m_form.vertex_weight(part.vertices()[i]) + k_shift / (unit * unit)));
-    for (int node : part.floating_nodes()) system.add_at_node(node, LaplacianSystem::Block(1 / (unit * unit)));
-    system.factorize();
+    for (const auto& metric : m_metrics) metric->factorize(m_form, k_shift / (unit * unit), 1 / (unit * unit));
 }
 
 void TangentNewton::extend(Eigen::Matrix3Xd& moves) {
-    for (Metric& metric : m_metrics) extend(metric, moves);
-}
-
-void TangentNewton::extend(Metric& metric, Eigen::Matrix3Xd& moves) {
-    const FreePart& part = *metric.part;
-    m_single.resize(4, part.size());
-    m_single.setZero();
-    for (std::size_t k = 0; k < m_pairs.size(); ++k) {
-        const auto& [a, b] = m_pairs[k];
-        const int i = part.node_of(a), j = part.node_of(b);
-        const auto pull = [&](int node, int held) {
-            m_single.col(node).head<3>() += (m_form.weight(k) * moves.col(held)).cast<float>();
-        };
-        if (i >= 0 && j < 0) pull(i, b);
-        if (j >= 0 && i < 0) pull(j, a);
-    }
-    solve_for(metric, moves);
-}
-
-/// From the right-hand side in m_single to what is free in the coordinates of M.
-void TangentNewton::solve_for(Metric& metric, Eigen::Matrix3Xd& solution) {
-    metric.system->solve_in_place(m_single);
-    const std::vector<int>& vertices = metric.part->vertices();
-    if (metric.coordinates == k_all_axes) {
-        for (int i = 0; i < metric.part->size(); ++i)
-            solution.col(vertices[i]) = m_single.col(i).head<3>().cast<double>();
-        return;
-    }
-    for (int i = 0; i < metric.part->size(); ++i)
-        for (int k = 0; k < 3; ++k)
-            if (has_axis(metric.coordinates, k)) solution(k, vertices[i]) = static_cast<double>(m_single(k, i));
+    for (const auto& metric : m_metrics) metric->extend(m_form, moves);
 }
 
 void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
@@ -190,12 +110,7 @@ void TangentNewton::precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd&
     if (m_factor_is_used) {
         m_blocks->solve(from, to);
     } else {
-        for (Metric& metric : m_metrics) {
-            const std::vector<int>& vertices = metric.part->vertices();
-            m_single.resize(4, metric.part->size());
-            for (int i = 0; i < metric.part->size(); ++i) m_single.col(i) << from.col(vertices[i]).cast<float>(), 0;
-            solve_for(metric, to);
-        }
+        for (const auto& metric : m_metrics) metric->solve(from, to);
     }
     project(to);
 }

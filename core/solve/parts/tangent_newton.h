@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "linear/graph_system.h"
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/parts/coordinate_metric.h"
 #include "solve/parts/free_part.h"
 #include "solve/parts/length_projection.h"
 #include "solve/parts/neighbour_form.h"
@@ -32,6 +32,7 @@ class TangentNewton {
 public:
     /// Keeps references to net and part, of which some vertices may slide.
     TangentNewton(const Net& net, const Topology& topology, const FreePart& part, std::span<const Slide> slides = {});
+    ~TangentNewton();
 
     /// Takes over the bounds of these terms, and factors M anew.
     void set_metric(std::span<const std::unique_ptr<Term>> terms);
@@ -79,18 +80,6 @@ public:
 private:
     double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
                           double radius) const;
-    /// M for some of the coordinates: those in which the same vertices are free.
-    struct Metric {
-        Axes coordinates;
-        std::unique_ptr<FreePart> own_part;  // null: all that is free moves in these coordinates
-        const FreePart* part;
-        std::unique_ptr<LaplacianSystem> system;  // the vertices of the part are its nodes
-    };
-
-    void add_metric(Axes coordinates, const std::vector<bool>& is_free);
-    void fill(Metric& metric) const;
-    void extend(Metric& metric, Eigen::Matrix3Xd& moves);
-    void solve_for(Metric& metric, Eigen::Matrix3Xd& solution);
     void mask(Eigen::Matrix3Xd& vectors) const;
     void project(Eigen::Matrix3Xd& vectors);
     void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
@@ -105,7 +94,7 @@ private:
     // M as links and weights at vertices.
     NeighbourPairs m_pairs;
     NeighbourForm m_form;
-    std::vector<Metric> m_metrics;
+    std::vector<std::unique_ptr<CoordinateMetric>> m_metrics;
     std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
     bool m_factor_is_used = false;
 
@@ -118,7 +107,6 @@ private:
     double m_normal_slope = 0;   // −λ·J m_normal
     Eigen::Matrix3Xd m_residual, m_preconditioned, m_search, m_image;
     Eigen::VectorXd m_changes, m_pulls;
-    Eigen::Matrix4Xf m_single;
 };
 
 }  // namespace chebnet

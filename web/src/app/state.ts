@@ -1,6 +1,6 @@
 /** What is open: a net with its document, and the history of that. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { ChebnetDocument, DocumentNet, HandleData, NetSource, Scene } from '../document/document';
+import type { ChebnetDocument, DocumentNet, HandleData, NetSource, Scene, Vec3 } from '../document/document';
 import { type Snapshot, UndoHistory } from '../document/undo';
 import type { Opened } from '../worker/client';
 import type { Opening } from '../worker/opening';
@@ -85,7 +85,8 @@ export class State {
   takeFrame(frame: FrameData, settled: boolean): void {
     if (this.#opening === null) return;
     const { document: before } = this.#opening;
-    const handles = settled || frame.holdsBack ? whereTheyStand(before.handles, frame) : before.handles;
+    const handles =
+      settled || frame.holdsBack ? whereTheyStand(before.handles, frame) : whereTheySlide(before.handles, frame);
     const document = { ...before, handles, positions: frame.positions, settled };
     this.#set({ ...this.#opening, frame, document });
     if (handles !== before.handles) this.#events.presentation();
@@ -115,6 +116,17 @@ function whereTheyStand(handles: HandleData[], frame: FrameData): HandleData[] {
     return target.every((x, i) => x === handle.target[i]) ? handle : { ...handle, target };
   });
   return moved.some((handle, i) => handle !== handles[i]) ? moved : handles;
+}
+
+/** Handles that slide follow the net; what else of their targets is newer than the frame stays. */
+function whereTheySlide(handles: HandleData[], frame: FrameData): HandleData[] {
+  if (!handles.some(({ slides }) => slides)) return handles;
+  return handles.map((handle) => {
+    const at = 3 * handle.vertex;
+    const slid = (x: number, i: number): number =>
+      handle.slides!.includes('xyz'[i]!) ? (frame.positions[at + i] ?? x) : x;
+    return handle.slides ? { ...handle, target: handle.target.map(slid) as Vec3 } : handle;
+  });
 }
 
 /** Those that the page has of an open net anyway, in place of the text it came from. */

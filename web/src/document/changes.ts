@@ -20,6 +20,8 @@ export function traitsChange(
 ): ChangeName {
   if ('anchor' in traits) return [traits.anchor ? 'lock' : 'unlock', who];
   if ('hidden' in traits) return [traits.hidden ? 'hide' : 'show', who];
+  if (traits.slides !== undefined) return ['slide', who];
+  if ('slides' in traits) return ['hold', who];
   if ('weight' in traits) return [traits.weight === undefined ? 'harden' : 'soften', who];
   return ['rename', who];
 }

@@ -5,7 +5,7 @@
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Ends } from '../fields/colour_map';
 import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
-import { LONGEST_NAME } from './document';
+import { axesToSlide, LONGEST_NAME } from './document';
 import type {
   FileText,
   HandleData,
@@ -141,6 +141,7 @@ function readMore(more: Untrusted): Partial<HandleSeed> {
     name: more.at('name').maybe((each) => each.text(LONGEST_NAME)),
     hidden: more.at('hidden').maybe((each) => each.flag()),
     weight: more.at('weight').maybe((each) => each.positive()),
+    slides: more.at('slides').maybe((each) => each.oneOf(axesToSlide())),
   });
 }
 

@@ -1,5 +1,5 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
-import type { Handle, Mesh, RestLengths } from '../../../wasm/chebnet';
+import type { Axes, Handle, Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Colouring } from '../fields/fields';
 
 export type Vec3 = [number, number, number];
@@ -48,6 +48,8 @@ export interface HandleData {
   hidden?: boolean;
   /** Above 0: a soft handle, which pulls with this weight beside that of an edge; without one the target is kept exactly. */
   weight?: number | undefined;
+  /** An exact handle that slides: it holds its other coordinates, and along these its target follows the vertex. */
+  slides?: Axes | undefined;
 }
 
 /** A handle of a scene that is yet to be opened; `target` null: where the vertex rests. */
@@ -56,8 +58,18 @@ export interface HandleSeed extends Omit<HandleData, 'target'> {
 }
 
 /** What of handles the solver wants to know. */
-export function targetsOf(handles: readonly Pick<HandleData, 'vertex' | 'target' | 'weight'>[]): Handle[] {
-  return handles.map(({ vertex, target, weight }) => ({ vertex, target, ...(weight === undefined ? {} : { weight }) }));
+export function targetsOf(handles: readonly Pick<HandleData, 'vertex' | 'target' | 'weight' | 'slides'>[]): Handle[] {
+  return handles.map(({ vertex, target, weight, slides }) => ({
+    vertex,
+    target,
+    ...(weight === undefined ? {} : { weight }),
+    ...(slides === undefined ? {} : { slides }),
+  }));
+}
+
+/** Along which a handle slides, in the order of the list of choices: on the ground first. */
+export function axesToSlide(up: UpAxis = 'z'): readonly Axes[] {
+  return up === 'z' ? ['xy', 'x', 'y', 'z', 'xz', 'yz'] : ['xz', 'x', 'z', 'y', 'xy', 'yz'];
 }
 
 /** A plane across an axis of the net; what is done to handles on one side of it is done on the other too. */

@@ -12,7 +12,7 @@ import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
 import type { Entry, Snapshot } from './undo';
-import { readerOf, VERSION, VERSION_WITH_ARRAYS } from './versions';
+import { doSlide, readerOf, VERSION, VERSION_WITH_ARRAYS, VERSION_WITH_SLIDES } from './versions';
 import type { Reader } from './versions';
 
 export const PROJECT_ENDING = '.chebnet.json';
@@ -51,7 +51,7 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
     ...(state.guide && 'mesh' in state.guide ? { guideFile: guides.numberOf(state.guide) } : {}),
   }));
   return {
-    chebnet: nets.values.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION,
+    chebnet: versionOf(entries, nets.values),
     view: writeView(project.view),
     present,
     states,
@@ -59,6 +59,11 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
     positions: positions.values,
     ...(guides.values.length > 0 ? { guides: guides.values } : {}),
   };
+}
+
+function versionOf(entries: readonly Entry[], nets: readonly NetSource[]): number {
+  if (entries.some(({ state }) => doSlide(state.handles))) return VERSION_WITH_SLIDES;
+  return nets.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION;
 }
 
 /** The text of a file. */

@@ -11,7 +11,7 @@ import type { ChebnetDocument, Scene } from './document';
 import { Untrusted } from './untrusted';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
-import { readerOf, VERSION } from './versions';
+import { doSlide, readerOf, VERSION, VERSION_WITH_SLIDES } from './versions';
 import type { Reader } from './versions';
 import { Failure } from '../failure';
 
@@ -41,7 +41,7 @@ export function encodeScene(
 ): Shared {
   const atRest = document.positions === null || document.positions.every((x, i) => x === net.restPositions[i]);
   const packed = atRest || document.positions === null ? null : packPositions(document.positions, net, threshold);
-  const whole = toHash(header(document, net, document.settled), packed);
+  const whole = toHash(document, header(document, net, document.settled), packed);
   const surface = document.guide && 'mesh' in document.guide ? { surface: false } : {};
   if (whole.length <= largest) return { hash: whole, positions: true, ...surface };
   const small = encodeEdit(document, net);
@@ -50,7 +50,7 @@ export function encodeScene(
 
 /** The hash of a scene without its positions: whoever opens it solves for them. */
 export function encodeEdit(document: ChebnetDocument, net: PackingNet): string {
-  return toHash(header(document, net, false), null);
+  return toHash(document, header(document, net, false), null);
 }
 
 /** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */
@@ -72,13 +72,14 @@ function header({ view, ...state }: ChebnetDocument, net: PackingNet, settled: b
   return { ...writeState({ ...state, settled }, net.restPositions), net: netAsText(state.net), view: writeView(view) };
 }
 
-function toHash(head: object, packed: Uint8Array | null): string {
+function toHash({ handles }: ChebnetDocument, head: object, packed: Uint8Array | null): string {
   const json = strToU8(JSON.stringify(head));
   const content = new Uint8Array(4 + json.length + (packed?.length ?? 0));
   new DataView(content.buffer).setUint32(0, json.length, true);
   content.set(json, 4);
   if (packed) content.set(packed, 4 + json.length);
-  return `#v${VERSION}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
+  const version = doSlide(handles) ? VERSION_WITH_SLIDES : VERSION;
+  return `#v${version}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
 }
 
 function toUrl(base64: string): string {

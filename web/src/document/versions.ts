@@ -8,7 +8,7 @@
  */
 import { readKeptNet, readNet, readNumbering, readState, readView } from './codec';
 import type { State } from './codec';
-import type { HandleSeed, NetSource, ViewState } from './document';
+import type { HandleData, HandleSeed, NetSource, ViewState } from './document';
 import type { Untrusted } from './untrusted';
 
 /** Reads the parts of a scene or project. All throw a Failure if it is none. */
@@ -24,16 +24,26 @@ const second: Reader = { ...first, state: (state) => ({ ...first.state(state), .
 /** Of what the browser keeps, which can hold the net of a file as arrays: text takes long to be made, again and again. */
 const third: Reader = { ...second, net: readKeptNet };
 
+/** Of nets with handles that slide: pages of before would hold them. */
+const fourth: Reader = third;
+
 const READERS = new Map<number, Reader>([
   [1, first],
   [2, second],
   [3, third],
+  [4, fourth],
 ]);
 
 /** Of links and files, and of what the browser keeps without a file. */
 export const VERSION = 2;
 /** Of what the browser keeps with a file. */
 export const VERSION_WITH_ARRAYS = 3;
+/** Of whatever has handles that slide. */
+export const VERSION_WITH_SLIDES = 4;
+
+export function doSlide(handles: readonly HandleData[]): boolean {
+  return handles.some(({ slides }) => slides !== undefined);
+}
 
 /** Undefined: there is no such version, or not yet. */
 export function readerOf(version: unknown): Reader | undefined {

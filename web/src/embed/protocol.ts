@@ -16,7 +16,7 @@
  * browser keeps, starts a download, opens a window or an address. The calls, and what each may be given at most:
  *
  *     open({ recipe } | { obj, name? })   a recipe of 1000 characters, an OBJ of 20 million
- *     setHandles([{ vertex, target?, anchor?, name?, hidden?, weight? }])   10,000 handles
+ *     setHandles([{ vertex, target?, anchor?, name?, hidden?, weight?, slides? }])   10,000 handles
  *     move(vertex, [x, y, z]), setLocality(edges | null), setOptions({ name: value })
  *     setGuide({ own } | { vertices, faces, name? } | null)   100,000 vertices and faces
  *     settled(), positions(), edges(), handles(), stats(), screenPosition(vertex), link()

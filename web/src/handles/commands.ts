@@ -14,7 +14,7 @@ export const GIZMO_MODES: readonly GizmoMode[] = ['translate', 'rotate', 'scale'
 export type LineName = 'boundary' | number;
 
 /** Properties of a handle that can be changed, apart from its target. */
-export type HandleTraits = { [K in 'name' | 'hidden' | 'weight' | 'anchor']?: HandleData[K] | undefined };
+export type HandleTraits = { [K in 'name' | 'hidden' | 'weight' | 'slides' | 'anchor']?: HandleData[K] | undefined };
 
 export interface Choice {
   selection: Selection;

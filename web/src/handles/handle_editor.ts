@@ -216,10 +216,14 @@ export class HandleEditor implements HandleCommands {
   /** Name, lock and the like of some handles. */
   change(vertices: Selection, traits: HandleTraits): void {
     const chosen = new Set(vertices);
-    const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? { ...handle, ...traits } : handle));
+    // Only exact handles slide.
+    const others: HandleTraits =
+      traits.weight !== undefined ? { slides: undefined } : traits.slides !== undefined ? { weight: undefined } : {};
+    const changed = (handle: HandleData): HandleData => ({ ...handle, ...others, ...traits });
+    const handles = this.#handles.map((handle) => (chosen.has(handle.vertex) ? changed(handle) : handle));
     // The solver does not know names, locks and visibility.
     const name = traitsChange(traits, this.#titleOf(this.#handles.filter(({ vertex }) => chosen.has(vertex))));
-    if ('weight' in traits) return this.#host.attempt(this.set(handles, name));
+    if ('weight' in traits || 'slides' in traits) return this.#host.attempt(this.set(handles, name));
     this.#changeDocument({ handles }, name);
   }
 

@@ -195,6 +195,8 @@ export const en = {
     hide: (who: string) => `Hide ${who}`,
     show: (who: string) => `Show ${who}`,
     soften: (who: string) => `Soften ${who}`,
+    slide: (who: string) => `Let ${who} slide`,
+    hold: (who: string) => `Hold ${who}`,
     harden: (who: string) => `Keep ${who} exactly`,
     rename: (who: string) => `Rename ${who}`,
     symmetry: 'Symmetry',

@@ -1,5 +1,6 @@
 /** Frequent commands for the selected handles, over the view while there are any. */
-import type { HandleData } from '../document/document';
+import type { Axes } from '../../../wasm/chebnet';
+import { axesToSlide, type ChebnetDocument, type HandleData } from '../document/document';
 import { type Choice, GIZMO_MODES, type GizmoMode, type LineName } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
@@ -32,7 +33,9 @@ export class SelectionBar implements Panel {
   });
   readonly #isolate: HTMLButtonElement;
   readonly #lock: HTMLButtonElement;
+  readonly #slides: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
+  #ground: Axes = 'xy';
   #selected: readonly HandleData[] = [];
   readonly #events: PanelEvents;
 
@@ -51,6 +54,7 @@ export class SelectionBar implements Panel {
       handles.around((surroundings) => surroundings.isolate()),
     );
     this.#lock = tool(ICONS.locked, panelWords.handles.lock, panelWords.handles.lock, () => this.#turnLock());
+    this.#slides = tool(ICONS.slides, TEXT.slides, TEXT.slidesHint, () => this.#turnSliding());
     this.#remove = tool(ICONS.bin, TEXT.remove, TEXT.removeHint, () => handles.remove(this.#vertices));
     this.element = make(
       'div',
@@ -62,6 +66,7 @@ export class SelectionBar implements Panel {
       ...this.#makePatch(),
       this.#isolate,
       this.#lock,
+      this.#slides,
       this.#remove,
     );
   }
@@ -69,6 +74,10 @@ export class SelectionBar implements Panel {
   setNet({ info }: OpenedNet): void {
     // No net is wider than that, measured from vertex to vertex.
     this.#radius.max = String(info.vertices);
+  }
+
+  setDocument({ view }: ChebnetDocument): void {
+    this.#ground = axesToSlide(view.upAxis)[0]!;
   }
 
   setHandles(handles: readonly HandleData[], { selection, mode, onBoundary, lines, part }: Choice): void {
@@ -85,6 +94,7 @@ export class SelectionBar implements Panel {
     this.#lines.forEach((button, i) => (button.hidden = i >= lines));
     this.#isolate.setAttribute('aria-pressed', String(part !== undefined));
     this.#lock.setAttribute('aria-pressed', String(moving === 0));
+    this.#slides.setAttribute('aria-pressed', String(this.#allSlide));
     this.#remove.disabled = moving === 0;
   }
 
@@ -96,6 +106,14 @@ export class SelectionBar implements Panel {
 
   get #vertices(): number[] {
     return this.#selected.map(({ vertex }) => vertex);
+  }
+
+  get #allSlide(): boolean {
+    return this.#selected.every(({ slides }) => slides === this.#ground);
+  }
+
+  #turnSliding(): void {
+    this.#events.handles.change(this.#vertices, { slides: this.#allSlide ? undefined : this.#ground });
   }
 
   #turnLock(): void {

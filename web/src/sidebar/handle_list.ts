@@ -10,6 +10,7 @@ import { HandleGroupRow } from './handle_group_row';
 import { HandleRow } from './handle_row';
 import type { Panel, PanelEvents } from '../panels';
 import { SelectionForm } from './selection_form';
+import { type Slipway, slipwayOf } from './sliding';
 import { SymmetryChoice } from './symmetry_choice';
 import './handle_list.css';
 
@@ -19,7 +20,7 @@ const ROWS_AT_A_TIME = 100;
 interface Row {
   readonly element: HTMLElement;
   /** `alone`: nothing else is selected. */
-  update(handles: readonly HandleData[], selected: boolean, alone: boolean, edgeLength: number): void;
+  update(handles: readonly HandleData[], selected: boolean, alone: boolean, edgeLength: number, slipway: Slipway): void;
   focus(): void;
 }
 
@@ -41,6 +42,7 @@ export class HandleList implements Panel {
   });
   readonly #form: SelectionForm;
   readonly #symmetry: SymmetryChoice;
+  #slipway: Slipway = { up: 'z', slides: true };
   readonly element: HTMLDetailsElement;
   /** By the keys of their groups. */
   #rows = new Map<string, Row>();
@@ -81,8 +83,9 @@ export class HandleList implements Panel {
     this.#mostRows = ROWS_AT_A_TIME;
   }
 
-  setDocument({ symmetry }: ChebnetDocument): void {
-    this.#symmetry.set(symmetry);
+  setDocument(document: ChebnetDocument): void {
+    this.#symmetry.set(document.symmetry);
+    this.#slipway = slipwayOf(document);
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {
@@ -104,13 +107,14 @@ export class HandleList implements Panel {
     setText(this.#more, panelWords.handles.more(Math.min(ROWS_AT_A_TIME, left), left));
     for (const group of listed) {
       const isSelected = group.every(({ vertex }) => selected.has(vertex));
-      this.#rows.get(keyOf(group))!.update(group, isSelected, isSelected && alone, this.#edgeLength);
+      this.#rows.get(keyOf(group))!.update(group, isSelected, isSelected && alone, this.#edgeLength, this.#slipway);
     }
     if (alone) this.#bringIntoSight(choice.selection[0]!);
     this.#form.update(
       handles.filter(({ vertex }) => selected.has(vertex)),
       choice,
       this.#edgeLength,
+      this.#slipway,
     );
   }
 

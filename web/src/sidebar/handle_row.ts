@@ -6,6 +6,7 @@ import { panelWords } from '../language/panels';
 import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
 import { ICONS } from '../elements/icons';
+import { Sliding, type Slipway } from './sliding';
 import { Softness } from './softness';
 import { Toggle } from './toggle';
 import { coordinate } from '../language/numbers';
@@ -29,6 +30,7 @@ export class HandleRow {
   readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, 'aria-label': panelWords.handles.name });
   readonly #inputs: HTMLInputElement[];
   readonly #softness: Softness;
+  readonly #sliding: Sliding;
   readonly #fields: HTMLDivElement;
   #handle: HandleData | null = null;
   #shown = '';
@@ -64,24 +66,39 @@ export class HandleRow {
     this.#name.addEventListener('change', () => events.change({ name: this.#name.value.trim() || undefined }));
     this.#inputs = AXES.map((_, axis) => this.#makeCoordinate(axis));
     this.#softness = new Softness(events.change);
+    this.#sliding = new Sliding(events.change);
     const nameRow = make('label', { class: 'row' }, make('span', {}, panelWords.handles.name), this.#name);
-    this.#fields = make('div', { class: 'fields' }, nameRow, makeCoordinates(this.#inputs), ...this.#softness.rows);
+    this.#fields = make(
+      'div',
+      { class: 'fields' },
+      nameRow,
+      makeCoordinates(this.#inputs),
+      ...this.#softness.rows,
+      ...this.#sliding.rows,
+    );
     const line = make('div', { class: 'line' }, this.#select, this.#eye.button, this.#lock.button, remove);
     this.element = make('li', {}, line, this.#fields);
   }
 
   /** `alone`: nothing else is selected. Fields are for one handle at a time. */
-  update([handle]: readonly HandleData[], selected: boolean, alone: boolean, edgeLength: number): void {
+  update(
+    [handle]: readonly HandleData[],
+    selected: boolean,
+    alone: boolean,
+    edgeLength: number,
+    slipway: Slipway,
+  ): void {
     if (handle === undefined) return;
-    const state = `${selected} ${alone}`;
+    const state = `${selected} ${alone} ${slipway.up} ${slipway.slides}`;
     if (handle === this.#handle && state === this.#shown) return;
     [this.#handle, this.#shown] = [handle, state];
-    const { target, anchor, hidden, weight } = handle;
+    const { target, anchor, hidden, weight, slides } = handle;
     setText(this.#title, titleOf(handle));
     const { classList } = this.element;
     classList.toggle('selected', selected);
     classList.toggle('locked', anchor);
     classList.toggle('soft', weight !== undefined);
+    classList.toggle('slides', slides !== undefined);
     classList.toggle('unseen', hidden === true);
     this.#select.setAttribute('aria-pressed', String(selected));
     this.#select.setAttribute('aria-expanded', String(alone));
@@ -91,10 +108,11 @@ export class HandleRow {
     if (!alone) return;
     setValue(this.#name, handle.name ?? '');
     this.#inputs.forEach((input, axis) => {
-      input.disabled = anchor;
+      input.disabled = anchor || handle.slides?.includes(AXES[axis]!) === true;
       setValue(input, coordinate(target[axis]!, edgeLength));
     });
     this.#softness.setWeight(weight);
+    this.#sliding.set([handle], slipway);
   }
 
   focus(): void {

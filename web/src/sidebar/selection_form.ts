@@ -7,6 +7,7 @@ import { panelWords } from '../language/panels';
 import { make, setText, setValue } from '../elements/dom';
 import { makeCoordinates } from './handle_row';
 import type { PanelEvents } from '../panels';
+import { Sliding, type Slipway } from './sliding';
 import { Softness } from './softness';
 import { coordinate } from '../language/numbers';
 
@@ -25,6 +26,7 @@ export class SelectionForm {
   readonly #factor = numberField('1.1', panelWords.handles.factor);
   readonly #motions: HTMLFieldSetElement;
   readonly #softness: Softness;
+  readonly #sliding: Sliding;
   #place: Vec3 = [0, 0, 0];
   #selection: Selection = [];
   readonly #events: PanelEvents;
@@ -62,6 +64,7 @@ export class SelectionForm {
       ),
     );
     this.#softness = new Softness((traits) => events.handles.change(this.#selection, traits));
+    this.#sliding = new Sliding((traits) => events.handles.change(this.#selection, traits));
     this.element = make(
       'section',
       { class: 'selection', 'aria-label': panelWords.selection.label },
@@ -69,14 +72,21 @@ export class SelectionForm {
       make('label', { class: 'row' }, make('span', {}, panelWords.handles.name), this.#name),
       this.#motions,
       ...this.#softness.rows,
+      ...this.#sliding.rows,
     );
   }
 
-  update(selected: readonly HandleData[], { selection }: Pick<Choice, 'selection'>, edgeLength: number): void {
+  update(
+    selected: readonly HandleData[],
+    { selection }: Pick<Choice, 'selection'>,
+    edgeLength: number,
+    slipway: Slipway,
+  ): void {
     this.element.hidden = selected.length < 2;
     if (this.element.hidden) return;
     this.#selection = selection;
     this.#softness.setWeight(selected.every(({ weight }) => weight !== undefined) ? selected[0]?.weight : undefined);
+    this.#sliding.set(selected, slipway);
     const [first] = selected;
     setValue(this.#name, (selected.every(({ name }) => name === first?.name) && first?.name) || '');
     setText(this.#count, panelWords.selection.count(selected.length));

@@ -45,8 +45,7 @@ export class Hand {
   /** They are drawn at the pointer, ahead of document and net. */
   carry(motion: Matrix4, space: Space): void {
     const targets = this.#taken.map(({ vertex, from }) => {
-      const point = from.clone().applyMatrix4(motion);
-      this.#markers.point(vertex)?.copy(point);
+      const point = this.#markers.carry(vertex, from.clone().applyMatrix4(motion));
       return { vertex, target: space.toNet(point) };
     });
     this.#report.move(targets);

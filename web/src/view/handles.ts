@@ -1,4 +1,5 @@
-/** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. Their
+/** The handles: spheres to drag, hollow if they are soft, dark cubes if they are locked, a ring around those selected. Those
+ *  that slide have a dark skid under them, flat in the plane or long on the line on which they do. Their
  *  size on the screen does not depend on the camera's distance, and they shine faintly through what covers them. */
 import {
   BoxGeometry,
@@ -33,6 +34,8 @@ const PER_EDGE = 0.3;
 const CUBE = 0.7;
 /** From this number on spheres are drawn coarser: thousands of fine ones would be millions of triangles. */
 const MANY = 500;
+/** A skid is a sphere of so many radii along the axes on which it slides, and across. */
+const SKID = { along: 1.6, across: 0.15 };
 
 interface Marker {
   vertex: number;
@@ -40,6 +43,8 @@ interface Marker {
   soft: boolean;
   hidden: boolean;
   selected: boolean;
+  /** Of the scene's axes those along which it slides: three characters, 1 or 0. */
+  slides: string;
   point: Vector3;
 }
 
@@ -53,6 +58,9 @@ export class HandleMarkers {
   readonly #cubes = new Shape(new BoxGeometry(1.5, 1.5, 1.5));
   readonly #hollow = new Shape(new RingGeometry(0.5, 1, 28), true);
   readonly #rings = new Shape(new RingGeometry(1.3, 1.55, 32), true);
+  /** By the axes. */
+  readonly #skids = new Map<string, Shape>();
+  #skidColour = new Color();
 
   constructor() {
     for (const { group } of this.#shapes) this.object.add(group);
@@ -62,15 +70,19 @@ export class HandleMarkers {
   update(handles: readonly HandleData[], space: Space, selection: Selection, held: readonly number[]): void {
     const inHand = new Map(held.map((vertex) => [vertex, this.point(vertex)]));
     const selected = new Set(selection);
-    const marker = ({ vertex, target, anchor, weight, hidden }: HandleData): Marker => {
-      const point = inHand.get(vertex) ?? new Vector3();
-      if (!inHand.has(vertex)) space.toScene(point, target);
+    const marker = ({ vertex, target, anchor, weight, hidden, slides }: HandleData): Marker => {
+      const point = new Vector3();
+      space.toScene(point, target);
+      const axes = space.axes.map((axis) => (slides?.includes(axis) ? '1' : '0')).join('');
+      const taken = inHand.get(vertex);
+      if (taken) point.copy(keepSlid(taken, point, axes));
       return {
         vertex,
         locked: anchor,
         soft: weight !== undefined,
         hidden: hidden === true,
         selected: selected.has(vertex),
+        slides: axes,
         point,
       };
     };
@@ -79,6 +91,12 @@ export class HandleMarkers {
 
   point(vertex: number): Vector3 | undefined {
     return this.#markers.get(vertex)?.point;
+  }
+
+  /** Takes a handle to a point, but along the axes on which it slides. */
+  carry(vertex: number, to: Vector3): Vector3 {
+    const marker = this.#markers.get(vertex);
+    return marker ? marker.point.copy(keepSlid(to, marker.point, marker.slides)) : to;
   }
 
   isLocked(vertex: number): boolean {
@@ -121,6 +139,8 @@ export class HandleMarkers {
     this.#hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.#cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
     this.#rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
+    this.#skidColour.setRGB(...theme.anchor, SRGBColorSpace);
+    for (const skid of this.#skids.values()) skid.setColour(this.#skidColour);
   }
 
   beforeDraw(camera: Eye, canvasHeight: number, edgeLength: number, distance: number): void {
@@ -146,6 +166,24 @@ export class HandleMarkers {
       camera,
       size,
     );
+    for (const { slides } of this.#visible) if (slides.includes('1')) this.#skid(slides);
+    for (const [axes, skid] of this.#skids)
+      skid.place(
+        points(({ slides }) => slides === axes),
+        camera,
+        size,
+      );
+  }
+
+  #skid(axes: string): Shape {
+    const known = this.#skids.get(axes);
+    if (known) return known;
+    const [x, y, z] = [...axes].map((each) => (each === '1' ? SKID.along : SKID.across));
+    const skid = new Shape(new SphereGeometry(1, 20, 12).scale(x!, y!, z!));
+    skid.setColour(this.#skidColour);
+    this.#skids.set(axes, skid);
+    this.object.add(skid.group);
+    return skid;
   }
 
   dispose(): void {
@@ -153,12 +191,19 @@ export class HandleMarkers {
   }
 
   get #shapes(): Shape[] {
-    return [this.#spheres, this.#manySpheres, this.#cubes, this.#hollow, this.#rings];
+    return [this.#spheres, this.#manySpheres, this.#cubes, this.#hollow, this.#rings, ...this.#skids.values()];
   }
 
   get #visible(): Marker[] {
     return [...this.#markers.values()].filter(({ hidden }) => !hidden);
   }
+}
+
+/** `to`, but along the axes on which it slides, where it is. */
+function keepSlid(to: Vector3, at: Vector3, axes: string): Vector3 {
+  const point = to.clone();
+  for (const axis of [0, 1, 2]) if (axes[axis] === '1') point.setComponent(axis, at.getComponent(axis));
+  return point;
 }
 
 export function toScreen(projection: Projection, { x, y, z }: Vector3): ScreenPoint {

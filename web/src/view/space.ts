@@ -33,6 +33,11 @@ export class Space {
     this.floor = (-{ y, z }[up] * this.scale) / 2;
   }
 
+  /** The net's, in the order of the scene's. */
+  get axes(): readonly string[] {
+    return ['x', 'xyz'[this.axisY]!, 'xyz'[this.axisZ]!];
+  }
+
   toScene(p: Point, place: readonly [number, number, number]): void {
     const { centre, scale, axisY, axisZ, signY } = this;
     p.x = (place[0] - centre[0]) * scale;

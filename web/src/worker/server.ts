@@ -307,9 +307,12 @@ export class Server {
 
   /** Whether handles stand elsewhere than the last hand asked. */
   #fellShort(handles: readonly Handle[]): boolean {
-    const targets = new Map(handles.map(({ vertex, target }) => [vertex, target]));
-    const isOff = ({ vertex, target }: Handle): boolean =>
-      targets.get(vertex)?.some((x, i) => x !== target[i]) ?? false;
+    const known = new Map(handles.map((handle) => [handle.vertex, handle]));
+    const isOff = ({ vertex, target }: Handle): boolean => {
+      const handle = known.get(vertex);
+      const holds = (axis: string): boolean => !handle?.slides?.includes(axis);
+      return handle?.target.some((x, i) => x !== target[i] && holds('xyz'[i]!)) ?? false;
+    };
     return !this.#solving && this.#asked.some(isOff);
   }
 
@@ -560,12 +563,17 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
     rest[3 * vertex + 1] ?? 0,
     rest[3 * vertex + 2] ?? 0,
   ];
-  const handles = seeds.map(({ vertex, target, weight }: Omit<HandleSeed, 'anchor'>) => ({
+  const handles = seeds.map(({ vertex, target, weight, slides }: Omit<HandleSeed, 'anchor'>) => ({
     vertex,
     target: target ?? at(vertex),
     weight,
+    slides,
   }));
   const stands = positions !== null && 'packed' in positions ? unpackPositions(positions.packed, editor) : positions;
+  // Packing has taken digits from the positions, which what slides has in its target.
+  if (stands !== null && stands !== positions)
+    for (const { vertex, target, slides } of handles)
+      if (slides && 3 * vertex < stands.length) stands.set(target, 3 * vertex);
   return { method, initialisation, options, handles: targetsOf(handles), locality: null, positions: stands ?? rest };
 }
 

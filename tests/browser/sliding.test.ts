@@ -1,0 +1,101 @@
+/** Feet that slide on the ground while the crown of a flat sheet is raised, with a mouse. */
+import { join } from 'node:path';
+import { beforeEach, expect, test } from 'vitest';
+import { distance, dragBy } from './geometry';
+import type { Script, Visit } from './page';
+import { OUTPUT, visits } from './page';
+
+const SHEET = 'sheet:vertices=121';
+/** Of 11 by 11 vertices. */
+const [CROWN, FOOT, OTHER_FOOT] = [60, 55, 65];
+
+const { arrive } = visits();
+let visit: Visit;
+let script: Script;
+beforeEach(async () => {
+  visit = await arrive();
+  ({ script } = visit);
+  await script.open({ recipe: SHEET });
+  await visit.page.evaluate((crown) => window.chebnet.setHandles([{ vertex: crown, anchor: false }]), CROWN);
+  await script.settled();
+});
+
+const bar = () => visit.page.getByRole('group', { name: 'Selected handles' });
+const button = (name: string) => bar().getByRole('button', { name, exact: true });
+const handles = () => visit.page.evaluate(() => window.chebnet.handles());
+const width = async () => distance(await script.position(FOOT), await script.position(OTHER_FOOT));
+
+async function click(vertex: number) {
+  const { x, y } = await script.screenPosition(vertex);
+  await visit.page.mouse.click(x, y);
+  await script.settled();
+}
+
+test('the border of a sheet is let slide, comes inwards on the ground as the crown is raised, and goes back', async () => {
+  await click(FOOT);
+  await button('Boundary loop').click();
+  await script.settled();
+  await button('Slide on the ground').click();
+  await expect.poll(async () => (await handles()).filter(({ slides }) => slides === 'xy').length).toBe(40);
+  expect(await button('Slide on the ground').getAttribute('aria-pressed')).toBe('true');
+  const before = await width();
+
+  await dragBy(script, CROWN, [0, -60]);
+  await script.settled();
+  await visit.page.screenshot({ path: join(OUTPUT, 'sliding-sheet.png') });
+  const raised = await script.position(CROWN);
+  expect(raised[2]).toBeGreaterThan(0.5);
+  const inwards = await width();
+  expect(inwards).toBeLessThan(before - 0.02);
+  const feet = (await handles()).filter(({ slides }) => slides);
+  for (const { vertex, target } of feet) {
+    expect((await script.position(vertex))[2]).toBe(0);
+    expect(await script.position(vertex)).toEqual(target);
+  }
+  expect((await visit.page.evaluate(() => window.chebnet.stats())).maxDeviation).toBeLessThan(1e-6);
+
+  // A link has it, to the last digit of the feet.
+  const link = await visit.page.evaluate(() => window.chebnet.link());
+  expect(link).toContain('#v4=');
+
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  await expect.poll(width).toBe(before);
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(async () => (await handles()).some(({ slides }) => slides)).toBe(false);
+  expect(await visit.page.evaluate(() => window.chebnet.link())).toContain('#v2=');
+});
+
+test('one handle slides along what the list says, and a hand moves it only across that', async () => {
+  await visit.page.evaluate(
+    ([crown, foot]) =>
+      window.chebnet.setHandles([
+        { vertex: crown!, anchor: true },
+        { vertex: foot!, anchor: false },
+      ]),
+    [CROWN, FOOT],
+  );
+  await visit.page.locator('summary', { hasText: /^Handles \(/ }).click();
+  await visit.page.locator('.handles li .name').filter({ hasText: `Vertex ${FOOT}` }).click();
+  await visit.page
+    .locator('.handles li label:visible')
+    .filter({ hasText: /^Slides/ })
+    .locator('select')
+    .selectOption({ label: 'On the ground' });
+  await expect.poll(async () => (await handles())[1]!.slides).toBe('xy');
+  const [x, y] = await script.position(FOOT);
+  const coordinates = visit.page.locator('.handles .coordinates:visible input');
+  expect(await coordinates.nth(0).isDisabled()).toBe(true);
+  expect(await coordinates.nth(2).isDisabled()).toBe(false);
+
+  await dragBy(script, FOOT, [-40, -40]);
+  await script.settled();
+  await visit.page.screenshot({ path: join(OUTPUT, 'sliding-foot.png') });
+  const after = await script.position(FOOT);
+  expect(after[2]).toBeGreaterThan(0.3);
+  // It is where the net takes it, not where the hand was.
+  expect(Math.hypot(after[0] - x, after[1] - y)).toBeLessThan(0.5);
+
+  await visit.page.evaluate(() => window.chebnet.setOptions({ method: 'li2022' }));
+  await visit.page.getByText(/Handles slide in nets that come to rest/).waitFor();
+});
