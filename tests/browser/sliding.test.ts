@@ -76,7 +76,10 @@ test('one handle slides along what the list says, and a hand moves it only acros
     [CROWN, FOOT],
   );
   await visit.page.locator('summary', { hasText: /^Handles \(/ }).click();
-  await visit.page.locator('.handles li .name').filter({ hasText: `Vertex ${FOOT}` }).click();
+  await visit.page
+    .locator('.handles li .name')
+    .filter({ hasText: `Vertex ${FOOT}` })
+    .click();
   await visit.page
     .locator('.handles li label:visible')
     .filter({ hasText: /^Slides/ })
@@ -97,5 +100,5 @@ test('one handle slides along what the list says, and a hand moves it only acros
   expect(Math.hypot(after[0] - x, after[1] - y)).toBeLessThan(0.5);
 
   await visit.page.evaluate(() => window.chebnet.setOptions({ method: 'li2022' }));
-  await visit.page.getByText(/Handles slide in nets that come to rest/).waitFor();
+  await visit.page.locator('.handles li p:visible', { hasText: /^Handles slide in nets/ }).waitFor();
 });

@@ -209,7 +209,7 @@ describe('hostile links are refused', () => {
     '#',
     '#nonsense',
     '#%E0%A4%A',
-    '#v4=AAAA',
+    '#v5=AAAA',
     '#v0=AAAA',
     '#v01=',
     '#v1',
