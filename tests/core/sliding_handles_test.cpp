@@ -99,7 +99,7 @@ TEST_CASE("The border of a sheet whose crown is raised slides inwards, on the gr
 TEST_CASE("The feet of an arch of two edges stand where Pythagoras says when its crown is raised") {
     const Net net = samples::patch(3, 2, 0.4);
     std::vector<Handle> handles;
-    for (int v : {0, 2, 3, 5}) handles.push_back(sliding(net, v, k_x));
+    for (int v : {0, 2, 3, 5}) handles.push_back(sliding(net, v, k_ground));
     for (int v : {1, 4}) handles.push_back(pinned(net, v));
     Editor editor = editor_of(net, handles);
     editor.set_option("threshold", "1e-16");
