@@ -250,6 +250,8 @@ export type NetChange =
   | 'delete_rows'
   | 'delete_faces'
   | 'add_row'
+  | 'insert_row'
+  | 'remove_line'
   | 'join';
 
 /** Where; edges by their numbers in `Editor.edges`. */

@@ -9,6 +9,7 @@
 #include "change/coarsen.h"
 #include "change/cut.h"
 #include "change/delete_faces.h"
+#include "change/inner_row.h"
 #include "change/join.h"
 #include "change/refine.h"
 
@@ -44,6 +45,8 @@ const std::vector<ChangeInfo>& change_table() {
         {"delete_rows", "the rows of faces beside the line go", checked<without_rows>},
         {"delete_faces", "the faces at the vertices go", checked<without_faces_at>},
         {"add_row", "a row of quads is added along the line, which lies on the border", checked<with_row>},
+        {"insert_row", "a row of quads is put in along the line, which runs through the net", checked<with_inner_row>},
+        {"remove_line", "the line is taken out: the rows on its two sides become one", checked<without_line>},
         {"join", "borders within half an edge of each other become one", checked<joined>}};
     return table;
 }

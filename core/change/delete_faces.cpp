@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/sets.h"
 #include "change/corner_edges.h"
+#include "change/used_vertices.h"
 
 namespace chebnet {
 
@@ -19,23 +20,11 @@ ChangedMesh without(const Net& net, const std::vector<bool>& goes) {
     if (gone == net.face_count())
         throw Error(ErrorCode::impossible_change, "no face of the net would be left: choose fewer vertices");
 
-    std::vector<int> new_vertex(static_cast<std::size_t>(net.vertex_count()), -1);
+    Faces left;
     for (int f = 0; f < net.face_count(); ++f)
-        if (!goes[f])
-            for (const int v : net.faces()[f]) new_vertex[v] = 0;
-    ChangedMesh rest{.mesh = {}, .origins = {}, .keeps_edges = true};
-    for (int v = 0; v < net.vertex_count(); ++v) {
-        if (new_vertex[v] < 0) continue;
-        new_vertex[v] = static_cast<int>(rest.origins.size());
-        rest.origins.push_back(v);
-    }
-    rest.mesh.positions = net.rest_positions()(Eigen::all, rest.origins);
-    for (int f = 0; f < net.face_count(); ++f) {
-        if (goes[f]) continue;
-        std::vector<int> face;
-        for (const int v : net.faces()[f]) face.push_back(new_vertex[v]);
-        rest.mesh.faces.add(face);
-    }
+        if (!goes[f]) left.add(net.faces()[f]);
+    ChangedMesh rest = with_vertices_of(left, net);
+    rest.keeps_edges = true;
     return rest;
 }
 

@@ -26,6 +26,15 @@ const width = async () => {
   return Math.max(...x) - Math.min(...x);
 };
 
+/** The vertices in the middle of the borders to the left and to the right. */
+async function middlesOfSides(): Promise<[number, number]> {
+  const positions = await script.positions();
+  const numbers = Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
+  const towards = (sign: number) => (v: number) => sign * positions[3 * v]! - 0.2 * Math.abs(positions[3 * v + 1]!);
+  const first = (value: (v: number) => number) => numbers.reduce((a, b) => (value(b) > value(a) ? b : a));
+  return [first(towards(-1)), first(towards(1))];
+}
+
 /** Clicks on a handle. */
 async function choose(vertex: number): Promise<void> {
   const { x, y } = await script.screenPosition(vertex);
@@ -98,4 +107,38 @@ test('a line is cut, one side goes, a row comes, and a reason is given where it 
   await section().getByLabel('Line').selectOption('Net line 2');
   await visit.page.screenshot({ path: join(OUTPUT, 'change-half.png') });
   expect(half).toBeGreaterThan(line);
+});
+
+test('a row is put in and taken out, and the way through two handles is cut', async () => {
+  const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const before = await vertices();
+  await choose(vertex);
+  await press('Put a row in');
+  await expect.poll(vertices).toBeGreaterThan(before);
+  await script.settled();
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-inserted.png') });
+  const [kept] = (await visit.page.evaluate(() => window.chebnet.handles())).slice(-1);
+  await choose(kept!.vertex);
+  await press('Take the line out');
+  await expect.poll(vertices).toBe(before);
+
+  await script.settled();
+  const ends = await middlesOfSides();
+  await script.setHandles([ends[0], vertex, ends[1]].map((each) => ({ vertex: each })));
+  await script.settled();
+  await choose(ends[0]);
+  await visit.page.keyboard.down('Shift');
+  for (const next of [vertex, ends[1]]) {
+    const { x, y } = await script.screenPosition(next);
+    await visit.page.mouse.click(x, y);
+  }
+  await visit.page.keyboard.up('Shift');
+  await section().getByText('At the 3 chosen handles').waitFor();
+  await section().getByLabel('Line').selectOption('Way through the handles');
+  await section().getByRole('button', { name: 'Cut' }).hover();
+  await expect.poll(() => visit.page.locator('path.preview').getAttribute('d')).toMatch(/(?:h0M.*){8}/);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-way.png') });
+  await press('Cut');
+  await visit.page.getByText(/It has 2 pieces\./).waitFor();
 });

@@ -213,6 +213,71 @@ TEST_CASE("Rows are added at borders alone, and where they have room") {
     CHECK_THAT(refusal(touching, "add_row", border(touching)), Catch::Contains("border"));
 }
 
+TEST_CASE("A row is put in inside of the net, and taken out again") {
+    const Net net = samples::patch(6, 4, 0);
+    const std::vector<int> line = path(net, {3, 9, 15, 21});
+    const ChangedMesh wider = changed(net, "insert_row", line);
+    REQUIRE(static_cast<Eigen::Index>(wider.origins.size()) == wider.mesh.positions.cols());
+    for (std::size_t v = 0; v < wider.origins.size(); ++v)
+        CHECK((wider.mesh.positions.col(static_cast<int>(v)) - net.rest_positions().col(wider.origins[v])).norm() <
+              0.5 + 1e-12);
+    const Net more(wider.mesh.positions, wider.mesh.faces, RestLengths::own);
+    CHECK(more.vertex_count() == 28);
+    CHECK(more.face_count() == 18);
+    CHECK(Topology(more).component_count() == 1);
+    CHECK(Topology(more).boundary_loops().size() == 1);
+    CHECK(repair(wider.mesh, k_all_defects).findings.empty());
+
+    const Exact exact = made_exact(net, wider);
+    REQUIRE(exact.report.status == Status::converged);
+    const std::vector<int> again = path(exact.net, {3, 9, 15, 21});
+    const ChangedMesh back = changed(exact.net, "remove_line", again);
+    CHECK(back.mesh.faces.size() == net.face_count());
+    CHECK(back.mesh.positions.cols() == net.vertex_count());
+    const Exact as_before = made_exact(net, back);
+    REQUIRE(as_before.report.status == Status::converged);
+    CHECK(Topology(as_before.net).net_lines().size() == Topology(net).net_lines().size());
+}
+
+TEST_CASE("A row goes all round a tube, and a line leaves it") {
+    const Net tube = samples::ring(8, 6, false);
+    const Topology topology(tube);
+    const std::vector<std::vector<int>> lines = topology.net_lines();
+    const auto closed = std::find_if(lines.begin(), lines.end(), [&](const std::vector<int>& line) {
+        return line.front() == line.back() && !topology.is_boundary(line.front());
+    });
+    REQUIRE(closed != lines.end());
+    const Net longer = net_of(changed(tube, "insert_row", path(tube, *closed)));
+    CHECK(longer.vertex_count() == tube.vertex_count() + static_cast<int>(closed->size()) - 1);
+    CHECK(Topology(longer).boundary_loops().size() == topology.boundary_loops().size());
+    const Net shorter = net_of(changed(tube, "remove_line", path(tube, *closed)));
+    CHECK(shorter.vertex_count() == tube.vertex_count() - static_cast<int>(closed->size()) + 1);
+    CHECK(Topology(shorter).boundary_loops().size() == topology.boundary_loops().size());
+}
+
+TEST_CASE("Where no row can be put in or taken out, the reason is said") {
+    const Net net = samples::patch(5, 5);
+    for (const char* way : {"insert_row", "remove_line"}) {
+        CHECK_THAT(refusal(net, way, path(net, {0, 1, 2, 3, 4})), Catch::Contains("on the border"));
+        CHECK_THAT(refusal(net, way, path(net, {2, 7, 12})), Catch::Contains("ends inside"));
+        CHECK_THAT(refusal(net, way, path(net, {2, 7, 12, 17, 22, 17, 12, 11, 10})), Catch::Contains("cross"));
+        CHECK_THAT(refusal(net, way), Catch::Contains("no line"));
+    }
+    CHECK_THAT(refusal(net, "remove_line", path(net, {2, 7, 12, 11, 10})), Catch::Contains("turns"));
+    // Three quads about one vertex.
+    Positions hexagon(3, 7);
+    hexagon.col(0).setZero();
+    for (int k = 0; k < 6; ++k) {
+        const double angle = k * std::numbers::pi / 3;
+        hexagon.col(k + 1) << std::cos(angle), std::sin(angle), 0;
+    }
+    Faces three;
+    for (int k = 0; k < 3; ++k) three.add({0, 1 + 2 * k, 2 + 2 * k, 1 + (2 * k + 2) % 6});
+    const Net singular(hexagon, three);
+    CHECK_THAT(refusal(singular, "remove_line", path(singular, {1, 0, 3})), Catch::Contains("singular"));
+    CHECK(changed(singular, "insert_row", path(singular, {1, 0, 3})).mesh.faces.size() == 5);
+}
+
 TEST_CASE("Joining takes a cut back, and closes what was brought together") {
     const Net net = samples::patch(5, 4);
     const Net two = net_of(changed(net, "cut", path(net, {2, 7, 12, 17})));

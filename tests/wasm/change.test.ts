@@ -81,6 +81,23 @@ describe('a net that is changed', () => {
     expect(fine.mesh.positions.subarray(0, positions.length)).toEqual(positions);
   });
 
+  test('gets a row inside of it, and loses it', () => {
+    const sheet = 'sheet:vertices=100';
+    const { netLines, edges } = chebnet.openRecipe(sheet);
+    const { start, vertices } = netLines;
+    const lines = Array.from(start.subarray(1), (end, k) => vertices.subarray(start[k], end));
+    const inner = lines.find((line) => line.every((vertex) => vertex !== 0))!;
+    const on = new Set(inner);
+    const along = Array.from({ length: edges.length / 2 }, (_, e) => e).filter(
+      (e) => on.has(edges[2 * e]!) && on.has(edges[2 * e + 1]!),
+    );
+    const request = requestFor(sheet, { way: 'insert_row', place: { edges: along } });
+    const wider = changed(request);
+    expect(deviation(wider, request.length!)).toBeLessThan(1e-9);
+    expect(wider.origins).toHaveLength(100 + inner.length);
+    expect(changed({ ...request, way: 'remove_line' }).origins).toHaveLength(100 - inner.length);
+  });
+
   test('comes in as many pieces as it is cut into', () => {
     const sheet = 'sheet:vertices=100';
     const { info } = chebnet.openRecipe(sheet);

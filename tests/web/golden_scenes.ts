@@ -291,6 +291,7 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   trim: [['trim']],
   deleteFaces: [['deleteFaces']],
   addRow: [['addRow']],
+  removeLine: [['removeLine']],
   join: [['join']],
   resize: [['resize']],
   method: [['method', { method: 'li2022' }]],

@@ -97,6 +97,8 @@ export function nameOf(way: Way): ChangeName {
     delete_rows: 'deleteFaces',
     delete_faces: 'deleteFaces',
     add_row: 'addRow',
+    insert_row: 'addRow',
+    remove_line: 'removeLine',
     join: 'join',
     resize: 'resize',
   } as const;

@@ -210,6 +210,7 @@ export const en = {
     trim: 'Trim',
     deleteFaces: 'Delete faces',
     addRow: 'Add a row',
+    removeLine: 'Take a line out',
     join: 'Join borders',
     resize: 'Edge length',
     method: (name: string) => `Method: ${name}`,

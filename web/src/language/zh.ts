@@ -207,6 +207,7 @@ export const zh: Words = {
     trim: '修剪',
     deleteFaces: '删除面',
     addRow: '添加一行',
+    removeLine: '取出一条线',
     join: '连接边界',
     resize: '边长',
     method: (name) => `方法：${name}`,

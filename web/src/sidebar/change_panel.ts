@@ -1,9 +1,10 @@
 /** The net itself: finer or coarser, with another edge length, and at the chosen handles cut, shorter or longer. */
-import type { PlaceName } from '../change/place';
+import { type PlaceName, wayThrough } from '../change/place';
 import type { WantedChange } from '../change/subject';
 import type { HandleData } from '../document/document';
 import { make, makeButton, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import type { Choice } from '../handles/commands';
+import type { Selection } from '../handles/selection';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -12,7 +13,7 @@ import './change_panel.css';
 const TEXT = panelWords.change;
 const OF_ALL = ['refine', 'coarsen', 'join'] as const;
 /** What is done along a line through the handle that was chosen last. */
-const AT_LINE = ['cut', 'keep_larger', 'keep_smaller', 'delete_rows', 'add_row'] as const;
+const AT_LINE = ['cut', 'keep_larger', 'keep_smaller', 'delete_rows', 'add_row', 'insert_row', 'remove_line'] as const;
 /** No net is made so many times as large or as small at once. */
 const MOST_FACTOR = 1e6;
 
@@ -24,6 +25,8 @@ export class ChangePanel implements Panel {
   readonly #about = make('p', { class: 'quiet' });
   readonly #events: PanelEvents;
   #meanLength = 1;
+  #net: OpenedNet | null = null;
+  #selection: Selection = [];
   /** How many lines there are to choose from, and of which kinds. */
   #offered = '';
 
@@ -65,8 +68,9 @@ export class ChangePanel implements Panel {
     this.element.classList.add('changes');
   }
 
-  setNet({ info }: OpenedNet): void {
-    this.#meanLength = info.meanLength;
+  setNet(net: OpenedNet): void {
+    this.#net = net;
+    this.#meanLength = net.info.meanLength;
   }
 
   setFrame({ lengthScale }: FrameData): void {
@@ -77,23 +81,28 @@ export class ChangePanel implements Panel {
   }
 
   setHandles(_handles: readonly HandleData[], { selection, onBoundary, lines }: Choice): void {
+    this.#selection = selection;
     this.#atHandles.disabled = selection.length === 0;
     setText(this.#about, selection.length === 0 ? TEXT.choose : TEXT.chosen(selection.length));
     const names: PlaceName[] = [
       ...Array.from({ length: lines }, (_, line) => line),
       ...(onBoundary ? (['boundary'] as const) : []),
-      ...(selection.length > 1 ? (['between'] as const) : []),
+      ...(selection.length > 1 ? (['through', 'between'] as const) : []),
     ];
     if (this.#offered === names.join()) return;
     this.#offered = names.join();
     const before = this.#line.select.value;
-    this.#line.select.replaceChildren(...names.map((name) => make('option', { value: name }, TEXT.lineName(name))));
+    this.#line.select.replaceChildren(
+      ...names.map((name) =>
+        make('option', { value: name }, typeof name === 'number' ? TEXT.lineName(name) : TEXT.lines[name]),
+      ),
+    );
     if (names.map(String).includes(before)) this.#line.select.value = before;
   }
 
   get #place(): PlaceName {
     const { value } = this.#line.select;
-    return value === 'boundary' || value === 'between' ? value : Number(value);
+    return value === 'boundary' || value === 'through' || value === 'between' ? value : Number(value);
   }
 
   #makeButton(wanted: WantedChange): HTMLButtonElement {
@@ -109,8 +118,13 @@ export class ChangePanel implements Panel {
   }
 
   #preview(shown: boolean): void {
-    const place = this.#place;
-    this.#events.preview(shown && place !== 'between' ? this.#events.handles.line(place) : []);
+    this.#events.preview(shown ? this.#verticesOf(this.#place) : []);
+  }
+
+  #verticesOf(place: PlaceName): readonly number[] {
+    if (place === 'between') return [];
+    if (place !== 'through') return this.#events.handles.line(place);
+    return this.#net === null ? [] : wayThrough(this.#net, this.#selection);
   }
 
   #ask(wanted: WantedChange): void {

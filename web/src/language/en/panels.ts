@@ -123,8 +123,8 @@ export const panels = {
     chosen: (handles: number) =>
       handles === 1 ? 'At the chosen handle:' : `At the ${handles} chosen handles, lines through the last one:`,
     line: 'Line',
-    lineName: (name: 'boundary' | 'between' | number) =>
-      name === 'boundary' ? 'Boundary loop' : name === 'between' ? 'Between the handles' : `Net line ${name + 1}`,
+    lineName: (name: number) => `Net line ${name + 1}`,
+    lines: { boundary: 'Boundary loop', through: 'Way through the handles', between: 'Between the handles' },
     ways: {
       refine: 'Refine',
       coarsen: 'Coarsen',
@@ -134,6 +134,8 @@ export const panels = {
       delete_rows: 'Delete rows beside it',
       delete_faces: 'Delete faces at the handles',
       add_row: 'Add a row',
+      insert_row: 'Put a row in',
+      remove_line: 'Take the line out',
       join: 'Join borders',
       resize: 'Edge length',
     },
@@ -146,6 +148,8 @@ export const panels = {
       delete_rows: 'Deletes the faces that touch the line with an edge',
       delete_faces: 'Deletes all faces that touch a chosen handle',
       add_row: 'Adds a row of quads outside of the line, if it lies on the border',
+      insert_row: 'Parts the net along the line and fills the gap with a row of quads',
+      remove_line: 'Makes the rows on both sides of the line one',
       join: 'Borders that lie within half an edge of each other become one',
       resize: 'The same net in another size',
     },
