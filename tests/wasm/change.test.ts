@@ -83,8 +83,9 @@ describe('a net that is changed', () => {
 
   test('gets a row inside of it, and loses it', () => {
     const sheet = 'sheet:vertices=100';
-    const { netLines, edges } = chebnet.openRecipe(sheet);
-    const { start, vertices } = netLines;
+    const net = chebnet.openRecipe(sheet);
+    const { edges } = net;
+    const { start, vertices } = net.netLines();
     const lines = Array.from(start.subarray(1), (end, k) => vertices.subarray(start[k], end));
     const inner = lines.find((line) => line.every((vertex) => vertex !== 0))!;
     const on = new Set(inner);

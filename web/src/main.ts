@@ -4,14 +4,13 @@ import type { AppServices } from './app/app';
 import { download } from './files/download';
 import { fileNameOf } from './document/file_name';
 import type { SaveRequest } from './export/kinds';
-import { filmExtension, filmType, Recording } from './export/recording';
+import { filmExtension, filmType } from './export/film_type';
 import { pickFile } from './files/pick_file';
 import { commandOf, PAGE_KEYS } from './keys';
 import { chooseLanguage } from './language/choice';
 import { translateDocument, words } from './language/language';
 import type { Hint } from './learn/hints';
 import { keepOffline } from './offline/offline';
-import { RecordingNotice } from './overlay/recording_notice';
 import { createPanels } from './sidebar/sidebar';
 import { lazy } from './lazy';
 import { Projects } from './projects/projects';
@@ -61,6 +60,7 @@ const projects = new Projects(app, !embedded);
 const openers = lazy(async () => new (await import('./dialogs/openers')).Openers(app, element('panels')));
 const teacher = lazy(async () => new (await import('./learn/teacher')).Teacher(app));
 const saving = lazy(() => import('./export/save'));
+const filming = lazy(() => Promise.all([import('./export/recording'), import('./overlay/recording_notice')]));
 const sharing = lazy(() => import('./projects/sharing'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
 const lateKeys = lazy(() => import('./sidebar/late_keys'));
@@ -144,7 +144,9 @@ async function saveAs(request: SaveRequest): Promise<void> {
 async function record(): Promise<void> {
   const net = app.opening?.document.net;
   const type = filmType();
-  if (net === undefined || type === null || document.querySelector('.recording')) return;
+  if (net === undefined || type === null) return;
+  const [{ Recording }, { RecordingNotice }] = await filming();
+  if (document.querySelector('.recording')) return;
   const recording = new Recording(app.film(), type, (seconds) => notice.setSeconds(seconds));
   const notice = new RecordingNotice(element('panels'), () => recording.stop());
   try {

@@ -1,23 +1,10 @@
 /** Records the view as a video in a format that the browser supports. */
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Film } from '../view/view';
 import { Failure } from '../failure';
 
 /** Longest film, in seconds. */
 export const LONGEST = 60;
-
-/** In order of preference. */
-const TYPES = ['video/webm;codecs=vp9', 'video/webm', 'video/mp4'] as const;
-
-/** The first type that this browser supports; null: none. */
-export function filmType(): string | null {
-  if (typeof MediaRecorder === 'undefined' || !('captureStream' in HTMLCanvasElement.prototype)) return null;
-  return TYPES.find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
-}
-
-export function filmExtension(type: string): 'webm' | 'mp4' {
-  return type.startsWith('video/mp4') ? 'mp4' : 'webm';
-}
 
 /** Records until it is stopped or the longest duration is reached. */
 export class Recording {
@@ -49,7 +36,7 @@ export class Recording {
     return new Promise((resolve, reject) => {
       this.#recorder.ondataavailable = ({ data }) => pieces.push(data);
       this.#recorder.onstop = () => resolve(new Blob(pieces, { type }));
-      this.#recorder.onerror = () => reject(new Failure('no_film', words.recording.broken));
+      this.#recorder.onerror = () => reject(new Failure('no_film', panelWords.recording.broken));
       this.#recorder.start();
     });
   }

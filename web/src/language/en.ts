@@ -292,9 +292,6 @@ export const en = {
     kind: 'Video',
     hint: 'record a drag, up to a minute',
     impossible: 'this browser records no video',
-    title: 'Recording',
-    stop: 'Stop and save',
-    broken: 'The browser broke off the recording.',
   },
 };
 

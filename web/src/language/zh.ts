@@ -287,8 +287,5 @@ export const zh: Words = {
     kind: '视频',
     hint: '录制拖动过程，最长一分钟',
     impossible: '此浏览器不支持录制视频',
-    title: '正在录制',
-    stop: '停止并保存',
-    broken: '浏览器中断了录制。',
   },
 };

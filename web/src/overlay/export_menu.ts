@@ -2,7 +2,7 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { kindsFor } from '../export/kinds';
 import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
-import { filmType } from '../export/recording';
+import { filmType } from '../export/film_type';
 import { words } from '../language/language';
 import { make } from '../elements/dom';
 import { Menu } from '../elements/menu';

@@ -1,6 +1,6 @@
 /** A notice over the view that it is being recorded, and for how long. */
 import { LONGEST } from '../export/recording';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make, makeButton, setText } from '../elements/dom';
 import './recording_notice.css';
 
@@ -11,10 +11,10 @@ export class RecordingNotice {
   constructor(root: HTMLElement, stop: () => void) {
     this.#element = make(
       'div',
-      { class: 'recording', role: 'group', 'aria-label': words.recording.title },
+      { class: 'recording', role: 'group', 'aria-label': panelWords.recording.title },
       make('i', { class: 'dot' }),
       this.#time,
-      makeButton(words.recording.stop, stop),
+      makeButton(panelWords.recording.stop, stop),
     );
     this.setSeconds(0);
     root.append(this.#element);

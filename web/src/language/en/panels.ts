@@ -408,4 +408,9 @@ export const panels = {
     tooLocal:
       'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
   },
+  recording: {
+    title: 'Recording',
+    stop: 'Stop and save',
+    broken: 'The browser broke off the recording.',
+  },
 };
