@@ -45,6 +45,31 @@ async function click(vertex: number) {
 
 const place = at(0.3, 0.3);
 
+describe('a way', () => {
+  beforeEach(() => open());
+
+  test('through two handles is pointed out, taken as one row, and undone as one', async () => {
+    await openSection(/^Handles \(/);
+    await click(at(0.3, 0.2));
+    expect(await button('Way').isVisible()).toBe(false);
+    await visit.page.keyboard.down('Shift');
+    await click(at(0.6, 0.7));
+    await visit.page.keyboard.up('Shift');
+    await script.settled();
+    const before = await handles();
+    await button('Way').hover();
+    await expect.poll(previewed).toBeGreaterThan(8);
+    const count = await previewed();
+    await visit.page.screenshot({ path: join(OUTPUT, 'holding-way-preview.png') });
+    await button('Way').click();
+    await row(new RegExp(`^Way · \\d+ \\(${count}\\)$`)).waitFor();
+    expect(await handles()).toHaveLength(before.length + count - 2);
+    await script.settled();
+    await press('Control+z');
+    await expect.poll(async () => (await handles()).length).toBe(before.length);
+  });
+});
+
 describe('a patch', () => {
   beforeEach(() => open());
 

@@ -1,6 +1,7 @@
-/** Where a net is to be changed. */
+/** Ways through vertices, and where a net is to be changed. */
 import { expect, test } from 'vitest';
-import { placeOf, wayThrough } from '../../web/src/change/place';
+import { placeOf } from '../../web/src/change/place';
+import { wayThrough } from '../../web/src/handles/way';
 
 /** Vertices i + 6 j of a grid, at these places. */
 const [ACROSS, UP] = [6, 4];

@@ -1,9 +1,10 @@
-/** What is around the selection, along the net: taken as handles, or shown alone. Loaded when it is first wanted. */
+/** What is around the selection, or between, along the net: taken as handles, or shown alone. Loaded when it is first wanted. */
 import { panelWords } from '../language/panels';
 import type { OpenedNet } from '../worker/protocol';
 import { verticesAround } from './around';
 import { type Part, partAround } from './part';
 import type { Selection } from './selection';
+import { wayThrough } from './way';
 
 /** The part of the handle editor that it uses. */
 export interface SurroundingsHost {
@@ -38,6 +39,19 @@ export class Surroundings {
   takePatch(): void {
     const vertices = this.patch();
     if (vertices.length > 0) this.#host.take(vertices, panelWords.selection.patch);
+  }
+
+  /** The vertices on the shortest way through the selected handles, in their order, as far as they are shown. */
+  way(): readonly number[] {
+    const net = this.#host.net();
+    const hidden = this.#host.part()?.hidden;
+    return net === null ? [] : wayThrough(net, this.#host.selection()).filter((each) => !hidden?.[each]);
+  }
+
+  /** Makes them handles of one name. */
+  takeWay(): void {
+    const vertices = [...new Set(this.way())];
+    if (vertices.length > 0) this.#host.take(vertices, panelWords.selection.way);
   }
 
   /** Shows only what is around all selected handles; or the whole net again. */

@@ -31,6 +31,7 @@ export class SelectionBar implements Panel {
     'aria-label': TEXT.radius,
     title: TEXT.radius,
   });
+  readonly #way: HTMLButtonElement;
   readonly #isolate: HTMLButtonElement;
   readonly #lock: HTMLButtonElement;
   readonly #slides: HTMLButtonElement;
@@ -50,6 +51,7 @@ export class SelectionBar implements Panel {
     this.#lines = Array.from({ length: MOST_LINES }, (_, i) =>
       this.#lineButton(i, i % 2 === 0 ? ICONS.along : ICONS.across, TEXT.netLine(i + 1), TEXT.netLineHint),
     );
+    this.#way = this.#makeWay();
     this.#isolate = tool(ICONS.isolate, TEXT.isolate, TEXT.isolateHint, () =>
       handles.around((surroundings) => surroundings.isolate()),
     );
@@ -63,6 +65,7 @@ export class SelectionBar implements Panel {
       this.#modeGroup,
       this.#boundary,
       ...this.#lines,
+      this.#way,
       ...this.#makePatch(),
       this.#isolate,
       this.#lock,
@@ -91,6 +94,7 @@ export class SelectionBar implements Panel {
     this.#modeGroup.hidden = moving < 2;
     for (const [each, button] of this.#modes) button.setAttribute('aria-pressed', String(each === mode));
     this.#boundary.hidden = !onBoundary;
+    this.#way.hidden = selection.length < 2;
     this.#lines.forEach((button, i) => (button.hidden = i >= lines));
     this.#isolate.setAttribute('aria-pressed', String(part !== undefined));
     this.#lock.setAttribute('aria-pressed', String(moving === 0));
@@ -133,6 +137,23 @@ export class SelectionBar implements Panel {
       button,
       () => preview(handles.line(name)),
       () => preview([]),
+    );
+    return button;
+  }
+
+  /** Likewise the vertices on the way through the selected handles. */
+  #makeWay(): HTMLButtonElement {
+    const { handles, preview } = this.#events;
+    const button = tool(ICONS.way, TEXT.way, TEXT.wayHint, () =>
+      handles.around((surroundings) => {
+        preview([]);
+        surroundings.takeWay();
+      }),
+    );
+    whilePointedAt(
+      button,
+      () => handles.around((surroundings) => preview(surroundings.way())),
+      () => handles.around(() => preview([])),
     );
     return button;
   }

@@ -1,10 +1,11 @@
 /** The net itself: finer or coarser, with another edge length, and at the chosen handles cut, shorter or longer. */
-import { type PlaceName, wayThrough } from '../change/place';
+import type { PlaceName } from '../change/place';
 import type { WantedChange } from '../change/subject';
 import type { HandleData } from '../document/document';
 import { make, makeButton, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import type { Selection } from '../handles/selection';
+import { wayThrough } from '../handles/way';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';

@@ -75,6 +75,9 @@ export const panels = {
     boundaryLoop: 'Boundary loop',
     netLine: (line: number) => `Net line ${line}`,
     netLineHint: 'Make all vertices of this net line handles',
+    way: 'Way',
+    wayHint:
+      'Makes all vertices on the shortest way through the selected handles handles of one name, which move together',
     patch: 'Patch',
     patchHint:
       'Make all vertices within this radius of the last selected one handles of one name, which move together (P)',

@@ -115,6 +115,8 @@ export const panels: Widened<typeof en> = {
     boundaryLoop: '边界环',
     netLine: (line) => `网线 ${line}`,
     netLineHint: '把这条网线上的所有顶点都变成手柄',
+    way: '连线',
+    wayHint: '把依次经过所选手柄的最短路上的所有顶点变成同名的手柄，一起移动',
     patch: '一片',
     patchHint: '把最后选中的顶点周围这个半径以内的所有顶点变成同名的手柄，一起移动（P）',
     radius: '选区周围的半径，沿网以边长计',
