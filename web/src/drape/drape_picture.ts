@@ -93,8 +93,8 @@ export function createPicture(
 const [SEED, KNOB] = [0, 1];
 /** From the seed to the knob, pixels. */
 const RING = 58;
-/** Of one arrow key, pixels. */
-const STEP = { small: 6, big: 30 };
+/** Of one arrow key, in pixels; keys within so many milliseconds of each other make one way. */
+const STEP = { small: 6, big: 30, together: 1000 };
 const SLACK = { mouse: 5, touch: 16 };
 const ARROW_KEYS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -141,6 +141,8 @@ class DrapePicture implements Picture {
   #space: Space | null = null;
   #netData: NetData | null = null;
   #seed: Seed | null = null;
+  /** Where arrow keys have led what they move, which is drawn there later. */
+  #aim: { mark: number | null; at: Place; time: number } | null = null;
   #showsShear = true;
   /** From where the whole surface is seen. */
   readonly #direction = directionFor(new Vector3()).clone();
@@ -276,6 +278,7 @@ class DrapePicture implements Picture {
   }
 
   #down(event: PointerEvent): void {
+    this.#aim = null;
     if (this.#grip !== null) return event.stopPropagation();
     if (event.button !== 0 || !event.isPrimary) return;
     this.#pressed = this.#isCutting ? this.#place(event) : null;
@@ -385,7 +388,7 @@ class DrapePicture implements Picture {
     const arrow = ARROW_KEYS[event.key];
     if (!arrow || this.#seed === null) return;
     event.preventDefault();
-    this.#events.seedMoved(this.#beside(this.#seed, arrow, event));
+    this.#events.seedMoved(this.#beside(null, this.#seed, arrow, event));
   }
 
   /** Keys of the mark that is chosen; whether this was one. */
@@ -397,17 +400,26 @@ class DrapePicture implements Picture {
     if (event.key === 'Delete' || event.key === 'Backspace') this.#events.markRemoved();
     else if (arrow) {
       this.#events.markTaken();
-      this.#events.markMoved(selected, this.#beside(mark.place, arrow, event));
+      this.#events.markMoved(selected, this.#beside(selected, mark.place, arrow, event));
     } else return false;
     event.preventDefault();
     return true;
   }
 
-  /** A step of an arrow key away. */
-  #beside({ position }: SurfacePlace, arrow: readonly [number, number], { shiftKey }: KeyboardEvent): Ray {
+  /** A step of an arrow key away: from where the key before led, if it was pressed just now, for the mark may not be there yet. */
+  #beside(
+    mark: number | null,
+    { position }: SurfacePlace,
+    arrow: readonly [number, number],
+    { shiftKey, timeStamp: time }: KeyboardEvent,
+  ): Ray {
     const step = shiftKey ? STEP.big : STEP.small;
-    const { x, y } = toScreen(this.#projection(), this.#scenePoint(position));
-    return this.#rayThrough({ x: x + step * arrow[0], y: y + step * arrow[1] });
+    const before = this.#aim;
+    const goesOn = before !== null && before.mark === mark && time - before.time < STEP.together;
+    const { x, y } = goesOn ? before.at : toScreen(this.#projection(), this.#scenePoint(position));
+    const at = { x: x + step * arrow[0], y: y + step * arrow[1] };
+    this.#aim = { mark, at, time };
+    return this.#rayThrough(at);
   }
 
   #middle(): Place {
