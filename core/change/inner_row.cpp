@@ -1,7 +1,6 @@
 #include "change/inner_row.h"
 
 #include <array>
-#include <span>
 
 #include "base/error.h"
 #include "change/corner_edges.h"
@@ -71,6 +70,7 @@ std::vector<int> chosen_at(const Net& net, const std::vector<int>& edges) {
     return count;
 }
 
+/// Whether these edges, so many of which meet at each vertex, run through the net without meeting others.
 void check_run(const Net& net, const Topology& topology, const std::vector<int>& count) {
     for (int v = 0; v < net.vertex_count(); ++v) {
         if (count[v] > 2) refuse("lines cross there: choose one of them");

@@ -317,8 +317,8 @@ test.each([SHAPE, 'dome'])(
   },
 );
 
-test('a finger takes a patch', async () => {
-  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+test('a finger takes a patch, and finds all that can be done with it', async () => {
+  await open({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
   const { x, y } = await script.screenPosition(place);
   await visit.page.touchscreen.tap(x, y);
   await button('Patch').waitFor();
@@ -326,5 +326,10 @@ test('a finger takes a patch', async () => {
   const patch = async () => (await handles()).filter(({ name }) => name?.startsWith('Patch'));
   // The tap may have taken a neighbour at the border of the net.
   await expect.poll(async () => (await patch()).length).toBeGreaterThan(20);
+  for (const each of await bar().getByRole('button').filter({ visible: true }).all()) {
+    const { x: left, width } = (await each.boundingBox())!;
+    expect(left).toBeGreaterThanOrEqual(0);
+    expect(left + width).toBeLessThanOrEqual(360);
+  }
   await visit.page.screenshot({ path: join(OUTPUT, 'holding-phone.png') });
 });
