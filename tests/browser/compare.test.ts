@@ -165,6 +165,19 @@ test('a phone has room for it', async () => {
 });
 
 /** Opens a shape and pulls its last handle. */
+
+test('a plot that cannot be loaded says so in its place, and the net goes on', async () => {
+  const { page, script } = await arrive('', { serviceWorkers: 'block' });
+  await script.open({ recipe: SHAPE });
+  const contentType = 'text/javascript';
+  await page.route(/uplot-[^/]*\.js$/, (route) => route.fulfill({ contentType, body: 'throw new Error("cut off")' }));
+  await dragBy(script, dragged, [20, 10]);
+  await openForResearch(page, 'Step');
+  await page.locator('.plot').getByText('This part of the page could not be loaded').waitFor();
+  await dragBy(script, dragged, [-10, -10]);
+  expect((await script.stats()).status).toBe('converged');
+});
+
 async function edit(recipe: string) {
   await script.open({ recipe });
   const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;

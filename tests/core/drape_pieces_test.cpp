@@ -181,7 +181,7 @@ TEST_CASE("Slits anywhere on a body, curved or not, leave an exact net within it
         for (int k = 0; k < 2; ++k)
             cuts.push_back({samples::random_place(surface, random), samples::random_place(surface, random)});
         PiecesOptions options;
-        options.drape = suggested_drape(surface, SurfaceTree(surface), 400);
+        options.drape = suggested_drape(surface, SurfaceTree(surface), 250);
         for (const Border border : {Border::inside, Border::beyond, Border::cut})
             for (const double leave : {0., 0.5}) {
                 if (leave > 0 && seed > 1) continue;  // takes long

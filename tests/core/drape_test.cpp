@@ -311,7 +311,7 @@ TEST_CASE("Proposals are ranked, and the best is as good as beginning in the mid
         INFO(own.name);
         const Surface surface = own.make();
         const SurfaceTree tree(surface);
-        const DrapeOptions middle = suggested_drape(surface, tree, 1000);
+        const DrapeOptions middle = suggested_drape(surface, tree, 400);
         const std::vector<DrapeProposal> proposals = propose_drapes(surface, tree, middle);
         REQUIRE(proposals.size() > 3);
         CHECK(std::is_sorted(proposals.begin(), proposals.end(), [](const DrapeProposal& a, const DrapeProposal& b) {

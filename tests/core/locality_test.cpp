@@ -18,7 +18,7 @@ namespace {
 constexpr double k_everything = std::numeric_limits<double>::infinity();
 
 Editor elephant() {
-    Shape shape = make_shape("elephant:vertices=1500");
+    Shape shape = make_shape("elephant:vertices=900");
     Editor editor(std::move(shape.net));
     editor.set_handles(samples::handles_at_rest(editor.net(), shape.suggested_handles));
     return editor;

@@ -271,13 +271,13 @@ TEST_CASE("A field on a sphere has the holonomy of its curvature") {
 }
 
 TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere the cube's pattern, and no others") {
-    RemeshOptions options = of_cells(800);
+    RemeshOptions options = of_cells(400);
     options.singular.only = true;
     for (const double x : {-1, 1})
         for (const double y : {-1, 1})
             for (const double z : {-1, 1})
                 options.singular.vertices.push_back({Eigen::Vector3d(x, y, z) / std::sqrt(3.0), 3});
-    const Remesh made = remeshed(Surface(samples::sphere(24)), options, 2);
+    const Remesh made = remeshed(Surface(samples::sphere(16)), options, 2);
     CHECK(made.kept.missed() == 0);
     REQUIRE(made.singular.size() == 8);
     for (const double distance : made.kept.distances) CHECK(distance < 1);
@@ -295,10 +295,10 @@ TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere 
 TEST_CASE("A singular vertex wished for stands where it is wished for, and takes its turn from the others") {
     for (const int valence : {3, 5, 6}) {
         CAPTURE(valence);
-        RemeshOptions options = of_cells(800);
+        RemeshOptions options = of_cells(400);
         const Eigen::Vector3d point(0, 0.6, 0.8);
         options.singular.vertices = {{point, valence}};
-        const Remesh made = remeshed(Surface(samples::sphere(24)), options, 2);
+        const Remesh made = remeshed(Surface(samples::sphere(16)), options, 2);
         CHECK(made.kept.vertices == std::vector{true});
         int there = 0;
         for (const SingularVertex& singular : made.singular)
@@ -308,9 +308,9 @@ TEST_CASE("A singular vertex wished for stands where it is wished for, and takes
 }
 
 TEST_CASE("In a forbidden region there is no singular vertex") {
-    const Surface sphere(samples::sphere(24));
-    const Remesh before = remeshed(sphere, of_cells(800), 2);
-    RemeshOptions options = of_cells(800);
+    const Surface sphere(samples::sphere(16));
+    const Remesh before = remeshed(sphere, of_cells(400), 2);
+    RemeshOptions options = of_cells(400);
     const double radius = 4 * before.net.mean_length();
     for (const int k : {0, 4}) options.singular.forbidden.push_back({before.singular[k].position, radius});
     const Remesh made = remeshed(sphere, options, 2);

@@ -11,6 +11,12 @@ const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
 /** What Firefox says about drawing in software. */
 const EXPECTED = [/WebGL warning/, /GPU stall/];
 
+/** What Firefox says of a file that its service worker was handing to a page that is left, cut off like any other, but by
+ *  way of the console. Of a page that stays it is a fault. */
+const CUT_OFF = /A ServiceWorker intercepted the request and encountered an unexpected error/;
+/** Milliseconds about the change of pages in which it may be said. */
+const LEAVING = 2000;
+
 /** What nobody waits for any longer: the page was left, or a worker ended. */
 const GIVEN_UP = ['NS_BINDING_ABORTED', 'NS_BASE_STREAM_CLOSED', 'Parent browsing context was disposed'];
 
@@ -53,7 +59,7 @@ export async function startFirefox(): Promise<Engine> {
       resize: (width, height) => page.setViewport({ width, height }),
       screenshot: async () => Buffer.from(await page.screenshot()),
       downloads: downloads.path,
-      complaints: async () => complaints,
+      complaints: async () => complaints(),
       close: () => context.close(),
     };
   }
@@ -67,11 +73,15 @@ export async function startFirefox(): Promise<Engine> {
   return { name: 'firefox', newWindow, close };
 }
 
-function complaintsOf(page: Page): string[] {
+function complaintsOf(page: Page): () => string[] {
   const complaints: string[] = [];
+  const cutOff: { text: string; time: number }[] = [];
+  const changes: number[] = [];
+  page.on('framenavigated', () => changes.push(Date.now()));
   page.on('console', (message: ConsoleMessage) => {
     const serious = ['error', 'warn', 'assert'].includes(message.type());
-    if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
+    if (CUT_OFF.test(message.text())) cutOff.push({ text: message.text(), time: Date.now() });
+    else if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
   });
   page.on('pageerror', (error) =>
     complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)),
@@ -80,5 +90,6 @@ function complaintsOf(page: Page): string[] {
     const reason = request.failure()?.errorText ?? '';
     if (!GIVEN_UP.includes(reason)) complaints.push(`${request.url()}: ${reason}`);
   });
-  return complaints;
+  const wasLeft = (time: number) => changes.some((change) => Math.abs(change - time) < LEAVING);
+  return () => [...complaints, ...cutOff.filter(({ time }) => !wasLeft(time)).map(({ text }) => text)];
 }

@@ -56,20 +56,23 @@ export class ComparisonPlot {
   async #remake(): Promise<void> {
     this.#plot?.destroy();
     this.#plot = null;
-    this.#library = await loadPlots();
+    this.#library = await loadPlots(this.#host);
     this.#fit();
   }
 
   #fit(): void {
     const width = this.#host.clientWidth;
     if (width === 0 || this.#comparison === null || this.#library === null) return;
-    if (this.#plot) this.#plot.setSize({ width, height: HEIGHT });
-    else
-      this.#plot = new this.#library(
-        this.#options(this.#comparison, width),
-        this.#data(this.#library, this.#comparison),
-        this.#host,
-      );
+    if (this.#plot) {
+      this.#plot.setSize({ width, height: HEIGHT });
+      return;
+    }
+    this.#host.replaceChildren();
+    this.#plot = new this.#library(
+      this.#options(this.#comparison, width),
+      this.#data(this.#library, this.#comparison),
+      this.#host,
+    );
   }
 
   #data({ join }: typeof uPlot, { runs }: Comparison): uPlot.AlignedData {

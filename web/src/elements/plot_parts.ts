@@ -1,9 +1,20 @@
 /** What plots of convergence have in common: axes of decades, the threshold, colours of the page. */
 import type uPlot from 'uplot';
+import { messageOf } from '../failure';
+import { lazy } from '../lazy';
+import { make } from './dom';
 
-/** Loads the library when there is something to plot: the first net is shown without it. */
-export async function loadPlots(): Promise<typeof uPlot> {
-  return (await import('./uplot')).default;
+const load = lazy(async () => (await import('./uplot')).default);
+
+/** Loads the library when there is something to plot: the first net is shown without it. If it cannot be loaded, that
+ *  stands in the plot's place; the next call tries again. */
+export async function loadPlots(place: HTMLElement): Promise<typeof uPlot | null> {
+  try {
+    return await load();
+  } catch (error) {
+    place.replaceChildren(make('p', { class: 'unplotted' }, messageOf(error)));
+    return null;
+  }
 }
 
 /** The current value of a colour of the style sheet, which follows dark and light. */

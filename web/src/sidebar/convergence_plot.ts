@@ -97,9 +97,9 @@ export class ConvergencePlot {
   }
 
   async #begin(): Promise<void> {
-    const Plot = await loadPlots();
+    const Plot = await loadPlots(this.#host);
     const width = this.#host.clientWidth;
-    if (width === 0 || this.#plot) return;
+    if (Plot === null || width === 0 || this.#plot) return;
     this.#host.replaceChildren();
     this.#plot = new Plot(this.#options(width), [this.#curve.x, this.#curve.y], this.#host);
   }
