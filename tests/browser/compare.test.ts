@@ -167,7 +167,7 @@ test('a phone has room for it', async () => {
 /** Opens a shape and pulls its last handle. */
 
 test('a plot that cannot be loaded says so in its place, and the net goes on', async () => {
-  const { page, script } = await arrive('', { serviceWorkers: 'block' });
+  const { page } = visit;
   await script.open({ recipe: SHAPE });
   const contentType = 'text/javascript';
   await page.route(/uplot-[^/]*\.js$/, (route) => route.fulfill({ contentType, body: 'throw new Error("cut off")' }));
