@@ -166,12 +166,17 @@ test('a phone has room for it', async () => {
 
 /** Opens a shape and pulls its last handle. */
 
-test('a plot that cannot be loaded says so in its place, and the net goes on', async () => {
+test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {
   const { page } = visit;
   await script.open({ recipe: SHAPE });
   const contentType = 'text/javascript';
-  await page.route(/uplot-[^/]*\.js$/, (route) => route.fulfill({ contentType, body: 'throw new Error("cut off")' }));
+  let asked = 0;
+  await page.route(/uplot-[^/]*\.js$/, (route) => {
+    ++asked;
+    return route.fulfill({ contentType, body: 'throw new Error("cut off")' });
+  });
   await dragBy(script, dragged, [20, 10]);
+  expect(asked).toBe(0);
   await openForResearch(page, 'Step');
   await page.locator('.plot').getByText('This part of the page could not be loaded').waitFor();
   await dragBy(script, dragged, [-10, -10]);

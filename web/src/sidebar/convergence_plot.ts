@@ -73,7 +73,12 @@ export class ConvergencePlot {
 
   /** Draws what has been added since, if the plot is visible. */
   refresh(): void {
-    if (this.#stale && this.#host.clientWidth > 0) this.#draw();
+    if (this.#stale && this.#isSeen()) this.#draw();
+  }
+
+  /** What a closed section holds may have a size all the same: browsers lay it out to search in it. */
+  #isSeen(): boolean {
+    return this.#host.checkVisibility() && this.#host.clientWidth > 0;
   }
 
   #rest(): void {
@@ -90,18 +95,16 @@ export class ConvergencePlot {
   }
 
   #fit(): void {
-    const width = this.#host.clientWidth;
-    if (width === 0 || !this.#wanted) return;
-    if (this.#plot) this.#plot.setSize({ width, height: HEIGHT });
+    if (!this.#wanted || !this.#isSeen()) return;
+    if (this.#plot) this.#plot.setSize({ width: this.#host.clientWidth, height: HEIGHT });
     else void this.#begin();
   }
 
   async #begin(): Promise<void> {
     const Plot = await loadPlots(this.#host);
-    const width = this.#host.clientWidth;
-    if (Plot === null || width === 0 || this.#plot) return;
+    if (Plot === null || !this.#isSeen() || this.#plot) return;
     this.#host.replaceChildren();
-    this.#plot = new Plot(this.#options(width), [this.#curve.x, this.#curve.y], this.#host);
+    this.#plot = new Plot(this.#options(this.#host.clientWidth), [this.#curve.x, this.#curve.y], this.#host);
   }
 
   #options(width: number): uPlot.Options {
