@@ -1,12 +1,15 @@
 // Measures what a net costs the page's main thread while it is opened, dragged and pointed at, and prints JSON. Times are
 // processor time of Chromium's tasks: by the clock a software renderer would count, which shares the processor here.
-// Bytes are what scripts allocate, garbage included.
+// Bytes are what scripts allocate, garbage included. Before that, on a phone of a quarter of the speed, how long a visitor's
+// first move takes to move the first net, by the clock: until the page has the net, and until the frame that shows it.
 //   (cd web && npm run build) && node tests/bench/page.mjs [RECIPE]...
 import { createRequire } from 'node:module';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const RECIPES = ['vault:vertices=16000', 'vault:vertices=100000'];
 const MOVES = 30;
+const VISITS = 5;
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 /** A small picture: a software renderer takes long enough. */
 const viewport = { width: 900, height: 600 };
 /** Collecting garbage, without what of it lies within. */
@@ -21,7 +24,7 @@ const { DIST, launch, newVisit, serve } = await importTyped('../browser/site.ts'
 const [browser, site] = await Promise.all([launch(), serve(() => DIST)]);
 try {
   const given = process.argv.slice(2);
-  const figures = [];
+  const figures = [{ firstInput: await firstInput() }];
   for (const recipe of given.length > 0 ? given : RECIPES) figures.push(await measure(recipe));
   console.log(JSON.stringify(figures, null, 2));
 } finally {
@@ -32,6 +35,45 @@ try {
 async function importTyped(path) {
   const file = fileURLToPath(new URL(path, import.meta.url));
   return (await runnerImport(file, { root: WEB, resolve: { dedupe: ['playwright-core'] }, logLevel: 'error' })).module;
+}
+
+async function firstInput() {
+  const visits = [];
+  for (let i = 0; i < VISITS; i++) visits.push(await firstMove());
+  return { netMs: statistics(visits.map(({ netMs }) => netMs)), frameMs: statistics(visits.map(({ frameMs }) => frameMs)) };
+}
+
+async function firstMove() {
+  const { page, script } = await newVisit(browser, PHONE);
+  const session = await page.context().newCDPSession(page);
+  await page.goto(site.address);
+  await script.waitForNet();
+  await script.settled();
+  await session.send('Emulation.setCPUThrottlingRate', { rate: 4 });
+  const vertex = await page.evaluate(() => {
+    let moved = null;
+    const note = ({ timeStamp }) => (moved ??= timeStamp);
+    addEventListener('pointerdown', () => addEventListener('pointermove', note, { once: true, capture: true }), {
+      once: true,
+      capture: true,
+    });
+    window.first_move = new Promise((resolve) =>
+      window.chebnet.on('frame', () => {
+        if (moved === null) return;
+        const netMs = performance.now() - moved;
+        requestAnimationFrame(() => resolve({ netMs, frameMs: performance.now() - moved }));
+      }),
+    );
+    return window.chebnet.handles().at(-1).vertex;
+  });
+  const { x, y } = await script.screenPosition(vertex);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 4, y - 10);
+  const times = await page.evaluate(() => window.first_move);
+  await page.mouse.up();
+  await page.context().close();
+  return times;
 }
 
 async function measure(recipe) {

@@ -26,6 +26,9 @@ const SLICE = 12;
  * within this time is only ever shown solved, and still seems to follow at once.
  */
 const SHARE = 32;
+
+/** Milliseconds that it has if every edge has its length by then: what is left of it goes on in the frames that follow. */
+const EXACT_SHARE = SLICE;
 /** The same of a search for other lengths, which shows no frames. */
 const SLICE_OF_SEARCH = 100;
 
@@ -439,7 +442,8 @@ export class Server {
   }
 
   #hadItsShare(): boolean {
-    return this.#host.now() - this.#shareStart >= SHARE;
+    const isExact = (this.#row?.maxDeviation ?? Infinity) < Number(this.#net().options().threshold);
+    return this.#host.now() - this.#shareStart >= (isExact ? EXACT_SHARE : SHARE);
   }
 
   #note(report: SolveReport): void {
