@@ -40,7 +40,10 @@ async function importTyped(path) {
 async function firstInput() {
   const visits = [];
   for (let i = 0; i < VISITS; i++) visits.push(await firstMove());
-  return { netMs: statistics(visits.map(({ netMs }) => netMs)), frameMs: statistics(visits.map(({ frameMs }) => frameMs)) };
+  return {
+    netMs: statistics(visits.map(({ netMs }) => netMs)),
+    frameMs: statistics(visits.map(({ frameMs }) => frameMs)),
+  };
 }
 
 async function firstMove() {

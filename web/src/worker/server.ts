@@ -26,10 +26,9 @@ const SLICE = 12;
  * within this time is only ever shown solved, and still seems to follow at once.
  */
 const SHARE = 32;
-
-/** Milliseconds that it has if every edge has its length by then: what is left of it goes on in the frames that follow. */
+/** The same if every edge has its length by then: what is left of the solve goes on in the frames that follow. */
 const EXACT_SHARE = SLICE;
-/** The same of a search for other lengths, which shows no frames. */
+/** The slice of a search for other lengths, which shows no frames. */
 const SLICE_OF_SEARCH = 100;
 
 /** Requests after which the count of iterations goes on. */
