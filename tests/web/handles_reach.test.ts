@@ -1,7 +1,8 @@
 /** Where a drag may go, and what moves with it. */
 import { describe, expect, test, vi } from 'vitest';
-import type { Ball } from '../../wasm/chebnet';
+import type { Ball, Handle } from '../../wasm/chebnet';
 import type { Vec3 } from '../../web/src/document/document';
+import { Along } from '../../web/src/handles/along';
 import { DragGuide } from '../../web/src/handles/drag_guide';
 import {
   type InHand,
@@ -214,6 +215,71 @@ describe('a drag', () => {
     guide.snapping = null;
     guide.end();
     expect(shown.setReadout).toHaveBeenLastCalledWith('');
+  });
+
+  test('kept to an axis is on it to the last bit, snaps and stops on it, and freed it goes anywhere again', async () => {
+    const base: Vec3 = [0.1 + 0.2, 1 / 3, -0.7];
+    await guide.begin(inHand([base, [1, 1, 1]]), null);
+    guide.keepTo(new Along('x', 1));
+    const asked = (x: number): Handle[] => [{ vertex: 1, target: [x, base[1] * (1 + 1e-15), base[2] - 1e-17] }];
+    const go = (x: number): Vec3 => guide.within(guide.snapped(asked(x), []))[0]!.target;
+    expect(go(0.4)).toEqual([expect.closeTo(0.4, 12), base[1], base[2]]);
+    // Where the line leaves the ball, not the point of the ball that is nearest.
+    const stop = Math.sqrt(1 - base[1] ** 2 - base[2] ** 2);
+    expect(go(9)).toEqual([expect.closeTo(stop, 9), base[1], base[2]]);
+    guide.snapping = new Snapping(0.25, false, 1);
+    expect(go(0.45)).toEqual([expect.closeTo(0.5, 12), base[1], base[2]]);
+    guide.describe([{ vertex: 1, target: go(0.45) }], []);
+    expect(shown.setReadout).toHaveBeenLastCalledWith('Along x · x 0.5 · y 0.333 · z -0.7');
+    guide.snapping = null;
+    guide.keepTo(null);
+    const [free] = guide.within([{ vertex: 1, target: [0, 0, 9] }]);
+    expect(distance(free!.target, [0, 0, 1])).toBeLessThan(1e-9);
+    guide.end();
+  });
+
+  test('that begins at the border stays there along every axis', async () => {
+    await guide.begin(
+      inHand([
+        [0.6, 0.8, 0],
+        [1, 1, 1],
+      ]),
+      null,
+    );
+    guide.keepTo(new Along('z', 1));
+    const [held] = guide.within(guide.snapped([{ vertex: 1, target: [0.6, 0.8, 2] }], []));
+    expect(Math.hypot(...held!.target)).toBeLessThan(1 + 1e-8);
+    guide.keepTo(new Along('xy', 1));
+    const [slid] = guide.within(guide.snapped([{ vertex: 1, target: [2, 0, 0] }], []));
+    expect(distance(slid!.target, [1, 0, 0])).toBeLessThan(1e-8);
+    guide.end();
+  });
+
+  test('of handles that slide moves each in the coordinates that it holds', async () => {
+    const [crown, foot] = inHand(
+      [
+        [0.5, 0, 0],
+        [1, 1, 1],
+      ],
+      [
+        [-0.3, 0.1, 0],
+        [0, 0, 1],
+      ],
+    );
+    await guide.begin([crown!, foot!], null);
+    guide.snapping = new Snapping(0.25, false, 1);
+    const both = guide.snapped(
+      [
+        { vertex: 1, target: [0.7, 0, 0.2] },
+        // Where the net has taken it meanwhile.
+        { vertex: 2, target: [-0.31, 0.12, 0.2] },
+      ],
+      [],
+    );
+    expect(both[0]!.target).toEqual([0.75, 0, 0.25]);
+    expect(both[1]!.target[2]).toBe(0.25);
+    guide.snapping = null;
+    guide.end();
   });
 
   test('of several stops them all together; turned, they are not held', async () => {

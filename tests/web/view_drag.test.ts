@@ -1,6 +1,8 @@
-import { PerspectiveCamera, Vector2, Vector3 } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector2, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
+import { inPlane, onAxis } from '../../web/src/view/axis_drag';
 import { DragReport, ViewPlane } from '../../web/src/view/drag';
+import { random } from './random';
 
 function record() {
   const said: string[] = [];
@@ -62,4 +64,80 @@ test('a point is carried in the plane that faces the camera, from where it was g
   const seen = carried.project(camera);
   expect(seen.x).toBeCloseTo(middle.x + 0.3, 10);
   expect(seen.y).toBeCloseTo(middle.y + 0.2, 10);
+});
+
+const SEED = 11;
+
+describe.each([
+  ['in perspective', new PerspectiveCamera(40, 1, 0.1, 100)],
+  ['in parallel projection', new OrthographicCamera(-2, 2, 2, -2, 0.1, 100)],
+])('a drag kept to an axis or a plane, %s', (_, camera) => {
+  const number = random(SEED);
+  const point = (size: number): Vector3 => new Vector3().fromArray([0, 1, 2].map(() => size * (2 * number() - 1)));
+  const axisOf = (i: number): Vector3 => new Vector3().setComponent(i % 3, 1);
+  function lookFrom(place: Vector3): void {
+    camera.position.copy(place);
+    camera.up.set(0, 0, 1);
+    camera.lookAt(0, 0, 0);
+    camera.updateMatrixWorld();
+  }
+  const seen = (place: Vector3): Vector2 => new Vector2().copy(place.clone().project(camera));
+  /** Where the pointer would take the handle in the plane that faces the camera. */
+  const aimed = (from: Vector3, pointer: Vector2): Vector3 => {
+    const plane = new ViewPlane();
+    plane.grab(camera, from, seen(from));
+    return plane.carry(camera, pointer)!;
+  };
+
+  test(`follows the pointer along the axis, and stays where it is seen in the plane (seed ${SEED})`, () => {
+    for (let i = 0; i < 300; i++) {
+      lookFrom(point(1).normalize().multiplyScalar(8));
+      const [from, axis] = [point(0.5), axisOf(i)];
+      const sight = camera.getWorldDirection(new Vector3());
+      if (Math.abs(axis.dot(sight)) < 0.9) {
+        const wanted = from.clone().addScaledVector(axis, 0.6 * (2 * number() - 1));
+        expect(onAxis(camera, from, aimed(from, seen(wanted)), axis).distanceTo(wanted)).toBeLessThan(1e-9);
+      }
+      if (Math.abs(axis.dot(sight)) > 0.4) {
+        const wanted = from.clone().add(point(0.5).setComponent(i % 3, 0));
+        expect(inPlane(camera, from, aimed(from, seen(wanted)), axis).distanceTo(wanted)).toBeLessThan(1e-9);
+      }
+    }
+  });
+
+  test(`keeps exactly to the axis, begins at its handle, and is bounded however it is seen (seed ${SEED})`, () => {
+    let steep = 0;
+    for (let i = 0; i < 2000; i++) {
+      const axis = axisOf(i);
+      // Mostly along the axis, or along the plane.
+      const from = point(0.5);
+      const tilt = 10 ** (-6 * number());
+      const towards = i % 2 === 0 ? axis.clone() : axisOf(i + 1);
+      lookFrom(towards.multiplyScalar(8 * Math.sign(number() - 0.5)).add(point(8 * tilt)));
+      const aim = aimed(from, new Vector2(2 * number() - 1, 2 * number() - 1));
+      const most = 8.001 * aim.distanceTo(from);
+      const along = onAxis(camera, from, aim, axis).sub(from);
+      expect(along.length()).toBeLessThanOrEqual(most);
+      for (const other of [1, 2]) expect(along.getComponent((i + other) % 3)).toBe(0);
+      const planar = inPlane(camera, from, aim, axis).sub(from);
+      expect(planar.length()).toBeLessThanOrEqual(most);
+      expect(Math.abs(planar.dot(axis))).toBeLessThan(1e-12);
+      expect(onAxis(camera, from, from, axis).distanceTo(from)).toBe(0);
+      expect(inPlane(camera, from, from, axis).distanceTo(from)).toBeLessThan(1e-12);
+      if (along.length() > 0.99 * most) steep += 1;
+    }
+    // The bound is reached only by what would go farther.
+    expect(steep).toBeLessThan(1000);
+  });
+
+  test('along an axis that points at the eye goes up with the pointer: z upwards, others away', () => {
+    const origin = new Vector3();
+    const up = new Vector2(0, 0.3);
+    lookFrom(new Vector3(0, -8, 0));
+    expect(onAxis(camera, origin, aimed(origin, up), axisOf(1)).y).toBeGreaterThan(0.1);
+    lookFrom(new Vector3(0, 8, 0));
+    expect(onAxis(camera, origin, aimed(origin, up), axisOf(1)).y).toBeLessThan(-0.1);
+    lookFrom(new Vector3(0, -1e-3, 8));
+    expect(onAxis(camera, origin, aimed(origin, up), axisOf(2)).z).toBeGreaterThan(0.1);
+  });
 });

@@ -178,11 +178,11 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { ROW_KEYS, SNAP_KEYS }] = await Promise.all([keySheet(), lateKeys()]);
+  const [{ showKeySheet }, { AXIS_KEYS, ROW_KEYS, SNAP_KEYS }] = await Promise.all([keySheet(), lateKeys()]);
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },
-    { where: 'selection', rows: [...SELECTION_KEYS, ...SNAP_KEYS] },
+    { where: 'selection', rows: [...SELECTION_KEYS, ...AXIS_KEYS, ...SNAP_KEYS] },
     { where: 'list', rows: ROW_KEYS },
   ]);
 }

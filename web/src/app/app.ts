@@ -440,7 +440,7 @@ export class App {
         this.#presenter.showRun(null);
         this.handles.beginDrag();
       },
-      dragMove: (targets) => this.handles.drag(targets),
+      dragMove: (targets, along) => this.handles.drag(targets, along),
       dragEnd: (cancelled) => this.handles.endDrag(cancelled),
       lockedStay: () => this.handles.sayLocked(),
       cameraChanged: (camera) => this.setView({ camera }),

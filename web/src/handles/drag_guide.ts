@@ -1,8 +1,19 @@
-/** What guides a drag: to what it snaps, how far from the dragged handles the net moves with them, and where the other handles let them go. */
-import type { Handle } from '../../../wasm/chebnet';
+/** What guides a drag: to which axes it keeps, to what it snaps, how far from the dragged handles the net moves with them, and
+ *  where the other handles let them go. */
+import type { Ball, Handle } from '../../../wasm/chebnet';
 import type { HandleData, Vec3 } from '../document/document';
 import type { Client } from '../worker/client';
-import { type InHand, isNearBorder, type Limit, limitsOf, nearestInAll, translated, translationTo } from './reach';
+import type { Along } from './along';
+import {
+  type InHand,
+  isNearBorder,
+  keptTo,
+  type Limit,
+  limitsOf,
+  nearestInAll,
+  translated,
+  translationTo,
+} from './reach';
 import type { Snapping } from './snapping';
 
 /** The part of the view that shows how a drag is guided. */
@@ -27,9 +38,16 @@ export class DragGuide {
   snapping: Snapping | null = null;
   readonly #client: Client;
   readonly #view: GuideView;
+  /** What the drag is kept to; null: nothing. */
+  #along: Along | null = null;
+  /** The dragged handles as they move freely, and as they are kept to axes. */
+  #free: readonly InHand[] = [];
   #inHand: readonly InHand[] = [];
-  /** Limits of the translation of the dragged handles. */
+  /** Of the dragged handles. */
+  #reaches: readonly (readonly Ball[])[] = [];
+  /** Limits of the translation of the dragged handles, and those of a free one, to be shown. */
   #limits: readonly Limit[] = [];
+  #freeLimits: readonly Limit[] = [];
   /** Whether the solver was told a locality. */
   #local = false;
   /** Numbers of the latest requests: answers to earlier ones are ignored. */
@@ -50,21 +68,31 @@ export class DragGuide {
 
   /** At the start of a drag. The leading handle comes first; the limits arrive a moment later. */
   async begin(inHand: readonly InHand[], locality: number | null): Promise<void> {
-    this.#inHand = inHand;
-    this.#limits = [];
+    this.#free = inHand;
+    this.#reaches = [];
+    this.#restrict();
     const vertices = inHand.map(({ vertex }) => vertex);
     await Promise.all([this.limit(vertices, locality), this.#findReach(vertices), this.showRegion(vertices, locality)]);
   }
 
-  /** Where these targets snap, as one: the leading handle does, among `others`. What turns or scales does not snap. */
+  /** Keeps the drag to axes; null: to none any more. */
+  keepTo(along: Along | null): void {
+    if (along === this.#along) return;
+    this.#along = along;
+    this.#restrict();
+  }
+
+  /** These targets on the axes kept to, and where they snap, as one: the leading handle does, among `others`. What turns or scales
+   *  does not snap. */
   snapped(targets: readonly Handle[], others: readonly HandleData[]): readonly Handle[] {
-    const asked = this.snapping && translationTo(targets, this.#inHand);
-    return asked ? this.#moved(this.snapping!.translation(asked, this.#inHand[0]!, others)) : targets;
+    const asked = (this.snapping || this.#along) && translationTo(targets, this.#inHand);
+    return asked ? this.#moved(this.snapping?.translation(asked, this.#inHand[0]!, others) ?? asked) : targets;
   }
 
   /** Says where the leading handle is. */
   describe([leading]: readonly Handle[], others: readonly HandleData[]): void {
-    this.#view.setReadout((leading && this.snapping?.describe(leading.target, others)) ?? '');
+    const said = this.#along ?? this.snapping;
+    this.#view.setReadout((leading && said?.describe(leading.target, others, this.snapping)) ?? '');
   }
 
   /** The targets nearest to these within the limits. Rotations and scalings are not limited: their limits would change with
@@ -80,6 +108,7 @@ export class DragGuide {
 
   end(): void {
     this.#drags += 1;
+    this.#along = null;
     this.#limits = [];
     this.#view.setReach(null);
     this.#view.setReadout('');
@@ -107,7 +136,17 @@ export class DragGuide {
     const drag = ++this.#drags;
     if (vertices.length > MOST_LIMITED) return;
     const reaches = await this.#client.reach(vertices);
-    if (drag === this.#drags) this.#limits = limitsOf(this.#inHand, reaches);
+    if (drag !== this.#drags) return;
+    this.#reaches = reaches;
+    this.#restrict();
+  }
+
+  /** To what the drag is kept to. */
+  #restrict(): void {
+    const { axes } = this.#along ?? {};
+    this.#freeLimits = limitsOf(this.#free, this.#reaches);
+    this.#inHand = axes ? this.#free.map((each) => keptTo(axes, each)) : this.#free;
+    this.#limits = axes ? limitsOf(this.#inHand, this.#reaches) : this.#freeLimits;
   }
 
   /** Limits are of translations; they are drawn about the start of the leading handle. */
@@ -117,6 +156,6 @@ export class DragGuide {
       ...limit,
       centre: [centre[0] + x, centre[1] + y, centre[2] + z],
     });
-    this.#view.setReach(shown ? this.#limits.map(place) : null);
+    this.#view.setReach(shown ? this.#freeLimits.map(place) : null);
   }
 }

@@ -10,6 +10,7 @@ import { lazy } from '../lazy';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
+import type { Along } from './along';
 import type { DragGuide } from './drag_guide';
 import { listsThrough } from './lines';
 import type { Part } from './part';
@@ -18,7 +19,7 @@ import { all, type Selection, unlocked, within } from './selection';
 import type { Snapping } from './snapping';
 import type { Surroundings, SurroundingsHost } from './surroundings';
 import { Mirror } from './symmetry';
-import { type Motion, transformed } from './transform';
+import { AXES, type Motion, transformed } from './transform';
 import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from './commands';
 
 /** The part of the app that it uses. */
@@ -252,7 +253,7 @@ export class HandleEditor implements HandleCommands {
   setSnapping(snapping: Snapping | null): void {
     this.#guide.snapping = snapping;
     this.#host.choiceChanged();
-    if (this.#dragName !== null && this.#pendingTargets) this.drag(this.#pendingTargets);
+    if (this.#dragName !== null && this.#pendingTargets) this.#carry(this.#pendingTargets);
   }
 
   setShowReach(on: boolean): void {
@@ -310,9 +311,11 @@ export class HandleEditor implements HandleCommands {
     this.#history.beginGesture(before);
   }
 
-  drag(targets: readonly Handle[]): void {
+  /** `along`: what the drag is kept to, from now on. */
+  drag(targets: readonly Handle[], along: Along | null = null): void {
     if (!this.#history.inGesture) return;
     this.#pendingTargets = targets;
+    this.#guide.keepTo(along);
     this.#carry(targets);
   }
 
@@ -371,7 +374,7 @@ export class HandleEditor implements HandleCommands {
     const moved = new Map(targets.map(({ vertex, target }) => [vertex, target]));
     return this.#handles.map((handle) => {
       const target = moved.get(handle.vertex);
-      return target ? { ...handle, target } : handle;
+      return target ? { ...handle, target: slid(target, handle) } : handle;
     });
   }
 
@@ -399,8 +402,11 @@ export class HandleEditor implements HandleCommands {
     const movedBy = (step: number): readonly Handle[] =>
       this.#onBothSides(chosen.map((vertex) => ({ vertex, target: stand.get(vertex)!.map((x) => x + step) as Vec3 })));
     const stepped = movedBy(1);
+    const slides = new Map(this.#handles.map((handle) => [handle.vertex, handle.slides]));
     return movedBy(0).map(({ vertex, target: base }, i) => {
-      const follows = base.map((x, axis) => Math.round(stepped[i]!.target[axis]! - x)) as Vec3;
+      const moves = base.map((x, axis) => Math.round(stepped[i]!.target[axis]! - x));
+      // Where it slides it goes with the net.
+      const follows = moves.map((each, axis) => (slides.get(vertex)?.includes(AXES[axis]!) ? 0 : each)) as Vec3;
       return { vertex, base, follows };
     });
   }
@@ -427,6 +433,11 @@ export class HandleEditor implements HandleCommands {
     }
     return this.#mirror.mirror;
   }
+}
+
+/** A target, but where the handle slides along axes. */
+function slid(target: Vec3, { slides, target: at }: HandleData): Vec3 {
+  return target.map((x, axis) => (slides?.includes(AXES[axis]!) ? at[axis]! : x)) as Vec3;
 }
 
 function verticesOf(targets: readonly Handle[]): number[] {

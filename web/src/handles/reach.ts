@@ -1,7 +1,8 @@
 /** Where handles may be moved together. Each stays in balls around the other handles, whose radii are the distances along
  *  the net; all follow one translation, so the balls are limits of that translation. */
-import type { Ball, Handle } from '../../../wasm/chebnet';
+import type { Axes, Ball, Handle } from '../../../wasm/chebnet';
 import type { Vec3 } from '../document/document';
+import { AXES } from './transform';
 
 /** The points whose distance from `centre` is at most `radius`: a ball, or where not all axes count, a cylinder or the space
  *  between two planes. */
@@ -16,13 +17,16 @@ export interface Limit {
 export interface InHand {
   vertex: number;
   base: Vec3;
-  /** 1; across a plane of symmetry −1 for the mirror image, 0 for what lies on the plane. */
+  /** 1; across a plane of symmetry −1 for the mirror image, 0 for what lies on the plane; 0 also along axes on which it slides
+   *  or to which the translation is not kept. */
   follows: Vec3;
 }
 
 const MOST_ROUNDS = 1000;
 /** Iterations end when one moves the point by less than this fraction of a radius. */
 const TOLERANCE = 1e-9;
+/** What lies beyond a border by no more than this fraction of the radius is on it. */
+const TOUCHES = 1e-9;
 /** Distance from a border that counts as near, as a fraction of the radius. */
 const NEAR = 0.05;
 /** Most limits used: those nearest to the handles. */
@@ -47,10 +51,11 @@ export function limitsOf(inHand: readonly InHand[], reaches: readonly (readonly 
 function limitOf(apart: Vec3, moves: Vec3, radius: number): Limit | null {
   const rate = Math.max(...moves.map(Math.abs));
   const constant = Math.hypot(...apart.map((x, axis) => (moves[axis] === 0 ? x : 0)));
-  if (rate === 0 || constant >= radius) return null;
+  if (rate === 0 || constant > (1 + TOUCHES) * radius) return null;
   return {
     centre: apart.map((x, axis) => (moves[axis] === 0 ? 0 : -x / moves[axis]!)) as Vec3,
-    radius: Math.sqrt(radius ** 2 - constant ** 2) / rate,
+    // One that it touches from the beginning stays a limit.
+    radius: (radius * Math.sqrt(Math.max(1 - (constant / radius) ** 2, TOUCHES))) / rate,
     counts: moves.map((move) => (move === 0 ? 0 : 1)) as Vec3,
   };
 }
@@ -128,10 +133,17 @@ export function translationTo(targets: readonly Handle[], inHand: readonly InHan
       : inHand[leading]!.follows[axis]! * (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!);
   }) as Vec3;
   const isThere = (each: InHand, i: number): boolean => {
-    const off = plus(targets[i]!.target, translated(each, translation), -1);
+    const off = plus(targets[i]!.target, translated(each, translation), -1).map((x, axis) =>
+      each.follows[axis] === 0 ? 0 : x,
+    );
     return Math.hypot(...off) <= TURNED * (Math.hypot(...translation) + TURNED * Math.hypot(...each.base));
   };
   return inHand.every(isThere) ? translation : null;
+}
+
+/** Such a handle where only these coordinates of the translation count. */
+export function keptTo(axes: Axes, { follows, ...handle }: InHand): InHand {
+  return { ...handle, follows: follows.map((each, axis) => (axes.includes(AXES[axis]!) ? each : 0)) as Vec3 };
 }
 
 export function translated({ base, follows }: InHand, translation: Vec3): Vec3 {

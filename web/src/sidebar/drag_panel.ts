@@ -48,7 +48,8 @@ export class DragPanel implements Panel {
     this.#snap = new SnapControls(commands);
     const reach = makeSwitch(panelWords.drag.showReach, (on) => commands.setShowReach(on));
     reach.row.title = panelWords.drag.showReachHint;
-    this.element = makeSection(words.sections.drag, false, row, within.row, reach.row, ...this.#snap.rows);
+    const axes = make('p', { class: 'quiet' }, panelWords.drag.axes);
+    this.element = makeSection(words.sections.drag, false, row, within.row, reach.row, ...this.#snap.rows, axes);
     this.#write(undefined);
   }
 

@@ -1,6 +1,7 @@
 /** A drag of handles, by a pointer in the view plane, the gizmo or the arrow keys. */
 import { type Camera, Plane, Raycaster, type Vector2, Vector3 } from 'three';
 import type { Handle } from '../../../wasm/chebnet';
+import type { Along } from '../handles/along';
 import type { ViewEvents } from './view';
 
 export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
@@ -8,7 +9,7 @@ export type DragEvents = Pick<ViewEvents, 'dragStart' | 'dragMove' | 'dragEnd'>;
 /** Reports a drag as events: a start, at most one move a frame, an end. */
 export class DragReport {
   #held: readonly number[] = [];
-  #pending: Handle[] | null = null;
+  #pending: { targets: Handle[]; along: Along | null } | null = null;
   readonly #events: DragEvents;
 
   constructor(events: DragEvents) {
@@ -30,16 +31,17 @@ export class DragReport {
     this.#events.dragStart();
   }
 
-  move(targets: Handle[]): void {
-    this.#pending = targets;
+  /** `along`: what the move is kept to. */
+  move(targets: Handle[], along: Along | null = null): void {
+    this.#pending = { targets, along };
   }
 
   /** Called once a frame. */
   flush(): void {
     if (this.#pending === null) return;
-    const targets = this.#pending;
+    const { targets, along } = this.#pending;
     this.#pending = null;
-    this.#events.dragMove(targets);
+    this.#events.dragMove(targets, along);
   }
 
   end(cancelled: boolean): void {

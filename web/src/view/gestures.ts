@@ -6,7 +6,9 @@ import { type Camera, Matrix4, TOUCH, Vector2, Vector3 } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
 import { words } from '../language/language';
-import type { KeyRow } from '../elements/keys';
+import { chordOf, type KeyRow } from '../elements/keys';
+import type { Along } from '../handles/along';
+import type { AxisDrag } from './axis_drag';
 import { type DragReport, ViewPlane } from './drag';
 import type { Gizmo } from './gizmo';
 import type { HandleMarkers } from './handles';
@@ -39,7 +41,9 @@ export interface GestureContext {
   /** Starts a drag of handles. */
   grab(vertices: readonly number[]): void;
   /** Where those in hand are now, from where they were taken. */
-  carry(motion: Matrix4): void;
+  carry(motion: Matrix4, along?: Along | null): void;
+  /** What keeps a drag to axes. */
+  axes(): Promise<AxisDrag>;
   outline(corners: readonly Place[] | null): void;
   /** What is hovered; null: nothing. */
   hovered(found: Found | null): void;
@@ -54,6 +58,8 @@ export interface Found {
 interface Press {
   pointer: number;
   at: Place;
+  /** Where it was last. */
+  last: Place;
   /** What the pointer does if it moves: drag this handle from this point, draw an outline, or neither. */
   handle: { vertex: number; from: Vector3 } | null;
   outline: Outline | null;
@@ -82,6 +88,8 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
   ArrowDown: [0, -1],
 };
 
+const AXIS_KEY = /^(Shift\+)?[XYZ]$/;
+
 /** What `key`, `escape` and the pointer with Shift do below. */
 export const VIEW_KEYS: readonly KeyRow[] = [
   { keys: ['← → ↑ ↓'], does: 'turn' },
@@ -104,6 +112,7 @@ export class Gestures {
   /** How far the arrow keys have moved the selection while they are held; null: they are not. */
   #nudged: Vector3 | null = null;
   #longTouch: ReturnType<typeof setTimeout> | undefined;
+  #axes: AxisDrag | null = null;
   readonly #plane = new ViewPlane();
   readonly #listeners = new AbortController();
   readonly #context: GestureContext;
@@ -125,6 +134,7 @@ export class Gestures {
     canvas.addEventListener('keyup', (event) => this.#keyUp(event), { signal });
     canvas.addEventListener('blur', () => this.#endNudge(), { signal });
     window.addEventListener('keydown', (event) => this.#escape(event), { signal, capture: true });
+    window.addEventListener('keydown', (event) => this.#axisKey(event), { signal, capture: true });
   }
 
   dispose(): void {
@@ -146,7 +156,7 @@ export class Gestures {
     const handle = event.shiftKey ? null : this.#grip(vertex);
     const onGizmo = vertex === null && gizmo.takes(this.#toDevice(at));
     const outline = handle || onGizmo ? null : this.#outlineFrom(at, event);
-    this.#press = { pointer: event.pointerId, at, handle, outline, onGizmo, gone: 0, moved: false };
+    this.#press = { pointer: event.pointerId, at, last: at, handle, outline, onGizmo, gone: 0, moved: false };
     const isCameras = !handle && !onGizmo && !outline;
     // One finger does not turn the view, but OrbitControls must know of it: with another it is a pinch.
     orbit.touches.ONE = isCameras ? TOUCH.ROTATE : null;
@@ -154,7 +164,9 @@ export class Gestures {
     if (isCameras || onGizmo) return;
     gizmo.setEnabled(false);
     canvas.setPointerCapture(event.pointerId);
-    if (handle) this.#plane.grab(this.#context.camera(), handle.from, this.#toDevice(at));
+    if (!handle) return;
+    this.#plane.grab(this.#context.camera(), handle.from, this.#toDevice(at));
+    this.#loadAxes();
   }
 
   /** Another finger: a gesture of the camera, unless a drag is well under way; then it is ignored. */
@@ -175,12 +187,12 @@ export class Gestures {
       if (isUnderWay(press)) event.stopPropagation();
       return;
     }
-    const at = this.#place(event);
+    const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
     if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
     if (!press.moved) return;
     if (press.outline) this.#draw(press.outline, at);
-    else if (press.handle && this.#context.report.isUnderWay) this.#carry(press.handle, at);
+    else this.#carry(press);
   }
 
   #begin(press: Press): void {
@@ -196,9 +208,13 @@ export class Gestures {
     this.#context.outline(outline.corners);
   }
 
-  #carry({ from }: NonNullable<Press['handle']>, at: Place): void {
-    const point = this.#plane.carry(this.#context.camera(), this.#toDevice(at));
-    if (point) this.#context.carry(shift(point.sub(from)));
+  /** Takes the handle in hand to the pointer, as far as keys let it. */
+  #carry({ handle, last }: Press): void {
+    if (!handle || !this.#context.report.isUnderWay) return;
+    const camera = this.#context.camera();
+    const aim = this.#plane.carry(camera, this.#toDevice(last));
+    const point = aim && (this.#axes?.carry(camera, handle.from, aim) ?? aim);
+    if (point) this.#context.carry(shift(point.sub(handle.from)), this.#axes?.along);
   }
 
   #up(event: PointerEvent): void {
@@ -221,6 +237,7 @@ export class Gestures {
   #letGo(): void {
     clearTimeout(this.#longTouch);
     this.#press = null;
+    this.#axes?.free();
     this.#context.orbit.enabled = true;
     this.#context.gizmo.setEnabled(true);
     this.#context.canvas.style.cursor = '';
@@ -230,6 +247,7 @@ export class Gestures {
   /** Forgets what the pointer was about to do. */
   #giveUp(): void {
     if (this.#press) this.#press = { ...this.#press, moved: true, handle: null, outline: null };
+    this.#axes?.free();
     this.#context.outline(null);
     this.#context.gizmo.release();
     this.#context.report.end(true);
@@ -336,6 +354,29 @@ export class Gestures {
     event.preventDefault();
     this.#nudged = null;
     this.#giveUp();
+  }
+
+  /** Likewise X, Y and Z keep a drag to axes. */
+  #axisKey(event: KeyboardEvent): void {
+    const press = this.#press;
+    const chord = chordOf(event);
+    if (!press?.handle || !this.#context.report.isUnderWay || !AXIS_KEY.test(chord)) return;
+    event.stopPropagation();
+    event.preventDefault();
+    if (!event.repeat) this.#loadAxes((axes) => this.#keepTo(axes, chord, press));
+  }
+
+  #keepTo(axes: AxisDrag, chord: string, press: Press): void {
+    if (press !== this.#press) return;
+    axes.press(chord);
+    this.#carry(press);
+  }
+
+  #loadAxes(then: (axes: AxisDrag) => void = () => {}): void {
+    this.#context
+      .axes()
+      .then((axes) => then((this.#axes = axes)))
+      .catch((error: unknown) => this.#context.events.failed(error));
   }
 
   #key(event: KeyboardEvent): void {

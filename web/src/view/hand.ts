@@ -1,5 +1,6 @@
 /** The handles being dragged: which ones move together, and where to. */
 import { type Matrix4, Vector3 } from 'three';
+import type { Along } from '../handles/along';
 import type { Selection } from '../handles/selection';
 import type { DragReport } from './drag';
 import type { HandleMarkers } from './handles';
@@ -43,11 +44,11 @@ export class Hand {
   }
 
   /** They are drawn at the pointer, ahead of document and net. */
-  carry(motion: Matrix4, space: Space): void {
+  carry(motion: Matrix4, space: Space, along: Along | null): void {
     const targets = this.#taken.map(({ vertex, from }) => {
       const point = this.#markers.carry(vertex, from.clone().applyMatrix4(motion));
       return { vertex, target: space.toNet(point) };
     });
-    this.#report.move(targets);
+    this.#report.move(targets, along);
   }
 }

@@ -2,12 +2,15 @@
 import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
 import { words } from '../language/language';
+import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
+import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, type Margins, type StandardView, type Stand } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { takeFilm, takePicture } from './capture';
+import type { AxisDrag } from './axis_drag';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
 import { type Found, Gestures } from './gestures';
@@ -20,7 +23,7 @@ import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
 import { ReachSurface } from './reach_surface';
-import { StepArrows } from './step_arrows';
+import type { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, View, ViewChoice, ViewEvents } from './view';
@@ -44,7 +47,6 @@ class SceneView implements View {
   readonly #rig: CameraRig;
   readonly #gizmo: Gizmo;
   readonly #markers = new HandleMarkers();
-  readonly #stepArrows = new StepArrows();
   readonly #sheet = new SymmetrySheet();
   readonly #reach = new ReachSurface();
   readonly #drawing: NetDrawing;
@@ -69,10 +71,28 @@ class SceneView implements View {
   #preview: readonly number[] = [];
   #readout = '';
   #found: Found | null = null;
+  #axes: AxisDrag | null = null;
+  #stepArrows: StepArrows | null = null;
   #firstVisit = isFirstVisit();
   #frame = 0;
   /** The camera is being set to that of another view. */
   #following = false;
+  /** When a handle is first taken hold of. */
+  readonly #loadAxes = lazy(async () => {
+    const { AxisDrag } = await import('./axis_drag');
+    this.#axes = new AxisDrag(this.#annotations.overlay.element, {
+      data: () => this.#netData!,
+      place: (point) => this.#place(point),
+    });
+    return this.#axes;
+  });
+  readonly #loadStepArrows = lazy(async () => {
+    const { StepArrows } = await import('./step_arrows');
+    this.#stepArrows = new StepArrows();
+    this.#stepArrows.setTheme(this.#theme);
+    this.#scene.add(this.#stepArrows.object);
+    return this.#stepArrows;
+  });
   #drawTimes: number[] = [];
   readonly #container: HTMLElement;
   readonly #events: ViewEvents;
@@ -113,8 +133,7 @@ class SceneView implements View {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.#drawing, this.#markers, this.#stepArrows, this.#sheet, this.#reach])
-      this.#scene.add(part.object);
+    for (const part of [this.#drawing, this.#markers, this.#sheet, this.#reach]) this.#scene.add(part.object);
     this.#scene.add(this.#gizmo.object, this.#rig.camera);
     this.#addLights();
     this.#gestures = this.#createGestures(canvas);
@@ -142,7 +161,7 @@ class SceneView implements View {
     if (!this.#netData) return;
     this.#latest = frame;
     this.#drawing.setFrame(frame);
-    this.#stepArrows.update(frame, this.#netData.space, this.#netData.edgeLength);
+    this.#stepArrows?.update(frame, this.#netData.space, this.#netData.edgeLength);
     this.#requestDraw();
   }
 
@@ -212,8 +231,12 @@ class SceneView implements View {
   }
 
   setStepArrows(shown: boolean): void {
-    this.#stepArrows.object.visible = shown;
-    this.#requestDraw();
+    this.#loadStepArrows()
+      .then((arrows) => {
+        arrows.object.visible = shown;
+        if (this.#latest) this.setFrame(this.#latest);
+      })
+      .catch((error: unknown) => this.#events.failed(error));
   }
 
   frameAll(from: StandardView = 'free'): void {
@@ -263,7 +286,6 @@ class SceneView implements View {
     for (const part of [
       this.#gestures,
       this.#gizmo,
-      this.#stepArrows,
       this.#sheet,
       this.#reach,
       this.#rig,
@@ -273,6 +295,7 @@ class SceneView implements View {
     ])
       part.dispose();
     this.#renderer.domElement.remove();
+    this.#stepArrows?.dispose();
     this.#annotations.overlay.element.remove();
     this.#notice.remove();
   }
@@ -299,7 +322,8 @@ class SceneView implements View {
       grid: () => this.#choice.snapping?.step,
       projection: () => this.#projection(),
       grab: (vertices) => this.#hand.grab(vertices),
-      carry: (motion) => this.#carry(motion),
+      carry: (motion, along) => this.#carry(motion, along),
+      axes: () => this.#loadAxes(),
       outline: (corners) => this.#annotations.overlay.setOutline(corners),
       hovered: (found) => this.#setFound(found),
       frameAll: () => this.frameAll(),
@@ -323,7 +347,7 @@ class SceneView implements View {
         endFirstVisit();
         events.dragStart();
       },
-      dragMove: (targets) => events.dragMove(targets),
+      dragMove: (targets, along) => events.dragMove(targets, along),
       dragEnd: (cancelled) => {
         events.dragEnd(cancelled);
         if (!cancelled && leading !== undefined) this.#keepInReach(leading);
@@ -351,9 +375,9 @@ class SceneView implements View {
     );
   }
 
-  #carry(motion: Matrix4): void {
+  #carry(motion: Matrix4, along: Along | null = null): void {
     if (!this.#report.isUnderWay || !this.#netData) return;
-    this.#hand.carry(motion, this.#netData.space);
+    this.#hand.carry(motion, this.#netData.space, along);
     this.#requestDraw();
   }
 
@@ -396,8 +420,8 @@ class SceneView implements View {
   }
 
   #applyTheme(): void {
-    for (const part of [this.#drawing, this.#markers, this.#stepArrows, this.#sheet, this.#reach])
-      part.setTheme(this.#theme);
+    for (const part of [this.#drawing, this.#markers, this.#sheet, this.#reach]) part.setTheme(this.#theme);
+    this.#stepArrows?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     this.#requestDraw();
   }
@@ -449,7 +473,7 @@ class SceneView implements View {
   #prepare({ edgeLength }: NetData): void {
     const { eye, distance } = this.#rig;
     this.#drawing.beforeDraw(this.#renderer, this.#rig, this.#size);
-    this.#stepArrows.beforeDraw(this.#size, this.#renderer.getPixelRatio());
+    this.#stepArrows?.beforeDraw(this.#size, this.#renderer.getPixelRatio());
     this.#markers.beforeDraw(eye, this.#size.y, edgeLength, distance);
     this.#gizmo.setPosition(this.#gizmoPlace());
   }
@@ -494,10 +518,12 @@ class SceneView implements View {
 
   #drawAnnotations(): void {
     if (!this.#netData) return;
+    const [dragged] = this.#report.vertices;
+    this.#axes?.draw(this.#markers.point(dragged ?? -1), this.#rig.eye, this.#rig.distance);
     this.#annotations.draw({
       found: this.#found,
       isFirstVisit: this.#firstVisit,
-      dragged: this.#report.vertices[0],
+      dragged,
       preview: this.#preview,
       readout: this.#readout,
       unreachable: this.#latest?.unreachable ?? [],

@@ -2,6 +2,7 @@
  *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/commands';
@@ -15,8 +16,8 @@ export interface ViewEvents {
   /** A click on a handle or on nothing, or an outline drawn around handles. */
   select(selection: Selection): void;
   dragStart(): void;
-  /** At most once an animation frame. */
-  dragMove(targets: Handle[]): void;
+  /** At most once an animation frame. `along`: what keys keep it to. */
+  dragMove(targets: Handle[], along: Along | null): void;
   /** `cancelled`: Esc was pressed, the handles go back to where the drag began. */
   dragEnd(cancelled: boolean): void;
   /** Keys would move the selection, but all of it is locked. */

@@ -170,6 +170,7 @@ export const panels = {
     localityHint: 'How far from the handle in hand the net moves. What lies beyond stays exactly where it is.',
     everything: 'everything',
     radius: (edges: string) => `${edges} edges`,
+    axes: 'While you drag, X, Y or Z keeps to that axis, with Shift to the plane across it.',
     within: 'Keep within reach',
     withinHint: 'A drag holds the net where it can come no farther; otherwise edges are stretched',
     showReach: 'Always show reach',
@@ -181,6 +182,8 @@ export const panels = {
     units: { edges: 'edges', units: 'units' },
     toHandles: 'Snap to other handles',
     toHandlesHint: 'Level with them, along each axis. Hold Ctrl or ⌘ to drag freely',
+    /** `axes`: one or two. */
+    along: (axes: string) => (axes.length === 1 ? `Along ${axes}` : `In the plane ${axes}`),
     /** A coordinate, and the handle that has it, too. */
     level: (coordinate: string, handle: string) => `${coordinate} (${handle})`,
   },
@@ -323,6 +326,8 @@ export const panels = {
       toggle: 'Add a handle to the selection, or take it out',
       box: 'Select the handles in a box',
       cancel: 'Give up a drag',
+      alongAxis: 'In a drag: keep to this axis; the same key again frees it',
+      acrossAxis: 'In a drag: keep to the plane across this axis',
       suspendSnap: 'Drag without snapping',
       rename: 'Rename a handle or a group',
     },
