@@ -572,7 +572,7 @@ class WasmSurface {
 
   /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
   remesh(
-    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, crease = 0, singular = [], forbidden = [], only = false } = {},
+    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, crease = 0, border = 'fitting', singular = [], forbidden = [], only = false } = {},
     progress = () => {},
   ) {
     const options = {
@@ -581,6 +581,7 @@ class WasmSurface {
       smallestAngle: size(smallestAngle, 'the shear limit'),
       smoothing: size(smoothing, 'the smoothing'),
       crease: size(crease, 'the angle of creases'),
+      border: /** @type {'fitting' | 'always' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
       singular: list(singular, 'singular vertices').map(({ point, valence }) => ({
         point: finite(point, 'the place of a singular vertex'),
         valence: /** @type {3 | 5 | 6} */ (integer(valence, 'the valence of a singular vertex', 3, LARGEST_INT)),

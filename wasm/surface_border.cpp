@@ -231,6 +231,10 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
     wanted.crease = options["crease"].as<double>();
+    wanted.border = named<RemeshOptions::Border>({{"fitting", RemeshOptions::Border::fitting},
+                                                  {"always", RemeshOptions::Border::always},
+                                                  {"never", RemeshOptions::Border::never}},
+                                                 options["border"].as<std::string>(), "border");
     wanted.singular = wishes_in(options);
     const Remesh made = remesh(open.guide, wanted,
                                [&](RemeshPhase phase, double done) { progress(std::string(to_string(phase)), done); });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -23,12 +24,17 @@
 namespace chebnet {
 namespace {
 
+const std::map<std::string, RemeshOptions::Border> k_borders = {{"fitting", RemeshOptions::Border::fitting},
+                                                                {"always", RemeshOptions::Border::always},
+                                                                {"never", RemeshOptions::Border::never}};
+
 struct RemeshArguments {
     SurfaceArgument surface;
     NetOutput output;
     RemeshOptions options;
     double smallest_angle = 30;
     double crease = 0;
+    std::string border = "fitting";
     std::vector<std::string> singular, forbidden;
 };
 
@@ -105,6 +111,7 @@ int run_remesh(const RemeshArguments& arguments) {
     RemeshOptions options = arguments.options;
     options.smallest_angle = arguments.smallest_angle * std::numbers::pi / 180;
     options.crease = arguments.crease * std::numbers::pi / 180;
+    options.border = k_borders.at(arguments.border);
     read_wishes(arguments, options.singular);
     const Remesh made = remesh(guide, options);
     for (int phase = 0; phase < k_remesh_phases; ++phase)
@@ -160,6 +167,11 @@ Command add_remesh(CLI::App& program) {
             "--crease", arguments->crease,
             "Net lines follow edges of the surface that are sharper than this, in degrees; 0: none are followed")
         ->type_name("DEGREES")
+        ->capture_default_str();
+    command
+        .add_option("--border", arguments->border,
+                    "Where the surface ends: in a net line if that fits (fitting) or always, or never: in steps")
+        ->check(CLI::IsMember(k_borders))
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments] { return run_remesh(*arguments); }};

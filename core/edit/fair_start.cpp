@@ -50,6 +50,11 @@ void FairStart::choose_terms() {
             chebnet::shear_limit(m_net, m_options.shear_limit + k_limit_margin), k_stiffness));
 }
 
+void FairStart::set_pulls(std::vector<Pull> pulls) {
+    m_options.pulls = std::move(pulls);
+    choose_terms();
+}
+
 bool FairStart::step() {
     const double L = m_net.mean_length();
     const double moved = m_descent.step(m_terms, k_most_move * L, m_positions);

@@ -30,6 +30,8 @@ public:
     /// topology and guide. Throws Error too_large.
     FairStart(const Net& net, const Topology& topology, const Guide& guide, Positions positions, Options options);
 
+    /// From now on others than those of the options, in the net's unit of the moment.
+    void set_pulls(std::vector<Pull> pulls);
     /// One step. False when it has come as far as it needs to.
     bool step();
     /// Whether that has led to a net, dL < `threshold`; else the positions stay.

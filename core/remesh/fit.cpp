@@ -45,6 +45,9 @@ constexpr double k_exact_error = 1e-11;
 constexpr int k_most_projections = 60, k_most_openings = 30;
 // Towards rest near the surface: beyond so many steps little changes.
 constexpr double k_pull_of_border = 0.3, k_pull_of_crease = 30;
+// The same of a border that is to be where the surface's is, and of its corners: there the surface's border turns by
+// more than this (a cosine), and the mesh has its own no farther off, in L.
+constexpr double k_pull_along_border = 10, k_pull_of_corner = 30, k_corner = 0.7, k_near_corner = 1.5;
 constexpr int k_steps_to_rest = 20;
 // The part of the work that is done after each of its stages.
 constexpr double k_even_at = 0.3, k_fair_at = 0.7, k_exact_at = 0.75;
@@ -68,6 +71,7 @@ public:
         find_diagonals();
         find_bends();
         find_border();
+        if (m_options.has_border) find_corners();
         find_creases();
         m_system = std::make_unique<BlockSystem>(m_net.vertex_count(), links());
     }
@@ -95,17 +99,36 @@ private:
     void make_fair() {
         const bool fits = m_options.length == 0;
         const Net net = with_length(m_length);
-        m_pulls = m_options.pulls;
-        for (const int v : m_border.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_border});
-        for (const int v : m_creases.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_crease});
+        find_pulls();
         FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
         double done = 0;
         do {
             m_go_on(k_even_at + (k_fair_at - k_even_at) * done);
             done += (1 - done) / 10;  // it does not know how many steps it takes
+            m_positions = start.unit() * start.positions();
+            if (!m_options.has_border) continue;
+            find_pulls();
+            start.set_pulls(in_unit(m_pulls, start.unit()));
         } while (start.step());
         m_positions = start.unit() * start.positions();
         m_length *= start.unit();
+        if (m_options.has_border) find_pulls();
+    }
+
+    /// Each to where it is, or along the border to the point next to it, so that it may slide from step to step.
+    void find_pulls() {
+        m_pulls = m_options.pulls;
+        for (const int v : m_border.vertices) {
+            const Eigen::Vector3d x = m_positions.col(v);
+            m_pulls.push_back(m_options.has_border ? Pull{v, x - way_from(m_border, x).away, k_pull_along_border}
+                                                   : Pull{v, x, k_pull_of_border});
+        }
+        for (const int v : m_creases.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_crease});
+    }
+
+    static std::vector<Pull> in_unit(std::vector<Pull> pulls, double unit) {
+        for (Pull& pull : pulls) pull.target /= unit;
+        return pulls;
     }
 
     /// The mesh of the moment scaled to edges of a mean length.
@@ -153,6 +176,32 @@ private:
             m_border.sides.insert(m_border.sides.end(), loop.begin(), loop.end());
         for (int v = 0; v < m_net.vertex_count() && !m_border.sides.empty(); ++v)
             if (m_topology.is_boundary(v)) m_border.vertices.push_back(v);
+    }
+
+    void find_corners() {
+        for (const std::vector<int>& loop : m_surface.boundary_loops())
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const Eigen::Vector3d in = vector_of(loop[k]), out = vector_of(loop[(k + 1) % loop.size()]);
+                if (in.dot(out) < k_corner * length_of(in) * length_of(out))
+                    hold_corner(m_surface.positions().col(m_surface.to(loop[k])));
+            }
+    }
+
+    Eigen::Vector3d vector_of(int side) const {
+        return m_surface.positions().col(m_surface.to(side)) - m_surface.positions().col(m_surface.from(side));
+    }
+
+    void hold_corner(const Eigen::Vector3d& point) {
+        constexpr int k_straight_valence = 3;
+        int best = -1;
+        double least = k_near_corner * m_length;
+        for (const int v : m_border.vertices) {
+            const double distance = length_of(m_positions.col(v) - point);
+            if (m_topology.valence(v) != k_straight_valence && distance < least) best = v, least = distance;
+        }
+        if (best < 0) return;
+        std::erase(m_border.vertices, best);
+        m_options.pulls.push_back({best, point, k_pull_of_corner});
     }
 
     void find_creases() {

@@ -16,6 +16,7 @@ struct FitOptions {
     double smallest_angle = 0;  ///< of corners of quads, radians
     std::vector<Pull> pulls;    ///< of vertices of the mesh, each towards a point of the surface
     std::vector<bool> creases;  ///< of each side of the surface, whether net lines near it follow it; empty: none
+    bool has_border = false;    ///< the mesh's border is to be where the surface's is, and its corners at corners
 };
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.

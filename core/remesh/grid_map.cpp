@@ -16,7 +16,7 @@ constexpr double k_shift = 1e-8;
 // The weights of sides are cotangents, but no less than this.
 constexpr double k_least_weight = 0.1;
 
-// A crease is on a line of the grid if the field's direction is nearer to it than this: a sine.
+// What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
 constexpr double k_along = 0.3;
 
 /// A component ± variable of one coordinate.
@@ -162,11 +162,11 @@ private:
 /// Unknowns: two coordinates of each regular vertex, and integers: two of each branch and two of each singular vertex.
 class Fit {
 public:
-    Fit(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& creases)
+    Fit(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& on_lines)
         : m_surface(surface), m_field(field), m_length(length), m_cut(surface, field) {
         number_unknowns();
         place_corners();
-        if (!creases.empty()) hold(creases);
+        if (!on_lines.empty()) hold(on_lines);
     }
 
     GridMap run() {
@@ -186,7 +186,11 @@ public:
             integers = N * nearest_integers(S, coupling.transpose() * free - N.transpose() * m_d).cast<double>();
         }
         const Eigen::VectorXd rest = m_C * integers;
-        return map(factor.solve(m_b - rest), integers);
+        const Eigen::VectorXd reals = factor.solve(m_b - rest);
+        GridMap result = map(reals, integers);
+        const double missed = m_e - (m_b - rest).dot(reals) + integers.dot(m_D * integers - 2 * m_d);
+        result.strain = std::sqrt(std::max(missed, 0.0) / m_e);
+        return result;
     }
 
 private:
@@ -297,17 +301,17 @@ private:
         return -1;
     }
 
-    /// Along a crease that the field follows one coordinate is a whole number of cells. It is that of a singular vertex
-    /// or an integer of its own, and goes over from vertex to vertex.
-    void hold(const std::vector<bool>& creases) {
+    /// Along a crease or border that the field follows one coordinate is a whole number of cells. It is that of a
+    /// singular vertex or an integer of its own, and goes over from vertex to vertex.
+    void hold(const std::vector<bool>& on_lines) {
         m_held.assign(2 * static_cast<std::size_t>(m_surface.vertex_count()), {});
-        CreaseLinks links(m_held.size());
+        LineLinks links(m_held.size());
         for (int s = 0; s < 3 * m_surface.face_count(); ++s) {
-            const int axis = creases[s] && m_surface.opposite(s) < s ? constant_axis(s) : -1;
+            const int axis = on_lines[s] && m_surface.opposite(s) < s ? constant_axis(s) : -1;
             if (axis < 0) continue;
             for (const int corner_side : {s, Surface::next(s)}) links[own_coordinate(corner_side, axis)].push_back(s);
         }
-        std::vector<bool> is_done(creases.size(), false);
+        std::vector<bool> is_done(on_lines.size(), false);
         for (const bool is_singular : {true, false})
             for (int own = 0; own < std::ssize(links); ++own) {
                 if (links[own].empty() || !m_held[own].empty() || (m_field.holonomy[own / 2] != 0) != is_singular)
@@ -317,10 +321,9 @@ private:
             }
     }
 
-    using CreaseLinks =
-        std::vector<std::vector<int>>;  // of each coordinate of a vertex the creases along which it is one
+    using LineLinks = std::vector<std::vector<int>>;  // of each coordinate of a vertex the sides along which it is one
 
-    void carry_on(int first, const CreaseLinks& links, std::vector<bool>& is_done) {
+    void carry_on(int first, const LineLinks& links, std::vector<bool>& is_done) {
         std::vector<int> queue{first};
         for (std::size_t k = 0; k < queue.size(); ++k)
             for (const int s : links[queue[k]]) {
@@ -365,6 +368,7 @@ private:
         m_b.setZero(m_reals);
         m_D.setZero(m_integers, m_integers);
         m_d.setZero(m_integers);
+        m_e = 0;
         for (int s = 0; s < 3 * m_surface.face_count(); ++s) {
             const int f = Surface::face_of(s);
             const Eigen::Vector3d edge =
@@ -389,6 +393,7 @@ private:
 
     void add_row(const std::vector<Entry>& row, double w, double target, std::vector<Eigen::Triplet<double>>& A,
                  std::vector<Eigen::Triplet<double>>& C) {
+        m_e += w * target * target;
         for (const Entry& a : row) {
             if (a.unknown < m_reals)
                 m_b[a.unknown] += w * a.coefficient * target;
@@ -439,11 +444,12 @@ private:
     int m_reals = 0, m_integers = 0;
     std::vector<int> m_unknown;              // of each vertex, the first of two
     std::vector<Place> m_places;             // of the corner at which each side begins
-    std::vector<std::vector<Entry>> m_held;  // of each coordinate of a vertex on a crease what it is, in integers
+    std::vector<std::vector<Entry>> m_held;  // of each coordinate of a vertex on a line what it is, in integers
     std::vector<IntegerCondition> m_conditions;
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
     Eigen::VectorXd m_b, m_d;
+    double m_e = 0;
 };
 
 }  // namespace
@@ -457,8 +463,9 @@ GridPoint turned(const GridPoint& p, int quarter_turns) {
     return result;
 }
 
-GridMap fit_grid(const Surface& surface, const DirectionField& field, double length, const std::vector<bool>& creases) {
-    return Fit(surface, field, length, creases).run();
+GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
+                 const std::vector<bool>& on_lines) {
+    return Fit(surface, field, length, on_lines).run();
 }
 
 }  // namespace chebnet

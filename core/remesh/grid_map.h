@@ -22,13 +22,14 @@ struct GridMap {
     std::vector<GridPoint> corners;  ///< of the corner at which each side begins, in the coordinates of its triangle
     std::vector<int> turns;          ///< of each side: beyond it coordinates are turned by so much …
     std::vector<GridPoint> shifts;   ///< … and then moved by so much, whole cells
+    double strain = 0;               ///< root mean square of what its gradients miss the field by, in cells
 };
 
 /// The map that follows the field best with cells of the given length: least squares in the gradients, with whole
 /// numbers of cells between singular vertices. No point of a triangle's corner has a coordinate in the middle of a
-/// cell. Creases, of each side of the surface whether it is one, are on lines of the grid where the field goes along
-/// them.
+/// cell. What is to be on lines of the grid, of each side of the surface whether it is, creases or the border, is on
+/// them where the field goes along it.
 GridMap fit_grid(const Surface& surface, const DirectionField& field, double length,
-                 const std::vector<bool>& creases = {});
+                 const std::vector<bool>& on_lines = {});
 
 }  // namespace chebnet

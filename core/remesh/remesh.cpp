@@ -45,6 +45,8 @@ constexpr int k_most_lesser_nets = 2;
 constexpr double k_near = 3;
 // By which one is drawn to its place, beside edges that weigh 1 (see Pull).
 constexpr double k_pull = 10;
+// The border is on lines of the grid where the strain of this is at most so many times that without, or so small.
+constexpr double k_more_strain = 1.2, k_little_strain = 0.03;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
@@ -74,8 +76,9 @@ public:
         m_even.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell, m_creases));
         if (!m_options.singular.is_empty())
             m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
-        if (!m_creases.empty() && try_all()) return result(m_found.back());
-        m_holds_creases = false;
+        m_may_hold_border = m_options.border != RemeshOptions::Border::never && !m_surface.boundary_loops().empty();
+        if ((m_may_hold_border || !m_creases.empty()) && try_all()) return result(m_found.back());
+        m_holds_lines = false;
         if (m_found.empty() && try_all()) return result(m_found.back());
         const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
             return a.kept.missed() < b.kept.missed();
@@ -144,13 +147,31 @@ private:
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
         begin(RemeshPhase::grid);
-        const Mesh mesh =
-            mesh_of(cells_of(triangles, fit_grid(triangles, field, size * m_cell,
-                                                 m_holds_creases ? m_even->creases : std::vector<bool>())));
+        const Grid grid = grid_along(field, size * m_cell);
+        const Mesh mesh = mesh_of(cells_of(triangles, grid.map));
         check(mesh);
         begin(RemeshPhase::fit);
-        return fit_net(m_guide, mesh, {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases},
+        return fit_net(m_guide, mesh,
+                       {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases, grid.has_border},
                        [this](double done) { tell(done); });
+    }
+
+    struct Grid {
+        GridMap map;
+        bool has_border;  // on its lines
+    };
+
+    /// With the border on its lines where it is to be, or fits.
+    Grid grid_along(const DirectionField& field, double length) const {
+        const Surface& triangles = m_even->surface;
+        if (!m_holds_lines) return {fit_grid(triangles, field, length), false};
+        if (!m_may_hold_border) return {fit_grid(triangles, field, length, m_even->creases), false};
+        GridMap along = fit_grid(triangles, field, length, with_border(triangles, m_even->creases));
+        if (m_options.border == RemeshOptions::Border::always || along.strain < k_little_strain)
+            return {std::move(along), true};
+        GridMap without = fit_grid(triangles, field, length, m_even->creases);
+        const bool fits = along.strain <= k_more_strain * without.strain;
+        return {std::move(fits ? along : without), fits};
     }
 
     /// Of the singular vertices wished for, each towards its point; of others near a forbidden region, to where they
@@ -215,9 +236,10 @@ private:
     const Surface& m_surface;
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
-    double m_cell;                // the length of the grid's cells
-    std::vector<bool> m_creases;  // of each side of the surface; empty: none are followed
-    bool m_holds_creases = true;  // on lines of the grid; where no net comes of it, the field alone follows them
+    double m_cell;                   // the length of the grid's cells
+    std::vector<bool> m_creases;     // of each side of the surface; empty: none are followed
+    bool m_may_hold_border = false;  // as creases
+    bool m_holds_lines = true;  // of the grid on creases and border; where no net comes of it, the field alone is so
     std::optional<EvenTriangles> m_even;
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;

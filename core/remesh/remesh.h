@@ -14,6 +14,14 @@ namespace chebnet {
 
 /// How a whole surface is made a net.
 struct RemeshOptions {
+    /// Where the surface ends the net can end in a net line, with corners where the border has corners, or in steps, as
+    /// cells fall.
+    enum class Border {
+        fitting,  ///< in a net line if that strains the grid hardly more than it is strained without
+        always,   ///< in a net line, along all of the border that the field follows
+        never
+    };
+
     int cells = 4000;                              ///< about so many, or more where the surface is too thin for
                                                    ///< them; not asked for if there is a length
     double length = 0;                             ///< L, of all edges; 0: the one that fits with so many cells
@@ -24,6 +32,7 @@ struct RemeshOptions {
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
     /// no edge is followed.
     double crease = 0;
+    Border border = Border::fitting;
 };
 
 /// What is done, in this order.

@@ -613,6 +613,17 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
 }
 
+TEST_CASE("remesh ends nets in a net line at the border if it is told to, or never") {
+    const Sandbox box;
+    const auto coverage = [&](const std::string& border) {
+        const Run run = box.run("remesh --surface torso --cells 300 " + border);
+        INFO(run.err);
+        return run.json().at("net").at("coverage").get<double>();
+    };
+    CHECK(coverage("--border always") > coverage("--border never") + 0.01);
+    CHECK(coverage("") == coverage("--border fitting"));
+}
+
 TEST_CASE("remesh takes wishes for singular vertices, and reports which were kept") {
     const Sandbox box;
     const json pebble = box.run("remesh --surface pebble --cells 300 --out net.obj").json().at("net");
@@ -658,6 +669,7 @@ TEST_CASE("what cannot be remeshed is refused with one line") {
     check_refused(box.run("remesh saddle.obj --shear-limit 80"), "shear limit");
     check_refused(box.run("remesh saddle.obj --smoothing -1"), "smoothing");
     check_refused(box.run("remesh saddle.obj --crease 200"), "angle of creases");
+    check_refused(box.run("remesh saddle.obj --border often"), "--border");
     check_refused(box.run("remesh saddle.obj -o net.3dm"), "net.3dm");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -11,6 +12,7 @@
 
 #include "drape/drape.h"
 #include "net/measures.h"
+#include "net/repair.h"
 #include "net/topology.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
@@ -87,15 +89,69 @@ Surface stretched(const Surface& surface, const Eigen::Vector3d& by) {
     return Surface(mesh);
 }
 
+double distance_to(const Net& net, const Eigen::Vector3d& point, int a, int b) {
+    const Eigen::Vector3d from = net.rest_positions().col(a);
+    const Eigen::Vector3d edge = net.rest_positions().col(b) - from;
+    const double part = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    return (point - from - part * edge).norm();
+}
+
 double distance_to_edges(const Net& net, const Eigen::Vector3d& point) {
     double least = std::numeric_limits<double>::infinity();
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const Eigen::Vector3d from = net.rest_positions().col(net.edges()(0, e));
-        const Eigen::Vector3d edge = net.rest_positions().col(net.edges()(1, e)) - from;
-        const double part = std::clamp((point - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-        least = std::min(least, (point - from - part * edge).norm());
-    }
+    for (int e = 0; e < net.edge_count(); ++e)
+        least = std::min(least, distance_to(net, point, net.edges()(0, e), net.edges()(1, e)));
     return least;
+}
+
+/// Mean over the surface's border of the way to the nearest edge of the net's border, in its edges.
+double off_border(const Surface& surface, const Net& net) {
+    const Topology topology(net);
+    double sum = 0;
+    int count = 0;
+    for (const std::vector<int>& sides : surface.boundary_loops())
+        for (const int s : sides) {
+            const Eigen::Vector3d at =
+                (surface.positions().col(surface.from(s)) + surface.positions().col(surface.to(s))) / 2;
+            double least = std::numeric_limits<double>::infinity();
+            for (const std::vector<int>& loop : topology.boundary_loops())
+                for (std::size_t k = 0; k < loop.size(); ++k)
+                    least = std::min(least, distance_to(net, at, loop[k], loop[(k + 1) % loop.size()]));
+            sum += least;
+            ++count;
+        }
+    return sum / count / net.mean_length();
+}
+
+/// Of the vertices on the border how many have so many edges, but for those that it goes straight on at.
+std::map<int, int> border_corners(const Net& net) {
+    const Topology topology(net);
+    std::map<int, int> counts;
+    for (int v = 0; v < net.vertex_count(); ++v)
+        if (topology.is_boundary(v) && topology.valence(v) != 3) ++counts[topology.valence(v)];
+    return counts;
+}
+
+Surface plate(int m, int n, double width, double height, const std::function<bool(double, double)>& is_there) {
+    const Mesh all = samples::quads(m + 1, n + 1, false, false,
+                                    [&](int i, int j) { return Eigen::Vector3d(width * i / m, height * j / n, 0); });
+    Mesh mesh{all.positions, {}};
+    for (int f = 0; f < all.faces.size(); ++f) {
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+        for (const int v : all.faces[f]) centre += all.positions.col(v) / 4;
+        if (is_there(centre.x(), centre.y())) mesh.faces.add(all.faces[f]);
+    }
+    return Surface(repair(mesh, {Defect::unused_vertices}).mesh);
+}
+
+Surface disc() {
+    Mesh mesh = samples::sphere(16, true);
+    for (int v = 0; v < mesh.positions.cols(); ++v) {
+        const Eigen::Vector3d p = mesh.positions.col(v);
+        const double angle = std::acos(std::min(1.0, p.z())), radius = std::hypot(p.x(), p.y());
+        mesh.positions.col(v) =
+            radius > 0 ? Eigen::Vector3d(angle * p.x() / radius, angle * p.y() / radius, 0) : Eigen::Vector3d::Zero();
+    }
+    return Surface(mesh);
 }
 
 }  // namespace
@@ -248,6 +304,48 @@ TEST_CASE("Net lines follow the creases of a box if they are asked to") {
     CHECK(off_creases(made.net) < 0.1);
     CHECK(made.singular.size() == 8);
     CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * k_degree);
+}
+
+TEST_CASE("The border of a plate is a net line from corner to corner, whatever its shape") {
+    const Surface rectangle = plate(17, 6, 3.3, 1.2, [](double, double) { return true; });
+    const Net straight = remeshed(rectangle, of_cells(400), 1).net;
+    CHECK(singular_count(straight) == 0);
+    CHECK(border_corners(straight) == std::map<int, int>{{2, 4}});
+    CHECK(off_border(rectangle, straight) < 0.15);
+
+    const Surface angle = plate(20, 20, 2, 2, [](double x, double y) { return x < 0.9 || y < 0.7; });
+    const Net bent = remeshed(angle, of_cells(700), 1).net;
+    CHECK(singular_count(bent) == 0);
+    CHECK(border_corners(bent) == std::map<int, int>{{2, 5}, {4, 1}});
+    CHECK(off_border(angle, bent) < 0.2);
+}
+
+TEST_CASE("A net with one net line for its border has singular vertices within, as many as its border turns") {
+    const Surface round = disc();
+    RemeshOptions options = of_cells(400);
+    const Net made = remeshed(round, options, 1).net;
+    CHECK(border_corners(made).empty());
+    CHECK(Topology(made).singular_vertices() == std::map<int, int>{{3, 4}});
+    CHECK(off_border(round, made) < 0.6);
+    options.border = RemeshOptions::Border::never;
+    const auto guide = std::make_shared<const Guide>(round);
+    const Net before = remesh(guide, options).net;
+    CHECK(off_border(round, before) > 0.8);
+    CHECK(measure_drape(round, guide->tree(), made).coverage > measure_drape(round, guide->tree(), before).coverage);
+
+    const Surface half = Surface(samples::sphere(16, true));
+    CHECK(border_corners(remeshed(half, of_cells(500), 1).net).empty());
+}
+
+TEST_CASE("Where a net line along the border would strain the net it is there only if it is asked for") {
+    const Surface shell = make_own_surface("shell");
+    RemeshOptions options = of_cells(600);
+    const Net fitting = remeshed(shell, options, 1).net;
+    CHECK(border_corners(fitting).at(2) > 4);
+    options.border = RemeshOptions::Border::always;
+    const Net always = remeshed(shell, options, 1).net;
+    CHECK(border_corners(always) == std::map<int, int>{{2, 4}});
+    CHECK(off_border(shell, always) < off_border(shell, fitting));
 }
 
 TEST_CASE("Creases, borders and singular vertices wished for go together") {

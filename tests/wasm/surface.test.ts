@@ -239,7 +239,24 @@ describe('a net over a whole surface', () => {
       );
       expect(message({ forbidden: [{ centre: at, radius: 0 }] })).toContain('radius');
       expect(message({ crease: 9 })).toContain('angle of creases');
+      expect(message({ border: 'often' as never })).toContain('often');
       expect(message({ forbidden: 'all' as never })).toContain('must be an array');
+    });
+  });
+
+  test('ends the net in a net line where the surface ends if that is asked for', () => {
+    withSurface(chebnet.ownSurface('shell'), (shell) => {
+      const corners = (options: RemeshOptions) => {
+        const { mesh } = shell.remesh({ cells: 300, ...options });
+        const editor = chebnet.openMesh(mesh);
+        const degrees = new Map<number, number>();
+        for (const vertex of editor.edges) degrees.set(vertex, (degrees.get(vertex) ?? 0) + 1);
+        editor.dispose();
+        return [...degrees.values()].filter((degree) => degree === 2).length;
+      };
+      expect(corners({ border: 'always' })).toBe(4);
+      expect(corners({ border: 'never' })).toBeGreaterThan(4);
+      expect(corners({})).toBe(corners({ border: 'fitting' }));
     });
   });
 

@@ -17,6 +17,9 @@ const BORDERS = ['beyond', 'cut', 'inside'] as const;
 /** How far the net may leave the surface where it locks, in edge lengths. */
 const HEIGHTS = [0, 0.1, 0.25, 0.5, 1];
 
+/** The same of a net over the whole surface. */
+const LINES = ['fitting', 'always', 'never'] as const;
+
 /** Edges of the surface that are sharper are followed, degrees; 0: none are. */
 const CREASES = [0, 30, 45, 60];
 
@@ -46,6 +49,11 @@ export class DrapeForm {
     HEIGHTS.map((height) => ({ value: String(height), text: TEXT.leaves(height) })),
     () => this.#events.changed(),
   );
+  readonly #line = makeSelect(
+    TEXT.border,
+    LINES.map((value) => ({ value, text: TEXT.lines[value] })),
+    () => {},
+  );
   readonly #crease = makeSelect(
     TEXT.crease,
     CREASES.map((degrees) => ({ value: String(degrees), text: TEXT.creases(degrees) })),
@@ -55,6 +63,8 @@ export class DrapeForm {
   readonly #kinds: ReturnType<typeof makeSelect>;
   /** What only a net from a seed has. */
   readonly #pieceRows: HTMLElement[];
+  /** What only a net over the whole surface has. */
+  readonly #wholeRows: HTMLElement[];
   #area = 1;
   #seed: Seed | null = null;
   #direction: Point = [1, 0, 0];
@@ -73,9 +83,10 @@ export class DrapeForm {
     this.#length.addEventListener('change', () => this.#chooseLength());
     this.#angle.input.value = '90';
     this.#shear.box.checked = true;
-    this.#crease.row.hidden = true;
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
     this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#border.row, this.#leave.row];
+    this.#wholeRows = [this.#line.row, this.#crease.row];
+    for (const row of this.#wholeRows) row.hidden = true;
     this.element = make(
       'div',
       { class: 'settings' },
@@ -83,7 +94,7 @@ export class DrapeForm {
       this.#kinds.row,
       this.#cells.row,
       ...this.#pieceRows,
-      this.#crease.row,
+      ...this.#wholeRows,
       this.#shear.row,
     );
     this.#show();
@@ -99,6 +110,7 @@ export class DrapeForm {
     return {
       cells: Math.round(cellsOf(this.#length.valueAsNumber, this.#area)),
       crease: Number(this.#crease.select.value) * DEGREE,
+      border: this.#line.select.value as (typeof LINES)[number],
     };
   }
 
@@ -132,7 +144,7 @@ export class DrapeForm {
 
   #chooseKind(): void {
     for (const row of this.#pieceRows) row.hidden = this.isWhole;
-    this.#crease.row.hidden = !this.isWhole;
+    for (const row of this.#wholeRows) row.hidden = !this.isWhole;
     this.#events.kindChanged();
   }
 

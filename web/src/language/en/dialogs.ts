@@ -125,6 +125,11 @@ export const dialogs = {
     leaves: (height: number) =>
       height === 0 ? 'a gap stays' : `up to ${height === 1 ? 'an edge' : `${height} edges`} off`,
     borders: { beyond: 'whole cells', cut: 'rods cut at it', inside: 'no cell over it' },
+    lines: {
+      fitting: 'a net line if it fits',
+      always: 'a net line',
+      never: 'steps, as cells fall',
+    },
     crease: 'Sharp edges',
     creases: (degrees: number) => (degrees === 0 ? 'not followed' : `followed over ${degrees}°`),
     showShear: 'Colours by shear, red at 60°',
