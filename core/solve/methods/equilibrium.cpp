@@ -10,41 +10,17 @@
 #include "net/measures.h"
 #include "solve/methods/methods.h"
 #include "solve/parts/corner_limit.h"
-#include "solve/parts/length_projection.h"
-#include "solve/parts/nearest_rotation.h"
-#include "solve/parts/stopping.h"
+#include "solve/parts/handle_walk.h"
+#include "solve/parts/net_constraints.h"
+#include "solve/parts/rest_energy.h"
 #include "solve/parts/tangent_newton.h"
-#include "solve/terms/bending_term.h"
-#include "solve/terms/closeness_term.h"
-#include "solve/terms/load_terms.h"
-#include "solve/terms/shear_term.h"
 
 namespace chebnet {
 
 namespace {
 
-// Where handles move by more edge lengths than one step takes, the net follows in several: in few up to what a hand
-// does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
-// that would.
-constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.25, k_careful_step = 0.125;
-constexpr double k_least_stride = 1.0 / 100;  // of the way: far jumps end, too
-// Of a step: where so little is left of it, the net is about to be taut.
-constexpr double k_least_progress = 0.1;
-// A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
-// rough in one does not grow from step to step.
-constexpr double k_repeated = 0.95, k_most_repeated = 2;
-// Handles that are as near to their places of rest, in edge lengths, in the same arrangement, are at home: there the
-// rest shape is the answer.
-constexpr double k_home = 1e-6;
-// What the last net counts for, beside one handle, where handles alone do not say how the rest shape is turned.
-constexpr double k_free_weight = 1e-10;
-// Handles that are nearer to one line than this leave a turn about it free.
-constexpr double k_determined = 1e-6;
-// Tries of such a step, at once or in shorter ones.
+// Tries of a step of the walk, at once or in shorter ones.
 constexpr int k_most_trials = 8;
-// Nets are projected until no length errs by more than this part, dL < 1e-10, or by less if the threshold asks for it.
-constexpr double k_exact_error = 1e-5;
-constexpr int k_most_projections = 15, k_patience = 4;  // in all, and without coming closer
 // Iterations within a Newton step: few while handles may still be moving, more as it settles. With fewer than this the
 // steps of a drag are so rough that what the next one repeats of them grows.
 constexpr double k_inner_tolerance = 0.05;
@@ -58,55 +34,14 @@ constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
 constexpr int k_most_halvings = 8;
 // The limit aims a little higher than it has to be, so that it is met in spite of its tolerance.
 constexpr double k_limit_margin = 0.02;  // degrees
-// Shear is reckoned from no corner sharper than this, even without a limit.
-constexpr double k_least_open_angle = 15;  // degrees
-// A guide that holds weighs so many times as much as one that draws.
-constexpr double k_hold = 100;
 // How often corners may join those that are held, or leave them, in one step.
-constexpr int k_most_rounds = 4, k_most_openings = 6, k_most_joins = 6;
+constexpr int k_most_joins = 6, k_most_rounds = 4;
 // After so many the rest shape is taken as far as it has come.
 constexpr int k_most_steps_of_opening = 100;
 // At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
 // Less force than this moves nothing: a net that comes at rest need not be tried.
 constexpr double k_no_force = 1e-9;
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
-/// Of energy and limit.
-bool ask_for_the_same(const Options& a, const Options& b) {
-    return a.shear_limit == b.shear_limit && a.bending_weight == b.bending_weight && a.shear_weight == b.shear_weight &&
-           a.straight_rods == b.straight_rods && a.gravity == b.gravity && a.guide_mode == b.guide_mode &&
-           a.guide_weight == b.guide_weight;
-}
-
-struct RigidMotion {
-    Eigen::Vector3d from_centre, to_centre;
-    Eigen::Quaterniond rotation;
-    bool is_determined;  // by what it was fitted to: no turn about a point or a line would do as well
-
-    Eigen::Vector3d of(const Eigen::Vector3d& x) const { return to_centre + rotation * (x - from_centre); }
-};
-
-/// The one with the least Σ weight · ‖motion(from) − to‖² (Kabsch 1976).
-RigidMotion fit(const Positions& from, const Positions& to, const Eigen::VectorXd& weight) {
-    RigidMotion motion{{0, 0, 0}, {0, 0, 0}, Eigen::Quaterniond::Identity(), false};
-    for (Eigen::Index v = 0; v < to.cols(); ++v) {
-        motion.from_centre += weight[v] * from.col(v);
-        motion.to_centre += weight[v] * to.col(v);
-    }
-    motion.from_centre /= weight.sum();
-    motion.to_centre /= weight.sum();
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (Eigen::Index v = 0; v < to.cols(); ++v)
-        covariance += weight[v] * (to.col(v) - motion.to_centre) * (from.col(v) - motion.from_centre).transpose();
-    motion.rotation = nearest_rotation(covariance, Eigen::Quaterniond::Identity());
-    // The product of the two largest singular values against the square of the largest.
-    Eigen::Matrix3d minors;
-    for (int k = 0; k < 3; ++k) minors.col(k) = covariance.col((k + 1) % 3).cross(covariance.col((k + 2) % 3));
-    motion.is_determined = minors.norm() > k_determined * covariance.squaredNorm();
-    return motion;
-}
 
 class Equilibrium : public Method {
 public:
@@ -134,34 +69,20 @@ private:
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy);
-    void choose_energy();
-    std::unique_ptr<Term> closeness() const;
-    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
     bool prepare_energy(const Positions& positions, bool same_energy);
+    void begin_walk_home();
     Stage first_stage(const Positions& positions);
-    Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const;
-    Eigen::Vector3d free_part(int vertex, const Positions& positions) const;
-    void take_held(const Positions& from, int vertex, Positions& to) const;
-    void take_free(const Positions& from, int vertex, Positions& to) const;
     bool was_left(const Positions& before, const Positions& positions) const;
-    void begin_walk(const Positions& positions);
     Status find_net(Positions& positions, TraceRow& row);
     Status begin_rest(Status of_projection, Positions& positions);
     Status follow_handles(Positions& positions, TraceRow& row);
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
-    void predict(Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
-    bool rests_at_home() const;
-    double way_left(const Positions& from) const;
-    bool is_arrangement_of(const Positions& shape) const;
-    Positions placed(const Positions& shape) const;
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
-    void watch_corners(const Positions& positions);
-    void hold(const std::vector<double>& held);
     bool linearise(const Positions& positions);
     void take_step(Positions& positions, TraceRow& row);
     double gradient_norm() const;
@@ -170,17 +91,14 @@ private:
     double find_move();
     double find_move_beside_corners(const Positions& positions);
     double step_along(Positions& positions, double slope, double whole);
-    double error_cost() const;
-    bool project(Positions& positions);
-    double exact_error() const { return std::min(k_exact_error, std::sqrt(m_options.threshold) / 2); }
-    bool project_lengths(Positions& positions);
+    double error_cost();
+    bool project(Positions& positions) { return m_constraints->project(positions, m_options.threshold); }
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
     std::vector<int> m_held;  // the vertices that are fixed, then those that slide
     std::vector<bool> m_is_free;
     std::vector<Slide> m_slides;
-    std::vector<Axes> m_axes;  // V, along which a vertex may move
     std::vector<Pull> m_pulls;
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     std::shared_ptr<const Guide> m_guide;
@@ -191,28 +109,25 @@ private:
     Positions m_rest_shape;  // empty: not known
     std::unique_ptr<FreePart> m_part;
     std::unique_ptr<Method> m_projection;
-    std::unique_ptr<LengthProjection> m_lengths;  // for the net and the corners watched, whatever the handles
+    std::unique_ptr<NetConstraints> m_constraints;  // whatever the handles
+    RestEnergy m_rest_energy;
     std::unique_ptr<TangentNewton> m_newton;
     bool m_has_metric = false;  // of the terms as they are
-    std::vector<std::unique_ptr<Term>> m_terms;
-    CornerLimit m_limit;
+    HandleWalk m_walk;          // stage 2
 
     Options m_options;
     bool m_reachable = true, m_only_nets = false;
     const Positions* m_last_net = nullptr;  // of the problem
     Stage m_stage = net;
-    int m_steps = 0;                    // Newton steps of this solve
-    double m_radius = 0;                // no vertex moves farther in the next step
-    bool m_is_linearised = false;       // at m_result, as m_newton is
-    bool m_is_still = false;            // the last step was a whole one, and short
-    bool m_is_careful = false;          // corners are let go one by one: together they led nowhere
-    double m_lack = 0;                  // of the limit, at m_result
-    Positions m_result;                 // where the method last left the net; empty: nowhere
-    Positions m_walk_from, m_walk_to;   // of stage 2: the handles' places
-    double m_walked = 0, m_stride = 1;  // parts of the way: done, and of the next step
-    bool m_was_placed = false;          // the rest shape, in this solve: a walk has begun there
-    Positions m_stuck_at;               // where a walk before that ended early; empty: none did
-    Eigen::Matrix3Xd m_last_move;       // of the net, in the last step of stage 2
+    int m_steps = 0;               // Newton steps of this solve
+    double m_radius = 0;           // no vertex moves farther in the next step
+    bool m_is_linearised = false;  // at m_result, as m_newton is
+    bool m_is_still = false;       // the last step was a whole one, and short
+    bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
+    double m_lack = 0;             // of the limit, at m_result
+    Positions m_result;            // where the method last left the net; empty: nowhere
+    bool m_was_placed = false;     // the rest shape, in this solve: a walk has begun there
+    Positions m_stuck_at;          // where a walk before that ended early; empty: none did
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
     Eigen::Matrix3Xd m_gradient;
@@ -224,8 +139,8 @@ private:
 void Equilibrium::prepare(const Problem& problem) {
     const Net& of = problem.net;
     if (m_net != &of) {
-        m_lengths.reset();
-        m_terms.clear();
+        m_constraints.reset();
+        m_rest_energy.forget();
         m_result.resize(3, 0);
         forget_rest_shape();
     }
@@ -234,12 +149,12 @@ void Equilibrium::prepare(const Problem& problem) {
     m_held.assign(problem.fixed.begin(), problem.fixed.end());
     m_is_free = free_vertices(of.vertex_count(), m_held);
     m_slides.assign(problem.slides.begin(), problem.slides.end());
-    m_axes = axes_of_motion(m_is_free, m_slides);
     for (const Slide& slide : m_slides) m_held.push_back(slide.vertex);
+    m_walk.set_handles(m_held, axes_of_motion(m_is_free, m_slides));
+    m_walk.forget_moves(of.vertex_count());
     m_part = std::make_unique<FreePart>(of, m_is_free);
     m_projection.reset();
     m_newton.reset();
-    m_last_move.setZero(3, of.vertex_count());
     m_has_metric = m_is_still = m_is_linearised = false;
 }
 
@@ -273,7 +188,8 @@ bool Equilibrium::take_guide(const Problem& problem) {
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_pulls(problem.pulls);
     const bool same_guide = take_guide(problem);
-    const bool same_energy = same_guide && !m_terms.empty() && !m_pulls_changed && ask_for_the_same(m_options, options);
+    const bool same_energy =
+        same_guide && m_rest_energy.is_chosen() && !m_pulls_changed && RestEnergy::is_the_same(m_options, options);
     if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
     m_options = options;
     m_reachable = problem.reachable;
@@ -296,7 +212,7 @@ void Equilibrium::forget_rest_shape() {
 
 CornerLimit Equilibrium::limit() const {
     if (m_options.shear_limit == 0) return CornerLimit();
-    return CornerLimit(*m_net, radians(m_options.shear_limit + k_limit_margin));
+    return CornerLimit(*m_net, (m_options.shear_limit + k_limit_margin) * std::numbers::pi / 180);
 }
 
 /// False if the rest shape is a net within the limit, or shall stay as it is.
@@ -338,12 +254,12 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
         if (status == Status::converged && can_rest) m_stage = rest;
         if (m_stage == net) return status;
     }
-    if (m_stage == follow) begin_walk(positions);
-    if (m_stage == follow && !m_only_nets && rests_at_home()) {
-        const double way = way_left(m_result), any = std::numeric_limits<double>::infinity();
-        begin_at_rest_shape(is_arrangement_of(m_net->rest_positions()) ? any : way > k_fast_drag ? way : k_home);
+    if (m_stage == follow) {
+        m_walk.begin(m_result, positions, m_net->mean_length());
+        if (!m_only_nets) begin_walk_home();
+    } else {
+        m_walk.forget_moves(m_net->vertex_count());
     }
-    if (m_stage != follow) m_last_move.setZero();
     if (m_stage != rest) return Status::running;
     enter_rest(positions);
     if (!is_at_rest()) return Status::running;
@@ -351,20 +267,36 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     return Status::converged;
 }
 
+/// Where handles are at home, or jump to where the rest shape is nearer than the last net, the walk begins at the rest
+/// shape: at home that is the answer.
+void Equilibrium::begin_walk_home() {
+    if (!RestEnergy::is_least_at_rest_shape(m_options, m_pulls, m_guide.get())) return;
+    if (m_walk.ends_as_in(m_net->rest_positions(), m_result))
+        begin_at_rest_shape(std::numeric_limits<double>::infinity());
+    else
+        begin_at_rest_shape(m_walk.is_jump() ? m_walk.length() : HandleWalk::k_same);
+}
+
 /// False if the systems for it would be too large.
 bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
-        if (!same_energy) choose_energy();
-        if (!m_pulls.empty()) m_terms.back() = std::make_unique<PullTerm>(*m_net, m_pulls);
+        if (!same_energy) {
+            m_rest_energy.choose(*m_net, *m_topology, m_rest_shape, m_options, m_pulls, m_guide.get(), m_unit);
+            m_constraints.reset();
+            m_has_metric = m_pulls_changed = false;
+        }
+        m_rest_energy.move_pulls(*m_net, m_pulls);
         if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part, m_slides);
-        if (!m_lengths) watch_corners(positions);
+        if (!m_constraints)
+            m_constraints =
+                std::make_unique<NetConstraints>(*m_net, *m_topology, limit(), m_is_free, m_slides, positions);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large) throw;
         return false;
     }
-    if (!m_has_metric) m_newton->set_metric(m_terms);
+    if (!m_has_metric) m_newton->set_metric(m_rest_energy.terms());
     m_has_metric = true;
-    m_lengths->system().set_free(m_is_free, m_slides);
+    m_constraints->set_free(m_is_free, m_slides);
     return true;
 }
 
@@ -384,83 +316,12 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
     return max_deviation(*m_net, m_result) < m_options.threshold ? follow : net;
 }
 
-/// What of a vertex's move is the handles' to say: all of it, but along the axes of what slides.
-Eigen::Vector3d Equilibrium::held_part(int vertex, const Eigen::Vector3d& move) const {
-    return across(m_axes[vertex], move);
-}
-
-Eigen::Vector3d Equilibrium::free_part(int vertex, const Positions& positions) const {
-    return across(k_all_axes - m_axes[vertex], positions.col(vertex));
-}
-
-void Equilibrium::take_held(const Positions& from, int vertex, Positions& to) const {
-    copy_along(k_all_axes - m_axes[vertex], from.col(vertex).data(), to.col(vertex).data());
-}
-
-void Equilibrium::take_free(const Positions& from, int vertex, Positions& to) const {
-    copy_along(m_axes[vertex], from.col(vertex).data(), to.col(vertex).data());
-}
-
 /// Whether what is free stands where it was in a state of before.
 bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
     if (before.cols() == 0) return false;
     for (int v : m_part->vertices())
-        if (positions.col(v) != before.col(v) && free_part(v, positions) != free_part(v, before)) return false;
+        if (!m_walk.stands_the_same(v, before, positions)) return false;
     return true;
-}
-
-/// From m_result to where the handles stand now.
-void Equilibrium::begin_walk(const Positions& positions) {
-    m_walk_from = m_result;
-    m_walk_to = positions;
-    const double lengths = way_left(m_walk_from);
-    const double stride = (lengths <= k_fast_drag ? k_fast_step : k_careful_step) / lengths;
-    m_stride = lengths <= k_one_step ? 1 : std::max(stride, k_least_stride);
-    m_walked = 0;
-}
-
-/// Whether the rest shape is at rest where handles do not deform it.
-bool Equilibrium::rests_at_home() const {
-    const bool is_guided = m_guide != nullptr && m_options.guide_mode != 0;
-    return m_pulls.empty() && !is_guided && m_options.gravity == 0 && !m_options.straight_rods;
-}
-
-/// The farthest that a handle has to go from this net, in edge lengths.
-double Equilibrium::way_left(const Positions& from) const {
-    double longest = 0;
-    for (int v : m_held) longest = std::max(longest, held_part(v, m_walk_to.col(v) - from.col(v)).norm());
-    return longest / m_net->mean_length();
-}
-
-void Equilibrium::choose_energy() {
-    const auto bending = m_options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
-    m_terms.clear();
-    m_terms.push_back(
-        std::make_unique<BendingTerm>(*m_net, *m_topology, m_rest_shape, m_options.bending_weight, bending));
-    m_terms.push_back(std::make_unique<ShearTerm>(*m_net, m_rest_shape, m_options.shear_weight,
-                                                  ShearTerm::Reference::rest,
-                                                  radians(std::max(m_options.shear_limit, k_least_open_angle))));
-    if (m_options.gravity > 0)
-        m_terms.push_back(std::make_unique<GravityTerm>(*m_net, m_options.gravity, -Eigen::Vector3d::UnitZ()));
-    if (m_guide != nullptr && m_options.guide_mode != 0) m_terms.push_back(closeness());
-    if (!m_pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(*m_net, m_pulls));
-    m_limit = limit();
-    m_lengths.reset();
-    m_has_metric = m_pulls_changed = false;
-}
-
-std::unique_ptr<Term> Equilibrium::closeness() const {
-    const auto mode = static_cast<GuideMode>(m_options.guide_mode);
-    const double weight = mode == GuideMode::near ? m_options.guide_weight : k_hold * m_options.guide_weight;
-    const auto side = mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both;
-    return make_closeness_term(*m_net, *m_guide, m_unit, weight, side);
-}
-
-double Equilibrium::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
-    gradient.setZero(3, x.cols());
-    double energy = 0;
-    for (const auto& term : m_terms) energy += term->evaluate(x, gradient);
-    return energy;
 }
 
 Status Equilibrium::iterate(Positions& positions, TraceRow& row) {
@@ -491,11 +352,11 @@ Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
 /// From where `projection` has ended like this, if it has found a net.
 Status Equilibrium::begin_rest(Status of_projection, Positions& positions) {
     if (of_projection != Status::converged || !m_reachable) return of_projection;
-    if (!m_lengths || !m_newton) return Status::exact;
+    if (!m_constraints || !m_newton) return Status::exact;
     const Positions found = positions;
     if (!project(positions)) {
         positions = found;
-        m_lack = m_limit.largest_lack(positions);
+        m_lack = m_constraints->lack(positions);
         return stuck();
     }
     enter_rest(positions);
@@ -504,24 +365,24 @@ Status Equilibrium::begin_rest(Status of_projection, Positions& positions) {
 
 /// One step of the walk, and one towards rest there.
 Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
-    const double before = m_walked;
+    const double before = m_walk.walked();
     Positions x = m_result;
-    walk(std::min(1.0, m_walked + m_stride), x);
-    if (m_only_nets && m_walked - before < k_least_progress * std::min(m_stride, 1 - before)) {
+    walk(m_walk.next(), x);
+    if (m_only_nets && m_walk.is_nearly_stuck_since(before)) {
         positions = m_result;
         return Status::unreachable;
     }
-    if (m_walked == before) return find_another_net(positions);
+    if (m_walk.walked() == before) return find_another_net(positions);
     enter_rest(x);
     if (m_is_linearised) take_step(x, row);
-    m_last_move = x - m_result;
+    m_walk.note_move(x - m_result);
     m_result = x;
     if (m_only_nets)
         positions = x;
     else
-        for (int v : m_part->vertices()) take_free(x, v, positions);
+        for (int v : m_part->vertices()) m_walk.take_free(v, x, positions);
     m_max_deviation = max_deviation(*m_net, positions);
-    if (m_walked < 1) {
+    if (m_walk.walked() < 1) {
         m_stage = follow;
         m_steps = 0;
     }
@@ -529,49 +390,34 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
 }
 
 /// From net to net until the handles are this part of their way: at once or, where there is no net so far, in shorter
-/// steps, but not too many. Leaves in m_walked how far they have come.
+/// steps, but not too many.
 void Equilibrium::walk(double part, Positions& x) {
-    double stride = part - m_walked;
-    for (int trial = 0; trial < k_most_trials && m_walked < part; ++trial) {
-        const double next = stride < part - m_walked ? m_walked + stride : part;
+    double stride = part - m_walk.walked();
+    for (int trial = 0; trial < k_most_trials && m_walk.walked() < part; ++trial) {
+        const double next = stride < part - m_walk.walked() ? m_walk.walked() + stride : part;
         Positions y = x;
         if (move_handles(next, y)) {
             x = y;
-            m_walked = next;
+            m_walk.go_to(next);
         } else {
             stride /= 2;
         }
     }
 }
 
-/// Takes the handles to this part of their way and makes the rest follow. False if that gives no net.
+/// Takes the handles to this part of their way. What is free follows as in the last step, as far as this one is like
+/// it, and for the rest as smoothly as the energy's bound allows. False if that gives no net.
 bool Equilibrium::move_handles(double part, Positions& x) {
-    const std::vector<double> held = m_limit.held();
-    Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (int v : m_held)
-        moves.col(v) = held_part(v, m_walk_from.col(v) + part * (m_walk_to.col(v) - m_walk_from.col(v)) - x.col(v));
-    predict(moves);
-    x += moves;
-    if (part == 1)
-        for (int v : m_held) take_held(m_walk_to, v, x);
-    if (project(x)) return true;
-    hold(held);
-    return false;
-}
-
-/// How free vertices follow the moves of fixed ones: as they did in the last step, as far as this one is like it, and
-/// for the rest as smoothly as the energy's bound allows.
-void Equilibrium::predict(Eigen::Matrix3Xd& moves) {
-    double along = 0, before = 0;
-    for (int v : m_held) {
-        const Eigen::Vector3d last = held_part(v, m_last_move.col(v));
-        along += moves.col(v).dot(last);
-        before += last.squaredNorm();
-    }
-    const double part = before > 0 ? k_repeated * std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
-    for (int v : m_held) moves.col(v) -= part * held_part(v, m_last_move.col(v));
+    const std::vector<double> held = m_constraints->held();
+    Eigen::Matrix3Xd moves = m_walk.moves_to(part, x);
+    const double repeated = m_walk.take_off_repeated(moves);
     m_newton->extend(moves);
-    moves += part * m_last_move;
+    moves += repeated * m_walk.last_move();
+    x += moves;
+    if (part == 1) m_walk.take_held(m_walk.end(), x);
+    if (project(x)) return true;
+    m_constraints->hold(held);
+    return false;
 }
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else by `projection`.
@@ -591,38 +437,21 @@ Status Equilibrium::find_another_net(Positions& positions) {
 /// net, or handles would have as far to go as this, in edge lengths.
 bool Equilibrium::begin_at_rest_shape(double nearer_than) {
     if (m_was_placed || !(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) return false;
-    const Positions start = placed(m_rest_shape);
-    if (!(way_left(start) < nearer_than)) return false;
+    const Positions start = m_walk.placed(m_rest_shape, m_result);
+    if (!(m_walk.way_left(start) < nearer_than)) return false;
     m_was_placed = true;
     m_result = start;
     // As if nothing had been before, so that the end does not depend on it.
     if (!prepare_energy(m_result, false)) return false;
     m_newton->forget_multipliers();
-    m_last_move.setZero();
-    begin_walk(m_walk_to);
+    m_walk.forget_moves(m_net->vertex_count());
+    m_walk.begin(m_result, m_walk.end(), m_net->mean_length());
     return true;
-}
-
-/// Whether handles are to be as they are in this shape, wherever that is.
-bool Equilibrium::is_arrangement_of(const Positions& shape) const { return way_left(placed(shape)) < k_home; }
-
-/// A shape, turned and shifted to where handles are to be, what slides to where it has slid, and as far as that leaves
-/// it free, to the last net.
-Positions Equilibrium::placed(const Positions& shape) const {
-    Positions to = m_result;
-    for (int v : m_held) take_held(m_walk_to, v, to);
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(to.cols());
-    for (int v : m_held) weight[v] = 1;
-    if (m_held.size() < 3 || !fit(shape, to, weight).is_determined)
-        weight.array() += k_free_weight / static_cast<double>(to.cols());
-    const RigidMotion motion = fit(shape, to, weight);
-    for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = motion.of(shape.col(v));
-    return to;
 }
 
 void Equilibrium::enter_rest(const Positions& positions) {
     m_stage = rest;
-    m_energy = evaluate(positions, m_gradient);
+    m_energy = m_rest_energy.evaluate(positions, m_gradient);
     m_max_deviation = max_deviation(*m_net, positions);
     linearise(positions);
     m_radius = k_most_move * m_net->mean_length();
@@ -666,7 +495,7 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     Stopwatch watch;
     m_origin = positions;
     const double slope = find_move_beside_corners(positions);
-    const double whole = m_limit.part_until_short(positions, m_direction);
+    const double whole = m_constraints->part_until_short(positions, m_direction);
     row.step = step_along(positions, slope, whole);
     row.line_search_ms = watch.milliseconds();
     const double L = m_net->mean_length(), moved = row.step * m_direction.colwise().norm().maxCoeff();
@@ -682,7 +511,7 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
 void Equilibrium::renew_factor(TraceRow& row) {
     if (m_steps == 1 || m_newton->inner_iterations() > k_old_factor_iterations) m_newton->forget_factor();
     if (m_steps <= k_cheap_steps || m_newton->has_factor()) return;
-    m_newton->factorize(m_terms);
+    m_newton->factorize(m_rest_energy.terms());
     row.factorisation_ms = m_newton->factorisation_ms();
 }
 
@@ -690,12 +519,11 @@ void Equilibrium::renew_factor(TraceRow& row) {
 /// what they leave of the first move is good enough. Returns its slope; with 0 none may have been found.
 double Equilibrium::find_move_beside_corners(const Positions& positions) {
     for (int round = 0;; ++round) {
-        const Eigen::VectorXd excess = m_limit.excess(m_lengths->system());
+        const Eigen::VectorXd excess = m_constraints->excess();
         if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) break;
         const double slope = round > 0 && m_steps == 1 ? m_newton->restrict(m_direction) : find_move();
-        if (round == k_most_joins || m_limit.hold_blocking_ones(positions, m_direction) == 0) return slope;
-        m_limit.apply(m_lengths->system());
-        if (!m_newton->linearise(positions, m_gradient, *m_lengths)) break;
+        if (round == k_most_joins || !m_constraints->hold_blocking_ones(positions, m_direction)) return slope;
+        if (!m_newton->linearise(positions, m_gradient, m_constraints->lengths())) break;
     }
     m_direction.setZero(3, positions.cols());
     return 0;
@@ -707,27 +535,26 @@ double Equilibrium::find_move() {
     const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
                                              : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
     if (m_steps > 1) {
-        const double slope =
-            m_newton->find_move(m_terms, Curvature::exact, inner, k_inner_tolerance, m_radius, m_direction);
+        const double slope = m_newton->find_move(m_rest_energy.terms(), Curvature::exact, inner, k_inner_tolerance,
+                                                 m_radius, m_direction);
         if (!m_newton->met_negative_curvature()) return slope;
     }
-    return m_newton->find_move(m_terms, Curvature::convex, inner, k_inner_tolerance, m_radius, m_direction);
+    return m_newton->find_move(m_rest_energy.terms(), Curvature::convex, inner, k_inner_tolerance, m_radius,
+                               m_direction);
 }
 
 /// Armijo backtracking from m_origin along this part of m_direction, with a projection onto the lengths after each
 /// trial. Returns the part of the direction that was accepted; 0: none, and the positions stay.
 double Equilibrium::step_along(Positions& positions, double slope, double whole) {
     const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
-    const std::vector<double> held = m_limit.held();
+    const std::vector<double> held = m_constraints->held();
     const double before = m_energy + m_newton->error_cost();
     double step = whole;
     for (int trial = 0; (slope < 0 || opens) && trial <= k_most_halvings; ++trial, step /= 2) {
-        m_limit.set_held(held);
-        m_limit.approach(held, step);
-        m_limit.apply(m_lengths->system());
+        m_constraints->hold_closer(held, step);
         positions = m_origin + step * m_direction;
         if (!project(positions)) continue;
-        const double energy = evaluate(positions, m_next_gradient);
+        const double energy = m_rest_energy.evaluate(positions, m_next_gradient);
         if (!opens && !(energy + error_cost() <= before + k_sufficient_decrease * step * slope)) continue;
         m_energy = energy;
         m_gradient.swap(m_next_gradient);
@@ -735,64 +562,25 @@ double Equilibrium::step_along(Positions& positions, double slope, double whole)
         return step;
     }
     positions = m_origin;
-    hold(held);
-    evaluate(positions, m_gradient);
+    m_constraints->hold(held);
+    m_rest_energy.evaluate(positions, m_gradient);
     linearise(positions);
     return 0;
 }
 
 /// λ·c of the edges at the positions last projected, by the multipliers of before.
-double Equilibrium::error_cost() const {
-    return dense::dot(m_newton->multipliers().data(), m_lengths->system().errors().data(), m_net->edge_count());
-}
-
-/// Onto the lengths, and out of corners that are too sharp. False if the lengths are not reached.
-bool Equilibrium::project(Positions& positions) {
-    for (int round = 0; round < k_most_openings; ++round) {
-        if (!project_lengths(positions)) return false;
-        if (m_limit.needs_more_rows(positions)) watch_corners(positions);
-        if (m_limit.hold_short_ones(positions) == 0) break;
-        m_limit.apply(m_lengths->system());
-    }
-    return max_deviation(*m_net, positions) < m_options.threshold || project_lengths(positions);
-}
-
-bool Equilibrium::project_lengths(Positions& positions) {
-    double best = std::numeric_limits<double>::infinity();
-    for (int k = 0, patience = k_patience; k < k_most_projections && patience > 0; ++k, --patience) {
-        if (!m_lengths->project(positions)) return false;
-        m_lengths->system().assemble(positions);
-        const double error = m_lengths->system().errors().lpNorm<Eigen::Infinity>();
-        if (error < exact_error()) break;
-        if (error < best / 2) patience = k_patience;
-        best = std::min(best, error);
-    }
-    return max_deviation(*m_net, positions) < m_options.threshold;
-}
-
-/// A system of lengths with rows for the corners that are sharp now.
-void Equilibrium::watch_corners(const Positions& positions) {
-    m_limit.watch(positions);
-    m_lengths = std::make_unique<LengthProjection>(*m_net, *m_topology, m_limit.watched());
-    m_lengths->system().set_free(m_is_free, m_slides);
-    m_limit.apply(m_lengths->system());
-    m_lengths->system().assemble(positions);
-}
-
-void Equilibrium::hold(const std::vector<double>& held) {
-    m_limit.set_held(held);
-    m_limit.apply(m_lengths->system());
+double Equilibrium::error_cost() {
+    const Eigen::VectorXd& errors = m_constraints->lengths().system().errors();
+    return dense::dot(m_newton->multipliers().data(), errors.data(), m_net->edge_count());
 }
 
 /// With the rows of corners that push.
 bool Equilibrium::linearise(const Positions& positions) {
-    m_lack = m_limit.largest_lack(positions);
-    m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
+    m_lack = m_constraints->lack(positions);
+    m_is_linearised = m_newton->linearise(positions, m_gradient, m_constraints->lengths());
     for (int round = 0; m_is_linearised && round < k_most_rounds; ++round) {
-        const Eigen::VectorXd& multipliers = m_newton->multipliers();
-        if ((m_is_careful ? m_limit.release_one(multipliers) : m_limit.release(multipliers)) == 0) break;
-        m_limit.apply(m_lengths->system());
-        m_is_linearised = m_newton->linearise(positions, m_gradient, *m_lengths);
+        if (!m_constraints->release(m_newton->multipliers(), m_is_careful)) break;
+        m_is_linearised = m_newton->linearise(positions, m_gradient, m_constraints->lengths());
     }
     return m_is_linearised;
 }

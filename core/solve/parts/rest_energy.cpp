@@ -1,0 +1,66 @@
+#include "solve/parts/rest_energy.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "solve/terms/bending_term.h"
+#include "solve/terms/closeness_term.h"
+#include "solve/terms/load_terms.h"
+#include "solve/terms/shear_term.h"
+
+namespace chebnet {
+
+namespace {
+
+// Shear is reckoned from no corner sharper than this, even without a limit.
+constexpr double k_least_open_angle = 15;  // degrees
+// A guide that holds weighs so many times as much as one that draws.
+constexpr double k_hold = 100;
+
+bool is_guided(const Options& options, const Guide* guide) { return guide != nullptr && options.guide_mode != 0; }
+
+std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit, const Options& options) {
+    const auto mode = static_cast<GuideMode>(options.guide_mode);
+    const double weight = mode == GuideMode::near ? options.guide_weight : k_hold * options.guide_weight;
+    const auto side = mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both;
+    return make_closeness_term(net, guide, unit, weight, side);
+}
+
+}  // namespace
+
+bool RestEnergy::is_the_same(const Options& a, const Options& b) {
+    return a.shear_limit == b.shear_limit && a.bending_weight == b.bending_weight && a.shear_weight == b.shear_weight &&
+           a.straight_rods == b.straight_rods && a.gravity == b.gravity && a.guide_mode == b.guide_mode &&
+           a.guide_weight == b.guide_weight;
+}
+
+bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide) {
+    return pulls.empty() && !is_guided(options, guide) && options.gravity == 0 && !options.straight_rods;
+}
+
+void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
+                        std::span<const Pull> pulls, const Guide* guide, double unit) {
+    const auto bending = options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
+    const double open_angle = std::max(options.shear_limit, k_least_open_angle) * std::numbers::pi / 180;
+    m_terms.clear();
+    m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight, bending));
+    m_terms.push_back(
+        std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, ShearTerm::Reference::rest, open_angle));
+    if (options.gravity > 0)
+        m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ()));
+    if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));
+    if (!pulls.empty()) m_terms.push_back(std::make_unique<PullTerm>(net, pulls));
+}
+
+void RestEnergy::move_pulls(const Net& net, std::span<const Pull> pulls) {
+    if (!pulls.empty()) m_terms.back() = std::make_unique<PullTerm>(net, pulls);
+}
+
+double RestEnergy::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) const {
+    gradient.setZero(3, x.cols());
+    double energy = 0;
+    for (const auto& term : m_terms) energy += term->evaluate(x, gradient);
+    return energy;
+}
+
+}  // namespace chebnet

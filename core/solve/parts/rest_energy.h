@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/options.h"
+#include "solve/pull.h"
+#include "solve/terms/term.h"
+
+namespace chebnet {
+
+class Guide;
+
+/// The energy that a net at rest has least of: bending of net lines and shear, both counted from a rest shape; its
+/// weight; closeness to a guide; the pull of soft handles.
+class RestEnergy {
+public:
+    /// Whether both options ask for the same energy, and for the same limit of the corners.
+    static bool is_the_same(const Options& a, const Options& b);
+    /// Whether the rest shape is where it is least if nothing deforms it, wherever and however turned it stands.
+    static bool is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide);
+
+    /// Takes its terms anew. `guide`: null if there is none; `unit`: of the net, in the guide's. Keeps references.
+    void choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
+                std::span<const Pull> pulls, const Guide* guide, double unit);
+    /// The same pulls to other targets.
+    void move_pulls(const Net& net, std::span<const Pull> pulls);
+    bool is_chosen() const { return !m_terms.empty(); }
+    void forget() { m_terms.clear(); }
+
+    /// At `x` (3×V), with its gradient there.
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) const;
+    std::span<const std::unique_ptr<Term>> terms() const { return m_terms; }
+
+private:
+    std::vector<std::unique_ptr<Term>> m_terms;  // that of pulls, if there are any, is the last
+};
+
+}  // namespace chebnet

@@ -1,0 +1,157 @@
+// What the method `equilibrium` is made of: the way of its handles, and the lengths and corners that it keeps.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "net/measures.h"
+#include "sample_nets.h"
+#include "solve/parts/free_part.h"
+#include "solve/parts/handle_walk.h"
+#include "solve/parts/net_constraints.h"
+#include "solve/parts/rigid_motion.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr double k_degree = std::numbers::pi / 180;
+
+Eigen::Quaterniond random_turn(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
+    turn.normalize();
+    return turn;
+}
+
+/// Handles at these vertices; the last of them slides along the given axes, if any.
+HandleWalk walk_of(const Net& net, std::vector<int> handles, Axes along = k_no_axes) {
+    std::vector<bool> is_free = free_vertices(net.vertex_count(), handles);
+    std::vector<Slide> slides;
+    if (along != k_no_axes) {
+        is_free[handles.back()] = true;
+        slides.push_back({handles.back(), along});
+    }
+    HandleWalk walk;
+    walk.set_handles(handles, axes_of_motion(is_free, slides));
+    walk.forget_moves(net.vertex_count());
+    return walk;
+}
+
+/// In how many steps a handle goes so many edge lengths.
+int steps_over(double edge_lengths) {
+    const Net net = samples::patch(4, 4);
+    HandleWalk walk = walk_of(net, {0, 15});
+    Positions to = net.rest_positions();
+    to.col(15).z() += edge_lengths;
+    walk.begin(net.rest_positions(), to, 1);
+    int steps = 0;
+    for (; walk.walked() < 1; ++steps) walk.go_to(walk.next());
+    return steps;
+}
+
+}  // namespace
+
+TEST_CASE("The rigid motion that fits is the one by which points were moved; of points in a line a turn is left open") {
+    const unsigned seed = GENERATE(range(1u, 6u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Positions from = samples::shaken(Positions::Zero(3, 12), 1, random);
+    const Eigen::Quaterniond turn = random_turn(random);
+    const Eigen::Vector3d shift(1, -2, 3);
+    const Positions to = (turn.toRotationMatrix() * from).colwise() + shift;
+    const RigidMotion motion = fit_rigid_motion(from, to, Eigen::VectorXd::Ones(12));
+    CHECK(motion.is_determined);
+    for (int v = 0; v < 12; ++v) CHECK((motion.of(from.col(v)) - to.col(v)).norm() < 1e-9);
+
+    Positions line = from;
+    for (int v = 0; v < 12; ++v) line.col(v) = v * from.col(0);
+    CHECK_FALSE(fit_rigid_motion(line, turn.toRotationMatrix() * line, Eigen::VectorXd::Ones(12)).is_determined);
+}
+
+TEST_CASE("Handles go an edge length at once, farther in quarters of one, and in eighths where no hand is so fast") {
+    CHECK(steps_over(1) == 1);
+    CHECK(steps_over(2) == 8);
+    CHECK(steps_over(8) == 32);
+    CHECK(std::abs(steps_over(10) - 80) <= 1);  // parts do not add up to a whole to the last bit
+    CHECK(steps_over(1000) == 100);
+}
+
+TEST_CASE("Of what slides, the way is what it has to go across") {
+    const Net net = samples::patch(4, 4);
+    HandleWalk walk = walk_of(net, {0, 15}, 3);  // along x and y
+    Positions to = net.rest_positions();
+    to.col(15) += Eigen::Vector3d(5, 7, 0.5);
+    walk.begin(net.rest_positions(), to, 1);
+    CHECK(walk.length() == Approx(0.5));
+    CHECK(walk.moves_to(1, net.rest_positions()).col(15) == Eigen::Vector3d(0, 0, 0.5));
+    Positions x = net.rest_positions();
+    walk.take_held(to, x);
+    CHECK(x(0, 15) == net.rest_positions()(0, 15));
+    CHECK(x(2, 15) == to(2, 15));
+    CHECK(walk.way_left(x) == 0);
+}
+
+TEST_CASE("A step that is like the last one repeats it, one across it does not") {
+    const Net net = samples::patch(4, 4);
+    HandleWalk walk = walk_of(net, {0, 15});
+    Eigen::Matrix3Xd last = Eigen::Matrix3Xd::Zero(3, 16);
+    last.col(15) = Eigen::Vector3d(0, 0, 0.2);
+    walk.note_move(last);
+    Eigen::Matrix3Xd same = last, across = Eigen::Matrix3Xd::Zero(3, 16);
+    across.col(15) = Eigen::Vector3d(0.2, 0, 0);
+    const double repeated = walk.take_off_repeated(same);
+    CHECK(repeated > 0.9);
+    CHECK(repeated < 1);
+    CHECK((same + repeated * last - last).norm() < 1e-15);
+    const Eigen::Matrix3Xd before = across;
+    CHECK(walk.take_off_repeated(across) == 0);
+    CHECK(across == before);
+}
+
+TEST_CASE("A shape is placed where handles have it, and turned as the last net where they leave that open") {
+    const unsigned seed = GENERATE(range(1u, 4u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = samples::patch(5, 5);
+    const Positions& shape = net.rest_positions();
+    const Positions moved = (random_turn(random).toRotationMatrix() * shape).colwise() + Eigen::Vector3d(3, 1, 2);
+    HandleWalk by_three = walk_of(net, {0, 4, 20});
+    by_three.begin(shape, moved, 1);
+    CHECK((by_three.placed(shape, shape) - moved).norm() < 1e-9);
+    CHECK(by_three.ends_as_in(shape, shape));
+
+    HandleWalk by_two = walk_of(net, {0, 24});
+    by_two.begin(shape, moved, 1);
+    CHECK((by_two.placed(shape, moved) - moved).norm() < 1e-4);
+    Positions pulled = moved;
+    pulled.col(24) *= 1.1;
+    by_two.begin(shape, pulled, 1);
+    CHECK_FALSE(by_two.ends_as_in(shape, moved));
+}
+
+TEST_CASE("What is projected has every length and no corner beyond the limit; what was held before can be held again") {
+    const unsigned seed = GENERATE(range(1u, 6u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = samples::patch(8, 8, 0);
+    const Topology topology(net);
+    const std::vector<bool> is_free(64, true);
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), is_free, {}, net.rest_positions());
+    // Corners of 55°, shaken.
+    Positions x = net.rest_positions();
+    x.row(0) += std::cos(55 * k_degree) * x.row(1);
+    x.row(1) *= std::sin(55 * k_degree);
+    x = samples::shaken(x, 0.02, random);
+    REQUIRE(constraints.lack(x) > 0.05);
+    const std::vector<double> none = constraints.held();
+    REQUIRE(constraints.project(x, 1e-12));
+    CHECK(max_deviation(net, x) < 1e-12);
+    CHECK(corner_angle_range(net, x).smallest > 59.9 * k_degree);
+    CHECK(constraints.lack(x) < 1e-3);
+    CHECK(constraints.held() != none);
+    constraints.hold(none);
+    CHECK(constraints.held() == none);
+}
