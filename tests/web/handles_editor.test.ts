@@ -6,6 +6,8 @@ import type { HandleData, Vec3 } from '../../web/src/document/document';
 import { type Snapshot, UndoHistory } from '../../web/src/document/undo';
 import { DragGuide } from '../../web/src/handles/drag_guide';
 import { HandleEditor } from '../../web/src/handles/handle_editor';
+import { shareAt } from '../../web/src/handles/influence';
+import { Along } from '../../web/src/handles/along';
 import { Snapping } from '../../web/src/handles/snapping';
 import type { Client } from '../../web/src/worker/client';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
@@ -21,6 +23,8 @@ let asked: Handle[][];
 let said: string[];
 let returning: boolean;
 let readout: string;
+/** What is shown of what follows. */
+let shares: ReadonlyMap<number, number> | null;
 /** How often the solver was told that the hand lets go. */
 let released: number;
 
@@ -33,6 +37,7 @@ const handle = (vertex: number, rest: Partial<HandleData> = {}): HandleData => (
 });
 const handles = () => opening.document.handles;
 const vertices = () => handles().map(({ vertex }) => vertex);
+const verticesAsked = () => asked.at(-1)!.map(({ vertex }) => vertex);
 const tick = () => new Promise((resolve) => setTimeout(resolve));
 
 function snapshot(): Snapshot {
@@ -75,7 +80,12 @@ beforeEach(() => {
     },
     client,
     history,
-    new DragGuide(client, { setRegion: () => {}, setReach: () => {}, setReadout: (text) => (readout = text) }),
+    new DragGuide(client, {
+      setRegion: () => {},
+      setShares: (shown) => (shares = shown),
+      setReach: () => {},
+      setReadout: (text) => (readout = text),
+    }),
   );
 });
 
@@ -357,5 +367,114 @@ describe('a solver that comes in the place of one that was lost', () => {
     end();
     editor.resumeDrag();
     expect(asked).toEqual([lifted]);
+  });
+});
+
+describe('handles near a dragged one', () => {
+  const targets = () => new Map(handles().map(({ vertex, target }) => [vertex, target]));
+  const near = shareAt(1 / 3);
+  const far = shareAt(2 / 3);
+
+  async function follow(radius: number | undefined, held: HandleData[] = [5, 6, 7, 8, 9].map((each) => handle(each))) {
+    change({ handles: held });
+    editor.setInfluence(radius);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  const drag = (target: Vec3, vertex = 9, along: Along | null = null) => editor.drag([{ vertex, target }], along);
+
+  test('follow it by their share, in one step to undo, and Escape gives all of it up', async () => {
+    await follow(3);
+    editor.beginDrag();
+    drag([4, 1, 0.5]);
+    drag([4, 1.5, 1]);
+    expect(shares).toEqual(
+      new Map([
+        [9, 1],
+        [8, near],
+        [7, far],
+      ]),
+    );
+    expect([...targets().values()]).toEqual([
+      at(5),
+      at(6),
+      [2, 1 + far / 2, far],
+      [3, 1 + near / 2, near],
+      [4, 1.5, 1],
+    ]);
+    expect(verticesAsked()).toEqual([9, 7, 8]);
+    editor.endDrag(false);
+    expect(shares).toBeNull();
+    undo();
+    expect([...targets().values()]).toEqual([5, 6, 7, 8, 9].map(at));
+    expect(opening.document.influence).toBe(3);
+    editor.beginDrag();
+    drag([4, 1, 5]);
+    editor.endDrag(true);
+    expect([...targets().values()]).toEqual([5, 6, 7, 8, 9].map(at));
+    undo();
+    expect(opening.document.influence).toBeUndefined();
+    editor.beginDrag();
+    drag([4, 1, 5]);
+    expect(targets().get(8)).toEqual(at(8));
+    editor.endDrag(false);
+  });
+
+  test('stay if they are locked, follow only across the axes on which they slide, and soft ones as others do', async () => {
+    await follow(3, [
+      handle(7, { weight: 0.5 }),
+      handle(8, { slides: 'xy' }),
+      handle(9),
+      handle(14, { anchor: true }),
+      handle(13, { slides: 'z' }),
+    ]);
+    editor.beginDrag();
+    drag([4.5, 1, 1]);
+    expect(targets().get(7)).toEqual([2 + far / 2, 1, far]);
+    expect(targets().get(8)).toEqual([3, 1, near]);
+    expect(targets().get(14)).toEqual(at(14));
+    const share = shareAt(Math.SQRT2 / 3);
+    expect(targets().get(13)).toEqual([expect.closeTo(3 + share / 2, 12), 2, 0]);
+    editor.endDrag(false);
+  });
+
+  test('keep to the axis that keys say, and to the grid that the dragged one snaps to', async () => {
+    await follow(3);
+    editor.setSnapping(new Snapping(0.5, false, 1));
+    editor.beginDrag();
+    drag([4.3, 1.2, 0.8], 9, new Along('z', 1));
+    expect(targets().get(9)).toEqual([4, 1, 1]);
+    expect(targets().get(8)).toEqual([3, 1, expect.closeTo(near, 12)]);
+    drag([4.3, 1.2, 0.8], 9, new Along('xy', 1));
+    expect(targets().get(9)).toEqual([4.5, 1, 0]);
+    expect(targets().get(7)).toEqual([expect.closeTo(2 + far / 2, 12), 1, 0]);
+    editor.endDrag(false);
+  });
+
+  test('follow on both sides of a plane of symmetry, and beside it on it', async () => {
+    await follow(3);
+    editor.setSymmetry({ axis: 'x', through: 'centre' });
+    editor.beginDrag();
+    drag([4.3, 1, 0.6]);
+    const close = (x: number, z: number) => [expect.closeTo(x, 12), 1, expect.closeTo(z, 12)];
+    expect([...targets().values()]).toEqual([
+      close(-0.3, 0.6),
+      close(1 - 0.3 * near, 0.6 * near),
+      close(2, 0.6 * far),
+      close(3 + 0.3 * near, 0.6 * near),
+      close(4.3, 0.6),
+    ]);
+    editor.endDrag(false);
+  });
+
+  test('go the way of the one in hand that is nearest where those turn', async () => {
+    await follow(2);
+    editor.beginDrag();
+    editor.drag([
+      { vertex: 9, target: [4, 1, 1] },
+      { vertex: 5, target: [0, 1, -1] },
+    ]);
+    const half = shareAt(1 / 2);
+    expect([targets().get(8), targets().get(6), targets().get(7)]).toEqual([[3, 1, half], [1, 1, -half], at(7)]);
+    editor.endDrag(false);
   });
 });

@@ -173,7 +173,7 @@ describe('the limits of a translation', () => {
 });
 
 describe('a drag', () => {
-  const shown = { setRegion: vi.fn(), setReach: vi.fn(), setReadout: vi.fn() };
+  const shown = { setRegion: vi.fn(), setShares: vi.fn(), setReach: vi.fn(), setReadout: vi.fn() };
   const client = {
     setLocality: vi.fn(() => Promise.resolve()),
     reach: vi.fn((vertices: number[]) =>
@@ -235,6 +235,36 @@ describe('a drag', () => {
     guide.keepTo(null);
     const [free] = guide.within([{ vertex: 1, target: [0, 0, 9] }]);
     expect(distance(free!.target, [0, 0, 1])).toBeLessThan(1e-9);
+    guide.end();
+  });
+
+  test('is not held back by handles that follow it, which it takes along by their share', async () => {
+    client.reach.mockResolvedValueOnce([
+      [
+        { vertex: 9, centre: [0, 0, 0], radius: 3 },
+        { vertex: 2, centre: [1, 0, 0], radius: 1 },
+      ],
+    ]);
+    const [hand, led] = inHand(
+      [
+        [0, 0, 0],
+        [1, 1, 1],
+      ],
+      [
+        [1, 0, 0],
+        [0.25, 0.25, 0.25],
+      ],
+    );
+    await guide.begin([hand!, { ...led!, isLed: true }], null);
+    expect(client.reach).toHaveBeenLastCalledWith([1]);
+    const far = guide.within([
+      { vertex: 1, target: [0, 0, 8] },
+      { vertex: 2, target: [1, 0, 2] },
+    ]);
+    expect(far).toEqual([
+      { vertex: 1, target: [0, 0, 3] },
+      { vertex: 2, target: [1, 0, 0.75] },
+    ]);
     guide.end();
   });
 

@@ -43,6 +43,7 @@ describe('a scene comes back', () => {
     numbering: 2 ** 32 - 1,
     symmetry: { axis: 'y', through: 'origin' },
     locality: 12,
+    influence: 4,
     method: 'another',
     initialisation: 'arap:5',
     options: { threshold: 1e-8, adaptive_p: false },
@@ -51,12 +52,13 @@ describe('a scene comes back', () => {
 
   test('whole', () => {
     const { positions, handles, ...rest } = decodeScene(hashOf(full));
-    const { net: source, numbering, symmetry, locality, method, initialisation, options } = full;
+    const { net: source, numbering, symmetry, locality, influence, method, initialisation, options } = full;
     expect(rest).toEqual({
       net: source,
       numbering,
       symmetry,
       locality,
+      influence,
       method,
       initialisation,
       options,
@@ -284,6 +286,7 @@ describe('hostile links are refused', () => {
     ['"settled":true', '"settled":true,"symmetry":null'],
     ['"settled":true', '"settled":true,"locality":0'],
     ['"settled":true', '"settled":true,"locality":"near"'],
+    ['"settled":true', '"settled":true,"influence":-1'],
     ['"settled":true', '"settled":true,"experiment":7'],
     ['"settled":true', '"settled":true,"compare":"li2022"'],
     ['{"recipe":"vault"}', '{"recipe":7}'],

@@ -120,6 +120,7 @@ export const document: fc.Arbitrary<ChebnetDocument> = fc
         through: fc.constantFrom('centre' as const, 'origin' as const),
       }),
       locality: positive,
+      influence: positive,
       experiment: text,
       compare: fc.array(text, { maxLength: 3 }),
     }),

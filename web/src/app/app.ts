@@ -408,6 +408,7 @@ export class App {
   #createHandleEditor(): HandleEditor {
     const guide = new DragGuide(this.#client, {
       setRegion: (mobility) => this.#presenter.view.setRegion(mobility),
+      setShares: (shares) => this.#presenter.view.setShares(shares),
       setReach: (balls) => this.#presenter.view.setReach(balls),
       setReadout: (text) => this.#presenter.view.setReadout(text),
     });

@@ -78,6 +78,7 @@ export function readState(state: Untrusted): State<HandleSeed> {
     ...given({
       symmetry: state.at('symmetry').maybe(readSymmetry),
       locality: state.at('locality').maybe((each) => each.positive()),
+      influence: state.at('influence').maybe((each) => each.positive()),
       guide: state.at('guide').maybe((each) => ({ own: each.at('own').text() })),
       experiment: state.at('experiment').maybe((each) => each.text()),
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),

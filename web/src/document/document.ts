@@ -134,6 +134,8 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   symmetry?: Symmetry | undefined;
   /** How far from handles being moved the net moves with them, in edge lengths along it; without one, everywhere. */
   locality?: number | undefined;
+  /** How far from handles being dragged other handles follow them, in edge lengths along the net; without one, none do. */
+  influence?: number | undefined;
   guide?: GuideSource | undefined;
   view: ViewState;
   /** The positions of the moment, 3 numbers a vertex; null until the net is open. */
@@ -151,6 +153,7 @@ export interface Scene extends SolverSettings, ExperimentPart {
   handles: HandleSeed[] | 'suggested';
   symmetry?: Symmetry | undefined;
   locality?: number | undefined;
+  influence?: number | undefined;
   guide?: GuideSource | undefined;
   view: ViewState;
   /** null: the rest positions. */

@@ -53,6 +53,10 @@ export interface HandleCommands {
   setLocality(locality: number | undefined): void;
   /** Shades what such a locality would fix; undefined: no longer. */
   previewLocality(locality: number | undefined): void;
+  /** How far from what is dragged other handles follow it, in edge lengths; undefined: none do. */
+  setInfluence(influence: number | undefined): void;
+  /** Shows what would follow the selection; undefined: no longer. */
+  previewInfluence(influence: number | undefined): void;
   /** Whether a drag is kept to where the net can follow. */
   setKeepWithin(on: boolean): void;
   /** What drags snap to, from now on, also one under way; null: nothing. */

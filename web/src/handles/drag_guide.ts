@@ -20,6 +20,8 @@ import type { Snapping } from './snapping';
 export interface GuideView {
   /** How freely each vertex moves, 0 … 1; null: all move freely. */
   setRegion(mobility: Float32Array | null): void;
+  /** What share of the move each handle makes; null: all that move make all of it. */
+  setShares(shares: ReadonlyMap<number, number> | null): void;
   /** Where the leading handle may go; null: not shown. */
   setReach(limits: readonly Limit[] | null): void;
   /** What is said beside the leading handle. */
@@ -72,7 +74,7 @@ export class DragGuide {
     this.#reaches = [];
     this.#restrict();
     const vertices = inHand.map(({ vertex }) => vertex);
-    await Promise.all([this.limit(vertices, locality), this.#findReach(vertices), this.showRegion(vertices, locality)]);
+    await Promise.all([this.limit(vertices, locality), this.#findReach(), this.showRegion(vertices, locality)]);
   }
 
   /** Keeps the drag to axes; null: to none any more. */
@@ -111,8 +113,20 @@ export class DragGuide {
     this.#along = null;
     this.#limits = [];
     this.#view.setReach(null);
+    this.#view.setShares(null);
     this.#view.setReadout('');
     this.hideRegion();
+  }
+
+  /** Shows what follows, and by how much; null: nothing does. */
+  showShares(shares: ReadonlyMap<number, number> | null): void {
+    this.#view.setShares(shares);
+  }
+
+  /** Shades vertices by a number from 1 to 0; null: not. */
+  shade(shares: Float32Array | null): void {
+    this.#regions += 1;
+    this.#view.setRegion(shares);
   }
 
   /** Shades the vertices that the locality would fix. */
@@ -124,29 +138,35 @@ export class DragGuide {
   }
 
   hideRegion(): void {
-    this.#regions += 1;
-    this.#view.setRegion(null);
+    this.shade(null);
   }
 
   #moved(translation: Vec3): Handle[] {
     return this.#inHand.map((each) => ({ vertex: each.vertex, target: translated(each, translation) }));
   }
 
-  async #findReach(vertices: readonly number[]): Promise<void> {
+  async #findReach(): Promise<void> {
     const drag = ++this.#drags;
+    const vertices = this.#free.filter(({ isLed }) => !isLed).map(({ vertex }) => vertex);
     if (vertices.length > MOST_LIMITED) return;
     const reaches = await this.#client.reach(vertices);
     if (drag !== this.#drags) return;
-    this.#reaches = reaches;
+    const led = new Set(this.#free.filter(({ isLed }) => isLed).map(({ vertex }) => vertex));
+    this.#reaches = reaches.map((balls) => balls.filter(({ vertex }) => !led.has(vertex)));
     this.#restrict();
   }
 
   /** To what the drag is kept to. */
   #restrict(): void {
     const { axes } = this.#along ?? {};
-    this.#freeLimits = limitsOf(this.#free, this.#reaches);
+    const limits = (all: readonly InHand[]): Limit[] =>
+      limitsOf(
+        all.filter(({ isLed }) => !isLed),
+        this.#reaches,
+      );
+    this.#freeLimits = limits(this.#free);
     this.#inHand = axes ? this.#free.map((each) => keptTo(axes, each)) : this.#free;
-    this.#limits = axes ? limitsOf(this.#inHand, this.#reaches) : this.#freeLimits;
+    this.#limits = axes ? limits(this.#inHand) : this.#freeLimits;
   }
 
   /** Limits are of translations; they are drawn about the start of the leading handle. */

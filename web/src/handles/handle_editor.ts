@@ -12,6 +12,7 @@ import type { Opening } from '../worker/opening';
 import type { OpenedNet } from '../worker/protocol';
 import type { Along } from './along';
 import type { DragGuide } from './drag_guide';
+import type { Follower } from './influence';
 import { listsThrough } from './lines';
 import type { Part } from './part';
 import type { InHand } from './reach';
@@ -38,6 +39,8 @@ export interface HandleHost {
   attempt(doing: Promise<unknown>): void;
 }
 
+type Influence = typeof import('./influence');
+
 /** Of one vertex. */
 interface LinesThrough {
   net: OpenedNet;
@@ -58,10 +61,16 @@ export class HandleEditor implements HandleCommands {
   #part: Part | undefined;
   /** The history's name for the drag under way; null until it moves something. */
   #dragName: ChangeName | null = null;
+  /** What follows what is in hand, and where all stood at the start of the drag. */
+  #followers: readonly Follower[] = [];
+  #stood: ReadonlyMap<number, Vec3> = new Map();
+  /** null: it has not been wanted yet. */
+  #influence: Influence | null = null;
   /** Targets of the drag under way, to be sent again if a new solver replaces a lost one; null: none, or sent again already. */
   #pendingTargets: readonly Handle[] | null = null;
   #lines: LinesThrough | null = null;
   #mirror: { net: OpenedNet; symmetry: Symmetry; mirror: Mirror } | null = null;
+  readonly #loadInfluence = lazy(async () => (this.#influence = await import('./influence')));
   readonly #surroundings = lazy(async () => new (await import('./surroundings')).Surroundings(this.#forSurroundings));
 
   constructor(host: HandleHost, client: Client, history: UndoHistory, guide: DragGuide) {
@@ -122,6 +131,7 @@ export class HandleEditor implements HandleCommands {
     this.#mode = 'translate';
     this.#part = undefined;
     this.#pendingTargets = null;
+    this.#prepareInfluence();
   }
 
   // --------------------------------------------------------------------------------------------------------- which ones
@@ -241,9 +251,37 @@ export class HandleEditor implements HandleCommands {
 
   /** Previews the locality around the selection, or around the handle likely to be dragged. */
   previewLocality(locality: number | undefined): void {
+    this.#host.attempt(this.#guide.showRegion(this.bothSides(this.#likely), locality ?? null));
+  }
+
+  /** What is likely to be dragged next. */
+  get #likely(): readonly number[] {
     const draggable = this.#handles.filter(({ anchor }) => !anchor).map(({ vertex }) => vertex);
-    const origins = this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
-    this.#host.attempt(this.#guide.showRegion(this.bothSides(origins), locality ?? null));
+    return this.#selection.length > 0 ? this.#selection : draggable.slice(-1);
+  }
+
+  setInfluence(influence: number | undefined): void {
+    const name: ChangeName = influence === undefined ? ['noInfluence'] : ['influence', { number: String(influence) }];
+    this.#changeDocument({ influence }, name, 'influence');
+    this.#prepareInfluence();
+  }
+
+  /** So that it is there when a drag begins. */
+  #prepareInfluence(): void {
+    if (this.#radius !== null) this.#host.attempt(this.#loadInfluence());
+  }
+
+  /** Shows what would follow the selection, or the handle likely to be dragged. */
+  previewInfluence(influence: number | undefined): void {
+    this.#host.attempt(this.#loadInfluence().then((module) => this.#showInfluence(module, influence)));
+  }
+
+  #showInfluence({ sharesAround }: Influence, radius: number | undefined): void {
+    const net = this.#host.opening()?.net;
+    const inHand = this.bothSides(this.#likely);
+    const isShown = net && radius !== undefined && inHand.length > 0;
+    this.#guide.shade(isShown ? sharesAround(net, inHand, radius) : null);
+    this.#guide.showShares(isShown ? this.#sharesOf(inHand, this.#followersOf(inHand, radius)) : null);
   }
 
   setKeepWithin(on: boolean): void {
@@ -262,6 +300,10 @@ export class HandleEditor implements HandleCommands {
 
   get #locality(): number | null {
     return this.#host.opening()?.document.locality ?? null;
+  }
+
+  get #radius(): number | null {
+    return this.#host.opening()?.document.influence ?? null;
   }
 
   /** Changes one after another with the same `key` are undone together. */
@@ -308,6 +350,7 @@ export class HandleEditor implements HandleCommands {
     const before = this.#host.snapshot();
     if (before === null) return;
     this.#dragName = null;
+    this.#prepareInfluence();
     this.#history.beginGesture(before);
   }
 
@@ -325,22 +368,30 @@ export class HandleEditor implements HandleCommands {
     const targets = this.#pendingTargets;
     if (targets === null) return;
     this.#pendingTargets = null;
-    this.#host.attempt(this.#guide.limit(verticesOf(this.#onBothSides(targets)), this.#locality));
+    this.#host.attempt(this.#guide.limit(verticesOf(this.#withFollowers(targets)), this.#locality));
     this.#carry(targets);
     if (!this.#history.inGesture) this.#host.attempt(this.#client.release());
   }
 
   #carry(targets: readonly Handle[]): void {
-    const mirrored = this.#onBothSides(targets);
-    if (this.#dragName === null) this.#host.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
+    if (this.#dragName === null) this.#begin(targets);
+    const mirrored = this.#withFollowers(targets);
     const inHand = new Set(verticesOf(mirrored));
     const others = this.#handles.filter(({ vertex }) => !inHand.has(vertex));
     const asked = this.#guide.snapped(mirrored, others);
     const both = this.#guide.within(asked);
     this.#guide.describe(both, others);
-    this.#dragName ??= ['move', this.#titleOf(targets)];
     this.#host.drag(this.#withTargets(both));
     this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, asked));
+  }
+
+  #begin(targets: readonly Handle[]): void {
+    this.#dragName = ['move', this.#titleOf(targets)];
+    this.#stood = new Map(this.#handles.map(({ vertex, target }) => [vertex, target]));
+    const hand = verticesOf(this.#onBothSides(targets));
+    this.#followers = this.#radius === null ? [] : this.#followersOf(hand, this.#radius);
+    if (this.#radius !== null) this.#guide.showShares(this.#sharesOf(hand, this.#followers));
+    this.#host.attempt(this.#guide.begin(this.#inHand(targets), this.#locality));
   }
 
   endDrag(cancelled: boolean): void {
@@ -351,6 +402,7 @@ export class HandleEditor implements HandleCommands {
     else if (this.#dragName !== null && this.#history.inGesture && !this.#client.returning)
       this.#host.attempt(this.#client.release());
     this.#history.endGesture(this.#dragName);
+    this.#followers = [];
     this.#guide.end();
   }
 
@@ -395,19 +447,38 @@ export class HandleEditor implements HandleCommands {
     return this.#mirrorOf()?.mirrored(targets, this.#handles) ?? targets;
   }
 
-  /** What a translation of these handles, from where they stand, does to them and to their mirror images. */
+  /** Where these, what follows them, and the mirror images go. */
+  #withFollowers(targets: readonly Handle[]): readonly Handle[] {
+    const hand = this.#onBothSides(targets);
+    if (this.#followers.length === 0 || this.#influence === null) return hand;
+    const followers = this.#influence.following(this.#followers, hand, (vertex) => this.#stood.get(vertex)!);
+    return this.#onBothSides([...hand, ...followers]);
+  }
+
+  #followersOf(hand: readonly number[], radius: number): readonly Follower[] {
+    const net = this.#host.opening()?.net;
+    return (net && this.#influence?.followersOf(net, this.#handles, hand, radius)) ?? [];
+  }
+
+  #sharesOf(hand: readonly number[], followers: readonly Follower[]): Map<number, number> {
+    const whole = hand.map((vertex): [number, number] => [vertex, 1]);
+    return new Map([...followers.map(({ vertex, share }): [number, number] => [vertex, share]), ...whole]);
+  }
+
+  /** What a translation of these handles, from where they stood, does to them, what follows them, and the mirror images. */
   #inHand(of: readonly Handle[]): InHand[] {
-    const chosen = verticesOf(of);
-    const stand = new Map(this.#handles.map(({ vertex, target }) => [vertex, target]));
     const movedBy = (step: number): readonly Handle[] =>
-      this.#onBothSides(chosen.map((vertex) => ({ vertex, target: stand.get(vertex)!.map((x) => x + step) as Vec3 })));
+      this.#withFollowers(
+        verticesOf(of).map((vertex) => ({ vertex, target: this.#stood.get(vertex)!.map((x) => x + step) as Vec3 })),
+      );
     const stepped = movedBy(1);
     const slides = new Map(this.#handles.map((handle) => [handle.vertex, handle.slides]));
+    const led = new Set(verticesOf(this.#followers));
     return movedBy(0).map(({ vertex, target: base }, i) => {
-      const moves = base.map((x, axis) => Math.round(stepped[i]!.target[axis]! - x));
+      const moves = base.map((x, axis) => withoutRounding(stepped[i]!.target[axis]! - x));
       // Where it slides it goes with the net.
       const follows = moves.map((each, axis) => (slides.get(vertex)?.includes(AXES[axis]!) ? 0 : each)) as Vec3;
-      return { vertex, base, follows };
+      return { vertex, base, follows, isLed: led.has(vertex) };
     });
   }
 
@@ -435,11 +506,17 @@ export class HandleEditor implements HandleCommands {
   }
 }
 
+/** A whole number where it is one but for rounding. */
+function withoutRounding(x: number): number {
+  const whole = Math.round(x);
+  return Math.abs(x - whole) < 1e-6 ? whole : x;
+}
+
 /** A target, but where the handle slides along axes. */
 function slid(target: Vec3, { slides, target: at }: HandleData): Vec3 {
   return target.map((x, axis) => (slides?.includes(AXES[axis]!) ? at[axis]! : x)) as Vec3;
 }
 
-function verticesOf(targets: readonly Handle[]): number[] {
+function verticesOf(targets: readonly { vertex: number }[]): number[] {
   return targets.map(({ vertex }) => vertex);
 }

@@ -17,9 +17,11 @@ export interface Limit {
 export interface InHand {
   vertex: number;
   base: Vec3;
-  /** 1; across a plane of symmetry −1 for the mirror image, 0 for what lies on the plane; 0 also along axes on which it slides
+  /** 1, or its share if it follows others; across a plane of symmetry negative for the mirror image, 0 for what lies on the plane; 0 also along axes on which it slides
    *  or to which the translation is not kept. */
   follows: Vec3;
+  /** It follows those in hand by a share, as far as the net lets it: it does not hold them back. */
+  isLed?: boolean;
 }
 
 const MOST_ROUNDS = 1000;
@@ -130,7 +132,7 @@ export function translationTo(targets: readonly Handle[], inHand: readonly InHan
     const leading = inHand.findIndex(({ follows }) => follows[axis] !== 0);
     return leading === -1
       ? 0
-      : inHand[leading]!.follows[axis]! * (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!);
+      : (targets[leading]!.target[axis]! - inHand[leading]!.base[axis]!) / inHand[leading]!.follows[axis]!;
   }) as Vec3;
   const isThere = (each: InHand, i: number): boolean => {
     const off = plus(targets[i]!.target, translated(each, translation), -1).map((x, axis) =>

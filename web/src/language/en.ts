@@ -190,6 +190,8 @@ export const en = {
     handles: 'Set handles',
     locality: (edges: string) => `Locality ${edges} edges`,
     noLocality: 'Locality: everything',
+    influence: (edges: string) => `Handles follow within ${edges} edges`,
+    noInfluence: 'No handles follow',
     lock: (who: string) => `Lock ${who}`,
     unlock: (who: string) => `Unlock ${who}`,
     hide: (who: string) => `Hide ${who}`,

@@ -186,6 +186,8 @@ export const zh: Words = {
     remove: (who) => `删除${who}`,
     handles: '设置手柄',
     locality: (edges) => `影响范围 ${edges} 条边`,
+    influence: (edges) => `${edges} 条边内的手柄跟随`,
+    noInfluence: '其他手柄不跟随',
     noLocality: '影响范围：整个网',
     lock: (who) => `锁定${who}`,
     unlock: (who) => `解锁${who}`,

@@ -61,6 +61,10 @@ export class HandleMarkers {
   /** By the axes. */
   readonly #skids = new Map<string, Shape>();
   #skidColour = new Color();
+  #shares: ReadonlyMap<number, number> | null = null;
+  /** Of a handle that moves, and of one that stays, while shares are shown. */
+  readonly #moves = new Color();
+  readonly #stays = new Color();
 
   constructor() {
     for (const { group } of this.#shapes) this.object.add(group);
@@ -87,6 +91,11 @@ export class HandleMarkers {
       };
     };
     this.#markers = new Map(handles.map((handle) => [handle.vertex, marker(handle)]));
+  }
+
+  /** What share of a move each handle makes, to be seen as its colour; null: they are all of one colour. */
+  setShares(shares: ReadonlyMap<number, number> | null): void {
+    this.#shares = shares;
   }
 
   point(vertex: number): Vector3 | undefined {
@@ -137,6 +146,8 @@ export class HandleMarkers {
     for (const spheres of [this.#spheres, this.#manySpheres])
       spheres.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
     this.#hollow.setColour(new Color().setRGB(...theme.accent, SRGBColorSpace));
+    this.#moves.setRGB(...theme.accent, SRGBColorSpace);
+    this.#stays.setRGB(...theme.grid, SRGBColorSpace);
     this.#cubes.setColour(new Color().setRGB(...theme.anchor, SRGBColorSpace));
     this.#rings.setColour(new Color().setRGB(...theme.ink, SRGBColorSpace));
     this.#skidColour.setRGB(...theme.anchor, SRGBColorSpace);
@@ -148,13 +159,20 @@ export class HandleMarkers {
     this.#radius = Math.min(LARGEST, Math.max(SMALLEST, (PER_EDGE * edgeLength) / pixel));
     const size = (2 * this.#radius) / canvasHeight;
     const points = (which: (marker: Marker) => boolean) => this.#visible.filter(which).map(({ point }) => point);
-    const plain = points(({ locked, soft }) => !locked && !soft);
-    this.#spheres.place(plain.length > MANY ? [] : plain, camera, size);
-    this.#manySpheres.place(plain.length > MANY ? plain : [], camera, size);
-    this.#hollow.place(
-      points(({ locked, soft }) => !locked && soft),
-      camera,
-      size,
+    const free = this.#visible.filter(({ locked }) => !locked);
+    const plain = free.filter(({ soft }) => !soft);
+    const place = (shape: Shape, markers: readonly Marker[]) =>
+      shape.place(
+        markers.map(({ point }) => point),
+        camera,
+        size,
+        this.#tints(markers),
+      );
+    place(this.#spheres, plain.length > MANY ? [] : plain);
+    place(this.#manySpheres, plain.length > MANY ? plain : []);
+    place(
+      this.#hollow,
+      free.filter(({ soft }) => soft),
     );
     this.#cubes.place(
       points(({ locked }) => locked),
@@ -173,6 +191,11 @@ export class HandleMarkers {
         camera,
         size,
       );
+  }
+
+  #tints(markers: readonly Marker[]): Color[] | null {
+    const shares = this.#shares;
+    return shares && markers.map(({ vertex }) => this.#stays.clone().lerp(this.#moves, shares.get(vertex) ?? 0));
   }
 
   #skid(axes: string): Shape {
@@ -224,6 +247,7 @@ class Shape {
   });
   #meshes: InstancedMesh[] = [];
   #capacity = 0;
+  readonly #colour = new Color();
   readonly #matrix = new Matrix4();
   readonly #scale = new Vector3();
   readonly #centre = new Vector3();
@@ -237,15 +261,27 @@ class Shape {
   }
 
   setColour(colour: Color): void {
-    this.#solid.color.copy(colour);
+    this.#colour.copy(colour);
+    this.#paint(null);
+  }
+
+  /** In one colour, or each instance in its own, which multiplies that of the material. */
+  #paint(tints: readonly Color[] | null): void {
+    for (const { color } of [this.#solid, this.#ghost]) color.copy(this.#colour);
     // Lit from one side only, a sphere on a dark page would look dull.
-    this.#solid.emissive.copy(colour).multiplyScalar(0.25);
-    this.#ghost.color.copy(colour);
+    this.#solid.emissive.copy(this.#colour).multiplyScalar(0.25);
+    if (tints) for (const { color } of [this.#solid, this.#ghost]) color.setScalar(1);
+    if (tints) this.#solid.emissive.setScalar(0);
+    for (const mesh of this.#meshes) {
+      tints?.forEach((tint, i) => mesh.setColorAt(i, tint));
+      if (!tints) mesh.instanceColor = null;
+      else if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    }
   }
 
   /** `size` on the screen, as a part of half its height. Each stands in front of its point by its own radius, on the line of
    *  sight: it looks the same, but no face cuts through it. */
-  place(points: Vector3[], camera: Eye, size: number): void {
+  place(points: Vector3[], camera: Eye, size: number, tints: readonly Color[] | null = null): void {
     if (points.length > this.#capacity) this.#grow(2 * points.length);
     points.forEach((point, i) => {
       const radius = size * halfHeight(camera, depth(camera, point));
@@ -258,6 +294,7 @@ class Shape {
       this.#matrix.compose(this.#centre, this.#facing ? camera.quaternion : UPRIGHT, this.#scale);
       for (const mesh of this.#meshes) mesh.setMatrixAt(i, this.#matrix);
     });
+    this.#paint(tints);
     for (const mesh of this.#meshes) {
       mesh.count = points.length;
       mesh.instanceMatrix.needsUpdate = true;

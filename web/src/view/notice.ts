@@ -53,6 +53,7 @@ export function createBlankView(container: HTMLElement): View {
     setPreview() {},
     setAppearance() {},
     setStepArrows() {},
+    setShares() {},
     frameAll() {},
     camera: () => nowhere,
     setCamera() {},

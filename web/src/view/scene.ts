@@ -205,6 +205,11 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
+  setShares(shares: ReadonlyMap<number, number> | null): void {
+    this.#markers.setShares(shares);
+    this.#requestDraw();
+  }
+
   setReach(limits: readonly Limit[] | null): void {
     if (!this.#netData || (limits === null && !this.#reach.object.visible)) return;
     this.#reach.update(limits, this.#netData.space);

@@ -65,6 +65,8 @@ export interface View {
   setSymmetry(symmetry: Symmetry | undefined): void;
   /** Shades vertices by how freely they move, 1 … 0; null: nothing. */
   setRegion(mobility: Float32Array | null): void;
+  /** Tints handles by what share of a move they make; those that are not named make none. null: all look alike. */
+  setShares(shares: ReadonlyMap<number, number> | null): void;
   /** The points within all these limits, as a surface; null: none. */
   setReach(limits: readonly Limit[] | null): void;
   /** Says something beside the handle that leads a drag. */

@@ -169,6 +169,10 @@ export const panels = {
     locality: 'Locality',
     localityHint: 'How far from the handle in hand the net moves. What lies beyond stays exactly where it is.',
     everything: 'everything',
+    influence: 'Followers',
+    influenceHint:
+      'How far from the handle in hand other handles go with it: all the way beside it, less with the distance along the net. Locked ones stay.',
+    none: 'none',
     radius: (edges: string) => `${edges} edges`,
     axes: 'While you drag, X, Y or Z keeps to that axis, with Shift to the plane across it.',
     within: 'Keep within reach',
