@@ -204,11 +204,11 @@ export const panels: Widened<typeof en> = {
   },
   drag: {
     locality: '影响范围',
+    localityHint: '拖动手柄时，网在多大范围内随之移动。范围之外的部分保持原位不动。',
+    everything: '整个网',
     influence: '跟随',
     influenceHint: '拖动手柄时，沿网多远以内的其他手柄随之移动：越近跟得越多，越远越少。锁定的手柄不动。',
     none: '无',
-    localityHint: '拖动手柄时，网在多大范围内随之移动。范围之外的部分保持原位不动。',
-    everything: '整个网',
     radius: (edges) => `${edges} 条边`,
     axes: '拖动时按 X、Y 或 Z 只沿该轴移动，同时按 Shift 则只在垂直于该轴的平面内移动。',
     within: '限制在可达范围内',
