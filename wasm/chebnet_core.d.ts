@@ -146,6 +146,7 @@ export interface CoreSurface {
   drape(options: Required<DrapeOptions>): Drape;
   /** 3 numbers a point, as for `cut`. */
   cutPath(points: Float64Array): Float64Array;
+  shortestCut(from: Point | null): Point[];
   cut(cuts: Float64Array[]): CoreSurface;
   drapePieces(options: Required<DrapeOptions>): PiecesDrape;
   proposeCuts(options: Required<DrapeOptions>, most: number): CutProposals;

@@ -555,6 +555,11 @@ class WasmSurface {
     return this.#open.cutPath(cutPoints(points));
   }
 
+  /** @param {Readonly<Point> | null} from */
+  shortestCut(from) {
+    return this.#open.shortestCut(from === null ? null : finite(from, 'the beginning of a cut'));
+  }
+
   /** @param {DrapeOptions} options */
   drapePieces(options) {
     return this.#open.drapePieces(allDrapeOptions(options));

@@ -20,6 +20,7 @@
 #include "surface/curvature.h"
 #include "surface/gallery.h"
 #include "surface/guide.h"
+#include "surface/shortest_cut.h"
 #include "surface/surface_cut.h"
 
 namespace chebnet {
@@ -267,6 +268,19 @@ OpenSurface* cut_surface(const OpenSurface& open, val cuts) {
     return new OpenSurface(cut_open(open.surface, lines));
 }
 
+val points_out(const Surface& surface, const CutLine& line) {
+    val points = val::array();
+    for (const SurfacePoint& point : line) points.call<void>("push", vector_out(surface.position_at(point)));
+    return points;
+}
+
+/// `from`: null for a cut between borders.
+val shortest_cut_on(const OpenSurface& open, val from) {
+    const Surface& surface = open.surface;
+    return points_out(surface, from.isNull() ? shortest_cut_between_borders(surface)
+                                             : shortest_cut_to_border(surface, open.tree.nearest(vector_in(from)).at));
+}
+
 /// `options`: an object with all fields of DrapeOptions, and `leave`.
 val drape_all_pieces(const OpenSurface& open, val options) {
     PiecesOptions wanted;
@@ -298,11 +312,7 @@ val drape_all_pieces(const OpenSurface& open, val options) {
 val propose_cuts_on(const OpenSurface& open, val options, int most) {
     const CutProposals proposals = propose_cuts(open.surface, options_in(options), most);
     val cuts = val::array(), coverage = val::array();
-    for (const CutLine& line : proposals.cuts) {
-        val points = val::array();
-        for (const SurfacePoint& point : line) points.call<void>("push", vector_out(open.surface.position_at(point)));
-        cuts.call<void>("push", points);
-    }
+    for (const CutLine& line : proposals.cuts) cuts.call<void>("push", points_out(open.surface, line));
     for (const double part : proposals.coverage) coverage.call<void>("push", part);
     val object = val::object();
     object.set("cuts", cuts);
@@ -349,6 +359,7 @@ EMSCRIPTEN_BINDINGS(chebnet_surfaces) {
         .function("propose", guarded<&propose>)
         .function("drape", guarded<&drape_surface>)
         .function("cutPath", guarded<&cut_path_on>)
+        .function("shortestCut", guarded<&shortest_cut_on>)
         .function("cut", guarded<&cut_surface>, emscripten::allow_raw_pointers())
         .function("drapePieces", guarded<&drape_all_pieces>)
         .function("proposeCuts", guarded<&propose_cuts_on>)

@@ -19,6 +19,7 @@
 #include "net_output.h"
 #include "report.h"
 #include "surface/curvature.h"
+#include "surface/shortest_cut.h"
 #include "surface/surface_cut.h"
 #include "surface_argument.h"
 
@@ -37,9 +38,12 @@ struct DrapeArguments {
     double angle = 90, smallest_angle = 30, leave = 0;
     int reach = DrapeOptions().reach;
     bool inside = false, cut = false;
-    std::vector<std::string> cuts;
+    std::vector<std::string> cuts, cuts_to_border;
+    int cuts_between_borders = 0;
     bool pieces = false;
     int propose_cuts = 0;
+
+    bool has_cuts() const { return !cuts.empty() || !cuts_to_border.empty() || cuts_between_borders > 0; }
 };
 
 /// But for where and how it begins.
@@ -73,7 +77,7 @@ Json drape_report(const Drape& draped, const DrapeReport& measured) {
 // ---------------------------------------------------------------------------------------------------- cuts and pieces
 
 /// "x,y,z x,y,z ..."
-Positions points_in(const std::string& text) {
+Positions points_in(const std::string& text, const std::string& option) {
     std::istringstream words(text);
     std::vector<double> numbers;
     for (std::string word; words >> word;) {
@@ -81,11 +85,11 @@ Positions points_in(const std::string& text) {
         int count = 0;
         for (std::string part; std::getline(parts, part, ','); ++count) {
             const std::optional<double> number = parse_number(part);
-            if (!number) throw Error(ErrorCode::bad_option, "--cut-along: \"" + part + "\" is not a number");
+            if (!number) throw Error(ErrorCode::bad_option, option + ": \"" + part + "\" is not a number");
             numbers.push_back(*number);
         }
         if (count != 3)
-            throw Error(ErrorCode::bad_option, "--cut-along: \"" + word + "\" should be three numbers, as in 1,0,2.5");
+            throw Error(ErrorCode::bad_option, option + ": \"" + word + "\" should be three numbers, as in 1,0,2.5");
     }
     return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
 }
@@ -123,6 +127,30 @@ PiecesOptions pieces_options(const DrapeArguments& arguments, const Surface& sur
     return options;
 }
 
+/// Those along given points, then those to the border, then those between borders: each finds what those before it
+/// left.
+std::vector<CutLine> cuts_of(const DrapeArguments& arguments, const Surface& whole, const SurfaceTree& tree) {
+    std::vector<CutLine> cuts;
+    for (const std::string& cut : arguments.cuts) cuts.push_back(cut_line(whole, tree, points_in(cut, "--cut-along")));
+    const auto add = [&](const auto& find) {
+        const Surface opened = cut_open(whole, cuts);
+        const CutLine line = find(opened);
+        Positions points(3, std::ssize(line));
+        for (std::size_t k = 0; k < line.size(); ++k)
+            points.col(static_cast<Eigen::Index>(k)) = opened.position_at(line[k]);
+        cuts.push_back(cut_line(whole, tree, points));
+    };
+    for (const std::string& text : arguments.cuts_to_border) {
+        const Positions points = points_in(text, "--cut-to-border");
+        if (points.cols() != 1) throw Error(ErrorCode::bad_option, "--cut-to-border: one point is the cut's beginning");
+        add([&](const Surface& opened) {
+            return shortest_cut_to_border(opened, SurfaceTree(opened).nearest(points.col(0)).at);
+        });
+    }
+    for (int k = 0; k < arguments.cuts_between_borders; ++k) add(shortest_cut_between_borders);
+    return cuts;
+}
+
 /// Cuts that others can be made from: --cut-along takes their points.
 Json proposals_report(const Surface& surface, const CutProposals& proposals) {
     Json cuts = Json::array();
@@ -143,8 +171,7 @@ int run_pieces(const DrapeArguments& arguments) {
     const Surface whole = load_surface(arguments.surface);
     Stopwatch watch;
     const SurfaceTree tree(whole);
-    std::vector<CutLine> cuts;
-    for (const std::string& cut : arguments.cuts) cuts.push_back(cut_line(whole, tree, points_in(cut)));
+    std::vector<CutLine> cuts = cuts_of(arguments, whole, tree);
     const PiecesOptions options = pieces_options(arguments, whole, tree);
     Json proposed;
     if (arguments.propose_cuts > 0) {
@@ -168,7 +195,7 @@ int run_pieces(const DrapeArguments& arguments) {
 }
 
 int run_drape(const DrapeArguments& arguments) {
-    if (arguments.pieces || !arguments.cuts.empty() || arguments.seed.size() > 3 || arguments.propose_cuts > 0)
+    if (arguments.pieces || arguments.has_cuts() || arguments.seed.size() > 3 || arguments.propose_cuts > 0)
         return run_pieces(arguments);
     Surface loaded = load_surface(arguments.surface);
     Stopwatch watch;
@@ -236,11 +263,27 @@ Command add_drape(CLI::App& program) {
         ->take_all()
         ->allow_extra_args(false);
     command
+        .add_option(
+            "--cut-to-border", arguments->cuts_to_border,
+            "Cut the shortest way from a point on the surface, \"x,y,z\", to its border, or to a cut. Can be given "
+            "several times")
+        ->type_name("POINT")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+    command
+        .add_option("--cut-between-borders", arguments->cuts_between_borders,
+                    "So many times cut the shortest way between the two borders that are nearest to each other")
+        ->type_name("CUTS")
+        ->check(CLI::Range(1, k_most_cuts));
+    command
         .add_option("--propose-cuts", arguments->propose_cuts,
                     "Look for up to so many cuts with which more is covered, and cut along those found")
         ->type_name("CUTS")
         ->check(CLI::Range(1, k_most_cuts))
-        ->excludes("--cut-along");
+        ->excludes("--cut-along")
+        ->excludes("--cut-to-border")
+        ->excludes("--cut-between-borders");
     command.add_flag("--pieces", arguments->pieces, "Lay a net on each piece of a surface that is of several");
     CLI::Option* inside =
         command.add_flag("--inside", arguments->inside, "Set no vertex beyond the border of the surface");

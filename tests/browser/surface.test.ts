@@ -318,6 +318,45 @@ test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are
   expect(edges.length / 2).toBeGreaterThan(positions.length / 3);
 });
 
+test('a cut goes the shortest way between borders, and from the seed or from what was drawn to the border', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  const button = (name: string) => draper().getByRole('button', { name, exact: true });
+  expect(await button('Cut between borders').isVisible()).toBe(false);
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Torso');
+  await button('Cut between borders').waitFor();
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await measured();
+  const uncut = await picture();
+  await press('Cut between borders');
+  await button('Remove cuts').waitFor();
+  await measured();
+  expect((await picture()).equals(uncut)).toBe(false);
+  // There is one border now, and it is said.
+  await press('Cut between borders');
+  await draper()
+    .getByText(/no two borders/)
+    .waitFor();
+  // From the seed.
+  await press('Cut to the border');
+  await draper()
+    .getByText(/no two borders/)
+    .waitFor({ state: 'hidden' });
+  await press('Remove cuts');
+  await button('Remove cuts').waitFor({ state: 'hidden' });
+
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Free-form shell');
+  await button('Cut between borders').waitFor({ state: 'hidden' });
+  await measured();
+  await press('Draw a cut');
+  await clickPicture([0.3, 0.4], [0.55, 0.35]);
+  await button('End the cut').waitFor();
+  await press('Cut to the border');
+  await button('Remove cuts').waitFor();
+  await button('End the cut').waitFor({ state: 'hidden' });
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-shortest-cut.png') });
+});
+
 test('cuts that help a net are proposed with what they help', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

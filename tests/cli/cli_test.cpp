@@ -537,6 +537,12 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     const json chosen = box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --direction 1 1 0").json();
     CHECK(chosen.at("pieces")[1].contains("no_net") != chosen.at("pieces")[0].contains("no_net"));
 
+    const json tube = box.run("drape --surface torso --cells 300 --cut-between-borders 1").json();
+    CHECK(tube.at("described").at("boundary_loops") == 1);
+    const json parted = box.run(drape + "--cut-to-border 0,0.2,0 --cut-to-border 0.1,0.2,0").json();
+    CHECK(parted.at("pieces").size() == 1);
+    CHECK(parted.at("net").at("coverage") > 0.95);
+
     const json proposed = box.run("drape --surface pebble --cells 300 --propose-cuts 1").json();
     REQUIRE(proposed.at("proposed").at("cuts").size() == 1);
     const json& best = proposed.at("proposed").at("cuts")[0];
@@ -545,6 +551,10 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
 
     check_refused(box.run(drape + "--cut-along \"0,0 1,0,0\""), "\"0,0\" should be three numbers");
     check_refused(box.run(drape + "--cut-along \"0,0,0 1,x,0\""), "\"x\" is not a number");
+    check_refused(box.run(drape + "--cut-to-border 0,x,0"), "--cut-to-border: \"x\" is not a number");
+    check_refused(box.run(drape + "--cut-to-border \"0,0,0 1,0,0\""), "one point");
+    check_refused(box.run(drape + "--cut-between-borders 1"), "no two borders");
+    check_refused(box.run("drape --surface pebble --cut-to-border 0,0,9"), "no border");
     check_refused(box.run(drape + "--cut-along \"0,0,0\""), "cut 1 needs at least two points");
     check_refused(box.run(drape + "--cut-along \"0,0,0 0,0,3\""), "away from the surface");
     check_refused(box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --seed 0.1 0.5 0"), "seed 2");

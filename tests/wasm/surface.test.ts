@@ -135,6 +135,23 @@ describe('a net on it', () => {
     });
   });
 
+  test('is cut the shortest way to its border, and between borders until it has one', () => {
+    withSurface(chebnet.ownSurface('torso'), (torso) => {
+      const between = torso.shortestCut(null);
+      withSurface(torso.cut([between]), (open) => {
+        expect(open.describe().boundaryLoops).toBe(1);
+        const [from, to] = open.shortestCut([0, 0, 0]);
+        expect(torso.nearest([0, 0, 0]).position).toEqual(from);
+        expect(open.cutPath([from!, to!]).length).toBeGreaterThan(3);
+        expect(failure(() => open.shortestCut(null)).message).toContain('no two borders');
+      });
+      expect(failure(() => torso.shortestCut([0, NaN, 0]))).toMatchObject({ code: 'non_finite' });
+    });
+    withSurface(chebnet.ownSurface('pebble'), (pebble) => {
+      expect(failure(() => pebble.shortestCut([0, 0, 0]))).toMatchObject({ code: 'bad_option' });
+    });
+  });
+
   test('covers more with the cuts that are proposed', () => {
     withSurface(chebnet.ownSurface('pebble'), (pebble) => {
       const suggested = pebble.suggest(300);

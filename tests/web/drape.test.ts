@@ -171,6 +171,7 @@ describe('while a net is being laid', () => {
       opened: () => told.push('opened'),
       proposed: () => told.push('proposed'),
       traced: () => told.push('traced'),
+      cutFound: () => told.push('cutFound'),
       cutsProposed: () => told.push('cutsProposed'),
       placed: () => told.push('placed'),
       draped: () => told.push('draped'),

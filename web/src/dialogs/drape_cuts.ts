@@ -14,6 +14,10 @@ export interface CutEvents {
   shown(cuts: readonly Cut[], points: readonly Point[]): void;
   /** How a cut through some points runs. */
   traceWanted(points: (Point | Ray)[], revision: number): void;
+  /** The shortest cut to the border, or with null between two borders, beside other cuts. */
+  shortestWanted(from: Point | null, cuts: Point[][], revision: number): void;
+  /** Where a net begins. */
+  seed(): Point;
   /** Other cuts are to be made. */
   changed(): void;
   proposalsWanted(): void;
@@ -23,6 +27,8 @@ export class DrapeCuts {
   readonly #events: CutEvents;
   readonly #draw = makeButton(TEXT.draw, () => this.#setCutting(!this.#isCutting), { 'aria-pressed': 'false' });
   readonly #end = makeButton(TEXT.end, () => this.end(), { hidden: true });
+  readonly #toBorder = makeButton(TEXT.toBorder, () => this.#wantShortest(this.#last ?? this.#events.seed()));
+  readonly #between = makeButton(TEXT.between, () => this.#wantShortest(null));
   readonly #undo = makeButton(TEXT.undo, () => this.undo(), { hidden: true });
   readonly #clear = makeButton(TEXT.clear, () => this.#change([]), { hidden: true });
   readonly #propose = makeButton(TEXT.propose, () => this.#wantProposals());
@@ -33,6 +39,8 @@ export class DrapeCuts {
     { class: 'cuts', role: 'group', 'aria-label': TEXT.title },
     this.#draw,
     this.#end,
+    this.#toBorder,
+    this.#between,
     this.#undo,
     this.#clear,
     this.#propose,
@@ -46,6 +54,8 @@ export class DrapeCuts {
   /** That cut, as far as it is known. */
   #open: Cut | null = null;
   #isCutting = false;
+  /** Of the surface, uncut. */
+  #borders = 0;
   /** The cut ends once all of its points are known. */
   #isEnding = false;
 
@@ -71,6 +81,13 @@ export class DrapeCuts {
     else this.#show();
   }
 
+  /** Ends the cut that is being drawn, if that is where it begins.
+   *  @param revision likewise. */
+  setFound(cut: Cut, revision: number): void {
+    if (revision !== this.#revision) return;
+    this.#change([...this.#cuts, this.#open === null ? cut : joined(this.#open, cut)]);
+  }
+
   setProposed(cuts: readonly Cut[], coverage: readonly number[]): void {
     this.#propose.disabled = false;
     const [before, after] = [coverage[0]!, coverage.at(-1)!];
@@ -86,8 +103,9 @@ export class DrapeCuts {
     setText(this.#words, this.#isCutting ? TEXT.howTo : '');
   }
 
-  /** Of another surface. */
-  reset(): void {
+  /** Of another surface, which has so many borders. */
+  reset(borders: number): void {
+    this.#borders = borders;
     this.#cuts = [];
     this.#open = null;
     this.giveUp();
@@ -105,6 +123,11 @@ export class DrapeCuts {
   undo(): void {
     if (this.#points.length > 0) this.#setPoints(this.#points.slice(0, -1));
     else if (this.#cuts.length > 0) this.#change(this.#cuts.slice(0, -1));
+  }
+
+  /** Point of the cut that is being drawn. */
+  get #last(): Point | undefined {
+    return this.#open?.points.at(-1);
   }
 
   get #isKnown(): boolean {
@@ -129,6 +152,10 @@ export class DrapeCuts {
     this.#events.changed();
   }
 
+  #wantShortest(from: Point | null): void {
+    this.#events.shortestWanted(from, this.read(), this.#revision);
+  }
+
   #wantProposals(): void {
     this.#propose.disabled = true;
     setText(this.#words, TEXT.proposing);
@@ -146,8 +173,15 @@ export class DrapeCuts {
 
   #show(): void {
     this.#end.hidden = this.#open === null;
+    this.#toBorder.hidden = this.#borders + this.#cuts.length === 0;
+    this.#between.hidden = this.#borders < 2 || this.#open !== null;
     this.#undo.hidden = this.#open === null && this.#cuts.length === 0;
     this.#clear.hidden = this.#cuts.length === 0;
     this.#events.shown([...this.#cuts, ...(this.#open === null ? [] : [this.#open])], this.#open?.points ?? []);
   }
+}
+
+/** A cut that goes on along another one. */
+function joined(cut: Cut, next: Cut): Cut {
+  return { points: [...cut.points, ...next.points.slice(1)], path: Float64Array.of(...cut.path, ...next.path) };
 }

@@ -62,6 +62,8 @@ export class DrapeDialog implements DraperLike {
     cuttingChanged: (cutting) => this.#picture.setCutting(cutting),
     shown: (cuts, points) => this.#picture.setCuts(cuts, points),
     traceWanted: (points, revision) => this.#draping.trace(points, revision),
+    shortestWanted: (from, cuts, revision) => this.#draping.findShortestCut(from, cuts, revision),
+    seed: () => this.#seedShown(),
     changed: () => this.#drape(),
     proposalsWanted: () => this.#draping.proposeCuts({ ...this.#settings(), seed: this.#seedShown() }),
   });
@@ -143,6 +145,7 @@ export class DrapeDialog implements DraperLike {
       opened: (surface, length) => this.#onOpened(surface, length),
       proposed: (proposals) => this.#onProposed(proposals),
       traced: (cut, revision) => this.#cuts.setTraced(cut, revision),
+      cutFound: (cut, revision) => this.#cuts.setFound(cut, revision),
       placed: (place, mark) => this.#singular.setPlace(place, mark),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
@@ -186,7 +189,7 @@ export class DrapeDialog implements DraperLike {
 
   #onOpened(surface: ShownSurface, length: number): void {
     this.#picture.setSurface(surface);
-    this.#cuts.reset();
+    this.#cuts.reset(surface.report.boundaryLoops);
     this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report.area, length);

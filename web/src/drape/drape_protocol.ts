@@ -97,6 +97,9 @@ export type DrapeRequest =
   | { type: 'propose'; settings: ProposalSettings }
   /** A cut through some points, without those that are beside the surface. Answered with `traced` or `error`. */
   | { type: 'trace'; points: (Point | Ray)[]; revision: number }
+  /** The shortest cut from a point to the border, or between two borders, of the surface cut open along others. Answered with
+   *  `cutFound` or `error`. */
+  | { type: 'shortestCut'; from: Point | null; cuts: Point[][]; revision: number }
   /** A point of the surface, for a mark on it; null: for a new one. Answered with `placed`. */
   | { type: 'place'; at: Point | Ray; mark: number | null }
   /** Cuts that help a net. Answered with `cutsProposed` or `error`. */
@@ -111,6 +114,8 @@ export type DrapeResponse =
   | { type: 'proposed'; proposals: Proposal[] }
   /** `revision` is that of the `trace`. */
   | { type: 'traced'; cut: Cut; revision: number }
+  /** `revision` is that of the `shortestCut`. */
+  | { type: 'cutFound'; cut: Cut; revision: number }
   /** null: the ray does not meet the surface. */
   | { type: 'placed'; place: SurfacePlace | null; mark: number | null }
   /** @see CutProposals of wasm/chebnet.d.ts about `coverage`. */

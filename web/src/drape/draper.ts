@@ -49,6 +49,7 @@ export class Draper {
     if (request.type === 'propose') return this.#propose(this.#surface, request.settings);
     if (request.type === 'drape') return this.#lay(this.#surface, request.settings);
     if (request.type === 'trace') return trace(this.#surface, request.points, request.revision);
+    if (request.type === 'shortestCut') return this.#shortestCut(this.#surface, request);
     if (request.type === 'place')
       return { type: 'placed', place: placeOf(this.#surface, request.at), mark: request.mark };
     if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
@@ -109,6 +110,14 @@ export class Draper {
       this.#opened = { surface: opened, cuts: key };
     }
     return this.#opened.surface;
+  }
+
+  #shortestCut(
+    surface: Surface,
+    { from, cuts, revision }: Extract<DrapeRequest, { type: 'shortestCut' }>,
+  ): DrapeResponse {
+    const points = this.#cutOpen(surface, cuts).shortestCut(from);
+    return { type: 'cutFound', cut: { points, path: surface.cutPath(points) }, revision };
   }
 
   #proposeCuts(surface: Surface, settings: DrapeSettings): DrapeResponse {

@@ -34,6 +34,8 @@ export interface DrapingEvents {
   proposed(proposals: Proposal[]): void;
   /** A cut through the points that were asked for, without those beside the surface. */
   traced(cut: Cut, revision: number): void;
+  /** The shortest one that was asked for. */
+  cutFound(cut: Cut, revision: number): void;
   /** Where a mark is to stand; null: for a new one. */
   placed(place: SurfacePlace, mark: number | null): void;
   /** Cuts that help; `coverage` is one longer, without them and with each further one. */
@@ -81,6 +83,11 @@ export class Draping {
 
   trace(points: (Point | Ray)[], revision: number): void {
     this.#askOfSurface({ type: 'trace', points, revision });
+  }
+
+  /** From a point to the border, or between two borders; the cuts that are there are border, too. */
+  findShortestCut(from: Point | null, cuts: Point[][], revision: number): void {
+    this.#askOfSurface({ type: 'shortestCut', from, cuts, revision });
   }
 
   /** Where a ray, or what is nearest to a point, is on the surface: for a mark there, or for a new one, null. */
@@ -166,6 +173,7 @@ export class Draping {
     if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
     else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
+    else if (response.type === 'cutFound') this.#events.cutFound(response.cut, response.revision);
     else if (response.type === 'placed') this.#tellPlaced(response.place, response.mark);
     else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);

@@ -147,6 +147,8 @@ export const dialogs = {
       title: 'Cuts',
       draw: 'Draw a cut',
       end: 'End the cut',
+      toBorder: 'Cut to the border',
+      between: 'Cut between borders',
       undo: 'Undo',
       clear: 'Remove cuts',
       propose: 'Propose cuts',

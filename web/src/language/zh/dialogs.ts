@@ -157,6 +157,8 @@ export const dialogs: Widened<typeof en> = {
       title: '剪口',
       draw: '画剪口',
       end: '结束剪口',
+      toBorder: '剪到边界',
+      between: '在边界之间剪开',
       undo: '撤销',
       clear: '去掉剪口',
       propose: '建议剪口',

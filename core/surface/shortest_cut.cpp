@@ -1,0 +1,119 @@
+#include "surface/shortest_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "surface/geodesics.h"
+#include "surface/surface_path.h"
+
+namespace chebnet {
+
+namespace {
+
+// Of a side: halvings by the golden section, down to less than snapped() does away with.
+constexpr int k_sections = 16;
+const double k_golden = (std::sqrt(5.0) - 1) / 2;
+
+using Loop = std::vector<int>;  // sides along a boundary curve
+
+SurfacePoint point_on(int side, double part) {
+    SurfacePoint point{Surface::face_of(side), Eigen::Vector3d::Zero()};
+    point.weights[side % 3] = 1 - part;
+    point.weights[Surface::next(side) % 3] = part;
+    return snapped(point);
+}
+
+struct Reached {
+    SurfacePoint point;
+    double way = std::numeric_limits<double>::infinity();
+};
+
+/// The point of a side that is nearest to `from`: along it the way gets shorter and then longer, or one of both.
+Reached nearest_on(const Surface& surface, const SurfacePoint& from, int side) {
+    const auto way = [&](double part) { return shortest_path(surface, from, point_on(side, part)).length; };
+    double low = 0, high = 1;
+    double a = 1 - k_golden, b = k_golden, way_a = way(a), way_b = way(b);
+    for (int k = 0; k < k_sections; ++k) {
+        const bool is_left = way_a < way_b;
+        (is_left ? high : low) = is_left ? b : a;
+        if (is_left) {
+            b = a, way_b = way_a;
+            a = high - k_golden * (high - low), way_a = way(a);
+        } else {
+            a = b, way_a = way_b;
+            b = low + k_golden * (high - low), way_b = way(b);
+        }
+    }
+    Reached best{point_on(side, 0), way(0)};
+    for (const double part : {1.0, (low + high) / 2})
+        if (const double here = way(part); here < best.way) best = {point_on(side, part), here};
+    return best;
+}
+
+/// On the sides at the vertex that is nearest by distances over the surface; nothing if none is in reach.
+std::optional<Reached> nearest_on(const Surface& surface, const SurfacePoint& from, const std::vector<Loop>& loops) {
+    const std::vector<double> distances = geodesic_distances(surface, {{from}});
+    double least = std::numeric_limits<double>::infinity();
+    int before = -1, behind = -1;
+    for (const Loop& loop : loops)
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            if (const double here = distances[surface.from(loop[k])]; here < least) {
+                least = here;
+                before = loop[(k + loop.size() - 1) % loop.size()];
+                behind = loop[k];
+            }
+    if (behind < 0) return std::nullopt;
+    const Reached a = nearest_on(surface, from, before), b = nearest_on(surface, from, behind);
+    return a.way < b.way ? a : b;
+}
+
+/// The vertex at which a side begins.
+SurfacePoint beginning_of(int side) { return point_on(side, 0); }
+
+/// Of two curves of one piece, that are nearest to each other.
+struct Pair {
+    std::size_t first = 0;   // place of a curve
+    SurfacePoint on_second;  // a vertex of another
+};
+
+std::optional<Pair> nearest_pair(const Surface& surface, const std::vector<Loop>& loops) {
+    std::optional<Pair> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
+        std::vector<SurfacePoint> sources;
+        std::transform(loops[i].begin(), loops[i].end(), std::back_inserter(sources), beginning_of);
+        const std::vector<double> distances = geodesic_distances(surface, sources);
+        for (std::size_t j = i + 1; j < loops.size(); ++j)
+            for (const int side : loops[j])
+                if (const double here = distances[surface.from(side)]; here < least) {
+                    least = here;
+                    best = Pair{i, beginning_of(side)};
+                }
+    }
+    return best;
+}
+
+}  // namespace
+
+CutLine shortest_cut_to_border(const Surface& surface, const SurfacePoint& from) {
+    const std::optional<Reached> reached = nearest_on(surface, snapped(from), surface.boundary_loops());
+    if (!reached) throw Error(ErrorCode::bad_option, "there is no border that a cut could go to");
+    if (!(reached->way > 0)) throw Error(ErrorCode::bad_option, "a cut to the border cannot begin on it");
+    return {from, reached->point};
+}
+
+CutLine shortest_cut_between_borders(const Surface& surface) {
+    const std::vector<Loop> loops = surface.boundary_loops();
+    const std::optional<Pair> pair = nearest_pair(surface, loops);
+    if (!pair) throw Error(ErrorCode::bad_option, "the surface has no two borders that a cut could join");
+    const SurfacePoint end = nearest_on(surface, pair->on_second, {loops[pair->first]})->point;
+    std::vector<Loop> others = loops;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(pair->first));
+    return {end, nearest_on(surface, end, others)->point};
+}
+
+}  // namespace chebnet

@@ -1,0 +1,99 @@
+#include "surface/shortest_cut.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "sample_surfaces.h"
+#include "surface/surface_path.h"
+#include "surface/surface_tree.h"
+
+using namespace chebnet;
+using Catch::Matchers::Contains;
+
+namespace {
+
+SurfacePoint at(const Surface& surface, const Eigen::Vector3d& point) { return SurfaceTree(surface).nearest(point).at; }
+
+double length_of(const Surface& surface, const CutLine& cut) {
+    REQUIRE(cut.size() == 2);
+    return shortest_path(surface, cut[0], cut[1]).length;
+}
+
+int euler_characteristic(const Surface& surface) {
+    int edges = 0;
+    for (int s = 0; s < 3 * surface.face_count(); ++s) edges += surface.opposite(s) < s ? 1 : 0;
+    return surface.vertex_count() - edges + surface.face_count();
+}
+
+/// A square of 1 × 1 with two square holes.
+Surface plate_with_holes() {
+    const Mesh all =
+        samples::quads(13, 13, false, false, [](int i, int j) { return Eigen::Vector3d(i / 12., j / 12., 0); });
+    Mesh mesh{all.positions, {}};
+    for (int f = 0; f < all.faces.size(); ++f) {
+        const int i = f % 12, j = f / 12;
+        const bool is_hole = (i / 2 == 2 && j / 2 == 1) || (i / 2 == 4 && j / 2 == 3);
+        if (!is_hole) mesh.faces.add(all.faces[f]);
+    }
+    return Surface(repair(mesh, {Defect::unused_vertices}).mesh);
+}
+
+}  // namespace
+
+TEST_CASE("From a point of a square the shortest cut goes straight to the side that is nearest") {
+    // Two triangles alone, and many: where a side is met does not depend on where its vertices are.
+    std::mt19937 random(11);
+    for (const int n : {2, 17}) {
+        const Surface square(samples::plane(n, 1));
+        for (int trial = 0; trial < 20; ++trial) {
+            Eigen::Vector3d point = samples::random_point(0.9, random);
+            point.z() = 0;
+            const CutLine cut = shortest_cut_to_border(square, at(square, point));
+            const double way = 1 - point.head<2>().lpNorm<Eigen::Infinity>();
+            CAPTURE(n, point.transpose());
+            CHECK((square.position_at(cut[0]) - point).norm() < 1e-9);
+            CHECK(square.position_at(cut[1]).head<2>().lpNorm<Eigen::Infinity>() == Approx(1));
+            CHECK(length_of(square, cut) == Approx(way).epsilon(0.01));
+        }
+    }
+}
+
+TEST_CASE("A tube cut between its borders along the shortest way is a piece with one border") {
+    const Surface tube(samples::cylinder(40, 9, 1.5));
+    const CutLine cut = shortest_cut_between_borders(tube);
+    CHECK(length_of(tube, cut) == Approx(3));
+    CHECK(tube.position_at(cut[0]).z() * tube.position_at(cut[1]).z() == Approx(-1.5 * 1.5));
+    const Surface open = cut_open(tube, {{cut}});
+    CHECK(open.boundary_loops().size() == 1);
+    CHECK(euler_characteristic(open) == 1);
+}
+
+TEST_CASE("Cuts between borders, one after the other, begin with those that are nearest, and join all") {
+    const Surface plate = plate_with_holes();
+    std::vector<CutLine> cuts;
+    Surface open = plate;
+    for (const double way : {2. / 12, 2. / 12 * std::sqrt(2.)}) {
+        const CutLine cut = shortest_cut_between_borders(open);
+        CHECK(length_of(open, cut) <= way + 1e-9);
+        Positions ends(3, 2);
+        ends << open.position_at(cut[0]), open.position_at(cut[1]);
+        cuts.push_back(cut_line(plate, SurfaceTree(plate), ends));
+        open = cut_open(plate, cuts);
+    }
+    CHECK(open.boundary_loops().size() == 1);
+    CHECK(euler_characteristic(open) == 1);
+    CHECK(open.area() == Approx(plate.area()));
+    CHECK_THROWS_WITH(shortest_cut_between_borders(open), Contains("no two borders"));
+}
+
+TEST_CASE("A slit is border for the cut that comes after it") {
+    const Surface sphere(samples::sphere(12));
+    CHECK_THROWS_WITH(shortest_cut_to_border(sphere, at(sphere, {0, 0, 1})), Contains("no border"));
+    CHECK_THROWS_WITH(shortest_cut_between_borders(sphere), Contains("no two borders"));
+    const Surface open = cut_open(sphere, {{CutLine{at(sphere, {1, 0, 0}), at(sphere, {0, 1, 0})}}});
+    const CutLine cut = shortest_cut_to_border(open, at(open, {0.1, 0.1, 1}));
+    CHECK(std::abs(open.position_at(cut[1]).z()) < 0.05);
+    CHECK_THROWS_WITH(shortest_cut_to_border(open, cut[1]), Contains("cannot begin on it"));
+}
