@@ -38,8 +38,9 @@ constexpr double k_least_gain = 0.99;  // of what a step leaves of the error of 
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
 constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
-// A vertex that is so near to a crease, in L, is on it: as the mean of its cells it stands off from one at first.
-constexpr double k_on_crease = 0.5;
+// A vertex that is so near to a crease, in L, is on it: as the mean of its cells, half of one away on either side, it
+// stands off from one at first, by the more the sharper that is.
+constexpr double k_on_crease = 0.7;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
 constexpr int k_most_projections = 60, k_most_openings = 30;
@@ -99,6 +100,7 @@ private:
     void make_fair() {
         const bool fits = m_options.length == 0;
         const Net net = with_length(m_length);
+        m_evened = m_positions;
         find_pulls();
         FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
         double done = 0;
@@ -106,24 +108,28 @@ private:
             m_go_on(k_even_at + (k_fair_at - k_even_at) * done);
             done += (1 - done) / 10;  // it does not know how many steps it takes
             m_positions = start.unit() * start.positions();
-            if (!m_options.has_border) continue;
+            if (!may_slide()) continue;
             find_pulls();
             start.set_pulls(in_unit(m_pulls, start.unit()));
         } while (start.step());
         m_positions = start.unit() * start.positions();
         m_length *= start.unit();
-        if (m_options.has_border) find_pulls();
+        if (may_slide()) find_pulls();
     }
 
-    /// Each to where it is, or along the border to the point next to it, so that it may slide from step to step.
+    bool may_slide() const { return m_options.has_border || !m_creases.vertices.empty(); }
+
+    /// To the points of border and creases that are next to vertices, so that these slide from step to step; a border
+    /// that is none of the net's lines, to where it was.
     void find_pulls() {
         m_pulls = m_options.pulls;
-        for (const int v : m_border.vertices) {
-            const Eigen::Vector3d x = m_positions.col(v);
-            m_pulls.push_back(m_options.has_border ? Pull{v, x - way_from(m_border, x).away, k_pull_along_border}
-                                                   : Pull{v, x, k_pull_of_border});
-        }
-        for (const int v : m_creases.vertices) m_pulls.push_back({v, m_positions.col(v), k_pull_of_crease});
+        const auto draw_along = [this](const Rail& rail, double weight) {
+            for (const int v : rail.vertices)
+                m_pulls.push_back({v, m_positions.col(v) - way_from(rail, m_positions.col(v)).away, weight});
+        };
+        draw_along(m_creases, k_pull_of_crease);
+        if (m_options.has_border) return draw_along(m_border, k_pull_along_border);
+        for (const int v : m_border.vertices) m_pulls.push_back({v, m_evened.col(v), k_pull_of_border});
     }
 
     static std::vector<Pull> in_unit(std::vector<Pull> pulls, double unit) {
@@ -405,7 +411,7 @@ private:
     Topology m_topology;
     FitOptions m_options;
     double m_length;
-    Positions m_positions;
+    Positions m_positions, m_evened;
     std::vector<int> m_guess;
     std::vector<Pull> m_pulls;  // those asked for, and the border to where it is once edges are even
     Rail m_border, m_creases;

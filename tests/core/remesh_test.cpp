@@ -306,6 +306,31 @@ TEST_CASE("Net lines follow the creases of a box if they are asked to") {
     CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * k_degree);
 }
 
+TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edges allow") {
+    Mesh mesh;
+    mesh.positions.resize(3, 6);
+    const double height = std::sqrt(3.0) / 2;
+    mesh.positions << 0, 1, 0.5, 0, 1, 0.5, 0, 0, height, 0, 0, height, 0, 0, 0, 2, 2, 2;
+    for (const std::vector<int>& face :
+         std::vector<std::vector<int>>{{2, 1, 0}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}})
+        mesh.faces.add(face);
+    const Surface prism(mesh);
+    RemeshOptions options = of_cells(500);
+    options.crease = 40 * k_degree;
+    const Remesh made = remeshed(prism, options, 2);
+    double sum = 0;
+    int count = 0;
+    for (int s = 0; s < 3 * prism.face_count(); ++s) {
+        if (!creases_of(prism, options.crease)[s]) continue;
+        const Eigen::Vector3d from = prism.positions().col(prism.from(s)), to = prism.positions().col(prism.to(s));
+        for (double part = 0.02; part < 1; part += 0.02, ++count)
+            sum += distance_to_edges(made.net, (1 - part) * from + part * to);
+    }
+    CHECK(sum / count < 0.35 * made.net.mean_length());
+    // At the six corners, and within each of the triangles.
+    CHECK(made.singular.size() == 8);
+}
+
 TEST_CASE("The border of a plate is a net line from corner to corner, whatever its shape") {
     const Surface rectangle = plate(17, 6, 3.3, 1.2, [](double, double) { return true; });
     const Net straight = remeshed(rectangle, of_cells(400), 1).net;
