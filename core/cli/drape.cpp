@@ -78,6 +78,11 @@ Json drape_report(const Drape& draped, const DrapeReport& measured) {
 
 /// "x,y,z x,y,z ..."
 Positions points_in(const std::string& text, const std::string& option) {
+    const auto refuse = [&](const std::string& word, const char* reason) {
+        std::string message = option;
+        message.append(": \"").append(word).append("\" ").append(reason);
+        throw Error(ErrorCode::bad_option, message);
+    };
     std::istringstream words(text);
     std::vector<double> numbers;
     for (std::string word; words >> word;) {
@@ -85,11 +90,10 @@ Positions points_in(const std::string& text, const std::string& option) {
         int count = 0;
         for (std::string part; std::getline(parts, part, ','); ++count) {
             const std::optional<double> number = parse_number(part);
-            if (!number) throw Error(ErrorCode::bad_option, option + ": \"" + part + "\" is not a number");
+            if (!number) refuse(part, "is not a number");
             numbers.push_back(*number);
         }
-        if (count != 3)
-            throw Error(ErrorCode::bad_option, option + ": \"" + word + "\" should be three numbers, as in 1,0,2.5");
+        if (count != 3) refuse(word, "should be three numbers, as in 1,0,2.5");
     }
     return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
 }

@@ -158,7 +158,7 @@ private:
 
     struct Grid {
         GridMap map;
-        bool has_border;  // on its lines
+        bool has_border = false;  // on its lines
     };
 
     /// With the border on its lines where it is to be, or fits.
