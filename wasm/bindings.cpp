@@ -58,6 +58,7 @@ val methods() {
         set_text(row, "name", method.name);
         set_text(row, "sentence", method.sentence);
         set_text(row, "citation", method.citation);
+        row.set("slides", method.slides);
         table.call<void>("push", row);
     }
     return table;

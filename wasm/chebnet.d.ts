@@ -34,6 +34,8 @@ export interface MethodInfo {
   name: string;
   sentence: string;
   citation: string;
+  /** Whether it lets handles slide; others hold them where they stand. */
+  slides: boolean;
 }
 
 export interface InitialisationInfo {
@@ -107,7 +109,7 @@ export interface Handle {
   weight?: number;
   /**
    * An exact handle that slides: it holds its other coordinates exactly and leaves these to the net, where its target
-   * follows the vertex. `equilibrium` knows this; other methods hold the vertex where it stands.
+   * follows the vertex. Methods whose `slides` is false hold the vertex where it stands.
    */
   slides?: Axes;
 }

@@ -16,7 +16,8 @@ namespace {
 std::string method_list() {
     std::vector<std::vector<std::string>> rows;
     for (const MethodInfo& method : method_table())
-        rows.push_back({method.name, std::string(method.sentence) + " (" + method.citation + ")"});
+        rows.push_back({method.name, std::string(method.sentence) + (method.slides ? " Lets handles slide." : "") +
+                                         " (" + method.citation + ")"});
     return "Methods:\n" + text_table(rows);
 }
 
@@ -74,7 +75,7 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
     command
         .add_option("--edit", arguments.edit,
                     R"({"handles": [{"vertex": 0, "target": [x, y, z]}, ...]}; "weight": 1 makes a handle soft, )"
-                    R"("slides": "xy" lets it slide along these axes, with equilibrium; others hold it)")
+                    R"("slides": "xy" lets it slide along these axes, with methods that do)")
         ->required()
         ->type_name("EDIT.json");
     command.add_option("--method", arguments.method, "Method, see below; " + usual_methods())->type_name("NAME");

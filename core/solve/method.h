@@ -57,7 +57,8 @@ struct MethodInfo {
     const char* name;
     const char* sentence;
     const char* citation;
-    MakeMethod make;  ///< null in a build that has the method's words only
+    MakeMethod make;      ///< null in a build that has the method's words only
+    bool slides = false;  ///< whether it lets handles slide: knows_slides() of what is made
 };
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.

@@ -100,5 +100,5 @@ test('one handle slides along what the list says, and a hand moves it only acros
   expect(Math.hypot(after[0] - x, after[1] - y)).toBeLessThan(0.5);
 
   await visit.page.evaluate(() => window.chebnet.setOptions({ method: 'li2022' }));
-  await visit.page.locator('.handles li p:visible', { hasText: /^Handles slide in nets/ }).waitFor();
+  await visit.page.locator('.handles li p:visible', { hasText: /^This method holds handles/ }).waitFor();
 });

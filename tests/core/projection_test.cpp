@@ -61,6 +61,32 @@ TEST_CASE("A projection is the move of least norm that meets the linearised leng
     CHECK((move - shortest).norm() < 1e-12 * move.norm());
 }
 
+TEST_CASE("Where feet slide a projection is the least move in the coordinates that they leave free") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const Net net = GENERATE(0, 1) == 0 ? samples::patch(6, 5) : samples::mixed_mesh();
+    const Topology topology(net);
+    const std::vector<bool> is_free = free_vertices(net.vertex_count(), std::vector<int>{0});
+    const std::vector<Slide> slides{{4, 3}, {2, 4}, {net.vertex_count() - 1, 5}};
+    const Positions before = samples::shaken(net.rest_positions(), 0.02, random);
+    DenseConstraints dense(net, before, is_free);
+    for (const auto& [vertex, along] : slides)
+        for (int k = 0; k < 3; ++k)
+            if (!has_axis(along, k)) dense.J.col(3 * vertex + k).setZero();
+
+    LengthProjection lengths(net, topology);
+    lengths.set_free(is_free, slides);
+    Positions x = before;
+    REQUIRE(lengths.project(x));
+    for (const auto& [vertex, along] : slides) CHECK(across(along, x.col(vertex)) == across(along, before.col(vertex)));
+    const Eigen::VectorXd move = (x - before).reshaped();
+    CHECK((dense.J * move + dense.c).norm() <= 0.03 * dense.c.norm());
+    // First-order condition: the move is a sum of constraint gradients.
+    const Eigen::VectorXd shortest = dense.J.completeOrthogonalDecomposition().solve(dense.J * move);
+    CHECK((move - shortest).norm() < 1e-12 * move.norm());
+}
+
 TEST_CASE("Projections converge quadratically and never move a held vertex") {
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);

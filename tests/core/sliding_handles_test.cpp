@@ -200,9 +200,55 @@ TEST_CASE("A foot that is dragged higher than the net goes is held back, and eve
     CHECK(max_deviation(net, editor.positions()) < 1e-6);
 }
 
+TEST_CASE("With projection too the border of a sheet slides inwards, and holds its height to the last bit") {
+    const Sheet flat = sheet(9);
+    Editor editor = editor_of(flat.net, flat.handles);
+    editor.set_method("projection");
+    std::vector<Handle> wanted = flat.handles;
+    for (const double lift : {0.5, 1.0, 2.0}) {
+        CAPTURE(lift);
+        const double before = width(flat, editor.positions());
+        wanted.back().target.z() = lift;
+        editor.move_handle(flat.middle, wanted.back().target);
+        const SolveReport report = editor.solve();
+        CHECK(report.status == Status::converged);
+        CHECK(report.max_deviation < editor.options().threshold);
+        CHECK(holds(editor, wanted));
+        CHECK(width(flat, editor.positions()) < before - 0.01);
+    }
+    wanted[0].target.z() = 0.2;
+    editor.move_handle(wanted[0].vertex, wanted[0].target);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(holds(editor, wanted));
+}
+
+TEST_CASE("With projection feet that slide along one axis or two find where lengths are, from anywhere nearby") {
+    const unsigned seed = 20'240;
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (int round = 0; round < 12; ++round) {
+        CAPTURE(round);
+        const Net net = samples::patch(7 + round % 3, 6, 0.3);
+        const Axes axes[] = {k_ground, k_x, k_y + k_z, k_z};
+        const int last = net.vertex_count() - 1;
+        std::vector<Handle> handles{pinned(net, 0), sliding(net, last, axes[round % 4]),
+                                    sliding(net, 3, axes[(round + 1) % 4])};
+        Editor editor = editor_of(net, handles);
+        editor.set_method("projection");
+        Positions x = net.rest_positions();
+        for (double& each : x.reshaped()) each += 0.15 * number(random);
+        editor.set_positions(x);
+        CHECK(editor.solve().status == Status::converged);
+        CHECK(max_deviation(net, editor.positions()) < editor.options().threshold);
+        CHECK(holds(editor, handles));
+    }
+}
+
 TEST_CASE("Methods that do not let handles slide keep them where they stand") {
     for (const MethodInfo& info : method_table()) {
-        if (make_method(info.name)->knows_slides()) continue;
+        CHECK(make_method(info.name)->knows_slides() == info.slides);
+        if (info.slides) continue;
         CAPTURE(info.name);
         const Sheet flat = sheet(5);
         Editor editor = editor_of(flat.net, flat.handles);

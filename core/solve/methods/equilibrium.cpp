@@ -622,6 +622,6 @@ constinit const MethodInfo k_equilibrium = {
     "equilibrium", "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
     "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "
     "Optimization. SIAM Journal on Scientific Computing 23(4), 2001",
-    in_this_build(make)};
+    in_this_build(make), true};
 
 }  // namespace chebnet

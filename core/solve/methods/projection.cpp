@@ -42,13 +42,16 @@ class Projection : public Method {
 public:
     void prepare(const Problem& problem) override;
     bool knows_pulls() const override { return true; }
+    bool knows_slides() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
 
 private:
     enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
-    Problem problem() const { return {*m_net, *m_topology, m_fixed, m_pulls, m_reachable}; }
+    Problem without_slides() const { return {*m_net, *m_topology, m_held, m_pulls, m_reachable}; }
+    bool has_moved(int vertex, const Positions& positions) const;
+    void copy_kept(const Positions& from, Positions& to) const;
     void take_pulls(std::span<const Pull> pulls);
     int rigid_iterations(const Positions& positions) const;
     double largest_pull() const;
@@ -69,8 +72,10 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_fixed;
-    std::vector<bool> m_is_free;
+    std::vector<int> m_fixed, m_held;         // m_held: with those that slide
+    std::vector<bool> m_is_free, m_is_loose;  // m_is_loose: free, and does not slide
+    std::vector<Slide> m_slides;
+    std::vector<Axes> m_motion;  // V
     std::vector<Pull> m_pulls;
     std::unique_ptr<LaplacianPart> m_part;
     std::unique_ptr<ArapStep> m_arap;
@@ -108,9 +113,14 @@ void Projection::prepare(const Problem& problem) {
     m_topology = &problem.topology;
     m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
     m_is_free = free_vertices(net.vertex_count(), m_fixed);
+    m_slides.assign(problem.slides.begin(), problem.slides.end());
+    m_motion = axes_of_motion(m_is_free, m_slides);
+    m_held = m_fixed;
+    for (const Slide& slide : m_slides) m_held.push_back(slide.vertex);
+    m_is_loose = free_vertices(net.vertex_count(), m_held);
     m_part = std::make_unique<LaplacianPart>(net, m_is_free);
     m_arap = std::make_unique<ArapStep>(*m_part);
-    m_springs = std::make_unique<SpringDescent>(*m_part);
+    m_springs = std::make_unique<SpringDescent>(*m_part, m_slides);
     m_newton = k_gauss_newton.make();
     m_newton_prepared = false;
     m_shape.resize(3, 0);
@@ -131,7 +141,7 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
     take_pulls(problem.pulls);
     m_options = options;
     m_reachable = problem.reachable;
-    open_degenerate_edges(*m_net, *m_topology, m_is_free, positions);
+    open_degenerate_edges(*m_net, *m_topology, m_is_loose, positions);
     m_max_deviation = max_deviation(*m_net, positions);
     take_over_shape(positions);
     if (m_pulled == k_unknown) m_pulled = largest_pull();
@@ -151,8 +161,7 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
 /// The copy goes on from where it was, unless the net was changed from outside meanwhile.
 void Projection::take_over_shape(const Positions& positions) {
     bool moved = m_shape.cols() == 0;
-    for (int v = 0; v < m_net->vertex_count() && !moved; ++v)
-        moved = m_is_free[v] && positions.col(v) != m_result.col(v);
+    for (int v = 0; v < m_net->vertex_count() && !moved; ++v) moved = m_is_free[v] && has_moved(v, positions);
     if (moved) {
         m_shape = positions;
         m_shape_before = m_net->rest_positions();
@@ -160,6 +169,18 @@ void Projection::take_over_shape(const Positions& positions) {
         m_shape_before = m_shape;
     }
     for (int v : m_fixed) m_shape.col(v) = positions.col(v);
+    copy_kept(positions, m_shape);
+}
+
+/// Where it is not held, since the method left it.
+bool Projection::has_moved(int vertex, const Positions& positions) const {
+    const Axes held = k_all_axes - m_motion[vertex];
+    return across(held, positions.col(vertex)) != across(held, m_result.col(vertex));
+}
+
+/// The coordinates that are kept of what slides.
+void Projection::copy_kept(const Positions& from, Positions& to) const {
+    for (const auto& [v, along] : m_slides) copy_along(k_all_axes - along, from.col(v).data(), to.col(v).data());
 }
 
 double Projection::largest_pull() const {
@@ -172,6 +193,8 @@ double Projection::largest_pull() const {
 int Projection::rigid_iterations(const Positions& positions) const {
     double jump = m_pulled;
     for (int v : m_fixed) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
+    for (const auto& [v, along] : m_slides)
+        jump = std::max(jump, across(along, positions.col(v) - m_shape_before.col(v)).norm());
     const double iterations = k_least_rigid_iterations + std::floor(jump / m_net->mean_length());
     return static_cast<int>(std::min<double>(iterations, k_most_rigid_iterations));
 }
@@ -193,9 +216,9 @@ void Projection::enter(Stage stage, Positions& positions) {
             loosen_lengths();
             break;
         case newton:
-            if (!m_newton_prepared) m_newton->prepare(problem());
+            if (!m_newton_prepared) m_newton->prepare(without_slides());
             m_newton_prepared = true;
-            m_newton->start(problem(), positions, m_options);
+            m_newton->start(without_slides(), positions, m_options);
             break;
     }
 }
@@ -228,7 +251,7 @@ bool Projection::has_lengths() {
 
 /// Moves of stage 3 are measured in the metric 1 + w, so that pulls give way last.
 void Projection::loosen_lengths() {
-    m_lengths->set_free(m_is_free);
+    m_lengths->set_free(m_is_free, m_slides);
     for (const Pull& pull : m_part->pulls()) m_lengths->set_mobility(pull.vertex, 1 / (1 + pull.weight));
 }
 
@@ -254,11 +277,13 @@ Status Projection::iterate(Positions& positions, TraceRow& row) {
 Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
     m_shape_before = m_shape;
     m_arap->iterate(m_shape);
+    copy_kept(m_shape_before, m_shape);
     row.energy = m_arap->energy(m_shape);
     row.step = 1;
     for (int v : m_part->part().vertices()) {
         const Eigen::Vector3d moved = positions.col(v) + m_shape.col(v) - m_shape_before.col(v);
-        positions.col(v) = moved + k_forgetting * (m_shape.col(v) - moved);
+        const Eigen::Vector3d nearer = moved + k_forgetting * (m_shape.col(v) - moved);
+        copy_along(m_motion[v], nearer.data(), positions.col(v).data());
     }
     const bool done = measure(positions);
     if (done && m_pulled == 0) return Status::converged;
@@ -345,6 +370,9 @@ std::unique_ptr<Method> make() { return std::make_unique<Projection>(); }
 ///      when that has had its share of iterations by
 ///   4  Gauss–Newton steps (gauss_newton), each as costly as one of the paper's, which go on to the end if need be.
 ///
+/// What slides keeps its coordinates in all of them but the last, which holds it where it stands: stage 1 takes back
+/// what the copy would change of them, stage 2 descends and stage 3 projects in the others.
+///
 /// Where so many edges meet at a vertex that the system of stage 3 would be too large, stage 4 takes its place at once.
 ///
 /// Pulls act on the copy in stage 1, which so decides where their vertices are to be; the net's are drawn there by
@@ -358,6 +386,6 @@ constinit const MethodInfo k_projection = {
     "A rigid start, springs, then projection onto the exact lengths: our own way to go fast and bend little.",
     "Sorkine, Alexa 2007; Liu, Bouaziz, Kavan 2017; Goldenthal, Harmon, Fattal, Bercovier, Grinspun: Efficient "
     "Simulation of Inextensible Cloth. ACM Transactions on Graphics 26(3), 2007",
-    in_this_build(make)};
+    in_this_build(make), true};
 
 }  // namespace chebnet

@@ -9,8 +9,9 @@ constexpr int k_max_halvings = 10;
 
 }  // namespace
 
-SpringDescent::SpringDescent(LaplacianPart& part)
+SpringDescent::SpringDescent(LaplacianPart& part, std::span<const Slide> slides)
     : m_part(part),
+      m_slides(slides.begin(), slides.end()),
       m_gradient(4, part.part().size()),
       m_next_gradient(4, part.part().size()),
       m_direction(4, part.part().size()),
@@ -22,6 +23,15 @@ void SpringDescent::start(const Positions& positions, const Positions& centres) 
     m_energy = evaluate(positions, m_gradient);
 }
 
+/// Sets the parts of what is kept to 0, of moves or gradients. Taken off both sides of the first guess of the Hessian's
+/// inverse it leaves one of the coordinates that may move.
+template <typename Moves>
+void SpringDescent::keep_what_slides(Moves& moves) const {
+    for (const auto& [vertex, along] : m_slides)
+        for (int k = 0; k < 3; ++k)
+            if (!has_axis(along, k)) moves(k, m_part.part().node_of(vertex)) = 0;
+}
+
 bool SpringDescent::iterate(Positions& positions) {
     m_descent = -m_gradient.cast<float>();
     m_direction = m_descent;
@@ -30,6 +40,7 @@ bool SpringDescent::iterate(Positions& positions) {
         m_part.solve_in_place(d);
         d /= 2;
     });
+    keep_what_slides(m_direction);
     const double slope = -dense::dot(m_descent.data(), m_direction.data(), static_cast<int>(m_direction.size()));
     const std::vector<int>& vertices = m_part.part().vertices();
     m_origin = positions;
@@ -70,6 +81,7 @@ double SpringDescent::evaluate(const Positions& positions, Eigen::Matrix4Xd& gra
         energy += pull.weight * off.squaredNorm();
         gradient.col(m_part.part().node_of(pull.vertex)).head<3>() += 2 * pull.weight * off;
     }
+    keep_what_slides(gradient);
     return energy;
 }
 

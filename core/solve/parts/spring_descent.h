@@ -1,10 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
+#include <vector>
 
 #include "net/net.h"
 #include "solve/parts/laplacian_part.h"
 #include "solve/parts/lbfgs_history.h"
+#include "solve/slide.h"
 
 namespace chebnet {
 
@@ -18,7 +21,8 @@ namespace chebnet {
 /// to their targets. Nothing is allocated once the history is full. Keeps a reference to the part.
 class SpringDescent {
 public:
-    explicit SpringDescent(LaplacianPart& part);
+    /// `slides`: free vertices that keep some of their coordinates.
+    explicit SpringDescent(LaplacianPart& part, std::span<const Slide> slides = {});
 
     /// Begins at `positions` (3×V). `centres` (3×V, kept by reference): c_h is the column of the pull's vertex.
     void start(const Positions& positions, const Positions& centres);
@@ -30,10 +34,13 @@ public:
     double step() const { return m_step; }  ///< of the last iteration
 
 private:
+    template <typename Moves>
+    void keep_what_slides(Moves& moves) const;
     /// E and, 4×nodes, ∇E at some positions.
     double evaluate(const Positions& positions, Eigen::Matrix4Xd& gradient) const;
 
     LaplacianPart& m_part;
+    std::vector<Slide> m_slides;
     const Positions* m_centres = nullptr;
     LbfgsHistory<Eigen::Matrix4Xf> m_history{6};
     double m_energy = 0, m_step = 0;

@@ -1,6 +1,5 @@
 /** Along which axes handles slide. */
 import type { Axes } from '../../../wasm/chebnet';
-import { METHOD_AT_REST } from '../document/defaults';
 import { axesToSlide, type ChebnetDocument, type HandleData, type UpAxis } from '../document/document';
 import { make, makeSelect, setValue } from '../elements/dom';
 import type { HandleTraits } from '../handles/commands';
@@ -18,8 +17,11 @@ export interface Slipway {
   slides: boolean;
 }
 
+/** As the core's table has it (tests/web/handles_sliding.test.ts). */
+export const METHODS_THAT_SLIDE: readonly string[] = ['projection', 'equilibrium'];
+
 export function slipwayOf({ view, method }: ChebnetDocument): Slipway {
-  return { up: view.upAxis ?? 'z', slides: method === METHOD_AT_REST };
+  return { up: view.upAxis ?? 'z', slides: METHODS_THAT_SLIDE.includes(method) };
 }
 
 export class Sliding {

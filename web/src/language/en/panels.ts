@@ -100,7 +100,7 @@ export const panels = {
     ground: 'On the ground',
     along: (axis: string) => `Along ${axis}`,
     inPlane: (axes: string) => `In the plane ${axes}`,
-    elsewhere: 'Handles slide in nets that come to rest; this method holds them where they stand.',
+    elsewhere: 'This method holds handles where they stand; projection and equilibrium let them slide.',
   },
   guide: {
     title: (surface: string) => `Surface: ${surface}`,

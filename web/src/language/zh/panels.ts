@@ -138,7 +138,7 @@ export const panels: Widened<typeof en> = {
     ground: '在地面上',
     along: (axis) => `沿 ${axis}`,
     inPlane: (axes) => `在 ${axes} 平面内`,
-    elsewhere: '手柄只在趋于静止的网中滑动；此方法让它们停在原处。',
+    elsewhere: '此方法让手柄停在原处；projection 和 equilibrium 允许手柄滑动。',
   },
   guide: {
     title: (surface) => `曲面：${surface}`,
