@@ -16,7 +16,6 @@ import { lazy } from './lazy';
 import { Projects } from './projects/projects';
 import { createScripting } from './scripting';
 import type { Scripting } from './scripting';
-import { SELECTION_KEYS, VIEW_KEYS } from './view/gestures';
 import { createView } from './view/scene';
 import { readTheme } from './view/theme';
 import { newName, whenEnded } from './worker/life';
@@ -178,7 +177,10 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { AXIS_KEYS, ROW_KEYS, SNAP_KEYS }] = await Promise.all([keySheet(), lateKeys()]);
+  const [{ showKeySheet }, { AXIS_KEYS, ROW_KEYS, SELECTION_KEYS, SNAP_KEYS, VIEW_KEYS }] = await Promise.all([
+    keySheet(),
+    lateKeys(),
+  ]);
   showKeySheet(element('panels'), [
     { where: 'page', rows: PAGE_KEYS },
     { where: 'picture', rows: VIEW_KEYS },

@@ -5,8 +5,7 @@
 import { type Camera, Matrix4, TOUCH, Vector2, Vector3 } from 'three';
 import type { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Selection, toggled, united } from '../handles/selection';
-import { words } from '../language/language';
-import { chordOf, type KeyRow } from '../elements/keys';
+import { chordOf } from '../elements/keys';
 import type { Along } from '../handles/along';
 import type { AxisDrag } from './axis_drag';
 import { type DragReport, ViewPlane } from './drag';
@@ -89,21 +88,6 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
 };
 
 const AXIS_KEY = /^(Shift\+)?[XYZ]$/;
-
-/** What `key`, `escape` and the pointer with Shift do below. */
-export const VIEW_KEYS: readonly KeyRow[] = [
-  { keys: ['← → ↑ ↓'], does: 'turn' },
-  { keys: ['Shift+← → ↑ ↓'], does: 'pan' },
-  { keys: ['+', '−'], does: 'zoom' },
-  { keys: ['Home'], does: 'frame' },
-];
-export const SELECTION_KEYS: readonly KeyRow[] = [
-  { keys: ['← → ↑ ↓'], does: 'nudge' },
-  { keys: ['Shift+← → ↑ ↓'], does: 'bigNudge' },
-  { keys: [`Shift+${words.keys.click}`], does: 'toggle' },
-  { keys: [`Shift+${words.keys.drag}`], does: 'box' },
-  { keys: ['Esc'], does: 'cancel' },
-];
 
 export class Gestures {
   #press: Press | null = null;
