@@ -54,11 +54,11 @@ using MakeMethod = std::unique_ptr<Method> (*)();
 
 /// One line of the table by which the command line, the page and the tests find a method.
 struct MethodInfo {
-    const char* name;
-    const char* sentence;
-    const char* citation;
-    MakeMethod make;      ///< null in a build that has the method's words only
-    bool slides = false;  ///< whether it lets handles slide: knows_slides() of what is made
+    const char* name = nullptr;
+    const char* sentence = nullptr;
+    const char* citation = nullptr;
+    MakeMethod make = nullptr;  ///< null in a build that has the method's words only
+    bool slides = false;        ///< whether it lets handles slide: knows_slides() of what is made
 };
 std::span<const MethodInfo> method_table();
 /// The name of the method used unless another is asked for.
