@@ -71,10 +71,10 @@ TEST_CASE("The rigid motion that fits is the one by which points were moved; of 
     CHECK_FALSE(fit_rigid_motion(line, turn.toRotationMatrix() * line, Eigen::VectorXd::Ones(12)).is_determined);
 }
 
-TEST_CASE("Handles go an edge length at once, farther in quarters of one, and in eighths where no hand is so fast") {
+TEST_CASE("Handles go an edge length at once, two in quarters of one, and in eighths what no hand goes in a frame") {
     CHECK(steps_over(1) == 1);
     CHECK(steps_over(2) == 8);
-    CHECK(steps_over(8) == 32);
+    CHECK(steps_over(8) == 64);
     CHECK(std::abs(steps_over(10) - 80) <= 1);  // parts do not add up to a whole to the last bit
     CHECK(steps_over(1000) == 100);
 }
@@ -154,4 +154,22 @@ TEST_CASE("What is projected has every length and no corner beyond the limit; wh
     CHECK(constraints.held() != none);
     constraints.hold(none);
     CHECK(constraints.held() == none);
+}
+
+TEST_CASE("A corner that was far from its limit when corners were last looked at stops no move: it is held") {
+    const Net net = samples::patch(4, 4, 0);
+    const Topology topology(net);
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), std::vector<bool>(16, true), {},
+                               net.rest_positions());
+    const auto sheared = [&](double angle) {
+        Positions x = net.rest_positions();
+        x.row(0) += std::cos(angle) * x.row(1);
+        x.row(1) *= std::sin(angle);
+        return x;
+    };
+    const Positions x = sheared(60.01 * k_degree);
+    const Eigen::Matrix3Xd move = sheared(50 * k_degree) - x;
+    REQUIRE(constraints.part_until_short(x, move) < 0.01);
+    CHECK(constraints.hold_blocking_ones(x, move));
+    CHECK(constraints.part_until_short(x, move) == 1);
 }

@@ -72,12 +72,22 @@ double CornerLimit::shortening(const Positions& positions, const Eigen::Matrix3X
     return length > 0 ? d.dot(moves.col(limit.vertex_b) - moves.col(limit.vertex_a)) / (length * limit.unit) : 0;
 }
 
+bool CornerLimit::blocks(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const {
+    const double room = -lack(positions, limit);
+    return room <= k_near && room <= k_early_part * shortening(positions, moves, limit) - k_tolerance;
+}
+
+bool CornerLimit::is_blocked_by_unwatched(const Positions& positions, const Eigen::Matrix3Xd& moves) const {
+    for (std::size_t i = 0; i < m_limits.size(); ++i)
+        if (!m_is_watched[i] && blocks(positions, moves, m_limits[i])) return true;
+    return false;
+}
+
 int CornerLimit::hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves) {
     int changed = 0;
     for (int i : m_watched) {
-        if (m_held[i] > 0) continue;
+        if (m_held[i] > 0 || !blocks(positions, moves, m_limits[i])) continue;
         const double room = -lack(positions, m_limits[i]);
-        if (room > k_near || room > k_early_part * shortening(positions, moves, m_limits[i]) - k_tolerance) continue;
         const double above = room < -k_tolerance ? -std::max(0.0, -room - k_opening) : room;
         m_held[i] = m_limits[i].distance + above * m_limits[i].unit;
         ++changed;

@@ -32,8 +32,9 @@ public:
     /// Holds the diagonals that are too short: at their limit, or if that is far, some way towards it. Returns how many
     /// that changes.
     int hold_short_ones(const Positions& positions);
-    /// Holds the diagonals that would be short early on such a move, and are nearly so, as long as they are. Returns
-    /// how many that changes.
+    /// Whether a diagonal that is not watched would be short early on such a move, and is nearly so.
+    bool is_blocked_by_unwatched(const Positions& positions, const Eigen::Matrix3Xd& moves) const;
+    /// Holds those that would, as long as they are. Returns how many that changes.
     int hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves);
     /// The part of a move, 1 at most, by which none that is not held becomes short by more than the tolerance, to first
     /// order.
@@ -58,6 +59,7 @@ public:
 
 private:
     double lack(const Positions& positions, const Distance& limit) const;
+    bool blocks(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const;
     double shortening(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const;
 
     std::vector<Distance> m_limits;

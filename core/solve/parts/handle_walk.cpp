@@ -10,9 +10,10 @@ namespace chebnet {
 namespace {
 
 // Where handles move by more edge lengths than one step takes, the net follows in several: in few up to what a hand
-// does in a frame or two, and beyond, where nobody drags, with as much care as a slow hand takes, so that it ends where
-// that would.
-constexpr double k_one_step = 1, k_fast_drag = 8, k_fast_step = 0.25, k_careful_step = 0.125;
+// does in a frame, and beyond with as much care as a slow hand takes, so that it ends where that would.
+constexpr double k_one_step = 1, k_fast_drag = 2, k_fast_step = 0.25, k_careful_step = 0.125;
+// So far goes no hand in a frame or two.
+constexpr double k_jump = 8;
 constexpr double k_least_stride = 1.0 / 100;  // of the way: far jumps end, too
 // Of a step: where so little is left of it, the net is about to be taut.
 constexpr double k_least_progress = 0.1;
@@ -34,12 +35,12 @@ void HandleWalk::begin(const Positions& from, const Positions& to, double edge_l
     m_to = to;
     m_edge_length = edge_length;
     m_length = way_left(m_from);
-    const double stride = (is_jump() ? k_careful_step : k_fast_step) / m_length;
+    const double stride = (m_length <= k_fast_drag ? k_fast_step : k_careful_step) / m_length;
     m_stride = m_length <= k_one_step ? 1 : std::max(stride, k_least_stride);
     m_walked = 0;
 }
 
-bool HandleWalk::is_jump() const { return m_length > k_fast_drag; }
+bool HandleWalk::is_jump() const { return m_length > k_jump; }
 
 double HandleWalk::next() const { return std::min(1.0, m_walked + m_stride); }
 

@@ -81,6 +81,7 @@ void NetConstraints::hold_closer(const std::vector<double>& held, double part) {
 }
 
 bool NetConstraints::hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& move) {
+    if (m_limit.is_blocked_by_unwatched(positions, move)) watch(positions);
     if (m_limit.hold_blocking_ones(positions, move) == 0) return false;
     m_limit.apply(m_lengths->system());
     return true;
