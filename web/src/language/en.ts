@@ -149,10 +149,6 @@ export const en = {
   comparison: {
     net: 'Nets of a comparison',
     wasCancelled: 'The comparison was cancelled.',
-    yourNet: 'your net',
-    back: 'Back to your net',
-    showing: (run: string) => `Showing the result of ${run}`,
-    showingAll: (names: string[]) => `From left to right: ${names.join(' | ')}`,
   },
   link: {
     otherVersion: 'This link was made by another version of chebnet.',

@@ -146,10 +146,6 @@ export const zh: Words = {
   comparison: {
     net: '用于比较的网',
     wasCancelled: '比较已取消。',
-    yourNet: '您的网',
-    back: '回到您的网',
-    showing: (run) => `正在显示${spaced(run)}的结果`,
-    showingAll: (names) => `从左到右：${names.join(' | ')}`,
   },
   link: {
     otherVersion: '此链接由另一版本的 chebnet 生成。',

@@ -1,9 +1,11 @@
 /** A notice over the view that it shows the net of a run, with a button back to the user's own. */
 import type { Run } from '../compare/run';
-import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
+import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import './messages.css';
+
+const WORDS = panelWords.comparison.ofRuns;
 
 export class RunNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
@@ -16,15 +18,15 @@ export class RunNotice implements Panel {
       events.showRun(null);
       events.showBeside([]);
     };
-    this.#line = make('p', { class: 'message' }, this.#words, makeButton(words.comparison.back, back));
+    this.#line = make('p', { class: 'message' }, this.#words, makeButton(WORDS.back, back));
   }
 
   setRuns(run: Run | null, beside: readonly Run[]): void {
     if (run === null && beside.length === 0) return this.element.replaceChildren();
-    const names = [run?.label ?? words.comparison.yourNet, ...beside.map(({ label }) => label)];
+    const names = [run?.label ?? WORDS.yourNet, ...beside.map(({ label }) => label)];
     setText(
       this.#words,
-      beside.length === 0 ? words.comparison.showing(names[0]!) : words.comparison.showingAll(names),
+      beside.length === 0 ? WORDS.showing(names[0]!) : WORDS.showingAll(names),
     );
     this.element.replaceChildren(this.#line);
   }

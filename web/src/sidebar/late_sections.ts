@@ -4,6 +4,7 @@ import { makeSection } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { Narrator } from './narrator';
 import { PartNotice } from '../overlay/part_notice';
+import { RunNotice } from '../overlay/run_notice';
 import { SelectionBar } from '../overlay/selection_bar';
 import { SharpNotice } from '../overlay/sharp_notice';
 import { StuckNotice } from '../overlay/stuck_notice';
@@ -58,7 +59,7 @@ export function createLateSections(
     comparison.element,
   );
   research.classList.add('group');
-  const tools = [new SelectionBar(events), new PartNotice(events)];
+  const tools = [new SelectionBar(events), new PartNotice(events), new RunNotice(events)];
   const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
     panels: [...usual, flip, convergence, solver, step, comparison, ...tools, ...notices],

@@ -12,7 +12,6 @@ import type { Tables } from '../net/tables';
 import { Legend } from '../overlay/legend';
 import { Messages } from '../overlay/messages';
 import { OpeningNotice } from '../overlay/opening_notice';
-import { RunNotice } from '../overlay/run_notice';
 import { Title } from '../overlay/title';
 import { Toolbar } from '../overlay/toolbar';
 import type { Action, Panel, PanelEvents, Panels } from '../panels';
@@ -72,7 +71,6 @@ class Sidebar implements Panels {
       toolbar,
       new Legend(events),
       this.#messages,
-      new RunNotice(events),
       new OpeningNotice(() => events.cancelOpening()),
     ];
     const results = new ComparisonPlace(events, failed);

@@ -238,6 +238,12 @@ export const panels = {
       `${stage === 0 ? 'Start' : `Stage ${stage}`}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
   },
   comparison: {
+    ofRuns: {
+      yourNet: 'your net',
+      back: 'Back to your net',
+      showing: (run: string) => `Showing the result of ${run}`,
+      showingAll: (names: string[]) => `From left to right: ${names.join(' | ')}`,
+    },
     heading: 'Comparison',
     close: 'Close the comparison',
     about:

@@ -270,6 +270,12 @@ export const panels: Widened<typeof en> = {
       `${stage === 0 ? '起始' : `阶段 ${stage}`}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
   },
   comparison: {
+    ofRuns: {
+      yourNet: '您的网',
+      back: '回到您的网',
+      showing: (run) => `正在显示${spaced(run)}的结果`,
+      showingAll: (names) => `从左到右：${names.join(' | ')}`,
+    },
     heading: '比较结果',
     close: '关闭比较',
     about: '各方法从同一起点求解当前的编辑，使用“求解器”一栏中的初始化和设置。',
