@@ -54,7 +54,7 @@ int steps_over(double edge_lengths) {
 
 }  // namespace
 
-TEST_CASE("The rigid motion that fits is the one by which points were moved; of points in a line a turn is left open") {
+TEST_CASE("The rigid motion that fits is the one by which points were moved, and of points in a line a turn is left open") {
     const unsigned seed = GENERATE(range(1u, 6u));
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -132,7 +132,7 @@ TEST_CASE("A shape is placed where handles have it, and turned as the last net w
     CHECK_FALSE(by_two.ends_as_in(shape, moved));
 }
 
-TEST_CASE("What is projected has every length and no corner beyond the limit; what was held before can be held again") {
+TEST_CASE("What is projected has every length and no corner beyond the limit, and what was held can be held again") {
     const unsigned seed = GENERATE(range(1u, 6u));
     CAPTURE(seed);
     std::mt19937 random(seed);

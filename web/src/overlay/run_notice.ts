@@ -24,10 +24,7 @@ export class RunNotice implements Panel {
   setRuns(run: Run | null, beside: readonly Run[]): void {
     if (run === null && beside.length === 0) return this.element.replaceChildren();
     const names = [run?.label ?? WORDS.yourNet, ...beside.map(({ label }) => label)];
-    setText(
-      this.#words,
-      beside.length === 0 ? WORDS.showing(names[0]!) : WORDS.showingAll(names),
-    );
+    setText(this.#words, beside.length === 0 ? WORDS.showing(names[0]!) : WORDS.showingAll(names));
     this.element.replaceChildren(this.#line);
   }
 }
