@@ -54,7 +54,8 @@ int steps_over(double edge_lengths) {
 
 }  // namespace
 
-TEST_CASE("The rigid motion that fits is the one by which points were moved, and of points in a line a turn is left open") {
+TEST_CASE(
+    "The rigid motion that fits is the one by which points were moved, and of points in a line a turn is left open") {
     const unsigned seed = GENERATE(range(1u, 6u));
     CAPTURE(seed);
     std::mt19937 random(seed);
