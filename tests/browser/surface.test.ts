@@ -382,6 +382,7 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await measured();
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
   await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  await draper().getByRole('combobox', { name: 'At the border' }).waitFor({ state: 'hidden' }); // it has none
   await draper().getByRole('slider', { name: 'Cells' }).press('End');
   await press('Make the net');
   await draper().getByRole('progressbar').waitFor();

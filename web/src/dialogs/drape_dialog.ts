@@ -192,7 +192,7 @@ export class DrapeDialog implements DraperLike {
     this.#cuts.reset(surface.report.boundaryLoops);
     this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
-    this.#form.setSurface(surface.report.area, length);
+    this.#form.setSurface(surface.report, length);
     if (!this.#form.isWhole) this.#results.expectNet();
     this.#draping.propose(this.#form.read());
   }

@@ -1,5 +1,5 @@
 /** What a net on a surface is to be like: its surface, how fine it is, and how it lies at the seed. */
-import type { Point, RemeshOptions } from '../../../wasm/chebnet';
+import type { Point, RemeshOptions, SurfaceReport } from '../../../wasm/chebnet';
 import type { DrapeSettings, Seed } from '../drape/drape_protocol';
 import { cellsOf, FEWEST_CELLS, lengthOf, MOST_CELLS } from '../drape/cells';
 import { turned, turnOf } from '../drape/seed';
@@ -66,6 +66,7 @@ export class DrapeForm {
   /** What only a net over the whole surface has. */
   readonly #wholeRows: HTMLElement[];
   #area = 1;
+  #hasBorder = false;
   #seed: Seed | null = null;
   #direction: Point = [1, 0, 0];
 
@@ -86,7 +87,7 @@ export class DrapeForm {
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
     this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#border.row, this.#leave.row];
     this.#wholeRows = [this.#line.row, this.#crease.row];
-    for (const row of this.#wholeRows) row.hidden = true;
+    this.#showRows();
     this.element = make(
       'div',
       { class: 'settings' },
@@ -115,8 +116,10 @@ export class DrapeForm {
   }
 
   /** Another surface, and a length that suits it. */
-  setSurface(area: number, length: number): void {
+  setSurface({ area, boundaryLoops }: SurfaceReport, length: number): void {
     this.#area = area;
+    this.#hasBorder = boundaryLoops > 0;
+    this.#showRows();
     this.#seed = null;
     this.#setLength(length);
   }
@@ -143,9 +146,14 @@ export class DrapeForm {
   }
 
   #chooseKind(): void {
+    this.#showRows();
+    this.#events.kindChanged();
+  }
+
+  #showRows(): void {
     for (const row of this.#pieceRows) row.hidden = this.isWhole;
     for (const row of this.#wholeRows) row.hidden = !this.isWhole;
-    this.#events.kindChanged();
+    if (!this.#hasBorder) this.#line.row.hidden = true;
   }
 
   #chooseCells(): void {
