@@ -48,7 +48,8 @@ void Cholesky<size, Scalar>::place_panels() {
         longest = std::max(longest, panel_rows(s));
     }
     m_panels.resize(static_cast<std::size_t>(m_panel_start.back()));
-    m_below.resize(static_cast<std::size_t>(longest));
+    m_front.resize(static_cast<std::size_t>(longest));
+    m_reciprocals.resize(size * rank().size());
 }
 
 template <int size, typename Scalar>
@@ -160,6 +161,8 @@ bool Cholesky<size, Scalar>::factorize(const std::vector<Block>& node_blocks, co
             add_update(child, taken, panel, rows, update, below, columns);
         }
         if (!dense::factor_panel(panel, rows, rows, columns)) return false;
+        for (int j = 0; j < columns; ++j)
+            m_reciprocals[size * m_supernodes.column_start[s] + j] = 1 / panel[static_cast<long>(j) * rows + j];
         dense::subtract_outer_product(update, below, panel + columns, rows, below, columns);
         std::copy(update, update + area, taken);  // downwards, so that overlap does no harm
         stack = taken + area;
@@ -191,32 +194,35 @@ void Cholesky<size, Scalar>::add_update(int child, const Scalar* from, Scalar* p
         }
 }
 
+/// The rows that a panel has, its own and those below, are together in m_front while it is at work.
 template <int size, typename Scalar>
 void Cholesky<size, Scalar>::solve(Scalar* x) {
-    // Forward: L y = x.
+    Scalar* front = m_front.data();
     for (int s = 0; s < m_supernodes.count(); ++s) {
-        const Scalar* L = m_panels.data() + m_panel_start[s];
-        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s), below = rows - columns;
+        const int first = size * m_supernodes.column_start[s], columns = size * m_supernodes.columns(s);
+        take_front(s, x);
+        dense::solve_panel(panel(s), panel_rows(s), columns, m_reciprocals.data() + first, front);
+        std::copy_n(front, columns, x + first);
         const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-        Scalar* own = x + static_cast<long>(size) * m_supernodes.column_start[s];
-        dense::solve_triangle(L, rows, columns, own);
-        std::fill_n(m_below.data(), below, Scalar(0));
-        dense::subtract_product(m_below.data(), L + columns, rows, below, columns, own);
         for (int i = 0; i < m_supernodes.rows_below(s); ++i)
-            for (int k = 0; k < size; ++k) x[static_cast<long>(size) * places[i] + k] += m_below[size * i + k];
+            std::copy_n(front + columns + size * i, size, x + static_cast<long>(size) * places[i]);
     }
-    // Backward: Lᵀ x = y.
     for (int s = m_supernodes.count() - 1; s >= 0; --s) {
-        const Scalar* L = m_panels.data() + m_panel_start[s];
-        const int columns = size * m_supernodes.columns(s), rows = panel_rows(s), below = rows - columns;
-        const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
-        Scalar* own = x + static_cast<long>(size) * m_supernodes.column_start[s];
-        for (int i = 0; i < m_supernodes.rows_below(s); ++i)
-            for (int k = 0; k < size; ++k) m_below[size * i + k] = x[static_cast<long>(size) * places[i] + k];
-        std::fill(m_below.data() + size * m_supernodes.rows_below(s), m_below.data() + below, Scalar(0));
-        dense::subtract_transposed_product(own, L + columns, rows, below, columns, m_below.data());
-        dense::solve_transposed_triangle(L, rows, columns, own);
+        const int first = size * m_supernodes.column_start[s], columns = size * m_supernodes.columns(s);
+        take_front(s, x);
+        dense::solve_transposed_panel(panel(s), panel_rows(s), columns, m_reciprocals.data() + first, front);
+        std::copy_n(front, columns, x + first);
     }
+}
+
+template <int size, typename Scalar>
+void Cholesky<size, Scalar>::take_front(int s, const Scalar* x) {
+    const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
+    const int first = size * m_supernodes.column_start[s];
+    Scalar* to = std::copy_n(x + first, size * m_supernodes.columns(s), m_front.data());
+    for (int i = 0; i < m_supernodes.rows_below(s); ++i)
+        to = std::copy_n(x + static_cast<long>(size) * places[i], size, to);
+    std::fill(to, m_front.data() + panel_rows(s), Scalar(0));
 }
 
 template <int size, typename Scalar>

@@ -52,6 +52,8 @@ private:
     double deepest_stack() const;
     int panel_rows(int s) const;   // own columns and rows below, in rows of the matrix, padded
     int update_size(int s) const;  // rows below, likewise
+    const Scalar* panel(int s) const { return m_panels.data() + m_panel_start[s]; }
+    void take_front(int s, const Scalar* x);
     void add_update(int child, const Scalar* from, Scalar* panel, int panel_rows, Scalar* update, int update_rows,
                     int own_columns);
 
@@ -63,8 +65,9 @@ private:
     std::vector<int> m_local_row;  // as Supernodes::rows: the row's place in the parent's front, in nodes
     std::vector<int> m_run_end;    // likewise: the end of the run of rows that stand together there
     std::vector<int> m_child_start, m_children;
-    std::vector<Scalar> m_stack;  // updates waiting for their parents
-    std::vector<Scalar> m_below;  // the rows of a right-hand side below one panel
+    std::vector<Scalar> m_stack;        // updates waiting for their parents
+    std::vector<Scalar> m_reciprocals;  // of the factor's diagonal
+    std::vector<Scalar> m_front;        // the rows of a right-hand side that one panel has
 };
 
 extern template class Cholesky<1, float>;

@@ -128,22 +128,6 @@ void subtract_outer_product(Scalar* C, int ldc, const Scalar* A, int lda, int n,
     for (int j = 0; j < n; j += width) block_column<width>(n - j, C + j * ldc + j, ldc, A + j, lda, A + j, lda, depth);
 }
 
-/// y −= A x, A rows×columns with leading dimension lda; rows a multiple of k_row_multiple.
-template <typename Scalar>
-void subtract_product(Scalar* y, const Scalar* A, int lda, int rows, int columns, const Scalar* x) {
-    using V = Vector<Scalar>;
-    constexpr int lanes = k_lanes<Scalar>;
-    int j = 0;
-    for (; j + 4 <= columns; j += 4, A += 4 * lda)
-        for (int i = 0; i < rows; i += lanes) {
-            V sum = load<V>(y + i);
-            for (int k = 0; k < 4; ++k) sum -= load<V>(A + k * lda + i) * x[j + k];
-            store(y + i, sum);
-        }
-    for (; j < columns; ++j, A += lda)
-        for (int i = 0; i < rows; i += lanes) store(y + i, load<V>(y + i) - load<V>(A + i) * x[j]);
-}
-
 /// Σ of the lanes, from the first on, so that the sum's order does not depend on the compiler.
 template <typename Scalar>
 Scalar sum_of_lanes(const Vector<Scalar>& v) {
@@ -166,29 +150,69 @@ Scalar dot(const Scalar* a, const Scalar* b, int n) {
     return sum_of_lanes<Scalar>((sum[0] + sum[1]) + (sum[2] + sum[3])) + rest;
 }
 
-/// x −= Aᵀ y, sizes as above.
-template <typename Scalar>
-void subtract_transposed_product(Scalar* x, const Scalar* A, int lda, int rows, int columns, const Scalar* y) {
+/// Solves L y = x for `width` columns of a factored panel: the first of the `rows` rows of x from there on become y,
+/// the others lose what L has below times y. L begins in the strip's diagonal, whose reciprocals are known; rows −
+/// width must be a multiple of k_row_multiple.
+template <int width, typename Scalar>
+void solve_strip(const Scalar* L, int ld, int rows, const Scalar* reciprocals, Scalar* x) {
     using V = Vector<Scalar>;
-    constexpr int lanes = k_lanes<Scalar>;
-    int j = 0;
-    for (; j + 4 <= columns; j += 4, A += 4 * lda) {
-        V sum[4] = {};
-        for (int i = 0; i < rows; i += lanes) {
-            const V part = load<V>(y + i);
-            for (int k = 0; k < 4; ++k) sum[k] += load<V>(A + k * lda + i) * part;
-        }
-        for (int k = 0; k < 4; ++k) x[j + k] -= sum_of_lanes<Scalar>(sum[k]);
+    Scalar y[width];
+    for (int c = 0; c < width; ++c) {
+        Scalar rest = x[c];
+        for (int k = 0; k < c; ++k) rest -= L[k * ld + c] * y[k];
+        x[c] = y[c] = rest * reciprocals[c];
     }
-    for (; j < columns; ++j, A += lda) {
-        V sum{};
-        for (int i = 0; i < rows; i += lanes) sum += load<V>(A + i) * load<V>(y + i);
-        x[j] -= sum_of_lanes<Scalar>(sum);
+    for (int i = width; i < rows; i += k_lanes<Scalar>) {
+        V left = load<V>(x + i);
+        for (int c = 0; c < width; ++c) left -= load<V>(L + c * ld + i) * y[c];
+        store(x + i, left);
     }
 }
 
-/// Solves L X = X in place for the leading `n`×n triangle of a panel; X has n rows of type Row, a number or a register
-/// with an entry for each right-hand side.
+/// The same for Lᵀ x = y, where the rows below are known.
+template <int width, typename Scalar>
+void solve_transposed_strip(const Scalar* L, int ld, int rows, const Scalar* reciprocals, Scalar* x) {
+    using V = Vector<Scalar>;
+    V below[width] = {};
+    for (int i = width; i < rows; i += k_lanes<Scalar>) {
+        const V known = load<V>(x + i);
+        for (int c = 0; c < width; ++c) below[c] += load<V>(L + c * ld + i) * known;
+    }
+    Scalar solved[width];
+    for (int c = width - 1; c >= 0; --c) {
+        Scalar rest = x[c] - sum_of_lanes<Scalar>(below[c]);
+        for (int k = c + 1; k < width; ++k) rest -= L[c * ld + k] * solved[k];
+        x[c] = solved[c] = rest * reciprocals[c];
+    }
+}
+
+/// Solves L y = x for the columns of a factored panel with `rows` rows: in strips of four after one of what is left
+/// over, so that whole registers are below each of them. x has `rows` rows too; those below lose what L has there
+/// times y.
+template <typename Scalar>
+void solve_panel(const Scalar* L, int rows, int columns, const Scalar* reciprocals, Scalar* x) {
+    const int odd = columns % k_row_multiple;
+    if (odd == 1) solve_strip<1>(L, rows, rows, reciprocals, x);
+    if (odd == 2) solve_strip<2>(L, rows, rows, reciprocals, x);
+    if (odd == 3) solve_strip<3>(L, rows, rows, reciprocals, x);
+    for (int j = odd; j < columns; j += k_row_multiple)
+        solve_strip<k_row_multiple>(L + static_cast<long>(j) * rows + j, rows, rows - j, reciprocals + j, x + j);
+}
+
+/// The same for Lᵀ x = y, where the rows below are known.
+template <typename Scalar>
+void solve_transposed_panel(const Scalar* L, int rows, int columns, const Scalar* reciprocals, Scalar* x) {
+    const int odd = columns % k_row_multiple;
+    for (int j = columns - k_row_multiple; j >= odd; j -= k_row_multiple)
+        solve_transposed_strip<k_row_multiple>(L + static_cast<long>(j) * rows + j, rows, rows - j, reciprocals + j,
+                                               x + j);
+    if (odd == 1) solve_transposed_strip<1>(L, rows, rows, reciprocals, x);
+    if (odd == 2) solve_transposed_strip<2>(L, rows, rows, reciprocals, x);
+    if (odd == 3) solve_transposed_strip<3>(L, rows, rows, reciprocals, x);
+}
+
+/// Solves L X = X in place for the leading `n`×n triangle of a panel; X has n rows of type Row, a register with an
+/// entry for each right-hand side.
 template <typename Scalar, typename Row>
 void solve_triangle(const Scalar* L, int ld, int n, Row* x) {
     for (int j = 0; j < n; ++j, L += ld) {
