@@ -15,6 +15,7 @@ namespace chebnet::samples {
 
 inline std::vector<std::vector<int>> faces_of(const Mesh& mesh) {
     std::vector<std::vector<int>> faces;
+    faces.reserve(mesh.faces.size());
     for (int f = 0; f < mesh.faces.size(); ++f) faces.emplace_back(mesh.faces[f].begin(), mesh.faces[f].end());
     return faces;
 }

@@ -76,6 +76,7 @@ inline Net mixed_mesh() {
 /// Handles at the given vertices, at rest.
 inline std::vector<Handle> handles_at_rest(const Net& net, const std::vector<int>& vertices) {
     std::vector<Handle> handles;
+    handles.reserve(vertices.size());
     for (int v : vertices) handles.push_back({v, net.rest_positions().col(v)});
     return handles;
 }
