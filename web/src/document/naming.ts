@@ -1,10 +1,11 @@
-/** What the history calls a change, so that it can be said in any language: a sentence of `words.history`, and what it speaks
- *  of. In projects of older versions it is the words themselves. */
-import { type Words, words } from '../language/language';
+/** What the history calls a change, so that it can be said in any language: a sentence of `panelWords.changes`, and what it
+ *  speaks of. In projects of older versions it is the words themselves. Loaded after the first picture. */
+import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Untrusted } from './untrusted';
 
 export type ChangeName = string | readonly [Sentence, ...Term[]];
-type Sentence = Exclude<keyof Words['history'], 'title' | 'hint' | 'one' | 'several'>;
+type Sentence = Exclude<keyof typeof panelWords.changes, 'one' | 'several'>;
 /** A text as it stands, or one of these kinds of things. */
 export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 
@@ -13,8 +14,8 @@ const KINDS = {
   method: words.core.method,
   option: words.core.name,
   /** By its name, or its vertex. */
-  handle: words.history.one,
-  handles: (count: string) => words.history.several(Number(count)),
+  handle: panelWords.changes.one,
+  handles: (count: string) => panelWords.changes.several(Number(count)),
   number: (value: string) => Number(value).toLocaleString(words.locale),
 };
 const LONGEST = 500;
@@ -23,7 +24,7 @@ const LONGEST = 500;
 export function sentenceOf(name: ChangeName): string {
   if (typeof name === 'string') return name;
   const [key, ...terms] = name;
-  const sentence = words.history[key];
+  const sentence = panelWords.changes[key];
   return typeof sentence === 'string' ? sentence : (sentence as (...said: string[]) => string)(...terms.map(textOf));
 }
 
@@ -48,8 +49,8 @@ export function readName(entry: Untrusted): ChangeName {
 }
 
 function isKnown(change: unknown): change is ChangeName {
-  if (!Array.isArray(change) || !Object.hasOwn(words.history, String(change[0]))) return false;
-  const sentence: unknown = words.history[change[0] as Sentence];
+  if (!Array.isArray(change) || !Object.hasOwn(panelWords.changes, String(change[0]))) return false;
+  const sentence: unknown = panelWords.changes[change[0] as Sentence];
   const wanted = typeof sentence === 'function' ? sentence.length : 0;
   return change.length === 1 + wanted && change.slice(1).every(isTerm);
 }

@@ -1,7 +1,7 @@
 /** The history: every state of what is being made, by the name of the change that led to it. How one looks at it, the
  *  view, is not undone; all else of the document is. */
 import type { ChebnetDocument, NetSource } from './document';
-import { type ChangeName, sentenceOf } from './naming';
+import type { ChangeName } from './naming';
 
 /** Nothing in it may be changed afterwards; entries share what did not change. A net that came as text, in a project, is
  *  text until an entry that has it is gone to. */
@@ -15,8 +15,7 @@ export interface Entry {
 
 /** What a panel shows of it. */
 export interface HistoryView {
-  /** In the present language. */
-  readonly names: readonly string[];
+  readonly names: readonly ChangeName[];
   readonly present: number;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
@@ -46,8 +45,8 @@ export class UndoHistory implements HistoryView {
     this.#changed = changed;
   }
 
-  get names(): readonly string[] {
-    return this.#names.map(sentenceOf);
+  get names(): readonly ChangeName[] {
+    return [...this.#names];
   }
 
   get present(): number {

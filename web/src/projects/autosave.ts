@@ -1,8 +1,9 @@
 /** Stores the document in the browser soon after each change, unless a drag or a solve is under way. */
 import type { App } from '../app/app';
 import type { ViewState } from '../document/document';
-import { type Project, writeProject } from '../document/project';
+import type { Project } from '../document/project';
 import { Measure } from '../document/undo';
+import { projectFormat } from './format';
 import { keep, newId, release } from './kept';
 import { lazy } from '../lazy';
 
@@ -81,10 +82,12 @@ export class Autosave {
   async #write(project: Project): Promise<void> {
     const present = new Measure();
     present.add(project.entries[project.present]!.state);
+    const id = this.#id;
     try {
-      await keep(this.#id, writeProject(project, present.bytes + LARGEST_HISTORY));
+      const { writeProject } = await projectFormat();
+      await keep(id, writeProject(project, present.bytes + LARGEST_HISTORY));
       this.#refused = false;
-      void this.#noteLook(this.#id);
+      void this.#noteLook(id);
     } catch {
       this.#refused = true;
       // So that the next occasion tries again.
@@ -104,6 +107,11 @@ export class Autosave {
 
   #soon(): void {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => (this.#app.isQuiet ? void this.save() : this.#soon()), PAUSE_MS);
+    this.#timer = setTimeout(() => {
+      // When the page is left there is no time to load it.
+      projectFormat().catch(() => {});
+      if (this.#app.isQuiet) void this.save();
+      else this.#soon();
+    }, PAUSE_MS);
   }
 }

@@ -1,13 +1,13 @@
 /** What the page opens with, and projects: kept by the browser, saved as files, opened again. */
 import type { App } from '../app/app';
 import { defaultScene } from '../document/defaults';
-import { LARGEST_PROJECT, parseProject, PROJECT_ENDING, projectText, readProject } from '../document/project';
 import { download } from '../files/download';
 import { baseNameOf } from '../document/file_name';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
+import { projectFormat } from './format';
 import { claim, findLast, findNewest, isOwn, newId, read } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
@@ -122,6 +122,7 @@ export class Projects {
     const kept = await read(id);
     if (kept === undefined) return;
     const isFree = await claim(id);
+    const { readProject } = await projectFormat();
     await this.#openFlagged(id, () => this.#app.openProject(readProject(kept.project)));
     await this.#keepAs(isFree ? id : newId());
     this.#app.say(isFree ? words.projects.opened : words.projects.copyOpened);
@@ -137,14 +138,15 @@ export class Projects {
     location.reload();
   }
 
-  /** Throws a Failure if it is too large. */
-  save(): void {
+  /** Fails if it is too large. */
+  async save(): Promise<void> {
+    const { LARGEST_PROJECT, PROJECT_ENDING, projectText } = await projectFormat();
     const project = this.#app.project();
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
     const name = baseNameOf(net, this.#app.formats) + PROJECT_ENDING;
     const text = projectText(project);
-    checkSize(name, text.length);
+    checkSize(name, text.length, LARGEST_PROJECT);
     download(name, text, 'application/json');
   }
 
@@ -155,7 +157,8 @@ export class Projects {
 
   async openFile(file: File): Promise<void> {
     await this.#autosave.save();
-    checkSize(file.name, file.size);
+    const { LARGEST_PROJECT, parseProject } = await projectFormat();
+    checkSize(file.name, file.size, LARGEST_PROJECT);
     try {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
@@ -182,6 +185,7 @@ export class Projects {
   async #restore({ id, project }: KeptProject): Promise<void> {
     const isFirst = this.#app.opening === null;
     const goesOn = isFirst && isOwn(id) && (await claim(id));
+    const { readProject } = await projectFormat();
     await this.#openFlagged(id, () => this.#app.openProject(readProject(project)));
     this.#autosave.begin(goesOn ? id : newId(), !isFirst);
   }
@@ -213,12 +217,13 @@ export class Projects {
   }
 
   #sayNotKept(): void {
-    if (!this.#saidNotKept) this.#app.offer(words.projects.notKept, words.projects.menu.save.title, () => this.save());
+    const save = (): void => void this.save().catch((error: unknown) => this.#app.report(error));
+    if (!this.#saidNotKept) this.#app.offer(words.projects.notKept, words.projects.menu.save.title, save);
     this.#saidNotKept = true;
   }
 }
 
-function checkSize(name: string, bytes: number): void {
-  if (bytes <= LARGEST_PROJECT) return;
-  throw new Failure('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), LARGEST_PROJECT / 1e6));
+function checkSize(name: string, bytes: number, largest: number): void {
+  if (bytes <= largest) return;
+  throw new Failure('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), largest / 1e6));
 }

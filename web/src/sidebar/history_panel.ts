@@ -1,4 +1,5 @@
 /** The history as a list: the present entry is highlighted, and a click on another goes there. */
+import { sentenceOf } from '../document/naming';
 import type { HistoryView } from '../document/undo';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeSection, setText } from '../elements/dom';
@@ -36,7 +37,7 @@ export class HistoryPanel implements Panel {
     for (const button of this.#buttons.splice(names.length)) button.parentElement?.remove();
     while (this.#buttons.length < names.length) this.#append();
     this.#buttons.forEach((button, i) => {
-      setText(button, names[i] ?? '');
+      setText(button, sentenceOf(names[i]!));
       button.classList.toggle('undone', i > present);
       button.tabIndex = i === present ? 0 : -1;
     });

@@ -1,5 +1,6 @@
 /** Tells screen readers what was done to the net, once it is known what came of it, and which handles are selected. */
 import type { HandleData } from '../document/document';
+import { sentenceOf } from '../document/naming';
 import type { HistoryView } from '../document/undo';
 import { make } from '../elements/dom';
 import type { Choice } from '../handles/commands';
@@ -16,7 +17,7 @@ const PAUSE_MS = 300;
 
 export class Narrator implements Panel {
   readonly element = make('div', { class: 'narrator', role: 'status' });
-  #history: { names: readonly string[]; present: number; revision: number } | null = null;
+  #history: Pick<HistoryView, 'names' | 'present' | 'revision'> | null = null;
   #selection: Selection | null = null;
   #isSolving = false;
   /** The state of the solver, in words. */
@@ -30,7 +31,7 @@ export class Narrator implements Panel {
     this.#history = { names, present, revision };
     if (before === null || before.revision === revision) return;
     const isUndo = present < before.present && names.length === before.names.length;
-    this.#tell(isUndo ? panelWords.narrator.undone(names[before.present]!) : names[present]!);
+    this.#tell(isUndo ? panelWords.narrator.undone(sentenceOf(names[before.present]!)) : sentenceOf(names[present]!));
   }
 
   setHandles(handles: readonly HandleData[], { selection, selecting }: Choice): void {
@@ -39,7 +40,7 @@ export class Narrator implements Panel {
     if (selecting) return; // the title counts the selected handles then
     if (before === null || before === selection || selection.length === 0 || this.#news !== null) return;
     const only = selection.length === 1 ? handles.find(({ vertex }) => vertex === selection[0]) : undefined;
-    const { one, several } = words.history;
+    const { one, several } = panelWords.changes;
     this.#tell(panelWords.narrator.selected(only ? one(only.name ?? String(only.vertex)) : several(selection.length)));
   }
 
