@@ -238,8 +238,9 @@ val mobility(const Session& session, double radius, val origins) {
     return copy_out(session.editor.mobility(radius, emscripten::convertJSArrayToNumberVector<int>(origins)));
 }
 
-void drag_handle(Session& session, int vertex, double x, double y, double z) {
-    session.editor.drag_handle(vertex, Eigen::Vector3d(x, y, z));
+/// `along`: k_no_axes if the hand is kept to none.
+void drag_handle(Session& session, int vertex, double x, double y, double z, Axes along) {
+    session.editor.drag_handle(vertex, Eigen::Vector3d(x, y, z), along == k_no_axes ? k_all_axes : along);
 }
 
 void release_handles(Session& session) { session.editor.release_handles(); }

@@ -318,8 +318,9 @@ export interface Editor {
   setHandles(handles: readonly Handle[]): void;
   moveHandle(vertex: number, target: readonly [number, number, number]): void;
   /** Likewise by hand: with `equilibrium` every frame is then a net, and where none leads to the target the handle is held
-   *  back, as near as the net goes. Other methods: `moveHandle`. */
-  dragHandle(vertex: number, target: readonly [number, number, number]): void;
+   *  back, as near as the net goes, and on the axis or plane `along` which the hand is kept, if it is. Other methods:
+   *  `moveHandle`. */
+  dragHandle(vertex: number, target: readonly [number, number, number], along?: Axes): void;
   /** Lets go of what was dragged: when the solve ends, handles that are held back take the place where they stand as target. */
   releaseHandles(): void;
   /** Whether dragged handles are held back now. */

@@ -84,7 +84,7 @@ export interface Session {
   mobility(radius: number, origins: Int32Array): Float32Array;
   flipped(): Float64Array;
   moveHandle(vertex: number, x: number, y: number, z: number): void;
-  dragHandle(vertex: number, x: number, y: number, z: number): void;
+  dragHandle(vertex: number, x: number, y: number, z: number, along: number): void;
   releaseHandles(): void;
   holdsBack(): boolean;
   /** `options`: names and values in turn. */

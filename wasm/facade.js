@@ -328,9 +328,9 @@ class WasmEditor {
     this.#open.moveHandle(vertexNumber(vertex), ...point(target, vertex));
   }
 
-  /** @param {number} vertex @param {readonly [number, number, number]} target */
-  dragHandle(vertex, target) {
-    this.#open.dragHandle(vertexNumber(vertex), ...point(target, vertex));
+  /** @param {number} vertex @param {readonly [number, number, number]} target @param {Axes} [along] */
+  dragHandle(vertex, target, along) {
+    this.#open.dragHandle(vertexNumber(vertex), ...point(target, vertex), axesNumber(along));
   }
 
   releaseHandles() {

@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "edit/near_targets.h"
 #include "net/measures.h"
+#include "solve/parts/held_vertices.h"
 
 namespace chebnet {
 
@@ -122,11 +123,13 @@ void Editor::move(Handle& handle, const Eigen::Vector3d& target) {
     m_running = false;
 }
 
-void Editor::drag_handle(int vertex, const Eigen::Vector3d& target) {
+void Editor::drag_handle(int vertex, const Eigen::Vector3d& target, Axes along) {
     check_target(vertex, target);
+    if (along != k_all_axes && !is_part(along)) throw Error(ErrorCode::bad_option, "a hand keeps to x, y or z");
     const std::size_t place = place_of_handle(vertex);
     if (!m_method->goes_from_net_to_net()) return move_handle(vertex, target);
     if (m_is_released) let_go();
+    keep_hand_to(along);
     Handle& handle = m_handles[place];
     if (handle.is_exact() && !m_is_in_hand[vertex]) {
         m_in_hand.push_back(vertex);
@@ -154,6 +157,7 @@ void Editor::let_go() {
 void Editor::empty_hand() {
     for (int vertex : m_in_hand) m_is_in_hand[vertex] = false;
     m_in_hand.clear();
+    m_hand_along = k_all_axes;
     hold_back(false);
     m_is_released = false;
 }
@@ -168,13 +172,20 @@ void Editor::snap_held() {
     for (Handle& handle : m_handles) {
         if (!handle.is_exact()) continue;
         const int vertex = handle.vertex;
-        const bool has_arrived = !m_is_in_hand[vertex] || across(handle.slides, m_unit_positions.col(vertex)) ==
-                                                              across(handle.slides, handle.target / m_unit);
-        if (has_arrived)
-            handle.snap(m_positions.col(vertex));
-        else
-            handle.follow(m_positions.col(vertex));
+        const Axes axes = is_held(handle) ? handle.slides : axes_now(handle);
+        const bool has_arrived =
+            !m_is_in_hand[vertex] || across(axes, m_unit_positions.col(vertex)) == across(axes, handle.target / m_unit);
+        handle.follow(m_positions.col(vertex));
+        if (has_arrived) copy_along(k_all_axes - axes, handle.target.data(), m_positions.col(vertex).data());
     }
+}
+
+void Editor::keep_hand_to(Axes axes) {
+    if (m_hand_along == axes) return;
+    m_hand_along = axes;
+    if (!m_holds_back) return;
+    m_prepared = false;
+    m_running = false;
 }
 
 void Editor::hold_back(bool on) {
@@ -192,15 +203,22 @@ bool Editor::is_nearly_there() const {
 }
 
 /// After a solve has ended: whether another way of holding what is in hand is to be tried. Where the net cannot follow,
-/// it is held back; where it has come near all the same, it is held again, once; and where even that is no net, because
-/// of other handles, it is moved as by move_handle().
+/// it is held back, and where that is no net along the axes to which it is kept, in all of them; where it has come near
+/// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
+/// move_handle().
 bool Editor::goes_on_otherwise(Status status) {
     if (m_in_hand.empty()) return false;
     if (status == Status::unreachable && m_holds_back) {
-        empty_hand();
+        if (m_hand_along != k_all_axes)
+            keep_hand_to(k_all_axes);
+        else
+            empty_hand();
         return true;
     }
     if (status == Status::unreachable) {
+        // A core without slides says so here, before it holds anything back: one with them goes on from this state.
+        m_running = false;
+        if (is_part(m_hand_along)) check_slide(m_in_hand.front(), m_hand_along, true);
         hold_back(true);
         return true;
     }
@@ -380,15 +398,19 @@ std::optional<Region> Editor::region_of(const std::optional<Locality>& locality)
     return region_around(*m_net, *m_topology, locality->held_at, locality->origins, locality->radius);
 }
 
-bool Editor::slides_now(const Handle& handle) const {
-    return handle.slides != k_no_axes && is_held(handle) && m_method->knows_slides() &&
-           !(m_region && m_region->is_outside(handle.vertex));
+/// Along which its vertex may move now: held back, along those of the hand, too.
+Axes Editor::axes_now(const Handle& handle) const {
+    if (!handle.is_exact()) return k_all_axes;
+    const Axes axes = is_held(handle) ? handle.slides : handle.slides | m_hand_along;
+    const bool can_slide = m_method->knows_slides() && !(m_region && m_region->is_outside(handle.vertex));
+    if (is_part(axes) && !can_slide) return is_held(handle) ? k_no_axes : k_all_axes;
+    return axes;
 }
 
 std::vector<Slide> Editor::slides() const {
     std::vector<Slide> slides;
     for (const Handle& handle : m_handles)
-        if (slides_now(handle)) slides.push_back({handle.vertex, handle.slides});
+        if (const Axes axes = axes_now(handle); is_part(axes)) slides.push_back({handle.vertex, axes});
     return slides;
 }
 
@@ -396,7 +418,7 @@ std::vector<Slide> Editor::slides() const {
 std::vector<int> Editor::fixed_vertices() const {
     std::vector<int> vertices;
     for (const Handle& handle : m_handles)
-        if (is_held(handle) && !slides_now(handle)) vertices.push_back(handle.vertex);
+        if (axes_now(handle) == k_no_axes) vertices.push_back(handle.vertex);
     if (!m_region) return vertices;
     vertices.insert(vertices.end(), m_region->outside.begin(), m_region->outside.end());
     std::sort(vertices.begin(), vertices.end());
@@ -444,9 +466,7 @@ void Editor::prepare() {
     m_fixed = fixed_vertices();
     m_slides = slides();
     m_method->prepare(problem());
-    std::vector<int> held = m_fixed;
-    for (const Slide& slide : m_slides) held.push_back(slide.vertex);
-    m_initialisation.prepare(*m_unit_net, held);
+    m_initialisation.prepare(*m_unit_net, HeldVertices(m_net->vertex_count(), m_fixed, m_slides).vertices());
     m_prepared = true;
 }
 
@@ -484,10 +504,14 @@ void Editor::load_positions() {
     const double farthest = k_farthest_target + m_unit_net->rest_positions().lpNorm<Eigen::Infinity>();
     m_unit_last_net = in_unit(m_last_net);
     m_unit_positions = in_unit(m_positions).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
-    for (std::size_t i = 0; i < m_handles.size(); ++i)
-        if (is_held(m_handles[i]))
-            copy_along(k_all_axes - m_handles[i].slides, m_near_targets.col(static_cast<Eigen::Index>(i)).data(),
-                       m_unit_positions.col(m_handles[i].vertex).data());
+    for (std::size_t i = 0; i < m_handles.size(); ++i) {
+        const Handle& handle = m_handles[i];
+        double* position = m_unit_positions.col(handle.vertex).data();
+        if (is_held(handle))
+            copy_along(k_all_axes - handle.slides, m_near_targets.col(static_cast<Eigen::Index>(i)).data(), position);
+        else
+            copy_along(k_all_axes - axes_now(handle), Eigen::Vector3d(handle.target / m_unit).data(), position);
+    }
 }
 
 void Editor::store_positions() {

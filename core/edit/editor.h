@@ -88,9 +88,10 @@ public:
     void move_handle(int vertex, const Eigen::Vector3d& target);
     /// Takes the handle at `vertex` in hand, or moves it there, as who drags it does: with a method that goes from net
     /// to net (`equilibrium`) every frame is a net, and where none leads to the target the handle is held back, pulled
-    /// towards it as far as the net goes. For other methods, and where no net is known, it is move_handle(). Throws as
-    /// that does.
-    void drag_handle(int vertex, const Eigen::Vector3d& target);
+    /// towards it as far as the net goes. A hand that is kept to an axis or a plane, of all that is in it `along` these
+    /// axes, leaves it neither when it is held back; where no net leads along them, it does. For other methods, and
+    /// where no net is known, it is move_handle(). Throws as that does, and bad_option for no axes.
+    void drag_handle(int vertex, const Eigen::Vector3d& target, Axes along = k_all_axes);
     /// Lets go of what is in hand: at the end of the solve under way, or of the next, handles that are held back take
     /// the place where they stand as their target. Any other change of the state lets go at once.
     void release_handles();
@@ -166,13 +167,14 @@ private:
     Positions grown(const Positions& positions, double factor) const;
     Positions in_unit(const Positions& positions) const;
     void move(Handle& handle, const Eigen::Vector3d& target);
-    bool slides_now(const Handle& handle) const;
+    Axes axes_now(const Handle& handle) const;
     std::vector<Slide> slides() const;
     std::vector<int> fixed_vertices() const;
     bool is_held(const Handle& handle) const;
     Problem problem() const;
     void snap_held();
     bool is_nearly_there() const;
+    void keep_hand_to(Axes axes);
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
     void empty_hand();
@@ -203,6 +205,7 @@ private:
     std::optional<Region> m_region;                     // none: everything may move
     std::vector<int> m_in_hand;                         // exact handles, by vertex
     std::vector<bool> m_is_in_hand;                     // V
+    Axes m_hand_along = k_all_axes;                     // to which the hand is kept
     bool m_holds_back = false;                          // those in hand are pulled, not held
     bool m_was_nearly_there = false;                    // and holding them has been tried again
     bool m_is_released = false;                         // in hand until the solve ends

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
-#include <vector>
 
 namespace chebnet {
 
@@ -11,6 +9,9 @@ using Axes = int;
 inline constexpr Axes k_no_axes = 0, k_all_axes = 7;
 
 constexpr bool has_axis(Axes axes, int coordinate) { return (axes >> coordinate & 1) != 0; }
+
+/// Some of them, but not all.
+constexpr bool is_part(Axes axes) { return axes != k_no_axes && axes != k_all_axes; }
 
 /// A free vertex that keeps some of its coordinates bit for bit: it slides along the other axes, one or two. A foot on
 /// the ground slides along x and y.
@@ -21,9 +22,6 @@ struct Slide {
 
 /// Throws Error bad_option for a handle that is to slide along none or all of the axes, or is soft.
 void check_slide(int vertex, Axes along, bool is_exact);
-
-/// V, the axes along which a vertex may move: all of a free one, none of a fixed one.
-std::vector<Axes> axes_of_motion(const std::vector<bool>& is_free, std::span<const Slide> slides);
 
 /// Copies the coordinates along these axes, of one point to another.
 void copy_along(Axes axes, const double* from, double* to);

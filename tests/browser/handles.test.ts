@@ -443,3 +443,23 @@ test('an arrow key over locked handles says that they stay; turning ends selecti
   await press('r');
   expect(await button('Select').getAttribute('aria-pressed')).toBe('false');
 });
+
+test('one move of the hand is one picture, before the solver has answered', async () => {
+  const { page, script } = await arrive();
+  await page.evaluate(() => {
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (message: { type?: string }, ...more: never[]) {
+      if (message.type !== 'drag') post.call(this, message, ...more);
+    };
+  });
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.waitForTimeout(1100);
+  expect((await script.stats()).framesPerSecond).toBe(0);
+  await page.mouse.move(x + 4, y - 10);
+  await page.waitForTimeout(300);
+  expect((await script.stats()).framesPerSecond).toBe(1);
+  await page.mouse.up();
+});

@@ -52,6 +52,39 @@ TEST_CASE("Drag: within reach the handle goes where the hand is") {
     CHECK(taken.editor.handle_error() == 0);
 }
 
+TEST_CASE("Drag: a hand that is kept to an axis or a plane leaves neither when it is held back") {
+    constexpr Axes x = 1, xz = 5;
+    Taken taken;
+    const auto drag_to = [&](const Eigen::Vector3d& move, Axes along) {
+        for (int frame = 1; frame <= 10; ++frame) {
+            taken.editor.drag_handle(k_middle, taken.crown + move * frame / 10, along);
+            taken.editor.solve({.iterations = 2});
+            CHECK(max_deviation(taken.net, taken.editor.positions()) < k_a_net);
+        }
+        CHECK(keeps_lengths(taken.editor.solve().status));
+        CHECK(taken.editor.holds_back());
+        return Eigen::Vector3d(taken.now() - taken.crown);
+    };
+    const double L = taken.net.mean_length();
+    const Eigen::Vector3d far(30, 0, 0), free_move = drag_to(far, k_all_axes);
+    CHECK(std::abs(free_move.z()) > 0.1 * L);
+
+    const Eigen::Vector3d on_axis = drag_to(far, x);
+    CHECK(across(x, taken.now()) == across(x, taken.crown));
+    CHECK(on_axis.x() > 0.5 * L);
+    const Eigen::Vector3d in_plane = drag_to({30, 0, 30}, xz);
+    CHECK(taken.now().y() == taken.crown.y());
+    CHECK(in_plane.z() > on_axis.z() + 0.1 * L);
+
+    taken.editor.drag_handle(k_middle, taken.crown + far, x);
+    taken.editor.release_handles();
+    taken.editor.solve();
+    const Handle handle = taken.editor.handles().back();
+    CHECK(across(x, handle.target) == across(x, taken.crown));
+    CHECK(handle.target.x() > taken.crown.x() + 0.5 * L);
+    CHECK(max_deviation(taken.net, taken.editor.positions()) < k_settled);
+}
+
 TEST_CASE("Drag: beyond reach it is held back, as far as the net goes, and comes home with the hand") {
     Taken taken;
     const Positions rest = taken.editor.positions();

@@ -8,7 +8,6 @@
 
 #include "net/measures.h"
 #include "sample_nets.h"
-#include "solve/parts/free_part.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
 #include "solve/parts/rigid_motion.h"
@@ -28,14 +27,13 @@ Eigen::Quaterniond random_turn(std::mt19937& random) {
 
 /// Handles at these vertices; the last of them slides along the given axes, if any.
 HandleWalk walk_of(const Net& net, std::vector<int> handles, Axes along = k_no_axes) {
-    std::vector<bool> is_free = free_vertices(net.vertex_count(), handles);
     std::vector<Slide> slides;
     if (along != k_no_axes) {
-        is_free[handles.back()] = true;
         slides.push_back({handles.back(), along});
+        handles.pop_back();
     }
     HandleWalk walk;
-    walk.set_handles(handles, axes_of_motion(is_free, slides));
+    walk.set_handles(HeldVertices(net.vertex_count(), handles, slides));
     walk.forget_moves(net.vertex_count());
     return walk;
 }
@@ -89,7 +87,7 @@ TEST_CASE("Of what slides, the way is what it has to go across") {
     CHECK(walk.length() == Approx(0.5));
     CHECK(walk.moves_to(1, net.rest_positions()).col(15) == Eigen::Vector3d(0, 0, 0.5));
     Positions x = net.rest_positions();
-    walk.take_held(to, x);
+    walk.held().take_held(to, x);
     CHECK(x(0, 15) == net.rest_positions()(0, 15));
     CHECK(x(2, 15) == to(2, 15));
     CHECK(walk.way_left(x) == 0);

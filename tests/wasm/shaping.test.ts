@@ -117,9 +117,16 @@ test('what is flipped has its handles where they are, and the rest elsewhere; un
 });
 
 describe('locality', () => {
-  test('keeps what lies beyond exactly where it is', () => {
+  test.each([
+    ['teddy', 12, ['converged']],
+    // This part is rigid but for a few corners: it has its lengths, and comes to rest or not as rounding has it.
+    ['elephant', 9, ['converged', 'exact']],
+  ])('keeps what lies beyond exactly where it is: %s', (shape, radius, ends) => {
+    editor.dispose();
+    editor = chebnet.openRecipe(`${shape}:vertices=900`);
+    handles = firstEdit(editor);
+    dragged = handles.at(-1)!;
     const before = editor.positions();
-    const radius = 9;
     const mobility = editor.mobility(radius, [dragged.vertex]);
     editor.setHandles(
       handles.map(({ vertex }) => ({
@@ -130,7 +137,8 @@ describe('locality', () => {
     editor.setLocality(radius, [dragged.vertex]);
     const [x, y, z] = before.subarray(3 * dragged.vertex, 3 * dragged.vertex + 3);
     editor.moveHandle(dragged.vertex, [x!, y!, z! + editor.info.meanLength]);
-    expect(editor.solve()).toMatchObject({ status: 'converged' });
+    expect(ends).toContain(editor.solve().status);
+    expect(Math.max(...editor.fields().deviation)).toBeLessThan(1e-6);
     const after = editor.positions();
     let moved = 0;
     for (let v = 0; v < mobility.length; v++) {

@@ -4,6 +4,7 @@ import { beforeEach, expect, test } from 'vitest';
 import type { EditState, Editor, Editors } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
 import type { ChebnetDocument, Scene } from '../../web/src/document/document';
+import { sentenceOf } from '../../web/src/document/naming';
 import { parseProject, projectText } from '../../web/src/document/project';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { largestDistance, load, loadFirst } from '../wasm/load';
@@ -199,7 +200,7 @@ test('has the surface beside the net, which undo, a project and a worker after t
   await page.solve();
   const near = height();
   expect(near).toBeGreaterThan(0);
-  expect(app.history.names.at(-1)).toBe('Surface floor.obj');
+  expect(sentenceOf(app.history.names.at(-1)!)).toBe('Surface floor.obj');
   await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { guide_mode: 0 } });
   await app.handles.move([{ vertex: dragged, target: at(dragged, 0.4) }]);
   await page.solve();

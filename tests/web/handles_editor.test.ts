@@ -23,6 +23,8 @@ let asked: Handle[][];
 let said: string[];
 let returning: boolean;
 let readout: string;
+/** What the solver was told of the hand. */
+let handSays: Parameters<Client['drag']>[2];
 /** What is shown of what follows. */
 let shares: ReadonlyMap<number, number> | null;
 /** How often the solver was told that the hand lets go. */
@@ -58,7 +60,10 @@ beforeEach(() => {
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
   const take = async (targets: Handle[]) => void asked.push(targets);
   const client = {
-    drag: take,
+    drag: (targets: Handle[], _inHand: boolean, hand: typeof handSays) => {
+      handSays = hand;
+      return take(targets);
+    },
     release: async () => void (released += 1),
     setHandles: take,
     reach: async (of: number[]) => of.map(() => []),
@@ -444,6 +449,8 @@ describe('handles near a dragged one', () => {
     drag([4.3, 1.2, 0.8], 9, new Along('z', 1));
     expect(targets().get(9)).toEqual([4, 1, 1]);
     expect(targets().get(8)).toEqual([3, 1, expect.closeTo(near, 12)]);
+    // What follows asks for nothing, and excuses the hand.
+    expect(handSays).toEqual({ asked: [], along: 'z' });
     drag([4.3, 1.2, 0.8], 9, new Along('xy', 1));
     expect(targets().get(9)).toEqual([4.5, 1, 0]);
     expect(targets().get(7)).toEqual([expect.closeTo(2 + far / 2, 12), 1, 0]);

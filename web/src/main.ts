@@ -11,6 +11,7 @@ import { chooseLanguage } from './language/choice';
 import { translateDocument, words } from './language/language';
 import type { Hint } from './learn/hints';
 import { keepOffline } from './offline/offline';
+import { sleep } from './sidebar/idle';
 import { createPanels } from './sidebar/sidebar';
 import { lazy } from './lazy';
 import { Projects } from './projects/projects';
@@ -19,6 +20,9 @@ import type { Scripting } from './scripting';
 import { createView } from './view/scene';
 import { readTheme } from './view/theme';
 import { newName, whenEnded } from './worker/life';
+
+/** How long after the first net the hints are loaded: what is needed to drag it comes first. */
+const HINTS_MS = 400;
 
 translateDocument(document);
 
@@ -71,7 +75,10 @@ window.chebnet = createScripting(app, ready);
 if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(error));
 // After the first net has been opened, so as not to compete for the network.
 else {
-  void ready.then(hints).catch(() => {}); // Nobody misses a hint that could not be loaded.
+  void ready
+    .then(() => sleep(HINTS_MS))
+    .then(hints)
+    .catch(() => {}); // Nobody misses a hint that could not be loaded.
   void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
 }
 
@@ -156,7 +163,7 @@ async function record(): Promise<void> {
 }
 
 function saveProject(): void {
-  attempt(async () => projects.save());
+  attempt(() => projects.save());
 }
 
 async function pickAndOpen(): Promise<void> {

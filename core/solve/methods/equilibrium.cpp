@@ -61,7 +61,7 @@ private:
     enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
 
     Method& projection();
-    Problem problem() const { return {*m_net, *m_topology, m_held, m_pulls, m_reachable}; }
+    Problem problem() const { return {*m_net, *m_topology, m_walk.held().vertices(), m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     bool take_guide(const Problem& problem);
     CornerLimit limit() const;
@@ -96,7 +96,6 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_held;  // the vertices that are fixed, then those that slide
     std::vector<bool> m_is_free;
     std::vector<Slide> m_slides;
     std::vector<Pull> m_pulls;
@@ -146,11 +145,9 @@ void Equilibrium::prepare(const Problem& problem) {
     }
     m_net = &of;
     m_topology = &problem.topology;
-    m_held.assign(problem.fixed.begin(), problem.fixed.end());
-    m_is_free = free_vertices(of.vertex_count(), m_held);
+    m_is_free = free_vertices(of.vertex_count(), problem.fixed);
     m_slides.assign(problem.slides.begin(), problem.slides.end());
-    for (const Slide& slide : m_slides) m_held.push_back(slide.vertex);
-    m_walk.set_handles(m_held, axes_of_motion(m_is_free, m_slides));
+    m_walk.set_handles(HeldVertices(of.vertex_count(), problem.fixed, problem.slides));
     m_walk.forget_moves(of.vertex_count());
     m_part = std::make_unique<FreePart>(of, m_is_free);
     m_projection.reset();
@@ -320,7 +317,7 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
 bool Equilibrium::was_left(const Positions& before, const Positions& positions) const {
     if (before.cols() == 0) return false;
     for (int v : m_part->vertices())
-        if (!m_walk.stands_the_same(v, before, positions)) return false;
+        if (!m_walk.held().stands_the_same(v, before, positions)) return false;
     return true;
 }
 
@@ -380,7 +377,7 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     if (m_only_nets)
         positions = x;
     else
-        for (int v : m_part->vertices()) m_walk.take_free(v, x, positions);
+        for (int v : m_part->vertices()) m_walk.held().take_free(v, x.col(v), positions);
     m_max_deviation = max_deviation(*m_net, positions);
     if (m_walk.walked() < 1) {
         m_stage = follow;
@@ -414,7 +411,7 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     m_newton->extend(moves);
     moves += repeated * m_walk.last_move();
     x += moves;
-    if (part == 1) m_walk.take_held(m_walk.end(), x);
+    if (part == 1) m_walk.held().take_held(m_walk.end(), x);
     if (project(x)) return true;
     m_constraints->hold(held);
     return false;

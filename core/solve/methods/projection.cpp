@@ -9,6 +9,7 @@
 #include "solve/methods/methods.h"
 #include "solve/parts/arap_step.h"
 #include "solve/parts/degenerate_edges.h"
+#include "solve/parts/held_vertices.h"
 #include "solve/parts/laplacian_part.h"
 #include "solve/parts/length_projection.h"
 #include "solve/parts/spring_descent.h"
@@ -49,9 +50,7 @@ public:
 private:
     enum Stage { rigid = 1, springs = 2, exact = 3, newton = 4 };
 
-    Problem without_slides() const { return {*m_net, *m_topology, m_held, m_pulls, m_reachable}; }
-    bool has_moved(int vertex, const Positions& positions) const;
-    void copy_kept(const Positions& from, Positions& to) const;
+    Problem without_slides() const { return {*m_net, *m_topology, m_held.vertices(), m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
     int rigid_iterations(const Positions& positions) const;
     double largest_pull() const;
@@ -72,10 +71,9 @@ private:
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
-    std::vector<int> m_fixed, m_held;         // m_held: with those that slide
+    HeldVertices m_held;
     std::vector<bool> m_is_free, m_is_loose;  // m_is_loose: free, and does not slide
     std::vector<Slide> m_slides;
-    std::vector<Axes> m_motion;  // V
     std::vector<Pull> m_pulls;
     std::unique_ptr<LaplacianPart> m_part;
     std::unique_ptr<ArapStep> m_arap;
@@ -111,13 +109,10 @@ void Projection::prepare(const Problem& problem) {
     }
     m_net = &net;
     m_topology = &problem.topology;
-    m_fixed.assign(problem.fixed.begin(), problem.fixed.end());
-    m_is_free = free_vertices(net.vertex_count(), m_fixed);
+    m_is_free = free_vertices(net.vertex_count(), problem.fixed);
     m_slides.assign(problem.slides.begin(), problem.slides.end());
-    m_motion = axes_of_motion(m_is_free, m_slides);
-    m_held = m_fixed;
-    for (const Slide& slide : m_slides) m_held.push_back(slide.vertex);
-    m_is_loose = free_vertices(net.vertex_count(), m_held);
+    m_held = HeldVertices(net.vertex_count(), problem.fixed, problem.slides);
+    m_is_loose = free_vertices(net.vertex_count(), m_held.vertices());
     m_part = std::make_unique<LaplacianPart>(net, m_is_free);
     m_arap = std::make_unique<ArapStep>(*m_part);
     m_springs = std::make_unique<SpringDescent>(*m_part, m_slides);
@@ -161,26 +156,14 @@ Status Projection::start(const Problem& problem, Positions& positions, const Opt
 /// The copy goes on from where it was, unless the net was changed from outside meanwhile.
 void Projection::take_over_shape(const Positions& positions) {
     bool moved = m_shape.cols() == 0;
-    for (int v = 0; v < m_net->vertex_count() && !moved; ++v) moved = m_is_free[v] && has_moved(v, positions);
+    for (int v = 0; v < m_net->vertex_count() && !moved; ++v) moved = !m_held.stands_the_same(v, positions, m_result);
     if (moved) {
         m_shape = positions;
         m_shape_before = m_net->rest_positions();
     } else {
         m_shape_before = m_shape;
     }
-    for (int v : m_fixed) m_shape.col(v) = positions.col(v);
-    copy_kept(positions, m_shape);
-}
-
-/// Where it is not held, since the method left it.
-bool Projection::has_moved(int vertex, const Positions& positions) const {
-    const Axes held = k_all_axes - m_motion[vertex];
-    return across(held, positions.col(vertex)) != across(held, m_result.col(vertex));
-}
-
-/// The coordinates that are kept of what slides.
-void Projection::copy_kept(const Positions& from, Positions& to) const {
-    for (const auto& [v, along] : m_slides) copy_along(k_all_axes - along, from.col(v).data(), to.col(v).data());
+    m_held.take_held(positions, m_shape);
 }
 
 double Projection::largest_pull() const {
@@ -191,10 +174,7 @@ double Projection::largest_pull() const {
 }
 
 int Projection::rigid_iterations(const Positions& positions) const {
-    double jump = m_pulled;
-    for (int v : m_fixed) jump = std::max(jump, (positions.col(v) - m_shape_before.col(v)).norm());
-    for (const auto& [v, along] : m_slides)
-        jump = std::max(jump, across(along, positions.col(v) - m_shape_before.col(v)).norm());
+    const double jump = std::max(m_pulled, m_held.farthest(m_shape_before, positions));
     const double iterations = k_least_rigid_iterations + std::floor(jump / m_net->mean_length());
     return static_cast<int>(std::min<double>(iterations, k_most_rigid_iterations));
 }
@@ -277,13 +257,13 @@ Status Projection::iterate(Positions& positions, TraceRow& row) {
 Status Projection::move_rigidly(Positions& positions, TraceRow& row) {
     m_shape_before = m_shape;
     m_arap->iterate(m_shape);
-    copy_kept(m_shape_before, m_shape);
+    m_held.take_held(m_shape_before, m_shape);
     row.energy = m_arap->energy(m_shape);
     row.step = 1;
     for (int v : m_part->part().vertices()) {
         const Eigen::Vector3d moved = positions.col(v) + m_shape.col(v) - m_shape_before.col(v);
         const Eigen::Vector3d nearer = moved + k_forgetting * (m_shape.col(v) - moved);
-        copy_along(m_motion[v], nearer.data(), positions.col(v).data());
+        m_held.take_free(v, nearer, positions);
     }
     const bool done = measure(positions);
     if (done && m_pulled == 0) return Status::converged;

@@ -25,11 +25,6 @@ constexpr double k_free_weight = 1e-10;
 
 }  // namespace
 
-void HandleWalk::set_handles(std::span<const int> held, std::vector<Axes> axes) {
-    m_held.assign(held.begin(), held.end());
-    m_axes = std::move(axes);
-}
-
 void HandleWalk::begin(const Positions& from, const Positions& to, double edge_length) {
     m_from = from;
     m_to = to;
@@ -50,28 +45,24 @@ bool HandleWalk::is_nearly_stuck_since(double walked) const {
 
 Eigen::Matrix3Xd HandleWalk::moves_to(double part, const Positions& from) const {
     Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, from.cols());
-    for (int v : m_held)
-        moves.col(v) = held_part(v, m_from.col(v) + part * (m_to.col(v) - m_from.col(v)) - from.col(v));
+    for (int v : m_held.vertices())
+        moves.col(v) = m_held.held_part(v, m_from.col(v) + part * (m_to.col(v) - m_from.col(v)) - from.col(v));
     return moves;
 }
 
 double HandleWalk::take_off_repeated(Eigen::Matrix3Xd& moves) const {
     double along = 0, before = 0;
-    for (int v : m_held) {
-        const Eigen::Vector3d last = held_part(v, m_last_move.col(v));
+    for (int v : m_held.vertices()) {
+        const Eigen::Vector3d last = m_held.held_part(v, m_last_move.col(v));
         along += moves.col(v).dot(last);
         before += last.squaredNorm();
     }
     const double part = before > 0 ? k_repeated * std::clamp(along / before, -k_most_repeated, k_most_repeated) : 0;
-    for (int v : m_held) moves.col(v) -= part * held_part(v, m_last_move.col(v));
+    for (int v : m_held.vertices()) moves.col(v) -= part * m_held.held_part(v, m_last_move.col(v));
     return part;
 }
 
-double HandleWalk::way_left(const Positions& from) const {
-    double longest = 0;
-    for (int v : m_held) longest = std::max(longest, held_part(v, m_to.col(v) - from.col(v)).norm());
-    return longest / m_edge_length;
-}
+double HandleWalk::way_left(const Positions& from) const { return m_held.farthest(from, m_to) / m_edge_length; }
 
 bool HandleWalk::ends_as_in(const Positions& shape, const Positions& like) const {
     return way_left(placed(shape, like)) < k_same;
@@ -79,32 +70,14 @@ bool HandleWalk::ends_as_in(const Positions& shape, const Positions& like) const
 
 Positions HandleWalk::placed(const Positions& shape, const Positions& like) const {
     Positions to = like;
-    take_held(m_to, to);
+    m_held.take_held(m_to, to);
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(to.cols());
-    for (int v : m_held) weight[v] = 1;
-    if (m_held.size() < 3 || !fit_rigid_motion(shape, to, weight).is_determined)
+    for (int v : m_held.vertices()) weight[v] = 1;
+    if (m_held.vertices().size() < 3 || !fit_rigid_motion(shape, to, weight).is_determined)
         weight.array() += k_free_weight / static_cast<double>(to.cols());
     const RigidMotion motion = fit_rigid_motion(shape, to, weight);
     for (Eigen::Index v = 0; v < to.cols(); ++v) to.col(v) = motion.of(shape.col(v));
     return to;
-}
-
-void HandleWalk::take_held(const Positions& from, Positions& to) const {
-    for (int v : m_held) copy_along(k_all_axes - m_axes[v], from.col(v).data(), to.col(v).data());
-}
-
-void HandleWalk::take_free(int vertex, const Positions& from, Positions& to) const {
-    copy_along(m_axes[vertex], from.col(vertex).data(), to.col(vertex).data());
-}
-
-bool HandleWalk::stands_the_same(int vertex, const Positions& a, const Positions& b) const {
-    const Axes kept = k_all_axes - m_axes[vertex];
-    return a.col(vertex) == b.col(vertex) || across(kept, a.col(vertex)) == across(kept, b.col(vertex));
-}
-
-/// What of a vertex's move is the handles' to say.
-Eigen::Vector3d HandleWalk::held_part(int vertex, const Eigen::Vector3d& move) const {
-    return across(m_axes[vertex], move);
 }
 
 }  // namespace chebnet

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "net/net.h"
-#include "solve/slide.h"
+#include "solve/parts/held_vertices.h"
 
 namespace chebnet {
 
@@ -15,8 +13,8 @@ namespace chebnet {
 /// along which it slides.
 class HandleWalk {
 public:
-    /// `held`: the vertices that are fixed, and those that slide; `axes`: V, along which a vertex may move.
-    void set_handles(std::span<const int> held, std::vector<Axes> axes);
+    void set_handles(HeldVertices held) { m_held = std::move(held); }
+    const HeldVertices& held() const { return m_held; }
 
     /// From the first to the second, both 3×V; `edge_length`: the unit of the way.
     void begin(const Positions& from, const Positions& to, double edge_length);
@@ -52,22 +50,11 @@ public:
     /// leaves it free, to `like`.
     Positions placed(const Positions& shape, const Positions& like) const;
 
-    /// Takes over what is the handles' to say of all vertices: all of a fixed one, and of one that slides what it
-    /// keeps.
-    void take_held(const Positions& from, Positions& to) const;
-    /// Takes over what is left free of a vertex.
-    void take_free(int vertex, const Positions& from, Positions& to) const;
-    /// Whether a vertex stands in two states in the same place, as far as it is free.
-    bool stands_the_same(int vertex, const Positions& a, const Positions& b) const;
-
     /// Handles that are as near to their places in a shape, in edge lengths, are arranged as there.
     static constexpr double k_same = 1e-6;
 
 private:
-    Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const;
-
-    std::vector<int> m_held;
-    std::vector<Axes> m_axes;
+    HeldVertices m_held;
     Positions m_from, m_to;
     double m_edge_length = 1, m_length = 0;
     double m_walked = 0, m_stride = 1;  // parts of the way: gone, and of a step

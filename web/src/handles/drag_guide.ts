@@ -1,6 +1,6 @@
 /** What guides a drag: to which axes it keeps, to what it snaps, how far from the dragged handles the net moves with them, and
  *  where the other handles let them go. */
-import type { Ball, Handle } from '../../../wasm/chebnet';
+import type { Axes, Ball, Handle } from '../../../wasm/chebnet';
 import type { HandleData, Vec3 } from '../document/document';
 import type { Client } from '../worker/client';
 import type { Along } from './along';
@@ -75,6 +75,11 @@ export class DragGuide {
     this.#restrict();
     const vertices = inHand.map(({ vertex }) => vertex);
     await Promise.all([this.limit(vertices, locality), this.#findReach(), this.showRegion(vertices, locality)]);
+  }
+
+  /** To which the drag is kept; undefined: to none. */
+  get axes(): Axes | undefined {
+    return this.#along?.axes;
   }
 
   /** Keeps the drag to axes; null: to none any more. */

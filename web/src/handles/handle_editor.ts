@@ -380,9 +380,18 @@ export class HandleEditor implements HandleCommands {
     const others = this.#handles.filter(({ vertex }) => !inHand.has(vertex));
     const asked = this.#guide.snapped(mirrored, others);
     const both = this.#guide.within(asked);
+    const hand = this.#handSays(targets, asked, both !== asked);
+    // First, so that the solver is at work while they are shown.
+    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, hand));
     this.#guide.describe(both, others);
     this.#host.drag(this.#withTargets(both));
-    this.#host.attempt(this.#client.drag(both, this.#guide.keepsWithin, asked));
+  }
+
+  /** What follows the hand asks for nothing: it goes as far as the net lets it. Where it gets into its way the hand falls short
+   *  for its sake, and not for that of the lengths, unless it is beyond reach by itself. */
+  #handSays(hand: readonly Handle[], asked: readonly Handle[], isBeyond: boolean): Parameters<Client['drag']>[2] {
+    const own = new Set(this.#followers.length > 0 && !isBeyond ? [] : verticesOf(this.#onBothSides(hand)));
+    return { asked: asked.filter(({ vertex }) => own.has(vertex)), along: this.#guide.axes };
   }
 
   #begin(targets: readonly Handle[]): void {

@@ -4,6 +4,7 @@ import type { ChebnetDocument, HandleData } from '../document/document';
 import { type Selection, toggled, united } from '../handles/selection';
 import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
+import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
 import type { OpenedNet } from '../worker/protocol';
 import { HandleGroupRow } from './handle_group_row';
@@ -42,6 +43,7 @@ export class HandleList implements Panel {
   });
   readonly #form: SelectionForm;
   readonly #symmetry: SymmetryChoice;
+  #methods: Tables['methods'] = [];
   #slipway: Slipway = { up: 'z', slides: true };
   readonly element: HTMLDetailsElement;
   /** By the keys of their groups. */
@@ -83,9 +85,13 @@ export class HandleList implements Panel {
     this.#mostRows = ROWS_AT_A_TIME;
   }
 
+  setTables({ methods }: Tables): void {
+    this.#methods = methods;
+  }
+
   setDocument(document: ChebnetDocument): void {
     this.#symmetry.set(document.symmetry);
-    this.#slipway = slipwayOf(document);
+    this.#slipway = slipwayOf(document, this.#methods);
   }
 
   setHandles(handles: readonly HandleData[], choice: Choice): void {

@@ -4,6 +4,7 @@ import { axesToSlide, type ChebnetDocument, type HandleData, type UpAxis } from 
 import { make, makeSelect, setValue } from '../elements/dom';
 import type { HandleTraits } from '../handles/commands';
 import { panelWords } from '../language/panels';
+import type { Tables } from '../net/tables';
 
 const TEXT = panelWords.slides;
 /** Of handles that hold all of their coordinates, and where those selected differ. */
@@ -17,11 +18,8 @@ export interface Slipway {
   slides: boolean;
 }
 
-/** As the core's table has it (tests/web/handles_sliding.test.ts). */
-export const METHODS_THAT_SLIDE: readonly string[] = ['projection', 'equilibrium'];
-
-export function slipwayOf({ view, method }: ChebnetDocument): Slipway {
-  return { up: view.upAxis ?? 'z', slides: METHODS_THAT_SLIDE.includes(method) };
+export function slipwayOf({ view, method }: ChebnetDocument, methods: Tables['methods']): Slipway {
+  return { up: view.upAxis ?? 'z', slides: methods.some(({ name, slides }) => slides && name === method) };
 }
 
 export class Sliding {

@@ -82,7 +82,9 @@ export class Annotations {
 
   #strains(unreachable: FrameData['unreachable']): Strain[] {
     const { markers } = this.#picture;
-    return unreachable.slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
+    // What follows the hand goes as far as it gets, and strains at nothing.
+    const held = unreachable.filter(({ vertexA, vertexB }) => !markers.isLed(vertexA) && !markers.isLed(vertexB));
+    return held.slice(0, SHOWN_STRAINS).flatMap(({ vertexA, vertexB, distance, reach }, i) => {
       const [a, b] = [markers.point(vertexA), markers.point(vertexB)];
       if (!a || !b) return [];
       const [from, to] = [this.#picture.place(a), this.#picture.place(b)];

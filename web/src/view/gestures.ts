@@ -91,6 +91,8 @@ const AXIS_KEY = /^(Shift\+)?[XYZ]$/;
 
 export class Gestures {
   #press: Press | null = null;
+  /** Where the canvas is on the page. Asked for once a press: while it moves something, the page would be laid out for each answer. */
+  #box: Pick<DOMRect, 'left' | 'top' | 'width' | 'height'> = { left: 0, top: 0, width: 1, height: 1 };
   #hover: PointerEvent | null = null;
   #hoverFrame = 0;
   /** How far the arrow keys have moved the selection while they are held; null: they are not. */
@@ -134,6 +136,7 @@ export class Gestures {
     if (this.#press) return this.#downToo(event, this.#press);
     if (event.button !== 0 || !event.isPrimary) return;
     const isTouch = event.pointerType === 'touch';
+    this.#findBox();
     const at = this.#place(event);
     const vertex = this.#handleAt(at, event);
     if (isTouch && vertex !== null && !this.#context.selecting()) this.#awaitLongTouch(event.pointerId, vertex);
@@ -315,8 +318,9 @@ export class Gestures {
     this.#hoverFrame = requestAnimationFrame(() => {
       const last = this.#hover;
       this.#hover = null;
-      if (last && !this.#press)
-        this.#setHover(last.target === this.#context.canvas ? this.#find(this.#place(last), last) : null);
+      if (!last || this.#press) return;
+      this.#findBox();
+      this.#setHover(last.target === this.#context.canvas ? this.#find(this.#place(last), last) : null);
     });
   }
 
@@ -413,14 +417,17 @@ export class Gestures {
     this.#context.carry(shift(this.#nudged));
   }
 
-  #place(event: PointerEvent): Place {
-    const box = this.#context.canvas.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  #findBox(): void {
+    this.#box = this.#context.canvas.getBoundingClientRect();
+  }
+
+  #place({ clientX, clientY }: PointerEvent): Place {
+    return { x: clientX - this.#box.left, y: clientY - this.#box.top };
   }
 
   #toDevice({ x, y }: Place): Vector2 {
-    const { clientWidth, clientHeight } = this.#context.canvas;
-    return new Vector2((2 * x) / clientWidth - 1, 1 - (2 * y) / clientHeight);
+    const { width, height } = this.#box;
+    return new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
   }
 }
 

@@ -98,6 +98,11 @@ export class HandleMarkers {
     this.#shares = shares;
   }
 
+  /** Whether it makes a share only of a move. */
+  isLed(vertex: number): boolean {
+    return (this.#shares?.get(vertex) ?? 1) < 1;
+  }
+
   point(vertex: number): Vector3 | undefined {
     return this.#markers.get(vertex)?.point;
   }

@@ -464,9 +464,10 @@ class SceneView implements View {
   }
 
   #draw(): void {
+    // What a move of the hand asks to be drawn, this draws.
+    this.#report.flush();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    this.#report.flush();
     this.#rig.update();
     if (!this.#netData) return;
     this.#prepare(this.#netData);

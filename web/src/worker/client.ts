@@ -1,6 +1,6 @@
 /** The page's side of the worker: requests as promises, frames as events, one drag in flight, and a new worker if the
  *  old one is lost. Failures have the core's code and message, or "worker_lost", or "cancelled", by `cancelOpening`. */
-import type { Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/chebnet';
+import type { Axes, Ball, FlatPattern, Handle, PatternFault } from '../../../wasm/chebnet';
 import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
@@ -51,11 +51,17 @@ interface Waiting {
   reject(error: Failure): void;
 }
 
+/** Of a drag: where the hand is, if targets are kept nearer, and the axes to which it is kept. */
+interface HandSays {
+  asked?: readonly Handle[];
+  along?: Axes | undefined;
+}
+
 interface PendingDrag {
   /** The latest target of each vertex. */
   targets: Map<number, Vec3>;
   inHand: boolean;
-  asked: readonly Handle[] | undefined;
+  hand: HandSays;
   taken(): void;
   refused(error: unknown): void;
   promise: Promise<void>;
@@ -151,12 +157,11 @@ export class Client {
    * Targets of the moment. At most one request is under way; of the targets that come meanwhile the newest of each vertex
    * are sent together. Resolves when the worker has taken these targets or newer ones.
    * @param inHand whether they are held back where no net leads there, until `release`.
-   * @param asked where the hand is, if targets are kept nearer.
    */
-  drag(targets: readonly Handle[], inHand = false, asked?: readonly Handle[]): Promise<void> {
+  drag(targets: readonly Handle[], inHand = false, hand: HandSays = {}): Promise<void> {
     const pending = (this.#pendingDrag ??= newPendingDrag());
     pending.inHand = inHand;
-    pending.asked = asked;
+    pending.hand = hand;
     for (const { vertex, target } of targets) pending.targets.set(vertex, target);
     if (this.#dragsUnderWay === 0) this.#sendDrag();
     return pending.promise;
@@ -267,7 +272,7 @@ export class Client {
 
   #sendDrag(): void {
     if (this.#pendingDrag === null) return;
-    const { targets, inHand, asked, taken, refused } = this.#pendingDrag;
+    const { targets, inHand, hand, taken, refused } = this.#pendingDrag;
     this.#pendingDrag = null;
     this.#dragsUnderWay += 1;
     const onward = (): void => {
@@ -275,8 +280,9 @@ export class Client {
       if (this.#dragsUnderWay === 0) this.#sendDrag();
     };
     const list = Array.from(targets, ([vertex, target]) => ({ vertex, target }));
-    const beyond = asked === undefined ? {} : { asked: [...asked] };
-    this.#ask({ type: 'drag', targets: list, inHand, ...beyond }, 'done')
+    const { asked, along } = hand;
+    const said = { ...(asked && { asked: [...asked] }), ...(along && { along }) };
+    this.#ask({ type: 'drag', targets: list, inHand, ...said }, 'done')
       .then(taken, refused)
       .finally(onward);
   }
@@ -391,5 +397,5 @@ function newPendingDrag(): PendingDrag {
     taken = resolve;
     refused = reject;
   });
-  return { targets: new Map(), inHand: false, asked: undefined, taken, refused, promise };
+  return { targets: new Map(), inHand: false, hand: {}, taken, refused, promise };
 }

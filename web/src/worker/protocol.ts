@@ -1,4 +1,5 @@
 import type {
+  Axes,
   Ball,
   CoreFields,
   FlatPattern,
@@ -26,8 +27,8 @@ export type Request = { id: number } & (
   | { type: 'handles'; handles: Handle[] }
   /** The targets of the moment while handles are dragged; others stay. Answered when they are taken: at once, or when the
    *  solve for those before has had its share of time. `inHand`: they are held back where no net leads there. `asked`: where
-   *  the hand is, if targets are kept nearer. */
-  | { type: 'drag'; targets: Handle[]; inHand: boolean; asked?: Handle[] }
+   *  the hand is, if targets are kept nearer. `along`: the axes to which it is kept, also when it is held back. */
+  | { type: 'drag'; targets: Handle[]; inHand: boolean; asked?: Handle[]; along?: Axes }
   /** The hand lets go: handles that are held back take the place where they stand as target when the solve ends. */
   | { type: 'release' }
   /** Before a drag: only what lies so many edge lengths from the origins may move until other handles are moved or set;

@@ -71,6 +71,8 @@ export class Server {
   #shareStart = 0;
   /** Targets that wait until the present solve has had its milliseconds. */
   #nextDrag: Drag | null = null;
+  /** What is in hand; null: nothing. */
+  #inHand: Drag | null = null;
   /** What the last hand asked for. */
   #asked: readonly Handle[] = [];
   #search: { id: number; adapter: LengthAdapter } | null = null;
@@ -84,6 +86,10 @@ export class Server {
   constructor(core: Editors, host: ServerHost) {
     this.#core = core;
     this.#host = host;
+  }
+
+  get isSolving(): boolean {
+    return this.#solving;
   }
 
   handle(request: Request): void {
@@ -222,11 +228,12 @@ export class Server {
   #drag(request: Drag): void {
     const net = this.#net();
     for (const { vertex, target } of request.targets) {
-      if (request.inHand) net.dragHandle(vertex, target);
+      if (request.inHand) net.dragHandle(vertex, target, request.along);
       else net.moveHandle(vertex, target);
     }
     this.#asked = request.inHand ? (request.asked ?? request.targets) : [];
     this.#accept(request, true);
+    this.#inHand = request.inHand ? request : null;
   }
 
   #takeNextDrag(): void {
@@ -383,6 +390,7 @@ export class Server {
   #accept(request: Request, solve: boolean): void {
     this.#net();
     if (!GOES_ON.has(request.type)) this.#row = null;
+    this.#inHand = null;
     this.#touch = request.id;
     this.#post({ id: request.id, type: 'done' });
     this.#go(solve);
@@ -409,7 +417,7 @@ export class Server {
         // Of the methods that the default one falls back on, the core for a first net has the words only.
         if (codeOf(error) === LEFT_OUT)
           void this.#goOnInWholeCore(
-            () => this.#go(true),
+            () => (this.#inHand ? this.#drag(this.#inHand) : this.#go(true)),
             (failure) => this.#endSolve(failure),
           );
         else this.#solveFailed(error);

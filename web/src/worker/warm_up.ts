@@ -1,24 +1,29 @@
 /** Engines compile WebAssembly function by function, and better once a function has run for a while: the first solve of
  *  a page takes many times as long as the next. */
-import type { Editors } from '../../../wasm/chebnet';
+import type { Editors, Handle } from '../../../wasm/chebnet';
 
-const MILLISECONDS = 120;
+/** A slice; between two of them requests are answered. */
+const MILLISECONDS = 12;
+/** After these, all that a hand calls for has been compiled well; on a phone they take a second. */
+const EDITS = 8;
 
-/** Solves small edits of a small net for a short while, so that the user's first one finds the solver compiled. */
-export function warmUp(core: Editors): void {
+/** Drags a small net about, so that the user's first drag finds the solver compiled.
+ *  @param pause resolves when nobody waits for the worker. */
+export async function warmUp(core: Editors, pause: () => Promise<void>): Promise<void> {
   const [shape] = core.shapes();
   if (shape === undefined) return;
   const editor = core.openRecipe(`${shape.name}:vertices=300`);
-  const handles = Array.from(editor.suggestedHandles, (vertex) => {
-    const [x = 0, y = 0, z = 0] = editor.restPositions.subarray(3 * vertex, 3 * vertex + 3);
-    return { vertex, target: [x, y, z] as [number, number, number] };
+  const { restPositions, suggestedHandles } = editor;
+  const handles = Array.from(suggestedHandles, (vertex): Handle => {
+    const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * vertex, 3 * vertex + 3);
+    return { vertex, target: [x, y, z] };
   });
   editor.setHandles(handles);
-  const start = performance.now();
-  for (let depth = 0.1; performance.now() - start < MILLISECONDS; depth += 0.1) {
-    for (const { vertex, target } of handles.slice(-1))
-      editor.moveHandle(vertex, [target[0], target[1], target[2] - depth]);
-    editor.solve({ milliseconds: MILLISECONDS });
+  const { vertex, target } = handles.at(-1)!;
+  for (let edit = 1; edit <= EDITS; edit++) {
+    editor.dragHandle(vertex, [target[0], target[1], target[2] - 0.1 * edit]);
+    while (editor.solve({ milliseconds: MILLISECONDS }).status === 'running') await pause();
+    editor.releaseHandles();
     editor.reset();
   }
   editor.dispose();

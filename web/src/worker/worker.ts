@@ -40,14 +40,25 @@ self.onmessage = ({ data }: MessageEvent<Request>) => {
 function start(core: Editors): void {
   server = new Server(core, { post, soon, now: () => performance.now(), wholeCore });
   for (const request of queue.splice(0)) server.handle(request);
-  // After the first net is shown; it is over before a user finds a handle.
-  setTimeout(() => warmUp(core), WARM_UP_DELAY);
+  // After the first net is shown; on most machines it is over before a user finds a handle.
+  setTimeout(() => warm(core), WARM_UP_DELAY);
+}
+
+/** Nobody needs to hear that it failed: what is wrong with the solver the first edit says. */
+function warm(core: Editors): void {
+  warmUp(core, idle).catch(() => {});
+}
+
+/** Resolves after the messages that wait already, and no solve is under way. */
+async function idle(): Promise<void> {
+  await new Promise<void>(soon);
+  while (server?.isSolving) await new Promise((next) => setTimeout(next, WARM_UP_DELAY));
 }
 
 async function wholeCore(): Promise<Editors> {
   const { loadWholeCore } = await import('./whole_core');
   const core = await loadWholeCore();
-  warmUp(core);
+  warm(core);
   return core;
 }
 
