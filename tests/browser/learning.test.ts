@@ -170,6 +170,16 @@ test.each([
   }
 });
 
+test('the note on an experiment stands where it stands for who knows the page, and does not move when hints come', async () => {
+  const placeOfNote = async (hints: boolean) => {
+    const { page, script } = await arrive('#experiment=long-edges', {}, { hints });
+    await script.settled();
+    if (hints) await page.locator('.hint:not([hidden])').waitFor({ state: 'attached' });
+    return page.locator('.experiment').boundingBox();
+  };
+  expect(await placeOfNote(true)).toEqual(await placeOfNote(false));
+});
+
 test('an embedded page gives no hints', async () => {
   const { page, script } = await arrive('?embed', {}, { hints: true });
   await script.settled();
