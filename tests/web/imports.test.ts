@@ -1,4 +1,6 @@
-/** Imports of the page and includes of the core go down: no circle of files, and no arrow from a room to one above it. */
+/** Imports of the page and includes of the core go down: no circle of files, and no arrow from a room to one above it; what
+ *  a file of the core needs, it includes. */
+import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -75,6 +77,22 @@ describe.each([
     expect(all.length).toBeGreaterThan(imports.size);
     expect(all.filter(({ file, next }) => level(next) > level(file))).toEqual([]);
   });
+});
+
+// Eigen is precompiled for the library, and with it half of the standard one.
+test('what comes without Eigen includes all that it needs', { timeout: 240_000 }, () => {
+  const root = fileURLToPath(new URL('core', ROOT));
+  const includes = readIncludes();
+  const comesWithEigen = (file: string): boolean =>
+    /^#include <Eigen\//m.test(readFileSync(join(root, file), 'utf8')) || includes.get(file)!.some(comesWithEigen);
+  const others = [...includes.keys()].filter((file) => roomOf(file) !== 'cli' && !comesWithEigen(file));
+  expect(others).toContain('base/error.h');
+  const compiler = process.env['CXX'] ?? 'c++';
+  const { stderr, status } = spawnSync(compiler, ['-fsyntax-only', '-std=c++20', '-w', '-I.', '-xc++', ...others], {
+    cwd: root,
+    encoding: 'utf8',
+  });
+  expect({ stderr, status }).toEqual({ stderr: '', status: 0 });
 });
 
 function roomOf(file: string): string {
