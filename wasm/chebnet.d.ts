@@ -570,9 +570,9 @@ export interface RemeshOptions {
   /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0,
    *  unless said otherwise: no edge is followed. */
   crease?: number;
-  /** Whether the net ends in a net line where the surface ends, or in steps as cells fall: `fitting`, unless said otherwise,
-   *  where a net line costs hardly more strain. */
-  border?: 'fitting' | 'always' | 'never';
+  /** Whether the net ends in a net line where the surface ends (`always`), in steps as cells fall (`never`), or with net lines
+   *  that run up to it at 45° (`across`); unless said otherwise as fits best. */
+  border?: 'fitting' | 'always' | 'across' | 'never';
   /** Where singular vertices are wanted. Not always kept: see `kept` of what comes of it. */
   singular?: readonly WishedSingular[];
   /** Where none are wanted. */

@@ -586,7 +586,7 @@ class WasmSurface {
       smallestAngle: size(smallestAngle, 'the shear limit'),
       smoothing: size(smoothing, 'the smoothing'),
       crease: size(crease, 'the angle of creases'),
-      border: /** @type {'fitting' | 'always' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
+      border: /** @type {'fitting' | 'always' | 'across' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
       singular: list(singular, 'singular vertices').map(({ point, valence }) => ({
         point: finite(point, 'the place of a singular vertex'),
         valence: /** @type {3 | 5 | 6} */ (integer(valence, 'the valence of a singular vertex', 3, LARGEST_INT)),

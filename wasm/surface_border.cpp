@@ -234,6 +234,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.crease = options["crease"].as<double>();
     wanted.border = named<RemeshOptions::Border>({{"fitting", RemeshOptions::Border::fitting},
                                                   {"always", RemeshOptions::Border::always},
+                                                  {"across", RemeshOptions::Border::across},
                                                   {"never", RemeshOptions::Border::never}},
                                                  options["border"].as<std::string>(), "border");
     wanted.singular = wishes_in(options);

@@ -26,6 +26,7 @@ namespace {
 
 const std::map<std::string, RemeshOptions::Border> k_borders = {{"fitting", RemeshOptions::Border::fitting},
                                                                 {"always", RemeshOptions::Border::always},
+                                                                {"across", RemeshOptions::Border::across},
                                                                 {"never", RemeshOptions::Border::never}};
 
 struct RemeshArguments {
@@ -169,8 +170,10 @@ Command add_remesh(CLI::App& program) {
         ->type_name("DEGREES")
         ->capture_default_str();
     command
-        .add_option("--border", arguments->border,
-                    "Where the surface ends: in a net line if that fits (fitting) or always, or never: in steps")
+        .add_option(
+            "--border", arguments->border,
+            "Where the surface ends: in a net line (always), in steps (never), or with net lines that run up to it at "
+            "45 degrees (across); fitting: as fits best")
         ->check(CLI::IsMember(k_borders))
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");

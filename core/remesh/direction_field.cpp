@@ -100,8 +100,7 @@ struct Connection {
     std::vector<bool> is_pinned;      // of each vertex: directions turn around it, so its own is not one of theirs
 };
 
-Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames,
-                              const std::vector<bool>& creases) {
+Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames, const FieldOptions& options) {
     Connection connection;
     connection.held_sides.assign(frames.size(), 0);
     connection.targets.assign(frames.size(), 0);
@@ -110,11 +109,13 @@ Connection natural_connection(const Surface& surface, const std::vector<Frame>& 
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int a = surface.from(s), b = surface.to(s);
         connection.transports.push_back(transport(frames[a], frames[b]));
-        const bool is_held = surface.opposite(s) < 0 || (!creases.empty() && creases[s] && surface.opposite(s) < s);
-        if (!is_held) continue;
+        const bool is_border = surface.opposite(s) < 0;
+        const bool is_crease = !options.creases.empty() && options.creases[s] && surface.opposite(s) < s;
+        if (!is_border && !is_crease) continue;
+        const double sign = is_border && options.crosses_border ? -1 : 1;  // i⁴ = 1, and of 45° (√i)⁴ = −1
         const Eigen::Vector3d along = surface.positions().col(b) - surface.positions().col(a);
         for (const int v : {a, b}) {
-            connection.targets[v] += fourth_power(unit(frames[v].of(along)));
+            connection.targets[v] += sign * fourth_power(unit(frames[v].of(along)));
             ++connection.held_sides[v];
         }
     }
@@ -268,7 +269,7 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options) {
     const std::vector<Frame> frames = vertex_frames(surface, options.smoothing);
-    Connection connection = natural_connection(surface, frames, options.creases);
+    Connection connection = natural_connection(surface, frames, options);
     if (options.wishes) turn(connection, surface, frames, *options.wishes);
     const std::vector<Complex> at_vertices = Smoother(surface, connection).run();
     DirectionField field;

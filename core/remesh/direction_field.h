@@ -21,12 +21,14 @@ struct FieldOptions {
     int smoothing = 0;                     ///< rounds of it; see smoothest_field
     const PlacedWishes* wishes = nullptr;  ///< of singular vertices; null: none
     std::vector<bool> creases;             ///< of each side, whether it is one; empty: there are none
+    bool crosses_border = false;           ///< the directions are at 45° to the boundary, not along it
 };
 
 /// The smoothest field (Knöppel, Crane, Pinkall & Schröder, Globally Optimal Direction Fields, 2013), along the
-/// boundary where there is one, and along creases. Directions go from vertex to vertex as the normals turn, after so
-/// many rounds of smoothing these: the more there are, the less noise and small bumps make singular vertices. Wishes,
-/// if there are any, say where these are to be, and turn the way of directions from vertex to vertex for it.
+/// boundary where there is one, or across it, and along creases. Directions go from vertex to vertex as the normals
+/// turn, after so many rounds of smoothing these: the more there are, the less noise and small bumps make singular
+/// vertices. Wishes, if there are any, say where these are to be, and turn the way of directions from vertex to vertex
+/// for it.
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options);
 
 /// The vertices whose holonomy is not 0.

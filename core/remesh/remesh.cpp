@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "base/number.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "drape/drape.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "remesh/cell_mesh.h"
@@ -47,6 +49,8 @@ constexpr double k_near = 3;
 constexpr double k_pull = 10;
 // The border is on lines of the grid where the strain of this is at most so many times that without, or so small.
 constexpr double k_more_strain = 1.2, k_little_strain = 0.03;
+// Corners over that need not be more open.
+constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
@@ -76,14 +80,15 @@ public:
         m_even.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell, m_creases));
         if (!m_options.singular.is_empty())
             m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
-        m_may_hold_border = m_options.border != RemeshOptions::Border::never && !m_surface.boundary_loops().empty();
-        if ((m_may_hold_border || !m_creases.empty()) && try_all()) return result(m_found.back());
-        m_holds_lines = false;
-        if (m_found.empty() && try_all()) return result(m_found.back());
-        const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
-            return a.kept.missed() < b.kept.missed();
-        });
-        if (best != m_found.end()) return result(*best);
+        m_has_border = !m_surface.boundary_loops().empty();
+        m_crosses_border = m_options.border == RemeshOptions::Border::across;
+        std::optional<Found> best = find_net(k_sizes);
+        if (m_has_border && m_options.border == RemeshOptions::Border::fitting) {
+            m_crosses_border = true;
+            std::optional<Found> other = find_net(best ? std::span(k_sizes).first(1) : k_sizes);
+            if (other && (!best || is_better(*other, *best))) best = std::move(other);
+        }
+        if (best) return result(*best);
         throw Error(
             ErrorCode::bad_option,
             (m_wishes ? "no net was found with singular vertices as they are wished for; other wishes or smaller "
@@ -106,18 +111,41 @@ private:
         if (m_progress) m_progress(m_phase, done);
     }
 
-    bool try_all() {
-        for (const double size : k_sizes)
-            for (const double smoothing : k_smoothings)
-                if (try_once(size, smoothing * m_options.smoothing)) return true;
-        return false;
-    }
-
     struct Found {
         Net net;
         std::vector<SingularVertex> singular;
         KeptWishes kept;
     };
+
+    /// With cells of these sizes, relative to what is asked for.
+    std::optional<Found> find_net(std::span<const double> sizes) {
+        m_found.clear();
+        m_holds_lines = true;
+        if ((may_hold_border() || !m_creases.empty()) && try_all(sizes)) return std::move(m_found.back());
+        m_holds_lines = false;
+        if (m_found.empty() && try_all(sizes)) return std::move(m_found.back());
+        const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
+            return a.kept.missed() < b.kept.missed();
+        });
+        if (best == m_found.end()) return std::nullopt;
+        return std::move(*best);
+    }
+
+    /// In nothing worse that is promised, but for corners that are open enough.
+    bool is_better(const Found& a, const Found& b) const {
+        const DrapeReport of_a = measure_drape(m_surface, m_guide->tree(), a.net),
+                          of_b = measure_drape(m_surface, m_guide->tree(), b.net);
+        return a.kept.missed() <= b.kept.missed() && of_a.coverage >= of_b.coverage &&
+               of_a.mean_distance <= of_b.mean_distance &&
+               of_a.smallest_angle >= std::min(of_b.smallest_angle, k_open_angle) - k_angle_tolerance;
+    }
+
+    bool try_all(std::span<const double> sizes) {
+        for (const double size : sizes)
+            for (const double smoothing : k_smoothings)
+                if (try_once(size, smoothing * m_options.smoothing)) return true;
+        return false;
+    }
 
     /// Whether the last net found is as it should be.
     bool try_once(double size, double smoothing) {
@@ -142,7 +170,7 @@ private:
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
         const DirectionField field =
-            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases});
+            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases, m_crosses_border});
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
@@ -156,6 +184,10 @@ private:
                        [this](double done) { tell(done); });
     }
 
+    bool may_hold_border() const {
+        return m_has_border && !m_crosses_border && m_options.border != RemeshOptions::Border::never;
+    }
+
     struct Grid {
         GridMap map;
         bool has_border = false;  // on its lines
@@ -165,7 +197,7 @@ private:
     Grid grid_along(const DirectionField& field, double length) const {
         const Surface& triangles = m_even->surface;
         if (!m_holds_lines) return {fit_grid(triangles, field, length), false};
-        if (!m_may_hold_border) return {fit_grid(triangles, field, length, m_even->creases), false};
+        if (!may_hold_border()) return {fit_grid(triangles, field, length, m_even->creases), false};
         GridMap along = fit_grid(triangles, field, length, with_border(triangles, m_even->creases));
         if (m_options.border == RemeshOptions::Border::always || along.strain < k_little_strain)
             return {std::move(along), true};
@@ -236,9 +268,9 @@ private:
     const Surface& m_surface;
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
-    double m_cell;                   // the length of the grid's cells
-    std::vector<bool> m_creases;     // of each side of the surface; empty: none are followed
-    bool m_may_hold_border = false;  // as creases
+    double m_cell;                // the length of the grid's cells
+    std::vector<bool> m_creases;  // of each side of the surface; empty: none are followed
+    bool m_has_border = false, m_crosses_border = false;
     bool m_holds_lines = true;  // of the grid on creases and border; where no net comes of it, the field alone is so
     std::optional<EvenTriangles> m_even;
     std::optional<PlacedWishes> m_wishes;

@@ -15,11 +15,14 @@ namespace chebnet {
 /// How a whole surface is made a net.
 struct RemeshOptions {
     /// Where the surface ends the net can end in a net line, with corners where the border has corners, or in steps, as
-    /// cells fall.
+    /// cells fall; or its net lines run up to the border at 45°. Then the border may be longer or shorter than those
+    /// beside it, for which cells shear: a ring is covered without singular vertices.
     enum class Border {
-        fitting,  ///< in a net line if that strains the grid hardly more than it is strained without
-        always,   ///< in a net line, along all of the border that the field follows
-        never
+        fitting,  ///< in a net line if that strains the grid hardly more than it is strained without, or else in steps;
+                  ///< at 45° if that covers as much, is as near to the surface, and its corners are as open or over 40°
+        always,  ///< in a net line, along all of the border that the field follows
+        across,  ///< at 45°
+        never    ///< in steps
     };
 
     int cells = 4000;                              ///< about so many, or more where the surface is too thin for

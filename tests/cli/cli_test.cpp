@@ -631,6 +631,7 @@ TEST_CASE("remesh ends nets in a net line at the border if it is told to, or nev
         return run.json().at("net").at("coverage").get<double>();
     };
     CHECK(coverage("--border always") > coverage("--border never") + 0.01);
+    CHECK(coverage("--border across") > coverage("--border always"));
     CHECK(coverage("") == coverage("--border fitting"));
 }
 

@@ -348,6 +348,7 @@ TEST_CASE("The border of a plate is a net line from corner to corner, whatever i
 TEST_CASE("A net with one net line for its border has singular vertices within, as many as its border turns") {
     const Surface round = disc();
     RemeshOptions options = of_cells(400);
+    options.border = RemeshOptions::Border::always;
     const Net made = remeshed(round, options, 1).net;
     CHECK(border_corners(made).empty());
     CHECK(Topology(made).singular_vertices() == std::map<int, int>{{3, 4}});
@@ -359,7 +360,9 @@ TEST_CASE("A net with one net line for its border has singular vertices within, 
     CHECK(measure_drape(round, guide->tree(), made).coverage > measure_drape(round, guide->tree(), before).coverage);
 
     const Surface half = Surface(samples::sphere(16, true));
-    CHECK(border_corners(remeshed(half, of_cells(500), 1).net).empty());
+    options = of_cells(500);
+    options.border = RemeshOptions::Border::always;
+    CHECK(border_corners(remeshed(half, options, 1).net).empty());
 }
 
 TEST_CASE("Where a net line along the border would strain the net it is there only if it is asked for") {
@@ -371,6 +374,34 @@ TEST_CASE("Where a net line along the border would strain the net it is there on
     const Net always = remeshed(shell, options, 1).net;
     CHECK(border_corners(always) == std::map<int, int>{{2, 4}});
     CHECK(off_border(shell, always) < off_border(shell, fitting));
+}
+
+TEST_CASE("A ring far longer outside than inside is covered by net lines at 45 degrees to its borders") {
+    const Surface ring(samples::quads(80, 12, true, false, [](int i, int j) {
+        const double angle = 2 * std::numbers::pi * i / 80, radius = 1 + 0.8 * j / 11;
+        return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }));
+    const Guide guide(ring);
+    const auto coverage = [&](const Net& net) { return measure_drape(ring, guide.tree(), net).coverage; };
+    RemeshOptions options = of_cells(600);
+    const Net fitting = remeshed(ring, options, 0).net;
+    CHECK(singular_count(fitting) == 0);
+    CHECK(coverage(fitting) > 0.995);
+    CHECK(off_border(ring, fitting) < 0.4);
+    options.border = RemeshOptions::Border::across;
+    CHECK(remeshed(ring, options, 0).net.rest_positions() == fitting.rest_positions());
+    options.border = RemeshOptions::Border::always;
+    CHECK(coverage(remesh(std::make_shared<const Guide>(ring), options).net) < 0.95);
+}
+
+TEST_CASE("Net lines at 45 degrees to the border go along creases none the less") {
+    // A roof, with its ridge in the middle.
+    const Surface roof(samples::graph(21, 1, [](double x, double) { return -std::abs(x); }));
+    RemeshOptions options = of_cells(400);
+    options.border = RemeshOptions::Border::across;
+    options.crease = 60 * k_degree;
+    const Net net = remeshed(roof, options, 1).net;
+    for (const double y : {-0.7, -0.2, 0.3, 0.6}) CHECK(distance_to_edges(net, {0, y, 0}) < 0.25 * net.mean_length());
 }
 
 TEST_CASE("Creases, borders and singular vertices wished for go together") {

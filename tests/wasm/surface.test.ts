@@ -273,6 +273,7 @@ describe('a net over a whole surface', () => {
       };
       expect(corners({ border: 'always' })).toBe(4);
       expect(corners({ border: 'never' })).toBeGreaterThan(4);
+      expect(corners({ border: 'across' })).toBeGreaterThan(corners({ border: 'never' }));
       expect(corners({})).toBe(corners({ border: 'fitting' }));
     });
   });

@@ -18,7 +18,7 @@ const BORDERS = ['beyond', 'cut', 'inside'] as const;
 const HEIGHTS = [0, 0.1, 0.25, 0.5, 1];
 
 /** The same of a net over the whole surface. */
-const LINES = ['fitting', 'always', 'never'] as const;
+const LINES = ['fitting', 'always', 'across', 'never'] as const;
 
 /** Edges of the surface that are sharper are followed, degrees; 0: none are. */
 const CREASES = [0, 30, 45, 60];

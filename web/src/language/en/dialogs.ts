@@ -126,8 +126,9 @@ export const dialogs = {
       height === 0 ? 'a gap stays' : `up to ${height === 1 ? 'an edge' : `${height} edges`} off`,
     borders: { beyond: 'whole cells', cut: 'rods cut at it', inside: 'no cell over it' },
     lines: {
-      fitting: 'a net line if it fits',
+      fitting: 'what fits best',
       always: 'a net line',
+      across: 'net lines at 45° to it',
       never: 'steps, as cells fall',
     },
     crease: 'Sharp edges',

@@ -141,7 +141,7 @@ export const dialogs: Widened<typeof en> = {
     locked: '锁死之处',
     leaves: (height) => (height === 0 ? '留出空缺' : `最多离面 ${height} 倍边长`),
     borders: { beyond: '保留整格', cut: '沿边界截断杆件', inside: '不越过边界' },
-    lines: { fitting: '合适处沿网线', always: '沿网线', never: '阶梯状' },
+    lines: { fitting: '最合适者', always: '沿网线', across: '网线与之成 45°', never: '阶梯状' },
     crease: '锐边',
     creases: (degrees) => (degrees === 0 ? '不跟随' : `超过 ${degrees}° 时跟随`),
     showShear: '按剪切着色，60° 为红',
