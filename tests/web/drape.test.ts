@@ -312,6 +312,23 @@ describe('at the seed', () => {
       for (const y of [-largest, largest]) expect(corner(x, y)).toBeLessThan(2 * net.info.meanLength);
   });
 
+  test('each piece has handles of its own, of which one is free', () => {
+    const ends: Point[] = [
+      [-3, 0.9, -0.54],
+      [3, 0.9, 0.54],
+    ];
+    const [, draped] = answers(OPEN, { type: 'drape', settings: { ...SETTINGS, cuts: [ends] } });
+    if (draped?.type !== 'draped') throw new Error('no net');
+    expect(draped.pieces).toBe(2);
+    const { restPositions: at } = draped.net;
+    const handles = suggestedHandles(draped);
+    for (const side of [-1, 1]) {
+      const here = handles.filter(({ vertex }) => Math.sign(at[3 * vertex + 1]! - 0.9) === side);
+      expect(here.length).toBeGreaterThan(2);
+      expect(here.filter(({ anchor }) => !anchor)).toHaveLength(1);
+    }
+  });
+
   test('cells and length are two names of one thing', () => {
     expect(cellsOf(lengthOf(400, 7), 7)).toBeCloseTo(400);
   });

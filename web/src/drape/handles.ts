@@ -1,5 +1,6 @@
-/** Handles to begin with on a net from a seed: the corners of its border, or of a border without corners the ends of its arms.
- *  One is to be dragged while the others hold the net. Not the seed: where the arms run straight it could not move at all. */
+/** Handles to begin with on each piece of a net from a seed: the corners of its border, or of a border without corners the ends
+ *  of its arms. One is to be dragged while the others hold the piece. Not the seed: where the arms run straight it could not move
+ *  at all. */
 import type { HandleSeed } from '../document/document';
 import { listsOf } from '../handles/lines';
 import type { OpenedNet } from '../worker/protocol';
@@ -15,15 +16,43 @@ const LEAST_TURN = 65;
 const [FEWEST, MOST] = [3, 8];
 
 export function suggestedHandles({ net, places }: Pick<DrapedNet, 'net' | 'places'>): HandleSeed[] {
-  const corners = cornersOf(net);
+  return piecesOf(net).flatMap((piece) => handlesOn(net, places.subarray(2 * piece[0], 2 * piece[1]), piece));
+}
+
+/** From which vertex on, and up to which: those of a piece follow each other. */
+type Piece = [first: number, end: number];
+
+function piecesOf({ edges, info: { vertices } }: OpenedNet): Piece[] {
+  const farthest = Array.from({ length: vertices }, (_, vertex) => vertex);
+  for (let i = 0; i < edges.length; i += 2) {
+    const [low, high] = [Math.min(edges[i]!, edges[i + 1]!), Math.max(edges[i]!, edges[i + 1]!)];
+    farthest[low] = Math.max(farthest[low]!, high);
+  }
+  const pieces: Piece[] = [];
+  for (let vertex = 0, first = 0, last = 0; vertex < vertices; vertex++) {
+    last = Math.max(last, farthest[vertex]!);
+    if (vertex < last) continue;
+    pieces.push([first, vertex + 1]);
+    first = vertex + 1;
+  }
+  return pieces;
+}
+
+/** On the piece whose vertices these places are of. */
+function handlesOn(net: OpenedNet, places: Int32Array, [first, end]: Piece): HandleSeed[] {
+  const corners = cornersOf(net, first, end);
   const areHolding = corners.length >= FEWEST && corners.length <= MOST;
-  const vertices = areHolding ? fromSeed(net, places, corners) : endsOfArms(places);
+  const vertices = areHolding
+    ? fromSeed(net, first + vertexAt(places, 0, 0), corners)
+    : endsOfArms(places).map((vertex) => first + vertex);
   return vertices.map((vertex, i, { length }) => ({ vertex, target: null, anchor: i + 1 < length }));
 }
 
 /** Of the longest loop of the border, the sharpest first. */
-function cornersOf(net: OpenedNet): number[] {
-  const loops = listsOf({ start: net.loopStart, vertices: net.loopVertices });
+function cornersOf(net: OpenedNet, first: number, end: number): number[] {
+  const loops = listsOf({ start: net.loopStart, vertices: net.loopVertices }).filter(
+    ([vertex = -1]) => first <= vertex && vertex < end,
+  );
   const loop = [...loops.sort((a, b) => b.length - a.length)[0]!];
   const around = loop.reduce((sum, vertex, at) => sum + apart(net, vertex, loop.at(at - 1)!), 0);
   const reach = Math.min(WINDOW * net.info.meanLength, PART * around);
@@ -59,8 +88,7 @@ function within(net: OpenedNet, loop: readonly number[], at: number, step: numbe
 }
 
 /** The farthest from the seed last. */
-function fromSeed(net: OpenedNet, places: Int32Array, vertices: readonly number[]): number[] {
-  const seed = vertexAt(places, 0, 0);
+function fromSeed(net: OpenedNet, seed: number, vertices: readonly number[]): number[] {
   return [...vertices].sort((a, b) => apart(net, seed, a) - apart(net, seed, b));
 }
 
