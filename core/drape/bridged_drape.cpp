@@ -75,6 +75,7 @@ Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOption
     if (!(most_height > 0 && most_height <= k_highest))
         throw Error(ErrorCode::bad_option, "the net may leave the surface by more than 0 and up to 10 edge lengths");
     Drape locked = drape(guide->surface(), guide->tree(), options);
+    if (locked.locked == 0) return locked;
     DrapeOptions sharper = options;
     sharper.smallest_angle *= k_sharper;
     if (options.border == DrapeOptions::Border::cut) sharper.border = DrapeOptions::Border::beyond;
