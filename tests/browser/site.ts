@@ -41,13 +41,16 @@ export async function serve(root: () => string): Promise<{ address: string; serv
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
     const file = join(root(), path === '/' ? 'index.html' : path);
+    served.push(file); // In the order of what is asked for, which reading does not keep.
     readFile(file).then(
       (body) => {
-        served.push(file);
         const type = TYPES[extname(file)] ?? 'application/octet-stream';
         response.writeHead(200, { 'content-type': type, 'content-security-policy': POLICY }).end(body);
       },
-      () => response.writeHead(404).end(),
+      () => {
+        served.splice(served.indexOf(file), 1);
+        response.writeHead(404).end();
+      },
     );
   });
   await new Promise<void>((done) => server.listen(0, '127.0.0.1', done));
