@@ -10,6 +10,7 @@
 #include "sample_nets.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
+#include "solve/parts/path_extrapolation.h"
 #include "solve/parts/rigid_motion.h"
 
 using namespace chebnet;
@@ -48,6 +49,16 @@ int steps_over(double edge_lengths) {
     int steps = 0;
     for (; walk.walked() < 1; ++steps) walk.go_to(walk.next());
     return steps;
+}
+
+/// A point in the plane z = 0, at this angle on the unit circle about the origin.
+Positions on_circle(double angle) { return Eigen::Vector3d(std::cos(angle), std::sin(angle), 0); }
+
+/// How far from its place a path that goes round in such steps is after one more.
+double error_on_circle(double step) {
+    PathExtrapolation path;
+    for (int k : {-2, -1, 0}) path.add(on_circle(k * step));
+    return (path.at(1) - on_circle(step)).norm();
 }
 
 }  // namespace
@@ -171,4 +182,36 @@ TEST_CASE("A corner that was far from its limit when corners were last looked at
     REQUIRE(constraints.part_until_short(x, move) < 0.01);
     CHECK(constraints.hold_blocking_ones(x, move));
     CHECK(constraints.part_until_short(x, move) == 1);
+}
+
+TEST_CASE("A path goes on through its last three points, whatever lies between them") {
+    const unsigned seed = GENERATE(range(1u, 6u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    PathExtrapolation path;
+    std::vector<Positions> points;
+    for (int k = 0; k < 5; ++k) {
+        CHECK(path.is_known() == (k > 2));
+        points.push_back(samples::shaken(Positions::Zero(3, 7), 1, random));
+        path.add(points.back());
+    }
+    const double last = (points[4] - points[3]).norm(), before = (points[3] - points[2]).norm();
+    CHECK((path.at(0) - points[4]).norm() == 0);
+    CHECK((path.at(-1) - points[3]).norm() < 1e-14);
+    CHECK((path.at(-1 - before / last) - points[2]).norm() < 1e-13);
+
+    path.add(points.back());
+    CHECK(!path.is_known());
+    path.clear();
+    path.add(points.front());
+    CHECK(!path.is_known());
+}
+
+TEST_CASE("A straight path goes on straight, and a bent one errs by the third power of its steps") {
+    PathExtrapolation path;
+    for (double x : {0.0, 1.0, 4.0}) path.add(Eigen::Vector3d(x, 2 * x, -x));
+    CHECK((path.at(2) - Positions(Eigen::Vector3d(10, 20, -10))).norm() < 1e-13);
+
+    CHECK(error_on_circle(0.1) < 1.1e-3);
+    CHECK(error_on_circle(0.1) / error_on_circle(0.05) == Approx(8).epsilon(0.01));
 }

@@ -12,6 +12,7 @@
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
+#include "solve/parts/path_extrapolation.h"
 #include "solve/parts/rest_energy.h"
 #include "solve/parts/tangent_newton.h"
 
@@ -40,6 +41,9 @@ constexpr int k_most_joins = 6, k_most_rounds = 4;
 constexpr int k_most_steps_of_opening = 100;
 // At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
+// A path of the descent is followed after so many steps, by so many edge lengths at most.
+constexpr int k_steps_of_a_path = 3;
+constexpr double k_most_along_path = 4;
 // Less force than this moves nothing: a net that comes at rest need not be tried.
 constexpr double k_no_force = 1e-9;
 
@@ -83,6 +87,7 @@ private:
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
+    bool follow_path(Positions& positions);
     bool linearise(const Positions& positions);
     void take_step(Positions& positions, TraceRow& row);
     double gradient_norm() const;
@@ -124,6 +129,7 @@ private:
     bool m_is_still = false;       // the last step was a whole one, and short
     bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
     double m_lack = 0;             // of the limit, at m_result
+    PathExtrapolation m_path;      // of the descent in stage 3
     Positions m_result;            // where the method last left the net; empty: nowhere
     bool m_was_placed = false;     // the rest shape, in this solve: a walk has begun there
     Positions m_stuck_at;          // where a walk before that ended early; empty: none did
@@ -454,6 +460,7 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_radius = k_most_move * m_net->mean_length();
     m_is_still = m_is_linearised && gradient_norm() < k_no_force;
     m_is_careful = false;
+    m_path.clear();
 }
 
 /// Per unit of length.
@@ -481,7 +488,42 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     }
     if (!linearise(positions)) return stuck();
     row.factorisation_ms += m_newton->factorisation_ms();
-    return is_at_rest() ? Status::converged : Status::running;
+    if (is_at_rest()) return Status::converged;
+    if (row.step > 0 && gradient_norm() < row.gradient_norm) {
+        m_path.add(positions);
+        if (!follow_path(positions)) return stuck();
+    }
+    return Status::running;
+}
+
+/// A descent follows a valley of the energy whose floor is bent, in steps that leave it and come back by turns; those
+/// that came back, with less of a gradient, lie on the floor. From the last of them along it, twice as far each time,
+/// while the energy falls. False if there the net cannot be linearised.
+bool Equilibrium::follow_path(Positions& positions) {
+    if (m_steps < k_steps_of_a_path || !m_path.is_known() || m_lack > CornerLimit::k_tolerance) return true;
+    const std::vector<double> held = m_constraints->held();
+    const double most = k_most_along_path * m_net->mean_length();
+    double least = m_energy + m_newton->error_cost(), taken = 0;
+    Positions end = positions;
+    for (double t = 1;; t *= 2) {
+        Positions x = m_path.at(t);
+        if ((x - positions).colwise().norm().maxCoeff() > most || !project(x)) break;
+        const double energy = m_rest_energy.evaluate(x, m_next_gradient) + error_cost();
+        if (!(energy < least)) break;
+        least = energy;
+        taken = t;
+        end = x;
+    }
+    m_constraints->hold(held);
+    if (taken > 0 && project(end)) {
+        positions = end;
+        m_is_still = false;
+    } else {
+        m_path.clear();
+    }
+    m_energy = m_rest_energy.evaluate(positions, m_gradient);
+    m_max_deviation = max_deviation(*m_net, positions);
+    return linearise(positions);
 }
 
 /// One Newton step, within the trust region that the steps before have left.
@@ -497,7 +539,9 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     row.line_search_ms = watch.milliseconds();
     const double L = m_net->mean_length(), moved = row.step * m_direction.colwise().norm().maxCoeff();
     const bool was_cut = row.step < 1 || m_newton->ended_at_radius();
-    if (row.step < whole)
+    if (row.step == 0)
+        m_radius *= std::pow(0.5, k_most_halvings);
+    else if (row.step < whole)
         m_radius = moved;
     else if (was_cut)
         m_radius = std::min(2 * m_radius, k_most_move * L);
@@ -607,6 +651,7 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      no farther, and where it is shorter for handles that jump, it begins at the rest shape;
 ///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
+///      Where they follow a valley, they are carried on along it (PathExtrapolation).
 ///
 /// What slides is free, but for the coordinates that it keeps: these walk with the handles, and moves, Newton steps and
 /// projections leave them alone. At rest no force is left along its axes. Stage 1 and a shape to begin with have it
