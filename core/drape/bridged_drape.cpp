@@ -3,36 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "drape/draped_net.h"
-#include "edit/resting_near.h"
+#include "drape/opened_corners.h"
 #include "surface/height.h"
 
 namespace chebnet {
 
 namespace {
 
-constexpr double k_highest = 10;            // in edge lengths
-constexpr double k_sharper = 0.5;           // corners to begin with, as a part of the limit
-constexpr double k_anchor_weight = 0.02;    // enough for the net not to slide over its surface
-constexpr double k_angle_tolerance = 2e-4;  // radians
-constexpr const char* k_iterations = "100";
-
-/// At rest near the surface, with no corner sharper than the limit where that can be.
-Positions at_rest(const Net& net, const std::shared_ptr<const Guide>& guide, double limit) {
-    Editor editor = resting_near(net, guide, limit);
-    std::vector<Handle> anchors;
-    for (int v = 0; v < net.vertex_count(); ++v) anchors.push_back({v, net.rest_positions().col(v), k_anchor_weight});
-    editor.set_handles(anchors);
-    editor.set_option("max_iterations", k_iterations);
-    editor.solve();
-    return editor.positions();
-}
+constexpr double k_highest = 10;  // in edge lengths
+// Corners to begin with, as a part of the limit: the next where one covers no more than the net that locks.
+constexpr double k_sharper[] = {0.5, 0.75};
 
 std::vector<DrapedVertex> draped_vertices(const Guide& guide, const Positions& positions) {
     std::vector<DrapedVertex> vertices;
@@ -47,7 +34,7 @@ std::vector<DrapedVertex> draped_vertices(const Guide& guide, const Positions& p
 bool keeps_limit(const std::array<Eigen::Vector3d, 4>& cell, double limit) {
     for (std::size_t k = 0; k < 4; ++k) {
         const Eigen::Vector3d a = cell[(k + 1) % 4] - cell[k], b = cell[(k + 3) % 4] - cell[k];
-        if (std::abs(a.dot(b)) > std::cos(limit - k_angle_tolerance) * a.norm() * b.norm()) return false;
+        if (std::abs(a.dot(b)) > std::cos(limit) * a.norm() * b.norm()) return false;
     }
     return true;
 }
@@ -69,6 +56,30 @@ std::vector<std::array<int, 4>> good_cells(const Net& net, const Positions& posi
     return cells;
 }
 
+/// Laid with corners sharper than the limit, which are opened then; nothing where that leads to no net.
+std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& options, double sharper, double most_height) {
+    DrapeOptions to_open = options;
+    to_open.smallest_angle *= sharper;
+    if (options.border == DrapeOptions::Border::cut) to_open.border = DrapeOptions::Border::beyond;
+    const Drape laid = drape(guide.surface(), guide.tree(), to_open);
+    const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
+    if (!positions) return std::nullopt;
+    const std::vector<DrapedVertex> vertices = draped_vertices(guide, *positions);
+    const std::vector<std::array<int, 4>> cells = good_cells(laid.net, *positions, heights_over(guide, *positions),
+                                                             most_height * options.length, options.smallest_angle);
+    BorderCut left;
+    if (options.border == DrapeOptions::Border::cut)
+        left = cut_at_border(Compass(guide.surface(), guide.tree(), options.length), options.smallest_angle, vertices,
+                             cells);
+    else
+        for (const auto& cell : cells) left.faces.emplace_back(cell.begin(), cell.end());
+    if (left.faces.empty()) return std::nullopt;
+    Drape opened = draped_net(vertices, laid.places, left);
+    opened.locked = laid.locked;
+    opened.met = laid.met;
+    return opened;
+}
+
 }  // namespace
 
 Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOptions& options, double most_height) {
@@ -76,26 +87,15 @@ Drape bridged_drape(const std::shared_ptr<const Guide>& guide, const DrapeOption
         throw Error(ErrorCode::bad_option, "the net may leave the surface by more than 0 and up to 10 edge lengths");
     Drape locked = drape(guide->surface(), guide->tree(), options);
     if (locked.locked == 0) return locked;
-    DrapeOptions sharper = options;
-    sharper.smallest_angle *= k_sharper;
-    if (options.border == DrapeOptions::Border::cut) sharper.border = DrapeOptions::Border::beyond;
-    const Drape laid = drape(guide->surface(), guide->tree(), sharper);
-    const Positions positions = at_rest(laid.net, guide, options.smallest_angle);
-    const std::vector<DrapedVertex> vertices = draped_vertices(*guide, positions);
-    const std::vector<std::array<int, 4>> cells = good_cells(laid.net, positions, heights_over(*guide, positions),
-                                                             most_height * options.length, options.smallest_angle);
-    BorderCut left;
-    if (options.border == DrapeOptions::Border::cut)
-        left = cut_at_border(Compass(guide->surface(), guide->tree(), options.length), options.smallest_angle, vertices,
-                             cells);
-    else
-        for (const auto& cell : cells) left.faces.emplace_back(cell.begin(), cell.end());
-    if (left.faces.empty()) return locked;
-    Drape bridged = draped_net(vertices, laid.places, left);
-    bridged.locked = laid.locked;
-    bridged.met = laid.met;
-    const auto coverage = [&](const Net& net) { return measure_drape(guide->surface(), guide->tree(), net).coverage; };
-    return coverage(bridged.net) > coverage(locked.net) ? bridged : locked;
+    const auto coverage = [&](const Drape& laid) {
+        return measure_drape(guide->surface(), guide->tree(), laid.net).coverage;
+    };
+    const double enough = coverage(locked);
+    for (const double sharper : k_sharper) {
+        std::optional<Drape> opened = opened_drape(*guide, options, sharper, most_height);
+        if (opened && coverage(*opened) > enough) return std::move(*opened);
+    }
+    return locked;
 }
 
 }  // namespace chebnet

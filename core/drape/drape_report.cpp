@@ -62,9 +62,10 @@ double coverage(const Surface& surface, const Net& net, double length) {
     double covered = 0;
     int guess = 0;
     for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
-        const SurfaceTree::Nearest nearest = tree.nearest(point, guess);
-        guess = nearest.at.face;
-        if (nearest.distance <= length / 2) covered += area;
+        SurfaceTree::Nearest near = tree.nearest_in(guess, point);  // which answers most
+        if (near.distance > length / 2) near = tree.nearest(point, guess);
+        guess = near.at.face;
+        if (near.distance <= length / 2) covered += area;
     });
     return covered / surface.area();
 }

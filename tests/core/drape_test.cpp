@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drape/bridged_drape.h"
+#include "drape/opened_corners.h"
 #include "drape/proposals.h"
 #include "edit/editor.h"
 #include "mesh_files.h"
@@ -367,11 +368,31 @@ TEST_CASE("Where a net locks it may leave the surface, as far as is asked for") 
         const DrapeReport report = measure_drape(guide->surface(), guide->tree(), bridged.net);
         CHECK(report.coverage >= before);
         CHECK(report.max_deviation < 1e-9);
-        CHECK(report.smallest_angle > options.smallest_angle - 3e-4);
+        CHECK(report.smallest_angle >= options.smallest_angle);
         CHECK(heights_over(*guide, bridged.net.rest_positions()).cwiseAbs().maxCoeff() <= height * options.length);
         CHECK(bridged.places.cols() == bridged.net.vertex_count());
         covered = report.coverage;
     }
     CHECK(covered > before);
     CHECK_THROWS_WITH(bridged_drape(guide, options, 11), Contains("10 edge lengths"));
+}
+
+TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") {
+    const auto guide = std::make_shared<const Guide>(Surface(samples::plane(9, 1)));
+    const auto slanted = [](double angle) {
+        const Mesh mesh = samples::quads(9, 9, false, false, [&](int i, int j) {
+            return Eigen::Vector3d(0.05 * (i + j * std::cos(angle)), 0.05 * j * std::sin(angle), 0);
+        });
+        return Net(mesh.positions, mesh.faces, RestLengths::equal);
+    };
+    const Net open = slanted(k_pi / 4), sharp = slanted(k_pi / 9);
+    const auto as_it_was = with_opened_corners(open, *guide, k_pi / 6);
+    REQUIRE(as_it_was);
+    CHECK((*as_it_was - open.rest_positions()).cwiseAbs().maxCoeff() < 1e-12);
+    const auto opened = with_opened_corners(sharp, *guide, k_pi / 6);
+    REQUIRE(opened);
+    CHECK(max_deviation(sharp, *opened) < k_exact);
+    CHECK(corner_angle_range(sharp, *opened).smallest >= k_pi / 6);
+    CHECK(corner_angle_range(sharp, *opened).smallest < k_pi / 5);
+    CHECK(heights_over(*guide, *opened).cwiseAbs().maxCoeff() < 1e-12);
 }

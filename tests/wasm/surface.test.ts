@@ -179,7 +179,7 @@ describe('a net on it', () => {
 
   test('leaves the surface where it would lock, no farther than is asked for', () => {
     withSurface(chebnet.ownSurface('pebble'), (pebble) => {
-      const suggested = pebble.suggest(150);
+      const suggested = pebble.suggest(250);
       const covered = (leave: number) => pebble.measure(pebble.drape({ ...suggested, leave }).mesh).coverage;
       expect(covered(1)).toBeGreaterThan(covered(0));
       const { mesh } = pebble.drape({ ...suggested, leave: 0.25 });
