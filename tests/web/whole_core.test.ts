@@ -15,7 +15,11 @@ const dragged = reference.suggestedHandles.at(-1) ?? -1;
 const [x = NaN, y = NaN, z = NaN] = reference.restPositions.subarray(3 * dragged, 3 * dragged + 3);
 const drag: Body = { type: 'drag', inHand: false, targets: [{ vertex: dragged, target: [x, y, z - 1] }] };
 /** Beyond what the net reaches. */
-const farDrag: Body = { type: 'drag', inHand: false, targets: [{ vertex: dragged, target: [x, y, z - 100] }] };
+const farDrag: Body<Extract<Request, { type: 'drag' }>> = {
+  type: 'drag',
+  inHand: false,
+  targets: [{ vertex: dragged, target: [x, y, z - 100] }],
+};
 const li2022: Body = {
   type: 'options',
   settings: { method: 'li2022', initialisation: 'arap:3', options: { p_end: 30 } },
@@ -34,6 +38,11 @@ beforeEach(() => {
   tasks = [];
   lastId = 0;
   wanted = 0;
+  server = newServer(first);
+  ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
+});
+
+function newServer(core: Editors): Server {
   const wholeCore = () => {
     wanted += 1;
     return new Promise<Editors>((resolve, reject) => {
@@ -41,14 +50,9 @@ beforeEach(() => {
       fail = reject;
     });
   };
-  server = new Server(first, {
-    post: (response) => said.push(response),
-    soon: (task) => tasks.push(task),
-    now: () => 0,
-    wholeCore,
-  });
-  ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
-});
+  const host = { post: (response: Response) => said.push(response), soon: (task: () => void) => tasks.push(task) };
+  return new Server(core, { ...host, now: () => 0, wholeCore });
+}
 
 function ask(body: Body): number {
   server.handle({ id: ++lastId, ...body } as Request);
@@ -145,6 +149,26 @@ test('a solve goes on there when it leaves to projection what the first core can
   solve();
   expect(settled()).toMatchObject({ id, frame: { method: 'equilibrium' } });
   expect(settled().frame.iterations).toBeGreaterThan(0);
+});
+
+test('what is in hand stays in hand there, held back, and its drag is answered once', async () => {
+  const cannotSolve = (from: string) => {
+    const editor = first.openRecipe(from);
+    editor.solve = () => {
+      throw Object.assign(new Error('left out'), { code: 'left_out' });
+    };
+    return editor;
+  };
+  server = newServer({ ...first, openRecipe: cannotSolve });
+  ask({ type: 'open', scene: { ...freshScene({ recipe }), settled: true } });
+  const id = ask({ ...farDrag, inHand: true });
+  solve();
+  expect(wanted).toBe(1);
+  arrive(whole);
+  await turn();
+  solve();
+  expect(settled()).toMatchObject({ id, frame: { status: 'converged', holdsBack: true } });
+  expect(said.filter((response) => response.id === id && response.type === 'done')).toHaveLength(1);
 });
 
 test('if it does not come, the net stays and the solve ends', async () => {

@@ -226,14 +226,18 @@ export class Server {
   }
 
   #drag(request: Drag): void {
-    const net = this.#net();
-    for (const { vertex, target } of request.targets) {
-      if (request.inHand) net.dragHandle(vertex, target, request.along);
-      else net.moveHandle(vertex, target);
-    }
+    this.#moveHandles(request);
     this.#asked = request.inHand ? (request.asked ?? request.targets) : [];
     this.#accept(request, true);
     this.#inHand = request.inHand ? request : null;
+  }
+
+  #moveHandles({ targets, inHand, along }: Drag): void {
+    const net = this.#net();
+    for (const { vertex, target } of targets) {
+      if (inHand) net.dragHandle(vertex, target, along);
+      else net.moveHandle(vertex, target);
+    }
   }
 
   #takeNextDrag(): void {
@@ -417,12 +421,18 @@ export class Server {
         // Of the methods that the default one falls back on, the core for a first net has the words only.
         if (codeOf(error) === LEFT_OUT)
           void this.#goOnInWholeCore(
-            () => (this.#inHand ? this.#drag(this.#inHand) : this.#go(true)),
+            () => this.#solveAnew(),
             (failure) => this.#endSolve(failure),
           );
         else this.#solveFailed(error);
       }
     });
+  }
+
+  /** The net has moved over without what is in hand. */
+  #solveAnew(): void {
+    if (this.#inHand !== null) this.#moveHandles(this.#inHand);
+    this.#go(true);
   }
 
   #solveFailed(error: unknown): void {
