@@ -230,7 +230,7 @@ template <typename Row>
 void Cholesky<size, Scalar>::solve_together(Row* x) const {
     static_assert(size == 1);
     for (int s = 0; s < m_supernodes.count(); ++s) {
-        const Scalar* L = m_panels.data() + m_panel_start[s];
+        const Scalar* L = panel(s);
         const int columns = m_supernodes.columns(s), rows = panel_rows(s);
         const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
         Row* own = x + m_supernodes.column_start[s];
@@ -238,7 +238,7 @@ void Cholesky<size, Scalar>::solve_together(Row* x) const {
         dense::subtract_product_at(x, places, L + columns, rows, m_supernodes.rows_below(s), columns, own);
     }
     for (int s = m_supernodes.count() - 1; s >= 0; --s) {
-        const Scalar* L = m_panels.data() + m_panel_start[s];
+        const Scalar* L = panel(s);
         const int columns = m_supernodes.columns(s), rows = panel_rows(s);
         const int* places = m_supernodes.rows.data() + m_supernodes.row_start[s];
         Row* own = x + m_supernodes.column_start[s];
