@@ -273,6 +273,31 @@ export interface ChangedMesh {
   keepsEdges: boolean;
 }
 
+export interface ExactChangeOptions {
+  /** Of all edges of the net before; null: each has its own, and keeps what it gets. */
+  length: number | null;
+  /** Vertices of the net before that stay where they are, if a net is found so. */
+  held?: readonly number[];
+  /** As EqualizeOptions has it. */
+  shearLimit?: number;
+}
+
+export interface ExactChangeReport {
+  status: Status;
+  /** Since the beginning. */
+  iterations: number;
+}
+
+/** Makes a changed net exact; see core/edit/exact_change.h, whose contract this follows. */
+export interface ExactChange {
+  /** Goes on until it ends or the budget runs out (`running`). */
+  solve(budget?: Budget): ExactChangeReport;
+  /** Exact once it is `converged`. */
+  positions(): Float64Array;
+  /** Frees the memory on the other side; it must not be used again. */
+  dispose(): void;
+}
+
 /** How much one call of `solve` may do; without a field, no limit. */
 export interface Budget {
   iterations?: number;
@@ -719,6 +744,7 @@ export interface Chebnet extends Editors {
 
   /** Where the net does not allow it, the code is "impossible_change" and the message says why. */
   change(mesh: Mesh, name: NetChange, place?: ChangePlace): ChangedMesh;
+  exactChange(changed: ChangedMesh, options: ExactChangeOptions): ExactChange;
   equalizer(mesh: Mesh, options?: EqualizeOptions): Equalizer;
 }
 

@@ -10,6 +10,7 @@ import type {
   DrapeProposal,
   DrapeReport,
   EqualizeReport,
+  ExactChangeReport,
   FlatPattern,
   FormatInfo,
   InitialisationInfo,
@@ -127,6 +128,12 @@ export interface CoreEqualizer {
   delete(): void;
 }
 
+export interface CoreExactChange {
+  solve(iterations: number, milliseconds: number): ExactChangeReport;
+  positions(): Float64Array;
+  delete(): void;
+}
+
 export interface CoreLengthAdapter {
   solve(iterations: number, milliseconds: number): AdaptReport;
   accept(session: Session): void;
@@ -168,6 +175,10 @@ export interface Core {
   repairMesh(mesh: Mesh, chosen: readonly string[], mergeTolerance: number): RepairedMesh;
   defects(): Defect[];
   change(mesh: Mesh, name: string, vertices: Int32Array, edges: Int32Array): ChangedMesh;
+  exactChange(
+    changed: ChangedMesh,
+    options: { length: number | null; held: Int32Array; shearLimit: number },
+  ): CoreExactChange;
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
   lengthAdapter(session: Session, vertices: Int32Array, targets: Float64Array): CoreLengthAdapter;
   guide(session: Session, surface: CoreSurface): void;

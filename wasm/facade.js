@@ -2,8 +2,8 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Axes, Ball, Budget, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
- * @import { Core, CoreEqualizer, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Core, CoreEqualizer, CoreExactChange, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -452,6 +452,36 @@ class WasmEqualizer {
   }
 }
 
+/** @implements {ExactChange} */
+class WasmExactChange {
+  /** @type {CoreExactChange | null} */
+  #exact;
+
+  /** @param {CoreExactChange} exact */
+  constructor(exact) {
+    this.#exact = exact;
+  }
+
+  get #open() {
+    if (this.#exact === null) throw failure('disposed', 'this change was disposed and cannot be used any more');
+    return this.#exact;
+  }
+
+  /** @param {Budget} [budget] */
+  solve(budget = {}) {
+    return this.#open.solve(...limits(budget));
+  }
+
+  positions() {
+    return this.#open.positions();
+  }
+
+  dispose() {
+    this.#exact?.delete();
+    this.#exact = null;
+  }
+}
+
 /** @param {readonly number[]} numbers @param {string} what */
 function numbersOf(numbers, what) {
   if (!Array.isArray(numbers)) throw failure('bad_option', `${what} must be an array, not ${shown(numbers)}`);
@@ -471,6 +501,17 @@ function newEqualizer(core, original, { length = 'mean', handles = [], method, s
       shearLimit: size(shearLimit, 'the shear limit'),
     }),
   );
+}
+
+/** @param {ChangedMesh} changed @returns {ChangedMesh} */
+function changedMesh({ mesh: given, origins, lengthFactor, keepsEdges }) {
+  if (!(origins instanceof Int32Array)) throw failure('bad_syntax', 'the origins of a changed mesh must be an Int32Array');
+  return {
+    mesh: mesh(given),
+    origins,
+    lengthFactor: size(lengthFactor, 'the length factor of a changed mesh'),
+    keepsEdges: Boolean(keepsEdges),
+  };
 }
 
 /** @param {DrapeOptions} options @returns {Required<DrapeOptions>} */
@@ -646,6 +687,14 @@ function facade(core) {
         text(name, 'the name of a change', 'bad_option'),
         numbersOf(vertices, 'vertices'),
         numbersOf(edges, 'edges'),
+      ),
+    exactChange: (changed, { length, held = [], shearLimit = Math.PI / 6 }) =>
+      new WasmExactChange(
+        core.exactChange(changedMesh(changed), {
+          length: length === null ? null : size(length, 'the length of edges'),
+          held: numbersOf(held, 'vertices that are held'),
+          shearLimit: size(shearLimit, 'the shear limit'),
+        }),
       ),
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
     openSurface: (given) => new WasmSurface(withSurfaces(core).openSurface(mesh(given))),

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "base/error.h"
 #include "command.h"
-#include "edit/equalize.h"
+#include "edit/exact_change.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "net_argument.h"
@@ -42,44 +42,27 @@ std::vector<int> edges_of_line(const Net& net, int a, int b) {
                 "--line wants the two ends of an edge, not " + std::to_string(a) + " and " + std::to_string(b));
 }
 
-/// Exactly, near its own shape; as it is where lengths differ.
-struct ExactNet {
-    Positions positions;
-    Status status;
-};
-
-ExactNet made_exact(const Net& before, const ChangedMesh& changed) {
-    Net net(changed.mesh.positions, changed.mesh.faces, RestLengths::own);
-    if (!before.is_chebyshev()) return {net.rest_positions(), Status::converged};
-    EqualizeOptions options;
-    options.choice = EqualLength::given;
-    options.length = changed.length_factor * before.mean_length();
-    if (changed.keeps_edges) options.method = "projection";
-    Equalizer equalizer(std::move(net), options);
-    const Status status = equalizer.solve().status;
-    return {equalizer.positions(), status};
-}
-
 int run_change(const ChangeArguments& arguments) {
     const Net net = load_net(arguments.net);
     ChangePlace place;
     place.vertices = arguments.vertices;
     if (!arguments.line.empty()) place.edges = edges_of_line(net, arguments.line[0], arguments.line[1]);
     const ChangedMesh changed = find_change(arguments.name).make(net, place);
-    const ExactNet exact = made_exact(net, changed);
-    write_net(arguments.output, exact.positions, changed.mesh.faces);
+    ExactChange exact(changed, {.length = net.is_chebyshev() ? std::optional(net.mean_length()) : std::nullopt});
+    const Status status = exact.solve().status;
+    write_net(arguments.output, exact.positions(), changed.mesh.faces);
 
-    const Net after(exact.positions, changed.mesh.faces);
+    const Net after(exact.positions(), changed.mesh.faces);
     print({{"net", arguments.net.name},
            {"change", arguments.name},
-           {"status", to_string(exact.status)},
+           {"status", to_string(status)},
            {"vertices", after.vertex_count()},
            {"faces", after.face_count()},
            {"pieces", Topology(after).component_count()},
            {"length", after.mean_length()},
-           {"max_dL", max_deviation(after, exact.positions)},
-           {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions).smallest / k_degree}});
-    return exact.status == Status::converged ? k_success : k_not_converged;
+           {"max_dL", max_deviation(after, exact.positions())},
+           {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions()).smallest / k_degree}});
+    return status == Status::converged ? k_success : k_not_converged;
 }
 
 std::string change_list() {

@@ -117,6 +117,8 @@ function fail(calls: readonly string[], times: number): { codes: Record<string, 
     equalizer: () => core.equalizer(broken),
     change: () =>
       core.change(core.readMesh(new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'), 'a.obj'), 'coarsen'),
+    exactChange: () =>
+      core.exactChange({ mesh: broken, origins: new Int32Array(3), lengthFactor: 1, keepsEdges: false }, { length: 1 }),
     solve: () => torn.solve(),
     openSurface: () => core.openSurface(broken),
     ownSurface: () => core.ownSurface('nonsense'),
@@ -183,6 +185,7 @@ const WHOLE = {
   repairMesh: ['index_out_of_range'],
   equalizer: ['index_out_of_range'],
   change: ['impossible_change'],
+  exactChange: ['index_out_of_range'],
   openSurface: ['bad_scale'],
   ownSurface: ['bad_option'],
   propose: ['bad_option'],

@@ -125,6 +125,8 @@ describe('what makes no sense is refused', () => {
     ['half a vertex', 'index_out_of_range', () => chebnet.change(mesh, 'delete_faces', { vertices: [0.5] })],
     ['vertices that are none', 'bad_option', () => chebnet.change(mesh, 'delete_faces', { vertices: 3 as never })],
     ['no mesh', 'bad_syntax', () => chebnet.change({} as never, 'refine')],
+    ['no changed mesh', 'bad_syntax', () => chebnet.exactChange({ mesh } as never, { length: 1 })],
+    ['no length', 'bad_option', () => chebnet.exactChange(chebnet.change(mesh, 'refine'), { length: 'long' as never })],
   ];
   test.each(wrong)('%s', (_, code, action) => {
     expect(failure(action).code).toBe(code);

@@ -1,5 +1,5 @@
 /** Changes one net and reports progress: the changing worker's part without the worker. */
-import type { ChangedMesh, Chebnet, EqualizeOptions, Mesh } from '../../../wasm/chebnet';
+import type { ChangedMesh, Chebnet } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import type { ChangedNet, ChangeRequest, ChangeResponse } from './change_protocol';
 
@@ -17,7 +17,7 @@ export function changeNet(core: Chebnet, request: ChangeRequest, post: (response
 function changedNet(core: Chebnet, request: ChangeRequest, news: (iterations: number) => void): ChangedNet | null {
   const changed = changedFaces(core, request);
   const { mesh, origins } = changed;
-  const positions = request.length === null ? mesh.positions : exactPositions(core, request, changed, news);
+  const positions = exactPositions(core, request, changed, news);
   if (positions === null) return null;
   const exact = { ...mesh, positions };
   const editor = core.openMesh(exact);
@@ -40,39 +40,21 @@ function scaled(positions: Float64Array, factor: number): Float64Array {
   return positions.map((x, i) => centre[i % 3]! + factor * (x - centre[i % 3]!));
 }
 
-/** With handles held, or where no net is found so, with all of it free. */
+/** Null: no net is found near this shape whose edges have one length. */
 function exactPositions(
   core: Chebnet,
   { length, held, shearLimit }: ChangeRequest,
-  { mesh, origins, lengthFactor, keepsEdges }: ChangedMesh,
+  changed: ChangedMesh,
   news: (iterations: number) => void,
 ): Float64Array | null {
-  const options: EqualizeOptions = {
-    length: length! * lengthFactor,
-    ...(shearLimit !== undefined && { shearLimit }),
-    // Nothing but lost digits is to be found.
-    ...(keepsEdges && { method: 'projection' }),
-  };
-  const handles = held.map((vertex) => origins.indexOf(vertex)).filter((vertex) => vertex >= 0);
-  return (
-    (handles.length > 0 ? solved(core, mesh, { ...options, handles }, news) : null) ?? solved(core, mesh, options, news)
-  );
-}
-
-function solved(
-  core: Chebnet,
-  mesh: Mesh,
-  options: EqualizeOptions,
-  news: (iterations: number) => void,
-): Float64Array | null {
-  const equalizer = core.equalizer(mesh, options);
+  const exact = core.exactChange(changed, { length, held, ...(shearLimit !== undefined && { shearLimit }) });
   try {
     for (;;) {
-      const { status, iterations } = equalizer.solve({ milliseconds: SLICE });
-      if (status !== 'running') return status === 'converged' ? equalizer.positions() : null;
+      const { status, iterations } = exact.solve({ milliseconds: SLICE });
+      if (status !== 'running') return status === 'converged' ? exact.positions() : null;
       news(iterations);
     }
   } finally {
-    equalizer.dispose();
+    exact.dispose();
   }
 }

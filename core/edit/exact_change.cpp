@@ -1,0 +1,49 @@
+#include "edit/exact_change.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace chebnet {
+
+ExactChange::ExactChange(ChangedMesh changed, ExactChangeOptions options)
+    : m_changed(std::move(changed)), m_options(std::move(options)) {
+    if (m_options.length) begin(held_vertices());
+}
+
+/// By their numbers in the changed mesh. Of several that were one before, as along a cut, the first.
+std::vector<int> ExactChange::held_vertices() const {
+    std::vector<int> vertices;
+    for (const int before : m_options.held) {
+        const auto found = std::find(m_changed.origins.begin(), m_changed.origins.end(), before);
+        if (found != m_changed.origins.end()) vertices.push_back(static_cast<int>(found - m_changed.origins.begin()));
+    }
+    return vertices;
+}
+
+void ExactChange::begin(std::vector<int> handles) {
+    m_holds = !handles.empty();
+    EqualizeOptions options;
+    options.choice = EqualLength::given;
+    options.length = m_changed.length_factor * *m_options.length;
+    options.handles = std::move(handles);
+    options.shear_limit = m_options.shear_limit;
+    if (m_changed.keeps_edges) options.method = "projection";
+    Net net(m_changed.mesh.positions, m_changed.mesh.faces, RestLengths::own);
+    m_equalizer = std::make_unique<Equalizer>(std::move(net), std::move(options));
+}
+
+ExactChangeReport ExactChange::solve(const Budget& budget) {
+    if (m_equalizer == nullptr) return {Status::converged, 0};
+    const EqualizeReport report = m_equalizer->solve(budget);
+    const bool has_failed = report.status != Status::running && report.status != Status::converged;
+    if (!has_failed || !m_holds) return {report.status, m_iterations_held + report.iterations};
+    m_iterations_held = report.iterations;
+    begin({});
+    return solve(budget);
+}
+
+const Positions& ExactChange::positions() const {
+    return m_equalizer == nullptr ? m_changed.mesh.positions : m_equalizer->positions();
+}
+
+}  // namespace chebnet
