@@ -29,6 +29,14 @@ const picture = (name: string) => visit.page.screenshot({ path: join(OUTPUT, `ax
 /** Of which coordinates two points differ. */
 const moved = (a: Point, b: Point) => ['x', 'y', 'z'].filter((_, i) => a[i] !== b[i]).join('');
 
+/** By a key for another view. */
+async function look(key: string) {
+  const place = () => script.screenPosition(net.suggestedHandles[0]!);
+  const before = await place();
+  await press(key);
+  await expect.poll(place).not.toEqual(before);
+}
+
 /** Takes hold of a handle; returns what moves it on, from where it was taken. */
 async function take(vertex = crown) {
   const { x, y } = await script.screenPosition(vertex);
@@ -153,10 +161,8 @@ test('a patch keeps to it as one, within reach and on the grid, in parallel proj
 test.each(['perspective', 'parallel'])(
   'seen along the axis, in %s, a drag goes no farther than the pointer',
   async (view) => {
-    if (view === 'parallel') await press('5');
-    await press('7');
-    await script.settled();
-    await visit.page.waitForTimeout(700);
+    if (view === 'parallel') await look('5');
+    await look('7');
     const from = await target();
     const unit = await visit.page.evaluate(
       async ([a, b]) => {

@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, visits, openForResearch } from './page';
+import { OUTPUT, drawn, openForResearch, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -101,7 +101,7 @@ test('two nets stand side by side, seen from the same place', async () => {
   const { page } = visit;
   await page.getByRole('button', { name: 'Local–global beside the other net' }).click();
   await page.getByText('From left to right: your net | Local–global').waitFor();
-  await page.waitForTimeout(300);
+  await drawn(page);
   await page.screenshot({ path: join(OUTPUT, 'compare-beside.png') });
 
   const before = await script.screenPosition(dragged);
@@ -110,9 +110,11 @@ test('two nets stand side by side, seen from the same place', async () => {
   await page.mouse.down();
   await page.mouse.move(box.x + 130, box.y + box.height - 50, { steps: 5 });
   await page.mouse.up();
-  await page.waitForTimeout(300);
-  const after = await script.screenPosition(dragged);
-  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+  const turned = async () => {
+    const after = await script.screenPosition(dragged);
+    return Math.hypot(after.x - before.x, after.y - before.y);
+  };
+  await expect.poll(turned).toBeGreaterThan(5);
 
   await page.getByRole('button', { name: 'Back to your net' }).click();
   expect(await page.locator('#beside canvas').count()).toBe(0);

@@ -5,7 +5,7 @@ import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { MOVING, OUTPUT, README_PICTURE, visits } from './page';
+import { MOVING, OUTPUT, README_PICTURE, drawn, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 
@@ -68,7 +68,7 @@ test('the first net can be looked at', async () => {
   await script.settled();
   await visit.page.screenshot({ path: join(OUTPUT, 'first-desktop.png') });
   await visit.page.setViewportSize({ width: 390, height: 844 });
-  await visit.page.waitForTimeout(500);
+  await drawn(visit.page);
   await visit.page.screenshot({ path: join(OUTPUT, 'first-phone.png') });
   const overflow = await visit.page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
@@ -257,15 +257,14 @@ describe('on a vault', () => {
 
   test('the net follows while the pointer is still down', async () => {
     const before = await script.positions();
-    let during = before;
-    await dragBy(script, dragged, [-60, -40], {
-      atEnd: async () => {
-        await visit.page.waitForTimeout(500);
-        during = await script.positions();
-      },
-    });
     const free = [...before.keys()].filter((i) => !suggestedHandles.includes(Math.floor(i / 3)));
-    expect(Math.max(...free.map((i) => Math.abs(before[i]! - during[i]!)))).toBeGreaterThan(0.1 * meanLength);
+    const moved = async () => {
+      const during = await script.positions();
+      return Math.max(...free.map((i) => Math.abs(before[i]! - during[i]!)));
+    };
+    await dragBy(script, dragged, [-60, -40], {
+      atEnd: () => expect.poll(moved).toBeGreaterThan(0.1 * meanLength),
+    });
   });
 
   test('Escape cancels a drag', async () => {
@@ -314,9 +313,11 @@ describe('on a vault', () => {
     await visit.page.mouse.down();
     await visit.page.mouse.move(canvas.x + 120, canvas.y + canvas.height / 2, { steps: 5 });
     await visit.page.mouse.up();
-    await visit.page.waitForTimeout(300);
-    const after = await script.screenPosition(dragged);
-    expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
+    const turned = async () => {
+      const after = await script.screenPosition(dragged);
+      return Math.hypot(after.x - before.x, after.y - before.y);
+    };
+    await expect.poll(turned).toBeGreaterThan(5);
     expect(largestError(await script.positions(), restPositions)).toBeLessThan(1e-9);
   });
 

@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { OUTPUT, visits, openForResearch } from './page';
+import { OUTPUT, drawn, openForResearch, visits } from './page';
 
 /** A picture that is drawn fast, again and again. */
 const SMALL = { viewport: { width: 800, height: 320 } };
@@ -85,7 +85,7 @@ test('links lead to other edits with the same variant, and to other variants wit
 test('a phone shows net and note without scrolling sideways', async () => {
   const { page } = await arrive('#experiment=competitors', PHONE);
   await noteOf(page).getByText('Figure 17').waitFor();
-  await page.waitForTimeout(500);
+  await drawn(page);
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone.png') });
   expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
   await noteOf(page).getByText('Figure 17').click();
@@ -110,7 +110,7 @@ test('figure 4: three nets with every edge at its length, apart from each other'
 
   await page.getByRole('button', { name: 'Side by side' }).click();
   await expect.poll(() => page.locator('#view canvas, #beside canvas').count()).toBe(3);
-  await page.waitForTimeout(500);
+  await drawn(page);
   await page.screenshot({ path: join(OUTPUT, 'experiment-abreast.png') });
   await page.getByRole('button', { name: 'Back to your net' }).click();
   await expect.poll(() => page.locator('#beside canvas').count()).toBe(0);

@@ -412,7 +412,8 @@ async function dragFar(vertex: number) {
   await mouse.move(x, y);
   await mouse.down();
   await mouse.move(x - 6, y - 6, { steps: 2 });
-  await visit.page.waitForTimeout(200); // the limits of a drag come with an answer of the solver
+  await expect.poll(() => targetOf(vertex)).not.toEqual(rest(vertex));
+  await script.settled(); // the solver has answered, with the limits of the drag before that
   await mouse.move(x - 900, y - 900, { steps: 2 });
   await mouse.up();
   await script.settled();

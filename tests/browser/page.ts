@@ -64,6 +64,11 @@ export async function openForResearch(page: Page, section: string): Promise<void
   await page.locator('summary', { hasText: section }).click();
 }
 
+/** Resolves when what was asked for has been drawn: one frame lays the page out, the next draws what follows from that. */
+export function drawn(page: Page): Promise<unknown> {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
 /** Drops a file on the picture. */
 export function dropFile(page: Page, name: string, content: Uint8Array | string): Promise<void> {
   const bytes = Buffer.from(content).toString('base64');

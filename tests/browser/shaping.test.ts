@@ -16,14 +16,21 @@ beforeEach(async () => {
 
 const dragged = (): Promise<number> => visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
 
+const target = (vertex: number) =>
+  visit.page.evaluate((v) => window.chebnet.handles().find((each) => each.vertex === v)!.target, vertex);
+
 /** Takes the last handle and moves it by so many pixels; `held` while it is still in hand. */
 async function drag(by: [number, number], held?: () => Promise<void>): Promise<void> {
   const { mouse } = visit.page;
-  const { x, y } = await script.screenPosition(await dragged());
+  const vertex = await dragged();
+  const { x, y } = await script.screenPosition(vertex);
+  const before = await target(vertex);
   await mouse.move(x, y);
   await mouse.down();
-  await mouse.move(x + by[0] / 10, y + by[1] / 10, { steps: 3 });
-  await visit.page.waitForTimeout(200); // the limits of a drag come with an answer of the solver
+  const first = 12 / Math.hypot(...by);
+  await mouse.move(x + first * by[0], y + first * by[1], { steps: 3 });
+  await expect.poll(() => target(vertex)).not.toEqual(before);
+  await script.settled(); // the solver has answered, with the limits of the drag before that
   await mouse.move(x + by[0], y + by[1], { steps: 8 });
   await held?.();
   await mouse.up();
