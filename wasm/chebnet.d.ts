@@ -640,8 +640,8 @@ export interface KeptWishes {
   sentences: string[];
 }
 
-/** What is done, in this order. */
-export type RemeshPhase = 'triangles' | 'field' | 'grid' | 'fit';
+/** What is done, in this order; `border` only where the surface has one, and no way is asked for in which the net ends there. */
+export type RemeshPhase = 'border' | 'triangles' | 'field' | 'grid' | 'fit';
 
 /** A net over a whole surface, near it, each edge of one length. */
 export interface Remesh {

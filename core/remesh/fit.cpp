@@ -43,7 +43,8 @@ constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
 constexpr double k_on_crease = 0.7;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
-constexpr int k_most_projections = 60, k_most_openings = 30;
+// Of all openings together: a mesh that takes more hardly ever becomes a net.
+constexpr int k_most_projections = 150, k_most_openings = 30;
 // Towards rest near the surface: beyond so many steps little changes.
 constexpr double k_pull_of_border = 0.3, k_pull_of_crease = 30;
 // The same of a border that is to be where the surface's is, and of its corners: there the surface's border turns by
@@ -363,8 +364,9 @@ private:
         CornerLimit limit(net, m_options.smallest_angle + k_limit_margin * std::numbers::pi / 180);
         limit.watch(x);
         auto lengths = projection(net, limit);
-        for (int opening = 0; opening < k_most_openings; ++opening) {
-            for (int k = 0; k < k_most_projections; ++k) {
+        int left = k_most_projections;
+        for (int opening = 0; opening < k_most_openings && left > 0; ++opening) {
+            for (; left > 0; --left) {
                 if (!lengths->project(x)) break;
                 lengths->system().assemble(x);
                 if (lengths->system().errors().lpNorm<Eigen::Infinity>() < k_exact_error) break;

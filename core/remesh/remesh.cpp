@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -17,6 +19,7 @@
 #include "drape/drape.h"
 #include "net/measures.h"
 #include "net/topology.h"
+#include "remesh/border_distance.h"
 #include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
@@ -47,9 +50,11 @@ constexpr int k_most_lesser_nets = 2;
 constexpr double k_near = 3;
 // By which one is drawn to its place, beside edges that weigh 1 (see Pull).
 constexpr double k_pull = 10;
-// The border is on lines of the grid where the strain of this is at most so many times that without, or so small.
-constexpr double k_more_strain = 1.2, k_little_strain = 0.03;
-// Corners over that need not be more open.
+// Ways to end at the border are told apart by nets of so many cells, or of those asked for if they are no more.
+constexpr int k_trial_cells = 1500;
+// What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
+// all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
+constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
@@ -67,6 +72,17 @@ int piece_count(const Surface& surface) {
     return 1 + *std::max_element(pieces.begin(), pieces.end());
 }
 
+double cells_asked_for(const Surface& surface, const RemeshOptions& options) {
+    return options.length > 0 ? surface.area() / options.length / options.length : options.cells;
+}
+
+bool has_border(const Surface& surface) {
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        if (surface.opposite(s) < 0) return true;
+    return false;
+}
+
+/// By one way to end at the border.
 class Remesher {
 public:
     Remesher(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress)
@@ -80,14 +96,8 @@ public:
         m_even.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell, m_creases));
         if (!m_options.singular.is_empty())
             m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
-        m_has_border = !m_surface.boundary_loops().empty();
-        m_crosses_border = m_options.border == RemeshOptions::Border::across;
-        std::optional<Found> best = find_net(k_sizes);
-        if (m_has_border && m_options.border == RemeshOptions::Border::fitting) {
-            m_crosses_border = true;
-            std::optional<Found> other = find_net(best ? std::span(k_sizes).first(1) : k_sizes);
-            if (other && (!best || is_better(*other, *best))) best = std::move(other);
-        }
+        m_has_border = has_border(m_surface);
+        std::optional<Found> best = find_net();
         if (best) return result(*best);
         throw Error(
             ErrorCode::bad_option,
@@ -117,13 +127,11 @@ private:
         KeptWishes kept;
     };
 
-    /// With cells of these sizes, relative to what is asked for.
-    std::optional<Found> find_net(std::span<const double> sizes) {
-        m_found.clear();
-        m_holds_lines = true;
-        if ((may_hold_border() || !m_creases.empty()) && try_all(sizes)) return std::move(m_found.back());
+    std::optional<Found> find_net() {
+        m_holds_lines = may_hold_border() || !m_creases.empty();
+        if (m_holds_lines && try_all()) return std::move(m_found.back());
         m_holds_lines = false;
-        if (m_found.empty() && try_all(sizes)) return std::move(m_found.back());
+        if (m_found.empty() && try_all()) return std::move(m_found.back());
         const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
             return a.kept.missed() < b.kept.missed();
         });
@@ -131,17 +139,8 @@ private:
         return std::move(*best);
     }
 
-    /// In nothing worse that is promised, but for corners that are open enough.
-    bool is_better(const Found& a, const Found& b) const {
-        const DrapeReport of_a = measure_drape(m_surface, m_guide->tree(), a.net),
-                          of_b = measure_drape(m_surface, m_guide->tree(), b.net);
-        return a.kept.missed() <= b.kept.missed() && of_a.coverage >= of_b.coverage &&
-               of_a.mean_distance <= of_b.mean_distance &&
-               of_a.smallest_angle >= std::min(of_b.smallest_angle, k_open_angle) - k_angle_tolerance;
-    }
-
-    bool try_all(std::span<const double> sizes) {
-        for (const double size : sizes)
+    bool try_all() {
+        for (const double size : k_sizes)
             for (const double smoothing : k_smoothings)
                 if (try_once(size, smoothing * m_options.smoothing)) return true;
         return false;
@@ -170,40 +169,28 @@ private:
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
         const DirectionField field =
-            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases, m_crosses_border});
+            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
+                                        m_options.border == RemeshOptions::Border::across});
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
         begin(RemeshPhase::grid);
-        const Grid grid = grid_along(field, size * m_cell);
-        const Mesh mesh = mesh_of(cells_of(triangles, grid.map));
+        const Mesh mesh = mesh_of(cells_of(triangles, grid_along(field, size * m_cell)));
         check(mesh);
         begin(RemeshPhase::fit);
-        return fit_net(m_guide, mesh,
-                       {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases, grid.has_border},
-                       [this](double done) { tell(done); });
+        return fit_net(
+            m_guide, mesh,
+            {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases, m_holds_lines && may_hold_border()},
+            [this](double done) { tell(done); });
     }
 
-    bool may_hold_border() const {
-        return m_has_border && !m_crosses_border && m_options.border != RemeshOptions::Border::never;
-    }
+    bool may_hold_border() const { return m_has_border && m_options.border == RemeshOptions::Border::always; }
 
-    struct Grid {
-        GridMap map;
-        bool has_border = false;  // on its lines
-    };
-
-    /// With the border on its lines where it is to be, or fits.
-    Grid grid_along(const DirectionField& field, double length) const {
+    GridMap grid_along(const DirectionField& field, double length) const {
         const Surface& triangles = m_even->surface;
-        if (!m_holds_lines) return {fit_grid(triangles, field, length), false};
-        if (!may_hold_border()) return {fit_grid(triangles, field, length, m_even->creases), false};
-        GridMap along = fit_grid(triangles, field, length, with_border(triangles, m_even->creases));
-        if (m_options.border == RemeshOptions::Border::always || along.strain < k_little_strain)
-            return {std::move(along), true};
-        GridMap without = fit_grid(triangles, field, length, m_even->creases);
-        const bool fits = along.strain <= k_more_strain * without.strain;
-        return {std::move(fits ? along : without), fits};
+        if (!m_holds_lines) return fit_grid(triangles, field, length);
+        return fit_grid(triangles, field, length,
+                        may_hold_border() ? with_border(triangles, m_even->creases) : m_even->creases);
     }
 
     /// Of the singular vertices wished for, each towards its point; of others near a forbidden region, to where they
@@ -270,7 +257,7 @@ private:
     const RemeshProgress& m_progress;
     double m_cell;                // the length of the grid's cells
     std::vector<bool> m_creases;  // of each side of the surface; empty: none are followed
-    bool m_has_border = false, m_crosses_border = false;
+    bool m_has_border = false;
     bool m_holds_lines = true;  // of the grid on creases and border; where no net comes of it, the field alone is so
     std::optional<EvenTriangles> m_even;
     std::optional<PlacedWishes> m_wishes;
@@ -281,10 +268,95 @@ private:
     std::array<double, k_remesh_phases> m_milliseconds{};
 };
 
+/// The ways to end at the border, each tried with fewer cells, and the best made as it is asked for; or the next, where
+/// that leads to no net.
+class BorderTrials {
+public:
+    BorderTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
+                 const RemeshProgress& progress)
+        : m_guide(guide), m_options(options), m_progress(progress) {
+        m_cells = cells_asked_for(guide->surface(), options);
+    }
+
+    Remesh run() {
+        Stopwatch watch;
+        for (std::size_t k = 0; k < std::size(k_ways); ++k) try_way(k);
+        const double milliseconds = watch.milliseconds();
+        if (are_few() && m_progress) m_progress(RemeshPhase::fit, 1);
+        std::stable_sort(m_trials.begin(), m_trials.end(), [](const Trial& a, const Trial& b) {
+            return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
+        });
+        for (Trial& trial : m_trials) {
+            if (!are_few()) trial.made = made(trial.way, m_options, m_progress);
+            if (!trial.made) continue;
+            trial.made->milliseconds[static_cast<int>(RemeshPhase::border)] = are_few() ? 0 : milliseconds;
+            return std::move(*trial.made);
+        }
+        std::rethrow_exception(m_failure);
+    }
+
+private:
+    using Border = RemeshOptions::Border;
+    static constexpr Border k_ways[] = {Border::always, Border::across, Border::never};
+
+    struct Trial {
+        Border way;
+        std::optional<Remesh> made;
+        int missed = std::numeric_limits<int>::max();
+        double cost = std::numeric_limits<double>::infinity();
+    };
+
+    bool are_few() const { return m_cells <= k_trial_cells; }
+
+    void try_way(std::size_t k) {
+        RemeshOptions options = m_options;
+        if (!are_few()) {
+            options.length = 0;
+            options.cells = k_trial_cells;
+        }
+        const RemeshProgress progress = [&](RemeshPhase phase, double done) {
+            const int first = static_cast<int>(RemeshPhase::triangles);
+            const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
+            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
+        };
+        Trial trial{k_ways[k], made(k_ways[k], options, progress)};
+        if (trial.made) {
+            trial.missed = trial.made->kept.missed();
+            trial.cost = cost(trial.made->net);
+        }
+        m_trials.push_back(std::move(trial));
+    }
+
+    /// Nothing where no such net is found.
+    std::optional<Remesh> made(Border way, RemeshOptions options, const RemeshProgress& progress) {
+        options.border = way;
+        try {
+            return Remesher(m_guide, options, progress).run();
+        } catch (const Error&) {
+            if (!m_failure) m_failure = std::current_exception();
+            return std::nullopt;
+        }
+    }
+
+    double cost(const Net& net) const {
+        const DrapeReport report = measure_drape(m_guide->surface(), m_guide->tree(), net);
+        const double distances = report.mean_distance + k_border_weight * border_distance(m_guide->surface(), net);
+        return k_gap_weight * (1 - report.coverage) + distances / report.length +
+               k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle);
+    }
+
+    std::shared_ptr<const Guide> m_guide;
+    RemeshOptions m_options;
+    const RemeshProgress& m_progress;
+    double m_cells;
+    std::vector<Trial> m_trials;
+    std::exception_ptr m_failure;  // the first
+};
+
 }  // namespace
 
 const char* to_string(RemeshPhase phase) {
-    constexpr const char* k_names[] = {"triangles", "field", "grid", "fit"};
+    constexpr const char* k_names[] = {"border", "triangles", "field", "grid", "fit"};
     return k_names[static_cast<int>(phase)];
 }
 
@@ -300,7 +372,7 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
     if (!(options.crease >= 0 && options.crease <= std::numbers::pi))
         throw Error(ErrorCode::bad_option, "the angle of creases must be from 0 to 180 degrees");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
-    const double cells = options.length > 0 ? surface.area() / options.length / options.length : options.cells;
+    const double cells = cells_asked_for(surface, options);
     if (!(cells >= k_least_remeshed_cells))
         throw Error(ErrorCode::bad_option, "a net of a whole surface has at least " +
                                                std::to_string(k_least_remeshed_cells) + " cells" +
@@ -315,6 +387,8 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress) {
     check_remesh(*surface, options);
+    if (options.border == RemeshOptions::Border::fitting && has_border(surface->surface()))
+        return BorderTrials(surface, options, progress).run();
     return Remesher(surface, options, progress).run();
 }
 

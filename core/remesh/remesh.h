@@ -18,11 +18,11 @@ struct RemeshOptions {
     /// cells fall; or its net lines run up to the border at 45°. Then the border may be longer or shorter than those
     /// beside it, for which cells shear: a ring is covered without singular vertices.
     enum class Border {
-        fitting,  ///< in a net line if that strains the grid hardly more than it is strained without, or else in steps;
-                  ///< at 45° if that covers as much, is as near to the surface, and its corners are as open or over 40°
-        always,  ///< in a net line, along all of the border that the field follows
-        across,  ///< at 45°
-        never    ///< in steps
+        fitting,  ///< as fits best: each of the others is tried with fewer cells. Measured are what is covered, how far
+                  ///< net and surface are apart, and their borders, and corners sharper than 40 degrees
+        always,   ///< in a net line, along all of the border that the field follows
+        across,   ///< at 45°
+        never     ///< in steps
     };
 
     int cells = 4000;                              ///< about so many, or more where the surface is too thin for
@@ -40,12 +40,13 @@ struct RemeshOptions {
 
 /// What is done, in this order.
 enum class RemeshPhase {
+    border,     ///< the ways to end at it are tried, if there is one and no way is asked for
     triangles,  ///< the surface made anew of even triangles
     field,      ///< the directions of the net lines
     grid,       ///< the map that has whole numbers of cells between singular vertices
     fit         ///< edges of one length, near the surface
 };
-inline constexpr int k_remesh_phases = 4;
+inline constexpr int k_remesh_phases = 5;
 /// The name of the enumerator.
 const char* to_string(RemeshPhase phase);
 

@@ -14,6 +14,7 @@
 #include "net/measures.h"
 #include "net/repair.h"
 #include "net/topology.h"
+#include "remesh/border_distance.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
 #include "remesh/creases.h"
@@ -103,24 +104,8 @@ double distance_to_edges(const Net& net, const Eigen::Vector3d& point) {
     return least;
 }
 
-/// Mean over the surface's border of the way to the nearest edge of the net's border, in its edges.
-double off_border(const Surface& surface, const Net& net) {
-    const Topology topology(net);
-    double sum = 0;
-    int count = 0;
-    for (const std::vector<int>& sides : surface.boundary_loops())
-        for (const int s : sides) {
-            const Eigen::Vector3d at =
-                (surface.positions().col(surface.from(s)) + surface.positions().col(surface.to(s))) / 2;
-            double least = std::numeric_limits<double>::infinity();
-            for (const std::vector<int>& loop : topology.boundary_loops())
-                for (std::size_t k = 0; k < loop.size(); ++k)
-                    least = std::min(least, distance_to(net, at, loop[k], loop[(k + 1) % loop.size()]));
-            sum += least;
-            ++count;
-        }
-    return sum / count / net.mean_length();
-}
+/// In edges.
+double off_border(const Surface& surface, const Net& net) { return border_distance(surface, net) / net.mean_length(); }
 
 /// Of the vertices on the border how many have so many edges, but for those that it goes straight on at.
 std::map<int, int> border_corners(const Net& net) {
@@ -392,6 +377,32 @@ TEST_CASE("A ring far longer outside than inside is covered by net lines at 45 d
     CHECK(remeshed(ring, options, 0).net.rest_positions() == fitting.rest_positions());
     options.border = RemeshOptions::Border::always;
     CHECK(coverage(remesh(std::make_shared<const Guide>(ring), options).net) < 0.95);
+}
+
+TEST_CASE("The distance of borders is measured between them, whatever lies within") {
+    const auto square = [](double height) {
+        return samples::graph(
+            6, 1, [=](double x, double y) { return std::max(std::abs(x), std::abs(y)) > 0.99 ? height : 5; });
+    };
+    const Mesh lifted = square(0.25);
+    const Net net(lifted.positions, lifted.faces, RestLengths::own);
+    CHECK(border_distance(Surface(square(0)), net) == Approx(0.25));
+    CHECK(border_distance(Surface(samples::sphere(4)), net) == 0);
+}
+
+TEST_CASE("Ways to end at a border are tried first, and then a net is made once", "[large]") {
+    const auto guide = std::make_shared<const Guide>(
+        Surface(samples::graph(33, 1, [](double x, double y) { return 0.5 * std::cos(2 * x) * std::cos(3 * y); })));
+    std::vector<RemeshPhase> phases;
+    double before = 0;
+    const Net net = remesh(guide, of_cells(1600), [&](RemeshPhase phase, double done) {
+                        if (phases.empty() || phases.back() != phase) phases.push_back(phase);
+                        if (phase == RemeshPhase::border) CHECK(done >= before);
+                        if (phase == RemeshPhase::border) before = done;
+                    }).net;
+    CHECK(phases == std::vector{RemeshPhase::border, RemeshPhase::triangles, RemeshPhase::field, RemeshPhase::grid,
+                                RemeshPhase::fit});
+    CHECK(before > 0.9);
 }
 
 TEST_CASE("Net lines at 45 degrees to the border go along creases none the less") {

@@ -4,7 +4,15 @@ import { make, makeButton, setText } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape;
-const PHASES: readonly RemeshPhase[] = ['triangles', 'field', 'grid', 'fit'];
+/** In their order, with about how long each takes beside the others. */
+const PHASES: readonly (readonly [RemeshPhase, number])[] = [
+  ['border', 4],
+  ['triangles', 1],
+  ['field', 1],
+  ['grid', 1],
+  ['fit', 8],
+];
+const ALL = PHASES.reduce((sum, [, weight]) => sum + weight, 0);
 
 export interface MakerEvents {
   begun(): void;
@@ -15,7 +23,7 @@ export class DrapeMaker {
   readonly #make: HTMLButtonElement;
   readonly #stop: HTMLButtonElement;
   readonly #words = make('label', { for: 'remesh-progress' });
-  readonly #progress = make('progress', { id: 'remesh-progress', max: PHASES.length });
+  readonly #progress = make('progress', { id: 'remesh-progress', max: ALL });
   readonly #row = make('p', { class: 'progress', role: 'status', hidden: true }, this.#words, this.#progress);
   readonly element: HTMLElement;
 
@@ -33,11 +41,21 @@ export class DrapeMaker {
     this.#make.hidden = busy;
     this.#stop.hidden = !busy;
     this.#row.hidden = !busy;
-    if (busy) this.setProgress('triangles', 0);
+    if (!busy) return;
+    this.#progress.value = 0;
+    setText(this.#words, TEXT.phases.triangles);
   }
 
   setProgress(phase: RemeshPhase, done: number): void {
     setText(this.#words, TEXT.phases[phase]);
-    this.#progress.value = PHASES.indexOf(phase) + done;
+    let way = 0;
+    for (const [each, weight] of PHASES) {
+      if (each === phase) {
+        // What is tried again does not take it back.
+        this.#progress.value = Math.max(this.#progress.value, way + done * weight);
+        return;
+      }
+      way += weight;
+    }
   }
 }

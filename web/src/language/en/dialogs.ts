@@ -108,6 +108,7 @@ export const dialogs = {
     make: 'Make the net',
     stop: 'Stop',
     phases: {
+      border: 'Trying how to meet the border…',
       triangles: 'Making even triangles…',
       field: 'Finding directions…',
       grid: 'Fitting a grid…',

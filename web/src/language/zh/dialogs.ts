@@ -125,6 +125,7 @@ export const dialogs: Widened<typeof en> = {
     make: '生成网',
     stop: '停止',
     phases: {
+      border: '正在试各种边界处理方式…',
       triangles: '正在生成均匀三角形…',
       field: '正在求方向场…',
       grid: '正在拟合网格…',
