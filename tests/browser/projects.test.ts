@@ -157,6 +157,20 @@ test('everything done is listed, undone, done again, kept over a reload, saved a
   await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
 });
 
+test('what was done last is kept though the page is left at once', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  await script.open({ recipe: SHAPE });
+  const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const [x, y, z] = target;
+  await expect.poll(() => kept(visit), PATIENCE).not.toEqual([]);
+  await script.move(vertex, [x, y, z - 0.5]);
+  const left = await standing(script);
+  await page.reload();
+  await script.waitForNet();
+  expect(await standing(script)).toEqual(left);
+});
+
 test('a net that has not come to rest is kept when a project takes its place', async () => {
   const visit = await arrive();
   const { page, script } = visit;

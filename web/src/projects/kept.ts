@@ -1,6 +1,6 @@
 /** Projects kept in this browser: the newest few, and those with a name. Each tab has one of its own, and every write is whole.
  *  What is listed of them, and what can be done with them: collection.ts. */
-import { createStore, delMany, get, set, update } from 'idb-keyval';
+import { createStore, delMany, get, promisifyRequest, update } from 'idb-keyval';
 
 /** A stored project. Not validated here: it may be of another version of the page; readProject() checks it. */
 export interface KeptProject {
@@ -86,11 +86,20 @@ export async function keep(id: string, project: unknown): Promise<void> {
     return all.filter((each) => !forgotten.includes(each));
   };
   // Firefox refuses the first write after one for which there was no room.
-  await set(id, project, store).catch(() => set(id, project, store));
+  await write(id, project).catch(() => write(id, project));
   const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
   await update(INDEX, note, store);
   await delMany(forgotten, store);
   sessionStorage.setItem(TAB, id);
+}
+
+/** Commits by itself: a page that is being left hears no answer after which it could. */
+function write(id: string, project: unknown): Promise<void> {
+  return store('readwrite', (projects) => {
+    projects.put(project, id);
+    projects.transaction.commit();
+    return promisifyRequest(projects.transaction);
+  });
 }
 
 export async function read(id: string): Promise<KeptProject | undefined> {
