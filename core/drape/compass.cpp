@@ -136,7 +136,7 @@ std::optional<DrapedVertex> Compass::across(const DrapedVertex& d, const DrapedV
             const Circle::Point previous = std::exchange(last, next);
             if ((next.height.height > 0) == is_above) continue;
             const Circle::Point zero = circle.zero_between(previous, next);
-            if (!(std::abs(zero.height.height) <= k_near_enough * m_length)) continue;
+            if (!(std::abs(zero.height.height) <= k_near_enough * m_length + m_rounding)) continue;
             return DrapedVertex{zero.position, zero.height.at, zero.height.normal, zero.height.overhang};
         }
     return std::nullopt;

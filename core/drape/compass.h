@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 
 #include "drape/draped_vertex.h"
@@ -17,11 +18,17 @@ class Compass {
 public:
     /// `length`: of all edges. `slits`: of the surface, for this length, to be kept to; they must outlive it.
     Compass(const Surface& surface, const SurfaceTree& tree, double length, const Slits* slits = nullptr)
-        : m_surface(surface), m_tree(tree), m_length(length), m_slits(slits) {}
+        : m_surface(surface),
+          m_tree(tree),
+          m_length(length),
+          m_rounding(16 * std::numeric_limits<double>::epsilon() * surface.positions().cwiseAbs().maxCoeff()),
+          m_slits(slits) {}
 
     const Surface& surface() const { return m_surface; }
     const SurfaceTree& tree() const { return m_tree; }
     double length() const { return m_length; }
+    /// What rounding makes of a distance, so far from the origin as the surface is.
+    double rounding() const { return m_rounding; }
     bool keeps_to_slits() const { return m_slits != nullptr; }
 
     /// As height_of, but as seen from a triangle near the point: on this side of slits.
@@ -48,7 +55,7 @@ private:
 
     const Surface& m_surface;
     const SurfaceTree& m_tree;
-    double m_length;
+    double m_length, m_rounding;
     const Slits* m_slits;
 };
 

@@ -222,7 +222,9 @@ private:
         return true;
     }
 
-    bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= k_exact * m_options.length; }
+    double tolerance() const { return k_exact * m_options.length + m_compass.rounding(); }
+
+    bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= tolerance(); }
 
     /// Whether a new vertex is not one edge away from a neighbour, or on what other vertices have covered.
     bool meets_net(const Place& place, const DrapedVertex& next) const {
@@ -242,7 +244,7 @@ private:
     }
 
     bool is_one_edge(const DrapedVertex& a, const DrapedVertex& b) const {
-        return std::abs((a.position - b.position).norm() - m_options.length) <= k_exact * m_options.length;
+        return std::abs((a.position - b.position).norm() - m_options.length) <= tolerance();
     }
 
     /// Of the corners of a cell.

@@ -396,3 +396,18 @@ TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") 
     CHECK(corner_angle_range(sharp, *opened).smallest < k_pi / 5);
     CHECK(heights_over(*guide, *opened).cwiseAbs().maxCoeff() < 1e-12);
 }
+
+TEST_CASE("A surface far from the origin is covered as near to it") {
+    Mesh mesh = samples::sphere(12, true);
+    const auto coverage = [&] {
+        const Surface surface(mesh);
+        const SurfaceTree tree(surface);
+        const DrapeReport report =
+            measure_drape(surface, tree, drape(surface, tree, suggested_drape(surface, tree, 400)).net);
+        CHECK(report.max_deviation < 1e-9);
+        return report.coverage;
+    };
+    const double near = coverage();
+    mesh.positions.row(0).array() += 1e7;
+    CHECK(coverage() == Approx(near).epsilon(0.01));
+}
