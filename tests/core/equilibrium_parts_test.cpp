@@ -54,11 +54,17 @@ int steps_over(double edge_lengths) {
 /// A point in the plane z = 0, at this angle on the unit circle about the origin.
 Positions on_circle(double angle) { return Eigen::Vector3d(std::cos(angle), std::sin(angle), 0); }
 
+Positions at(const PathExtrapolation& path, double t) {
+    Positions x;
+    path.go(t, x);
+    return x;
+}
+
 /// How far from its place a path that goes round in such steps is after one more.
 double error_on_circle(double step) {
     PathExtrapolation path;
     for (int k : {-2, -1, 0}) path.add(on_circle(k * step));
-    return (path.at(1) - on_circle(step)).norm();
+    return (at(path, 1) - on_circle(step)).norm();
 }
 
 }  // namespace
@@ -196,9 +202,10 @@ TEST_CASE("A path goes on through its last three points, whatever lies between t
         path.add(points.back());
     }
     const double last = (points[4] - points[3]).norm(), before = (points[3] - points[2]).norm();
-    CHECK((path.at(0) - points[4]).norm() == 0);
-    CHECK((path.at(-1) - points[3]).norm() < 1e-14);
-    CHECK((path.at(-1 - before / last) - points[2]).norm() < 1e-13);
+    CHECK((at(path, 0) - points[4]).norm() == 0);
+    CHECK(path.farthest(points[3]) == Approx((points[4] - points[3]).colwise().norm().maxCoeff()));
+    CHECK((at(path, -1) - points[3]).norm() < 1e-14);
+    CHECK((at(path, -1 - before / last) - points[2]).norm() < 1e-13);
 
     path.add(points.back());
     CHECK(!path.is_known());
@@ -210,7 +217,7 @@ TEST_CASE("A path goes on through its last three points, whatever lies between t
 TEST_CASE("A straight path goes on straight, and a bent one errs by the third power of its steps") {
     PathExtrapolation path;
     for (double x : {0.0, 1.0, 4.0}) path.add(Eigen::Vector3d(x, 2 * x, -x));
-    CHECK((path.at(2) - Positions(Eigen::Vector3d(10, 20, -10))).norm() < 1e-13);
+    CHECK((at(path, 2) - Positions(Eigen::Vector3d(10, 20, -10))).norm() < 1e-13);
 
     CHECK(error_on_circle(0.1) < 1.1e-3);
     CHECK(error_on_circle(0.1) / error_on_circle(0.05) == Approx(8).epsilon(0.01));

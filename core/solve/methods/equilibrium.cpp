@@ -502,21 +502,19 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
 bool Equilibrium::follow_path(Positions& positions) {
     if (m_steps < k_steps_of_a_path || !m_path.is_known() || m_lack > CornerLimit::k_tolerance) return true;
     const std::vector<double> held = m_constraints->held();
-    const double most = k_most_along_path * m_net->mean_length();
     double least = m_energy + m_newton->error_cost(), taken = 0;
-    Positions end = positions;
     for (double t = 1;; t *= 2) {
-        Positions x = m_path.at(t);
-        if ((x - positions).colwise().norm().maxCoeff() > most || !project(x)) break;
-        const double energy = m_rest_energy.evaluate(x, m_next_gradient) + error_cost();
+        m_path.go(t, m_origin);
+        if (m_path.farthest(m_origin) > k_most_along_path * m_net->mean_length() || !project(m_origin)) break;
+        const double energy = m_rest_energy.evaluate(m_origin, m_next_gradient) + error_cost();
         if (!(energy < least)) break;
         least = energy;
         taken = t;
-        end = x;
     }
     m_constraints->hold(held);
-    if (taken > 0 && project(end)) {
-        positions = end;
+    if (taken > 0) {
+        m_path.go(taken, positions);
+        project(positions);
         m_is_still = false;
     } else {
         m_path.clear();
@@ -540,7 +538,7 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     const double L = m_net->mean_length(), moved = row.step * m_direction.colwise().norm().maxCoeff();
     const bool was_cut = row.step < 1 || m_newton->ended_at_radius();
     if (row.step == 0)
-        m_radius *= std::pow(0.5, k_most_halvings);
+        m_radius /= 1 << k_most_halvings;
     else if (row.step < whole)
         m_radius = moved;
     else if (was_cut)
