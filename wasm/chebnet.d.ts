@@ -660,6 +660,9 @@ export interface DrapeReport {
   length: number;
   /** Part of the surface's area that is within half an edge of the net. */
   coverage: number;
+  /** Length of the net's border that is not beside the surface's: of gaps, and of both sides of slits, which `coverage`
+   *  counts as covered. */
+  openBorder: number;
   /** Of vertices and middles of edges from the surface, in its unit. */
   meanDistance: number;
   largestDistance: number;

@@ -328,6 +328,7 @@ val measure(const OpenSurface& open, val net) {
     val object = val::object();
     object.set("length", report.length);
     object.set("coverage", report.coverage);
+    object.set("openBorder", report.open_border);
     object.set("meanDistance", report.mean_distance);
     object.set("largestDistance", report.largest_distance);
     object.set("smallestAngle", report.smallest_angle);

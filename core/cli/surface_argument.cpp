@@ -61,6 +61,7 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"length", length},
             {"max_dL", measured.max_deviation},
             {"coverage", measured.coverage},
+            {"open_border_in_lengths", measured.open_border / length},
             {"mean_distance", measured.mean_distance},
             {"largest_distance", measured.largest_distance},
             {"mean_distance_in_lengths", measured.mean_distance / length},

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "net/topology.h"
 #include "net/triangulation.h"
 #include "surface/height.h"
+#include "surface/segment.h"
 
 namespace chebnet {
 
@@ -21,6 +23,8 @@ constexpr double k_sample = 0.25;
 // A part of L: cells with edges nearer to it are whole.
 constexpr double k_whole = 1e-5;
 constexpr int k_most_cuts = 64;  // of one side of a triangle
+// In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
+constexpr double k_beside_border = 1.5;
 
 /// Calls visit(point, area) for the middles of the equal pieces of each triangle.
 template <class Visit>
@@ -68,6 +72,32 @@ double coverage(const Surface& surface, const Net& net, double length) {
         if (near.distance <= length / 2) covered += area;
     });
     return covered / surface.area();
+}
+
+bool is_beside_border(const Surface& surface, const std::vector<int>& border, const Eigen::Vector3d& point,
+                      double distance) {
+    return std::any_of(border.begin(), border.end(), [&](int side) {
+        const Positions& x = surface.positions();
+        return squared_distance(point, x.col(surface.from(side)), x.col(surface.to(side))) <= distance * distance;
+    });
+}
+
+/// What lies beyond the surface's border has it for its nearest place.
+double open_border(const Surface& surface, const SurfaceTree& tree, const Net& net, double length) {
+    std::vector<int> border;
+    for (const std::vector<int>& loop : surface.boundary_loops()) border.insert(border.end(), loop.begin(), loop.end());
+    double open = 0;
+    int guess = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (net.edge_face_counts()[e] != 1) continue;
+        const Positions& x = net.rest_positions();
+        const SurfaceTree::Nearest near =
+            tree.nearest((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2, guess);
+        guess = near.at.face;
+        if (!is_beside_border(surface, border, surface.position_at(near.at), k_beside_border * length))
+            open += net.rest_lengths()[e];
+    }
+    return open;
 }
 
 /// That of most edges: those at a border may be cut.
@@ -140,6 +170,7 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     for (int e = 0; e < net.edge_count(); ++e) add_distance((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2);
     report.mean_distance /= net.vertex_count() + net.edge_count();
     report.coverage = coverage(surface, net, report.length);
+    report.open_border = open_border(surface, tree, net, report.length);
     const std::vector<AngleRange> cells = whole_cells(net);
     report.smallest_angle = std::numbers::pi;
     for (const AngleRange& corners : cells) {

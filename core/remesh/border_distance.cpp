@@ -5,16 +5,11 @@
 #include <limits>
 #include <vector>
 
+#include "surface/segment.h"
+
 namespace chebnet {
 
 namespace {
-
-double squared_distance(const Eigen::Vector3d& point, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    const Eigen::Vector3d edge = to - from, away = point - from;
-    const double square = edge.squaredNorm();
-    const double part = square > 0 ? std::clamp(away.dot(edge) / square, 0.0, 1.0) : 0;
-    return (away - part * edge).squaredNorm();
-}
 
 std::vector<int> border_edges(const Net& net) {
     std::vector<int> edges;

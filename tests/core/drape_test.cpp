@@ -411,3 +411,24 @@ TEST_CASE("A surface far from the origin is covered as near to it") {
     mesh.positions.row(0).array() += 1e7;
     CHECK(coverage() == Approx(near).epsilon(0.01));
 }
+
+TEST_CASE("Slits and gaps are told by the border that is open inside, though a slit counts as covered") {
+    // Two pieces of 5 × 10 cells of length 1, side by side on a square of 10 × 10, or one cell apart.
+    const double apart = GENERATE(0.0, 1.0);
+    CAPTURE(apart);
+    Mesh pieces{Positions(3, 2 * 6 * 11), {}};
+    for (int piece = 0; piece < 2; ++piece)
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 11; ++j) {
+                const auto vertex = [&](int a, int b) { return (piece * 6 + a) * 11 + b; };
+                pieces.positions.col(vertex(i, j)) = Eigen::Vector3d(5 * piece - 5 + i + piece * apart, j - 5, 0);
+                if (i < 5 && j < 10)
+                    pieces.faces.add({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+            }
+    const Surface surface(samples::plane(11, 5));
+    const DrapeReport report =
+        measure_drape(surface, SurfaceTree(surface), Net(pieces.positions, pieces.faces, RestLengths::equal));
+    CHECK(report.coverage == Approx(1));
+    // Ten edges on each side, of which two at each end are beside the border.
+    CHECK(report.open_border == Approx(2 * 6));
+}

@@ -10,6 +10,8 @@ const TEXT = dialogWords.drape;
 const DEGREES = 180 / Math.PI;
 /** Delay before it is said that a net is being made: most are there at once. */
 const PATIENCE_MS = 600;
+/** Part of the surface: a net that covers less is not what its prospect promised. */
+const COVERS = 0.97;
 
 /** In a sentence, before anything is tried. */
 export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
@@ -34,6 +36,7 @@ export class DrapeResults {
   readonly #facts = make('dl', { class: 'facts' });
   readonly #making = make('p', { class: 'quiet', role: 'status' });
   readonly element = make('div', { class: 'results' }, this.#fault, this.#facts, this.#making);
+  #surface: SurfaceReport | null = null;
   #net: DrapedNet | RemeshedNet | null = null;
   #patience: ReturnType<typeof setTimeout> | undefined;
 
@@ -43,8 +46,21 @@ export class DrapeResults {
 
   /** Null: it is being opened. */
   setSurface(report: SurfaceReport | null): void {
-    setText(this.#prospect, report === null ? TEXT.opening : prospectWords(report));
+    this.#surface = report;
+    this.#sayProspect('');
     this.removeNet();
+  }
+
+  #sayProspect(addition: string): void {
+    setText(this.#prospect, this.#surface === null ? TEXT.opening : prospectWords(this.#surface) + addition);
+  }
+
+  /** Of one piece, beside a net: where it covers less than was promised, what to do about it. */
+  #reviseProspect(net: DrapedNet | RemeshedNet, coverage: number): void {
+    const isWhole = 'singularVertices' in net;
+    this.#prospect.hidden = isWhole;
+    const promised = this.#surface?.prospect === 'one_piece' || this.#surface?.prospect === 'tight';
+    this.#sayProspect(!isWhole && promised && coverage < COVERS ? ` ${TEXT.coversLess}` : '');
   }
 
   /** A net is being made, which the facts are not of; setNet(), keepNet() or setFault() ends that. */
@@ -68,6 +84,7 @@ export class DrapeResults {
   removeNet(): void {
     this.#expectNone();
     this.#net = null;
+    this.#prospect.hidden = false;
     this.#facts.replaceChildren();
     this.#fault.hidden = true;
   }
@@ -83,12 +100,14 @@ export class DrapeResults {
   setReport(report: DrapeReport): void {
     if (this.#net === null) return;
     this.#facts.classList.remove('stale');
+    this.#reviseProspect(this.#net, report.coverage);
     const { net } = this.#net;
     const { faces, vertices } = net.info;
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
     const inLengths = (distance: number): string => TEXT.lengths(small(distance / report.length));
     const rows: [string, string][] = [
       [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
+      [TEXT.openBorder, report.openBorder > 0 ? inLengths(report.openBorder) : TEXT.none],
       [TEXT.meanDistance, inLengths(report.meanDistance)],
       [TEXT.largestDistance, inLengths(report.largestDistance)],
       [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],

@@ -143,6 +143,7 @@ export const dialogs = {
       too_curved: (has: string) =>
         `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
     },
+    coversLess: 'This one covers less: drag the seed, turn it, or take a proposal.',
     pieces: (sentence: string, pieces: number) =>
       `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,
     cuts: {
@@ -201,6 +202,7 @@ export const dialogs = {
         `These alone do not close: ${count} more with ${edges} edges ${count === 1 ? 'is' : 'are'} missing.`,
     },
     coverage: 'Covered',
+    openBorder: 'Open inside: gaps, both sides of slits',
     meanDistance: 'Distance, mean',
     largestDistance: 'Distance, largest',
     lengths: (number: string) => `${number} edges`,

@@ -153,6 +153,7 @@ export const dialogs: Widened<typeof en> = {
       too_curved: (has) =>
         `曲率超过一张网所能承受的程度（${has}\u00a0π，上限 2\u00a0π）：会有空缺，或借助奇异顶点覆盖整个曲面。`,
     },
+    coversLess: '目前这张覆盖得较少：请拖动起点、转动方向，或选用一个建议。',
     pieces: (sentence, pieces) => `${sentence}它有 ${pieces} 个连通部分；网位于起点所在的那一部分。`,
     cuts: {
       title: '剪口',
@@ -203,6 +204,7 @@ export const dialogs: Widened<typeof en> = {
       missing: (count, edges) => `只有这些无法闭合：还缺 ${count} 个 ${edges} 条边的奇异顶点。`,
     },
     coverage: '覆盖率',
+    openBorder: '内部未闭合：空缺，及裂缝两侧',
     meanDistance: '平均距离',
     largestDistance: '最大距离',
     lengths: (number) => `${number} 倍边长`,
