@@ -344,3 +344,40 @@ function overflow(): Promise<number> {
     return Math.max(document.documentElement.scrollWidth - innerWidth, body.scrollWidth - body.clientWidth);
   });
 }
+
+test.each(['mouse', 'keyboard', 'touch'])('a net from a file is offered handles, by %s, in one step', async (by) => {
+  if (by === 'touch') {
+    visit = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    ({ script } = visit);
+  }
+  const { page } = visit;
+  await drop('vault.ply', reference.toFile('ply'));
+  await report();
+  await press('Open');
+  await waitForVertices(vertices);
+  const count = () => page.evaluate(() => window.chebnet.handles().length);
+  expect(await count()).toBe(0);
+  const offer = page.getByRole('button', { name: 'Propose handles' });
+  await page.screenshot({ path: join(OUTPUT, `propose-handles-${by}.png`) });
+  if (by === 'keyboard') {
+    await offer.focus();
+    await page.keyboard.press('Enter');
+  } else if (by === 'touch') {
+    await offer.tap();
+  } else {
+    await offer.click();
+  }
+  await offer.waitFor({ state: 'hidden' });
+  expect(await count()).toBe(4);
+  await script.settled();
+  const last = await page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
+  const before = await script.position(last);
+  await dragBy(script, last, [-40, 30]);
+  await script.settled();
+  expect(distance(await script.position(last), before)).toBeGreaterThan(0);
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await expect.poll(count).toBe(0);
+  await offer.waitFor();
+});

@@ -6,10 +6,9 @@ import type { DrapeRequest, DrapeResponse } from '../../web/src/drape/drape_prot
 import { Draper } from '../../web/src/drape/draper';
 import { Draping } from '../../web/src/drape/draping';
 import type { DrapeWorkerLike } from '../../web/src/drape/draping';
-import { suggestedHandles } from '../../web/src/drape/handles';
 import { dot, laidInto, reference, turned, turnOf } from '../../web/src/drape/seed';
+import { proposedHandles } from '../../web/src/handles/proposal';
 import { dialogs } from '../../web/src/language/en/dialogs';
-import { describe as describeNet } from '../../web/src/worker/opened_net';
 import { load } from '../wasm/load';
 
 const core = await load();
@@ -281,28 +280,11 @@ describe('at the seed', () => {
     }
   });
 
-  test('handles are the ends of its arms without the gaps, and the longest is free', () => {
-    const places = Int32Array.of(0, 0, 1, 0, 2, 0, 0, 1, -1, 0, 1, 1, 4, 0);
-    const rim = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
-    const disc = core.openMesh({
-      positions: Float64Array.from([0, 0, 0, ...rim.flatMap((angle) => [Math.cos(angle), Math.sin(angle), 0])]),
-      faceStart: Int32Array.from({ length: 25 }, (_, i) => 3 * i),
-      faceVertices: Int32Array.from(rim.flatMap((_, i) => [0, i + 1, ((i + 1) % 24) + 1])),
-    });
-    const handles = suggestedHandles({ net: describeNet(disc), places });
-    disc.dispose();
-    expect(handles.map(({ vertex, anchor }) => [vertex, anchor])).toEqual([
-      [3, true],
-      [4, true],
-      [2, false],
-    ]);
-  });
-
   test.each(['beyond', 'cut', 'inside'] as const)('handles are the corners of a border that has some: %s', (border) => {
     const [, draped] = answers(OPEN, { type: 'drape', settings: { ...SETTINGS, border } });
     if (draped?.type !== 'draped') throw new Error('no net');
     const { net } = draped;
-    const handles = suggestedHandles(draped);
+    const handles = proposedHandles(draped.net);
     expect(handles.map(({ anchor }) => anchor)).toEqual([true, true, true, false]);
     const { restPositions: at } = net;
     const corner = (x: number, y: number) =>
@@ -321,7 +303,7 @@ describe('at the seed', () => {
     if (draped?.type !== 'draped') throw new Error('no net');
     expect(draped.pieces).toBe(2);
     const { restPositions: at } = draped.net;
-    const handles = suggestedHandles(draped);
+    const handles = proposedHandles(draped.net);
     for (const side of [-1, 1]) {
       const here = handles.filter(({ vertex }) => Math.sign(at[3 * vertex + 1]! - 0.9) === side);
       expect(here.length).toBeGreaterThan(2);

@@ -270,6 +270,7 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   add: [['add', { handle: '7' }]],
   remove: [['remove', { handles: '2' }]],
   handles: [['handles']],
+  propose: [['propose']],
   locality: [['locality', { number: '12.5' }]],
   noLocality: [['noLocality']],
   influence: [['influence', { number: '4' }]],

@@ -15,8 +15,8 @@ import type {
 } from '../drape/drape_protocol';
 import { Draping } from '../drape/draping';
 import type { DrapeWorkerLike } from '../drape/draping';
-import { suggestedHandles } from '../drape/handles';
 import { make, makeButton } from '../elements/dom';
+import { proposedHandles } from '../handles/proposal';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
@@ -306,7 +306,7 @@ export class DrapeDialog implements DraperLike {
     const mesh = { positions, faceStart, faceVertices };
     return {
       net: { mesh, name: netName(this.#name) },
-      handles: 'places' in this.#shown ? suggestedHandles(this.#shown) : [],
+      handles: proposedHandles(net),
       guide: this.#surface,
     };
   }

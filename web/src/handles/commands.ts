@@ -37,6 +37,8 @@ export interface HandleCommands {
   setMode(mode: GizmoMode): void;
   /** Makes a vertex a handle and selects it, and `also` others with it. */
   add(vertex: number, also?: Selection): void;
+  /** Gives a net that has no handles some to begin with; see proposal.ts. */
+  propose(): void;
   /** The vertices of a line through the leading handle. */
   line(name: LineName): readonly number[];
   /** Makes all of them handles and selects them. `title`: what they are called, beside the leading handle. */

@@ -157,6 +157,18 @@ export class HandleEditor implements HandleCommands {
     this.#host.attempt(this.#take([vertex], [...also, vertex]));
   }
 
+  propose(): void {
+    this.#host.attempt(this.#propose());
+  }
+
+  async #propose(): Promise<void> {
+    const { proposedHandles } = await import('./proposal');
+    const net = this.#host.opening()?.net;
+    if (!net || this.#handles.length > 0) return;
+    const handles = proposedHandles(net).map((seed) => ({ ...seed, target: this.positionOf(seed.vertex) }));
+    await this.set(handles, ['propose']);
+  }
+
   takeLine(name: LineName, title: string): void {
     this.#takeNamed(this.line(name), title);
   }

@@ -18,6 +18,7 @@ export const en = {
     drag: { before: 'Drag the ', sphere: 'orange sphere', after: '. Every edge keeps its length.' },
     click: 'Click a vertex to take hold of it. Every edge keeps its length.',
     noHandles: 'Click a vertex to make it a handle.',
+    propose: 'Propose handles',
     select: (count: number) =>
       count === 0
         ? 'Click handles to select them, or draw around several.'

@@ -18,6 +18,7 @@ export const zh: Words = {
     drag: { before: '拖动', sphere: '橙色小球', after: '，每条边的长度保持不变。' },
     click: '点击一个顶点即可抓住它，每条边的长度保持不变。',
     noHandles: '点击一个顶点，使它成为手柄。',
+    propose: '建议手柄',
     select: (count) =>
       count === 0 ? '逐个点击手柄，或画线圈选多个。' : `已选中 ${count} 个。拖动即可移动，也可继续圈选。`,
   },

@@ -1,26 +1,33 @@
 /** The name of the page, and below it a hint what can be done with the net. */
 import type { HandleData } from '../document/document';
-import { make, setText } from '../elements/dom';
+import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
-import type { Panel } from '../panels';
+import type { Panel, PanelEvents } from '../panels';
 
 export class Title implements Panel {
   readonly element: HTMLElement;
   readonly #toDrag = makeDragLine();
   readonly #toClick = make('p', { hidden: true }, words.intro.click);
+  readonly #propose: HTMLButtonElement;
   readonly #toSelect = make('p', { class: 'to-select', role: 'status' });
 
   /** @param note is placed below. */
-  constructor(note: HTMLElement) {
+  constructor({ handles }: PanelEvents, note: HTMLElement) {
     const name = make('h1', {}, 'chebnet');
-    this.element = make('header', { class: 'title' }, name, this.#toDrag, this.#toClick, this.#toSelect, note);
+    this.#propose = makeButton(words.intro.propose, () => handles.propose(), {
+      class: 'plain link propose',
+      hidden: true,
+    });
+    const lines = [this.#toDrag, this.#toClick, this.#propose, this.#toSelect];
+    this.element = make('header', { class: 'title' }, name, ...lines, note);
   }
 
   setHandles(handles: readonly HandleData[], { selecting, selection }: Choice): void {
     const draggable = handles.some(({ anchor }) => !anchor);
     this.#toDrag.hidden = selecting || !draggable;
     this.#toClick.hidden = selecting || draggable;
+    this.#propose.hidden = selecting || handles.length > 0;
     setText(this.#toSelect, selecting ? words.intro.select(selection.length) : '');
   }
 }

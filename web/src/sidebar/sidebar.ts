@@ -67,7 +67,7 @@ class Sidebar implements Panels {
     this.#experiments = new ExperimentsPlace(events, failed);
     const toolbar = new Toolbar(events);
     const over: Panel[] = [
-      new Title(this.#experiments.note),
+      new Title(events, this.#experiments.note),
       toolbar,
       new Legend(events),
       this.#messages,

@@ -409,6 +409,7 @@ export const panels = {
     add: (who: string) => `Add ${who}`,
     remove: (who: string) => `Remove ${who}`,
     handles: 'Set handles',
+    propose: 'Propose handles',
     locality: (edges: string) => `Locality ${edges} edges`,
     noLocality: 'Locality: everything',
     influence: (edges: string) => `Handles follow within ${edges} edges`,

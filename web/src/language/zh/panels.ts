@@ -422,6 +422,7 @@ export const panels: Widened<typeof en> = {
     add: (who) => `添加${who}`,
     remove: (who) => `删除${who}`,
     handles: '设置手柄',
+    propose: '建议手柄',
     locality: (edges) => `影响范围 ${edges} 条边`,
     noLocality: '影响范围：整个网',
     influence: (edges) => `${edges} 条边内的手柄跟随`,

@@ -1,0 +1,95 @@
+/** Handles to begin with, on nets that come without any. */
+import { describe, expect, test } from 'vitest';
+import { distancesAround } from '../../web/src/handles/around';
+import { proposedHandles } from '../../web/src/handles/proposal';
+import { describe as describeNet } from '../../web/src/worker/opened_net';
+import type { OpenedNet } from '../../web/src/worker/protocol';
+import { load } from '../wasm/load';
+import { grid } from './nets';
+
+const core = await load();
+const shape = (recipe: string): OpenedNet => describeNet(core.openRecipe(recipe));
+const mesh = (given: Parameters<typeof core.openMesh>[0]): OpenedNet => describeNet(core.openMesh(given));
+
+/** In edges of the net, from each of these to the nearest of the others. */
+function gaps(net: OpenedNet, from: readonly number[], to: readonly number[]): number[] {
+  const away = distancesAround(net, to, Infinity);
+  return from.map((vertex) => away.get(vertex)!.distance / net.info.meanLength);
+}
+
+describe('one is free, the last, and the others hold', () => {
+  test.each(['sheet', 'tube', 'torus', 'teddy', 'dome'])('%s', (name) => {
+    const net = shape(`${name}:vertices=900`);
+    const handles = proposedHandles(net);
+    expect(handles.length).toBeGreaterThanOrEqual(4);
+    expect(handles.length).toBeLessThanOrEqual(8);
+    expect(handles.map(({ anchor }) => anchor)).toEqual(handles.map((_, i) => i + 1 < handles.length));
+    expect(handles.every(({ target }) => target === null)).toBe(true);
+    const vertices = handles.map(({ vertex }) => vertex);
+    for (const vertex of vertices)
+      expect(
+        Math.min(
+          ...gaps(
+            net,
+            vertices.filter((other) => other !== vertex),
+            [vertex],
+          ),
+        ),
+      ).toBeGreaterThan(5);
+  });
+});
+
+test('on an open net they are the corners of its border', () => {
+  const flat = grid(21, 15);
+  const vertices = proposedHandles(mesh({ ...flat, positions: flat.restPositions })).map(({ vertex }) => vertex);
+  expect(vertices.sort((a, b) => a - b)).toEqual([0, 20, 14 * 21, 15 * 21 - 1]);
+});
+
+test('on a tube, whose borders have no corners, there are some at each end', () => {
+  const net = shape('tube:vertices=900');
+  const vertices = proposedHandles(net).map(({ vertex }) => vertex);
+  const ends = [0, 1].map((loop) => [...net.loopVertices.subarray(net.loopStart[loop], net.loopStart[loop + 1])]);
+  for (const end of ends) expect(Math.min(...gaps(net, vertices, end))).toBeLessThan(2);
+});
+
+test('on a closed body they are its limbs', () => {
+  const net = shape('jack:vertices=1500,smooth=1');
+  const proposed = proposedHandles(net).map(({ vertex }) => vertex);
+  expect(proposed).toHaveLength(6);
+  // The shape's own are the tips of its six arms.
+  for (const gap of gaps(net, [...net.suggestedHandles], proposed)) expect(gap).toBeLessThan(4);
+});
+
+test('each piece has its own, the largest the last, and of hundreds only a few', () => {
+  const pieces = [9, 13, 5, 5, 5, 5].map((size) => grid(size, size));
+  const positions = pieces.flatMap(({ restPositions }, i) =>
+    [...restPositions].map((x, at) => x + (at % 3 === 2 ? 5 * i : 0)),
+  );
+  const starts = [0];
+  const corners: number[] = [];
+  let first = 0;
+  for (const { faceStart, faceVertices, restPositions } of pieces) {
+    for (let face = 0; face + 1 < faceStart.length; face++) {
+      corners.push(...[...faceVertices.subarray(faceStart[face], faceStart[face + 1])].map((vertex) => vertex + first));
+      starts.push(corners.length);
+    }
+    first += restPositions.length / 3;
+  }
+  const net = mesh({
+    positions: Float64Array.from(positions),
+    faceStart: Int32Array.from(starts),
+    faceVertices: Int32Array.from(corners),
+  });
+  const handles = proposedHandles(net);
+  expect(handles).toHaveLength(16);
+  expect(handles.filter(({ anchor }) => !anchor)).toHaveLength(4);
+  const height = (vertex: number) => net.restPositions[3 * vertex + 2]! / 5;
+  expect(handles.slice(-4).map(({ vertex }) => height(vertex))).toEqual([1, 1, 1, 1]);
+});
+
+test('a large net has them before a hand misses them', () => {
+  const net = shape('sheet:vertices=50000');
+  const before = performance.now();
+  proposedHandles(net);
+  expect(performance.now() - before).toBeLessThan(3000);
+});

@@ -1,0 +1,53 @@
+/** The corners of a border. */
+import type { OpenedNet } from '../worker/protocol';
+
+/** A border is looked at over so many edge lengths to both sides, so that steps of whole cells are no corners; or if that is less,
+ *  over such a part of it. */
+const WINDOW = 4;
+const PART = 1 / 8;
+/** A corner turns by more than this, in degrees. A circle turns by 45° there. */
+const LEAST_TURN = 65;
+
+/** The vertices of a boundary loop at its corners, the sharpest first. */
+export function cornersOf(net: OpenedNet, loop: readonly number[]): number[] {
+  const around = lengthOf(net, loop);
+  const reach = Math.min(WINDOW * net.info.meanLength, PART * around);
+  const turns = loop.map((_, at) => turnAt(net, loop, at, reach));
+  const found: number[] = [];
+  for (const at of [...loop.keys()].sort((a, b) => turns[b]! - turns[a]!)) {
+    if (turns[at]! < LEAST_TURN) break;
+    if (found.every((vertex) => apart(net, vertex, loop[at]!) > reach)) found.push(loop[at]!);
+  }
+  return found;
+}
+
+/** By how many degrees a loop turns between what lies before a vertex, within reach, and what lies after it. */
+function turnAt(net: OpenedNet, loop: readonly number[], at: number, reach: number): number {
+  const here = loop[at]!;
+  const [before, after] = [-1, 1].map((step) => within(net, loop, at, step, reach));
+  const [a, b, c] = [apart(net, before!, here), apart(net, here, after!), apart(net, before!, after!)];
+  // The law of cosines.
+  const cosine = (c * c - a * a - b * b) / (2 * a * b);
+  return (Math.acos(Math.max(-1, Math.min(cosine, 1))) * 180) / Math.PI;
+}
+
+/** The vertex to which one comes along a loop within reach. */
+function within(net: OpenedNet, loop: readonly number[], at: number, step: number, reach: number): number {
+  let [vertex, gone] = [loop[at]!, 0];
+  for (let k = 1; k < loop.length; k++) {
+    const next = loop.at((at + k * step) % loop.length)!;
+    gone += apart(net, vertex, next);
+    vertex = next;
+    if (gone >= reach) break;
+  }
+  return vertex;
+}
+
+/** Of a boundary loop, once around. */
+export function lengthOf(net: OpenedNet, loop: readonly number[]): number {
+  return loop.reduce((sum, vertex, at) => sum + apart(net, vertex, loop.at(at - 1)!), 0);
+}
+
+function apart({ restPositions: at }: OpenedNet, a: number, b: number): number {
+  return Math.hypot(at[3 * a]! - at[3 * b]!, at[3 * a + 1]! - at[3 * b + 1]!, at[3 * a + 2]! - at[3 * b + 2]!);
+}

@@ -1,0 +1,78 @@
+/** Handles to begin with on a net that has none: on each piece the corners of its border, or where it has no border with corners,
+ *  the vertices that lie farthest out, such as the limbs of a body. One is to be dragged while the others hold the piece. */
+import type { HandleSeed } from '../document/document';
+import type { OpenedNet } from '../worker/protocol';
+import { type Away, distancesAround } from './around';
+import { cornersOf, lengthOf } from './corners';
+import { listsOf } from './lines';
+
+/** A border with fewer corners has none that could hold the net, one with more has steps. */
+const [FEWEST, MOST] = [3, 8];
+/** How many lie farthest out: on a piece with a border, which four hold like a sheet, and on a closed one. */
+const [WITH_BORDER, CLOSED] = [4, 6];
+/** What is nearer to another handle than this part of the way from the middle to the farthest vertex is no limb of its own. */
+const LEAST_APART = 0.4;
+/** The largest pieces only: a file may have hundreds. */
+const MOST_PIECES = 4;
+
+/** The last one is free, on the largest piece. */
+export function proposedHandles(net: OpenedNet): HandleSeed[] {
+  const largest = piecesOf(net).slice(0, MOST_PIECES);
+  return largest.reverse().flatMap((piece) => handlesOn(net, piece));
+}
+
+/** The vertices of each, of the largest first. */
+function piecesOf(net: OpenedNet): number[][] {
+  const seen = new Set<number>();
+  const pieces: number[][] = [];
+  for (let vertex = 0; vertex < net.info.vertices; vertex++) {
+    if (seen.has(vertex)) continue;
+    const piece = [...distancesAround(net, [vertex], Infinity).keys()];
+    for (const each of piece) seen.add(each);
+    pieces.push(piece);
+  }
+  return pieces.sort((a, b) => b.length - a.length);
+}
+
+/** The farthest from the middle is free. */
+function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
+  const away = distancesAround(net, [middleOf(net, piece)], Infinity);
+  const loop = longestLoop(net, new Set(piece));
+  const corners = loop ? cornersOf(net, loop) : [];
+  const areHolding = corners.length >= FEWEST && corners.length <= MOST;
+  const vertices = areHolding ? corners : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
+  const outwards = vertices.sort((a, b) => away.get(a)!.distance - away.get(b)!.distance);
+  return outwards.map((vertex, i, { length }) => ({ vertex, target: null, anchor: i + 1 < length }));
+}
+
+function longestLoop(net: OpenedNet, piece: ReadonlySet<number>): number[] | undefined {
+  return listsOf({ start: net.loopStart, vertices: net.loopVertices })
+    .filter(([vertex = -1]) => piece.has(vertex))
+    .map((loop) => [...loop])
+    .sort((a, b) => lengthOf(net, b) - lengthOf(net, a))[0];
+}
+
+/** The farthest from the middle, then each time the one farthest from those found. */
+function farthestOut(net: OpenedNet, away: ReadonlyMap<number, Away>, most: number): number[] {
+  let [vertex, distance] = farthest(away);
+  const least = LEAST_APART * distance;
+  const found: number[] = [];
+  while (found.length < most && distance > least) {
+    found.push(vertex);
+    [vertex, distance] = farthest(distancesAround(net, found, Infinity));
+  }
+  return found;
+}
+
+function farthest(away: ReadonlyMap<number, Away>): [vertex: number, distance: number] {
+  let most: [number, number] = [-1, 0];
+  for (const [vertex, { distance }] of away) if (distance > most[1]) most = [vertex, distance];
+  return most;
+}
+
+/** The vertex nearest to the centre of all. */
+function middleOf({ restPositions: at }: OpenedNet, piece: readonly number[]): number {
+  const centre = [0, 1, 2].map((axis) => piece.reduce((sum, vertex) => sum + at[3 * vertex + axis]!, 0) / piece.length);
+  const off = (vertex: number): number => Math.hypot(...centre.map((x, axis) => at[3 * vertex + axis]! - x));
+  return piece.reduce((nearest, vertex) => (off(vertex) < off(nearest) ? vertex : nearest));
+}
