@@ -1,5 +1,5 @@
 /** Files: one is dropped, read aside, reported on, repaired with consent, opened; what is saved comes back the same. */
-import { readFile } from 'node:fs/promises';
+import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
@@ -380,4 +380,70 @@ test.each(['mouse', 'keyboard', 'touch'])('a net from a file is offered handles,
   await page.keyboard.press('Control+z');
   await expect.poll(count).toBe(0);
   await offer.waitFor();
+});
+
+/** A file dragged over the window, as the system tells the browser: playwright has no hand for that. */
+test('a dragged file shows where to drop, until it is dropped, taken away or given up', async () => {
+  const { page } = visit;
+  const cdp = await page.context().newCDPSession(page);
+  const path = join(OUTPUT, 'dragged.obj');
+  await writeFile(path, UNEQUAL);
+  const drag = async (type: 'dragEnter' | 'dragOver' | 'dragCancel' | 'drop', x = 400, y = 400) => {
+    await cdp.send('Input.dispatchDragEvent', {
+      type,
+      x,
+      y,
+      data: { items: [], files: [path], dragOperationsMask: 1 },
+    });
+  };
+  const place = page.locator('.drop-place');
+  const over = async () => {
+    await drag('dragEnter');
+    await expect
+      .poll(async () => {
+        await drag('dragOver'); // What a hand holds is told again and again.
+        return place.isVisible();
+      })
+      .toBe(true);
+  };
+  const gone = () => place.waitFor({ state: 'hidden' });
+
+  await over();
+  expect(await place.innerText()).toMatch(/OBJ, .*3DM.* project/);
+  // As long as it is held.
+  const held = setInterval(() => void drag('dragOver'), 300);
+  for (const [name, media] of [
+    ['light', {}],
+    ['dark', { colorScheme: 'dark' }],
+    ['forced', { forcedColors: 'active' }],
+  ] as const) {
+    await page.emulateMedia(media);
+    await page.screenshot({ path: join(OUTPUT, `drop-${name}.png`) });
+  }
+  clearInterval(held);
+  await drag('dragCancel');
+  await gone();
+  await over();
+  await page.evaluate(() => document.body.dispatchEvent(new DragEvent('dragleave', { bubbles: true })));
+  await page.waitForTimeout(50);
+  expect(await place.isVisible()).toBe(false);
+  await over();
+  await page.keyboard.press('Escape');
+  await gone();
+  await over();
+  await drag('drop');
+  await gone();
+  await report();
+});
+
+test('what is dragged from within a page is no file', async () => {
+  const { page } = visit;
+  for (let i = 0; i < 3; i++)
+    await page.evaluate(() => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.setData('text/plain', 'a word');
+      document.body.dispatchEvent(new DragEvent('dragover', { dataTransfer, bubbles: true, cancelable: true }));
+    });
+  await page.waitForTimeout(300);
+  expect(await page.locator('.drop-place:popover-open').count()).toBe(0);
 });

@@ -67,6 +67,9 @@ const filming = lazy(() => Promise.all([import('./export/recording'), import('./
 const sharing = lazy(() => import('./projects/sharing'));
 const keySheet = lazy(() => import('./dialogs/key_sheet'));
 const lateKeys = lazy(() => import('./sidebar/late_keys'));
+const dropPlace = lazy(async () =>
+  (await import('./overlay/drop_place')).watchForFiles(element('panels'), () => app.formats),
+);
 const embedding = lazy(() => import('./embed/embed'));
 const hints = lazy(async () => new (await import('./learn/hints')).Hints(app, document.querySelector('.title h1')!));
 const ready = projects.start();
@@ -84,7 +87,10 @@ else {
 
 addEventListener('hashchange', () => attempt(followLink));
 addEventListener('keydown', pressKey);
-addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('dragover', (event) => {
+  event.preventDefault();
+  attempt(dropPlace);
+});
 addEventListener('drop', (event) => {
   event.preventDefault();
   attempt(() => openFile(event.dataTransfer?.files[0] ?? null));

@@ -475,6 +475,10 @@ export const panels = {
     tooLocal:
       'The part of the net that may move is too small for this. It holds its best shape; bring the handle back, or choose a wider locality and drag again.',
   },
+  drop: {
+    here: 'Drop the file here',
+    taken: (formats: readonly string[]) => `A mesh (${formats.join(', ')}) or a project`,
+  },
   recording: {
     title: 'Recording',
     stop: 'Stop and save',

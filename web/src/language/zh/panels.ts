@@ -485,6 +485,10 @@ export const panels: Widened<typeof en> = {
       `手柄 ${a} 与手柄 ${b} 相距太远：二者相距 ${distance}，而其间的网长仅为 ${reach}。网已保持在最佳形状，请将二者移近。`,
     tooLocal: '允许移动的部分太小，无法完成这次拖动。网保持最接近的形状；请把手柄移回，或放宽影响范围后重新拖动。',
   },
+  drop: {
+    here: '把文件放在这里',
+    taken: (formats) => `网格文件（${formats.join('、')}）或项目`,
+  },
   recording: {
     title: '正在录制',
     stop: '停止并保存',
