@@ -64,7 +64,7 @@ describe.each([
     await page.screenshot(picture('share'));
     await dialog.getByRole('button', { name: 'Close' }).click();
 
-    await page.getByRole('button', { name: 'Save', exact: true }).click();
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
     found.menu = await faults(page);
     await page.screenshot(picture('menu'));
     await page.keyboard.press('Escape');

@@ -48,8 +48,8 @@ async function takeHold({ page, script }: Visit, vertex: number) {
 const handles = (page: Page) => page.evaluate(() => window.chebnet.handles().map(({ vertex }) => vertex));
 
 async function save(page: Page, format: string): Promise<Uint8Array<ArrayBuffer>> {
-  const menu = page.getByRole('group', { name: 'Save as' });
-  if (!(await menu.isVisible())) await page.getByRole('button', { name: 'Save', exact: true }).click();
+  const menu = page.getByRole('group', { name: 'Export as' });
+  if (!(await menu.isVisible())) await page.getByRole('button', { name: 'Export', exact: true }).click();
   const download = page.waitForEvent('download');
   await menu.getByRole('button', { name: format }).click();
   return Uint8Array.from(await readFile(await (await download).path()));

@@ -20,10 +20,10 @@ beforeEach(async () => {
 });
 
 const press = (name: string | RegExp) => visit.page.getByRole('button', { name, exact: true }).click();
-const menu = () => visit.page.getByRole('group', { name: 'Save as' });
+const menu = () => visit.page.getByRole('group', { name: 'Export as' });
 
 async function save(format: string): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
-  if (!(await menu().isVisible())) await press('Save');
+  if (!(await menu().isVisible())) await press('Export');
   const download = visit.page.waitForEvent('download');
   await menu().getByRole('button', { name: format }).click();
   const saved = await download;
@@ -81,7 +81,7 @@ test('3DM and GLB hold the net as it was dragged', async () => {
 
 test('a vault has a flat pattern of the size asked for, a torus has none', async () => {
   await visit.script.open({ recipe: 'vault:vertices=300' });
-  await press('Save');
+  await press('Export');
   await menu().getByLabel('Length of an edge on the pattern in millimetres').fill('25');
   const { name, bytes } = await save('SVG');
   expect(name).toBe('vault.svg');
@@ -106,7 +106,7 @@ test('a vault has a flat pattern of the size asked for, a torus has none', async
   expect(cells(drawing.width, 2) * cells(drawing.height, 3)).toBe(info.faces);
 
   await visit.script.open({ recipe: 'torus:vertices=300' });
-  await press('Save');
+  await press('Export');
   await menu().getByRole('button', { name: 'SVG' }).click();
   await visit.page
     .getByRole('alert')
@@ -122,7 +122,7 @@ test('a picture can have more pixels than the screen, which stays as it is', asy
   const before = await size();
   const widthOf = (png: Uint8Array): number => new DataView(png.buffer).getUint32(16);
   expect(widthOf((await save('PNG')).bytes)).toBe(before[0]);
-  await press('Save');
+  await press('Export');
   await menu().getByLabel('Size of the picture').selectOption('2');
   expect(widthOf((await save('PNG')).bytes)).toBe(2 * before[0]!);
   expect(await size()).toEqual(before);
@@ -130,7 +130,7 @@ test('a picture can have more pixels than the screen, which stays as it is', asy
 
 test('a drag is recorded and saved as a video', async () => {
   await visit.script.open({ recipe: 'vault:vertices=300' });
-  await press('Save');
+  await press('Export');
   await menu().getByRole('button', { name: 'Video' }).click();
   const notice = visit.page.getByRole('group', { name: 'Recording' });
   await dragBy(visit.script, reference.suggestedHandles.at(-1)!, [-50, -40]);
@@ -186,7 +186,7 @@ test.each([
 ] as const)('menu and link fit a %s screen of %d pixels', async (colorScheme, width) => {
   await visit.page.emulateMedia({ colorScheme });
   await visit.page.setViewportSize({ width, height: width === 390 ? 844 : 800 });
-  await press('Save');
+  await press('Export');
   await expectInside(menu());
   await visit.page.screenshot({ path: join(OUTPUT, `save-${colorScheme}-${width}.png`) });
   await visit.page.keyboard.press('Escape');
@@ -204,3 +204,22 @@ async function expectInside(part: ReturnType<typeof menu>) {
   expect(box.x + box.width).toBeLessThanOrEqual(width);
   expect(box.y + box.height).toBeLessThanOrEqual(height);
 }
+
+test('"File" has all that people look for there: open, save, export, share', async () => {
+  const { page } = visit;
+  const file = page.getByRole('group', { name: 'Project' });
+  await press('File');
+  const entries = await file.getByRole('button').allInnerTexts();
+  expect(entries.map((text) => text.split(/\s{2,}|\n/)[0])).toEqual(
+    expect.arrayContaining(['Open…', 'Save project', 'Export…', 'Share…']),
+  );
+  await file.getByRole('button', { name: /^Export…/ }).click();
+  await menu().waitFor();
+  expect(await file.isVisible()).toBe(false);
+  const download = page.waitForEvent('download');
+  await menu().getByRole('button', { name: 'OBJ' }).click();
+  expect((await download).suggestedFilename()).toMatch(/\.obj$/);
+  await press('File');
+  await file.getByRole('button', { name: /^Share…/ }).click();
+  await page.getByRole('dialog').waitFor();
+});

@@ -44,9 +44,9 @@ async function waitForVertices(count: number) {
 }
 
 async function save(format: string): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> }> {
-  await press('Save');
+  await press('Export');
   const download = visit.page.waitForEvent('download');
-  await visit.page.getByRole('group', { name: 'Save as' }).getByRole('button', { name: format }).click();
+  await visit.page.getByRole('group', { name: 'Export as' }).getByRole('button', { name: format }).click();
   const saved = await download;
   return { name: saved.suggestedFilename(), bytes: Uint8Array.from(await readFile(await saved.path())) };
 }
@@ -259,10 +259,10 @@ test('Escape closes the report and nothing else, and the menu likewise', async (
   await report();
   await visit.page.keyboard.press('Escape');
   await dialog().waitFor({ state: 'detached' });
-  const save = visit.page.getByRole('button', { name: 'Save', exact: true });
+  const save = visit.page.getByRole('button', { name: 'Export', exact: true });
   await save.focus();
   await visit.page.keyboard.press('Enter');
-  const menu = visit.page.getByRole('group', { name: 'Save as' });
+  const menu = visit.page.getByRole('group', { name: 'Export as' });
   await menu.waitFor();
   expect(await menu.getByRole('button', { name: 'OBJ' }).evaluate((item) => item === document.activeElement)).toBe(
     true,
@@ -330,9 +330,9 @@ test.each([
   await visit.page.screenshot({ path: join(OUTPUT, `file-report-${colorScheme}-${width}.png`) });
   expect(await overflow()).toBeLessThanOrEqual(0);
   await press('Cancel');
-  await press('Save');
+  await press('Export');
   await visit.page.screenshot({ path: join(OUTPUT, `save-menu-${colorScheme}-${width}.png`) });
-  const box = (await visit.page.getByRole('group', { name: 'Save as' }).boundingBox())!;
+  const box = (await visit.page.getByRole('group', { name: 'Export as' }).boundingBox())!;
   expect(box.x).toBeGreaterThanOrEqual(0);
   expect(box.x + box.width).toBeLessThanOrEqual(width);
   expect(box.y + box.height).toBeLessThanOrEqual(760);

@@ -49,7 +49,7 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
   await page.getByRole('heading', { name: '已选中 5 个手柄' }).waitFor();
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-selection.png') });
-  await page.getByRole('button', { name: '保存', exact: true }).click();
+  await page.getByRole('button', { name: '导出', exact: true }).click();
   expect(await foreignWords(page)).toEqual([]);
   await page.screenshot({ path: join(OUTPUT, 'chinese-save.png') });
   await page.keyboard.press('Escape');

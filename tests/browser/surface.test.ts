@@ -174,9 +174,9 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   await visit.page.getByRole('group', { name: 'Surface: roof.obj' }).waitFor();
   await expect.poll(async () => largestError(await script.positions(), positions)).toBe(0);
 
-  await visit.page.getByRole('button', { name: 'Save', exact: true }).click();
+  await visit.page.getByRole('button', { name: 'Export', exact: true }).click();
   const download = visit.page.waitForEvent('download');
-  await visit.page.getByRole('group', { name: 'Save as' }).getByRole('button', { name: 'OBJ' }).click();
+  await visit.page.getByRole('group', { name: 'Export as' }).getByRole('button', { name: 'OBJ' }).click();
   expect((await download).suggestedFilename()).toBe('roof-net.obj');
 });
 

@@ -21,7 +21,7 @@ beforeEach(async () => {
 
 async function save(kind: string): Promise<Uint8Array<ArrayBuffer>> {
   const { name, bytes } = await visitor.saved(async () => {
-    await visitor.clickOn('Save');
+    await visitor.clickOn('Export');
     await visitor.clickOn(kind);
   });
   expect(name).toMatch(new RegExp(`^\\w+\\.${kind}$`, 'i'));
@@ -103,7 +103,7 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
 
 test('a drag is saved as a video, or the menu says that this browser cannot', async () => {
   await visitor.openNet({ recipe: 'vault:vertices=300' });
-  await visitor.clickOn('Save');
+  await visitor.clickOn('Export');
   const can = await visitor.run(() => {
     const item = [...document.querySelectorAll('button')].find(
       (each) => each.querySelector('strong')?.textContent === 'Video',

@@ -29,7 +29,7 @@ test('on a desk and, the window made narrow, on a phone the menu stands beside i
     ['phone', 390, 844],
   ] as const) {
     await visitor.driver.resize(width, height);
-    await visitor.clickOn('Save');
+    await visitor.clickOn('Export');
     await expect
       .poll(() => placeOfMenu(visitor), { message: name })
       .toEqual({ inside: true, beside: true, overflow: 0 });

@@ -57,7 +57,7 @@ export const en = {
     select: { label: 'Select', hint: 'Select several handles: click each, or draw around them (L)' },
     frame: { label: 'Show all', hint: 'See the whole net (Home)' },
     link: { label: 'Share', hint: 'A link to what you see, also as QR code or to embed' },
-    save: { label: 'Save', hint: 'Save the net as a file' },
+    export: { label: 'Export', hint: 'The net as a mesh, for making, or as a picture' },
   },
   messages: { dismiss: 'Dismiss' },
   embed: { activate: 'Click to drag the net', open: 'Open in chebnet' },
@@ -165,7 +165,7 @@ export const en = {
   hints: {
     drag: 'Drag the orange sphere, and the net follows.',
     add: 'Click the net to take hold of it anywhere.',
-    share: '“Share” makes a link to what you see, “Save” a file.',
+    share: '“Share” makes a link to what you see, “Export” a file.',
     done: 'Got it',
   },
   equalize: {
@@ -177,13 +177,15 @@ export const en = {
   projects: {
     menu: {
       label: 'File',
-      hint: 'New, open, save the project',
+      hint: 'New, open, save, export, share',
       title: 'Project',
       newNet: { title: 'New', hint: 'the first net; undo brings this one back' },
       open: { title: 'Open…', hint: 'a project, or a mesh (Ctrl+O)' },
       save: { title: 'Save project', hint: 'all of it, with its history (Ctrl+S)' },
       mine: { title: 'My projects…', hint: 'named or not, as this browser keeps them' },
       restore: { title: 'Restore my last net', hint: 'as this browser kept it' },
+      export: { title: 'Export…', hint: 'a mesh, a pattern, a picture' },
+      share: { title: 'Share…', hint: 'a link to what you see' },
     },
     restored: 'Your net is as you left it.',
     startAfresh: 'Start afresh',
@@ -226,7 +228,7 @@ export const en = {
     oneOf: (choices: readonly string[]) => `one of ${choices.join(', ')}`,
   },
   save: {
-    as: 'Save as',
+    as: 'Export as',
     meshes: 'Mesh',
     making: 'For making',
     pictures: 'Picture',

@@ -54,7 +54,7 @@ export const zh: Words = {
     select: { label: '选择', hint: '选择多个手柄：逐个点击，或画线圈选（L）' },
     frame: { label: '显示全部', hint: '查看整张网（Home）' },
     link: { label: '分享', hint: '当前画面的链接，也可用二维码或嵌入网页' },
-    save: { label: '保存', hint: '将网保存为文件' },
+    export: { label: '导出', hint: '网格、制作图样或图片' },
   },
   messages: { dismiss: '关闭' },
   embed: { activate: '点击后即可拖动网', open: '在 chebnet 中打开' },
@@ -161,7 +161,7 @@ export const zh: Words = {
   hints: {
     drag: '拖动橙色小球，网会随之而动。',
     add: '点击网上任意一处，即可抓住它。',
-    share: '“分享”生成当前画面的链接，“保存”存为文件。',
+    share: '“分享”生成当前画面的链接，“导出”生成文件。',
     done: '知道了',
   },
   equalize: {
@@ -173,13 +173,15 @@ export const zh: Words = {
   projects: {
     menu: {
       label: '文件',
-      hint: '新建、打开、保存项目',
+      hint: '新建、打开、保存、导出、分享',
       title: '项目',
       newNet: { title: '新建', hint: '回到起始网；撤销可恢复当前的网' },
       open: { title: '打开…', hint: '项目或网格文件（Ctrl+O）' },
       save: { title: '保存项目', hint: '全部内容及历史记录（Ctrl+S）' },
       mine: { title: '我的项目…', hint: '由本浏览器保存，可命名' },
       restore: { title: '恢复上次的网', hint: '由本浏览器保存' },
+      export: { title: '导出…', hint: '网格、图样、图片' },
+      share: { title: '分享…', hint: '当前画面的链接' },
     },
     restored: '已恢复到您离开时的状态。',
     startAfresh: '重新开始',
@@ -220,7 +222,7 @@ export const zh: Words = {
     oneOf: (choices) => `以下之一：${choices.join('、')}`,
   },
   save: {
-    as: '另存为',
+    as: '导出为',
     meshes: '网格',
     making: '用于制作',
     pictures: '图像',

@@ -1,4 +1,4 @@
-/** The menu of file kinds to save the net as, with their settings. */
+/** The menu of file kinds to export the net as, with their settings. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { kindsFor } from '../export/kinds';
 import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
@@ -12,7 +12,7 @@ import type { PanelEvents } from '../panels';
 const LOOK = {
   id: 'export-menu',
   icon: 'M8 2.5v8M4.8 7.5 8 10.7l3.2-3.2M2.5 13.5h11',
-  ...words.toolbar.save,
+  ...words.toolbar.export,
   title: words.save.as,
 };
 const MAGNIFICATIONS = [1, 2, 4];

@@ -1,16 +1,19 @@
-/** The project as a whole: new, open, save, and what was kept before. */
+/** The project as a whole: new, open, save, what was kept before, and what is made of it. */
 import { words } from '../language/language';
 import { Menu } from '../elements/menu';
 import type { PanelEvents } from '../panels';
 
-export function createProjectMenu({ newNet, pickFile, saveProject, chooseProject, restoreLast }: PanelEvents): Menu {
-  const { newNet: fresh, open, save, mine, restore, ...look } = words.projects.menu;
+/** @param exports opens the menu of what the net can be exported as. */
+export function createProjectMenu(events: PanelEvents, exports: () => void): Menu {
+  const { newNet, open, save, mine, restore, export: exported, share, ...look } = words.projects.menu;
   const icon = 'M2.5 12.5v-9h4l1.5 2h5.5v7z';
   return new Menu({ id: 'project-menu', icon, ...look }, [
-    { ...fresh, choose: newNet },
-    { ...open, choose: pickFile },
-    { ...save, choose: saveProject },
-    { ...mine, choose: chooseProject },
-    { ...restore, choose: restoreLast },
+    { ...newNet, choose: events.newNet },
+    { ...open, choose: events.pickFile },
+    { ...save, choose: events.saveProject },
+    { ...mine, choose: events.chooseProject },
+    { ...restore, choose: events.restoreLast },
+    { ...exported, choose: exports },
+    { ...share, choose: events.share },
   ]);
 }

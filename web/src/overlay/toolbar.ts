@@ -1,4 +1,4 @@
-/** Frequent commands, over the view: project, undo, selecting several, showing the whole net, sharing, saving. */
+/** Frequent commands, over the view: project, undo, selecting several, showing the whole net, sharing, exporting. */
 import type { HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { Choice } from '../handles/commands';
@@ -36,8 +36,8 @@ export class Toolbar implements Panel {
       button.append(make('span', {}, label));
       return button;
     };
-    const projects = createProjectMenu(events);
     this.#exports = new ExportMenu(events);
+    const projects = createProjectMenu(events, () => this.#exports.menu.showPopover());
     this.menus = [projects.menu, this.#exports.menu];
     this.#undo = tool('undo', () => events.undo());
     this.#redo = tool('redo', () => events.redo());
