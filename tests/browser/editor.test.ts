@@ -398,6 +398,10 @@ test.runIf(process.env['CHEBNET_SCREENSHOT'])('the picture for the README', asyn
   await dragBy(script, handles.at(-1)!.vertex, [-120, -15]);
   await script.settled();
   await visit.page.mouse.move(5, 5);
+  const drawings = visit.page.locator('.gallery canvas');
+  const isDrawn = (canvas: HTMLCanvasElement) =>
+    canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data.some((value) => value > 0);
+  for (const drawing of await drawings.all()) await expect.poll(() => drawing.evaluate(isDrawn)).toBe(true);
   await visit.page.waitForTimeout(1000);
   await visit.page.screenshot({ path: README_PICTURE });
 });
