@@ -55,22 +55,28 @@ const bytes = fc.uint8Array({ maxLength: 60 });
 /** Where a link is cut or written over. */
 const splice = fc.record({ at: fc.nat(), taken: fc.nat(4), put: fc.string({ maxLength: 4 }) });
 
+const damaged = fc.tuple(document, fc.array(splice, { minLength: 1, maxLength: 4 })).map(([given, splices]) => {
+  const characters = [...hashOf(given)];
+  for (const { at, taken, put } of splices) characters.splice(at % characters.length, taken, ...put);
+  return characters.join('');
+});
+
+const withForgedHeader = fc.tuple(tag, document, changes, bytes).map(([tagged, given, list, packed]) => {
+  const header = { ...writeState(given, net.restPositions), net: netAsText(given.net), view: writeView(given.view) };
+  return forged(tagged, JSON.stringify(changed(header, list)), packed);
+});
+
 const anyText = fc.oneof(
   fc.string(),
   fc.tuple(tag, bytes).map(([tagged, each]) => tagged + Buffer.from(each).toString('base64url')),
   fc.tuple(tag, fc.json()).map(([tagged, each]) => forged(tagged, each, new Uint8Array())),
 );
 
-attacks('links', {
+const links = { folder: 'link', holds: (file: Uint8Array) => checkDecoded(Buffer.from(file).toString()) };
+
+attacks('links', links, {
   'a scene comes back': attack(document, comesBack),
-  'a damaged link': attack(fc.tuple(document, fc.array(splice, { minLength: 1, maxLength: 4 })), ([given, splices]) => {
-    const characters = [...hashOf(given)];
-    for (const { at, taken, put } of splices) characters.splice(at % characters.length, taken, ...put);
-    checkDecoded(characters.join(''));
-  }),
-  'a forged header': attack(fc.tuple(tag, document, changes, bytes), ([tagged, given, list, packed]) => {
-    const header = { ...writeState(given, net.restPositions), net: netAsText(given.net), view: writeView(given.view) };
-    checkDecoded(forged(tagged, JSON.stringify(changed(header, list)), packed));
-  }),
+  'a damaged link': attack(damaged, checkDecoded),
+  'a forged header': attack(withForgedHeader, checkDecoded),
   'any text': attack(anyText, checkDecoded),
 });

@@ -6,17 +6,20 @@ import { netAsText } from '../../../web/src/document/codec';
 import { parseProject, projectText, readProject, writeProject } from '../../../web/src/document/project';
 import type { Project } from '../../../web/src/document/project';
 import { attack, attacks } from './attack';
-import { changed, changes, checkFinite, document, source, view } from './scenes';
+import { changed, changes, checkFinite, document, guideFile, source, view } from './scenes';
 
 const project: fc.Arbitrary<Project> = fc
   .record({
-    documents: fc.array(fc.tuple(document, source), { minLength: 1, maxLength: 4 }),
+    documents: fc.array(fc.tuple(document, source, fc.option(guideFile)), { minLength: 1, maxLength: 4 }),
     name: fc.string({ maxLength: 50 }),
     present: fc.nat(),
     view,
   })
   .map(({ documents, name, present, view: seen }) => ({
-    entries: documents.map(([{ view: _, ...state }, net]) => ({ name, state: { ...state, net } })),
+    entries: documents.map(([{ view: _, ...state }, net, guide]) => ({
+      name,
+      state: { ...state, net, ...(guide ? { guide } : {}) },
+    })),
     present: present % documents.length,
     view: seen,
   }));
@@ -37,14 +40,18 @@ function checkParsed(text: string): void {
   }
 }
 
-attacks('projects', {
+const forged = fc
+  .tuple(project, changes)
+  .map(([given, list]) => JSON.stringify(changed(JSON.parse(projectText(given)), list)));
+
+const projects = { folder: 'project', holds: (file: Uint8Array) => checkParsed(Buffer.from(file).toString()) };
+
+attacks('projects', projects, {
   'a project comes back': attack(project, (given) => {
     expect(parseProject(projectText(given))).toEqual(withText(given));
     expect(readProject(writeProject(given, Infinity))).toEqual(given);
   }),
-  'a forged project': attack(fc.tuple(project, changes), ([given, list]) => {
-    checkParsed(JSON.stringify(changed(JSON.parse(projectText(given)), list)));
-  }),
+  'a forged project': attack(forged, checkParsed),
   'any JSON': attack(fc.json(), checkParsed),
   'any text': attack(fc.string(), checkParsed),
 });

@@ -1,14 +1,16 @@
 /** Documents in every form they can have, and what happens to them on the way. */
 import fc from 'fast-check';
+import { axesToSlide } from '../../../web/src/document/document';
 import type {
   ChebnetDocument,
   DocumentNet,
+  GuideFile,
   HandleData,
   NetSource,
   Vec3,
   ViewState,
 } from '../../../web/src/document/document';
-import { areEnds, FIELD_NAMES, fieldOf, type ScaledName } from '../../../web/src/fields/fields';
+import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../../../web/src/fields/fields';
 import { grid } from '../../web/nets';
 
 export const net = grid(4, 3);
@@ -28,7 +30,12 @@ const partial = <T extends object>(fields: { [Name in keyof T]: fc.Arbitrary<T[N
 const handle: fc.Arbitrary<HandleData> = fc
   .tuple(
     fc.record({ vertex: fc.nat(VERTICES - 1), target: point, anchor: fc.boolean() }),
-    partial({ name: fc.string({ maxLength: 20 }), hidden: fc.boolean(), weight: positive }),
+    partial({
+      name: fc.string({ maxLength: 20 }),
+      hidden: fc.boolean(),
+      weight: positive,
+      slides: fc.constantFrom(...axesToSlide()),
+    }),
   )
   .map(([needed, more]) => ({ ...needed, ...more }));
 
@@ -63,13 +70,21 @@ export const source: fc.Arbitrary<NetSource> = fc.oneof(
   fc.tuple(text, traits).map(([obj, more]) => ({ obj, ...more })),
 );
 
+/** A surface that somebody brought: projects have it, links do not. */
+export const guideFile: fc.Arbitrary<GuideFile> = fc.record({ name: text, mesh });
+
 /** Written with seven digits. */
 const camera = fc
   .array(fc.integer({ min: -999_999, max: 999_999 }), { minLength: 6, maxLength: 6 })
   .filter(([x, y, z, u, v, w]) => x !== u || y !== v || z !== w)
   .map(([x = 0, y = 0, z = 0, u = 0, v = 0, w = 0]) => ({ position: [x, y, z] as Vec3, target: [u, v, w] as Vec3 }));
 
-const ends = (name: ScaledName) => fc.tuple(number, number).filter((pair) => areEnds(fieldOf(name), pair));
+const ends = (name: FieldName) => fc.tuple(number, number).filter((pair) => areEnds(fieldOf(name), pair));
+/** Of any of the fields that have some to be set. */
+const allEnds: fc.Arbitrary<NonNullable<ViewState['ends']>> = fc.record(
+  Object.fromEntries(FIELD_NAMES.filter((name) => fieldOf(name).ends).map((name) => [name, ends(name)])),
+  { requiredKeys: [] },
+);
 
 export const view: fc.Arbitrary<ViewState> = fc
   .tuple(
@@ -80,7 +95,8 @@ export const view: fc.Arbitrary<ViewState> = fc
       showFaces: fc.boolean(),
     }),
     partial({
-      ends: partial({ deviation: ends('deviation'), angle: ends('angle') }),
+      ends: allEnds,
+      guideHidden: fc.boolean(),
       upAxis: fc.constantFrom('y' as const, 'z' as const),
       parallel: fc.boolean(),
       rods: fc.constantFrom(0.02, 0.4),
@@ -121,6 +137,7 @@ export const document: fc.Arbitrary<ChebnetDocument> = fc
       }),
       locality: positive,
       influence: positive,
+      guide: fc.record({ own: text }),
       experiment: text,
       compare: fc.array(text, { maxLength: 3 }),
     }),
