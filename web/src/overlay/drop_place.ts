@@ -29,7 +29,7 @@ export function watchForFiles(root: HTMLElement, formats: () => readonly FormatI
     place.hidePopover();
   };
   addEventListener('dragover', ({ dataTransfer }) => {
-    if (!dataTransfer?.types.includes('Files')) return;
+    if (!dataTransfer?.types.some((type) => type === 'Files')) return;
     if (!place.matches(':popover-open')) show();
     clearTimeout(timer);
     // Not every end of a drag is told.
