@@ -544,7 +544,7 @@ export interface DrapeOptions {
   leave?: number;
 }
 
-/** Where a net may begin, and what came of it when it was tried with longer edges; see core/drape/proposals.h. */
+/** Where a net may begin, and what came of it when it was tried, with longer edges but for the first few; see core/drape/proposals.h. */
 export interface DrapeProposal {
   seed: Point;
   direction: Point;
@@ -552,6 +552,8 @@ export interface DrapeProposal {
   covered: number;
   /** Part of the cells with a corner more than 30° from a right angle. */
   muchSheared: number;
+  /** Of vertices and middles of edges from the surface, in edge lengths. */
+  meanDistance: number;
 }
 
 /** A net on a surface, each vertex on it, as far as it need not leave it, and each edge of one length, but for those that are cut at the border. */
@@ -663,6 +665,8 @@ export interface DrapeReport {
   /** Length of the net's border that is not beside the surface's: of gaps, and of both sides of slits, which `coverage`
    *  counts as covered. */
   openBorder: number;
+  /** How many stretches of border that is; a whole loop is one. */
+  gaps: number;
   /** Of vertices and middles of edges from the surface, in its unit. */
   meanDistance: number;
   largestDistance: number;
@@ -692,7 +696,7 @@ export interface Surface {
   hit(origin: Readonly<Point>, direction: Readonly<Point>): SurfacePlace | null;
   /** A beginning in the middle, with the length that gives about so many cells. */
   suggest(cells: number): { seed: Point; direction: Point; length: number };
-  /** Of several trials the best beginnings, first those that cover most and are sheared least. */
+  /** Of several trials the best beginnings, first those that cover most, are sheared least and come nearest. */
   propose(options: Omit<DrapeOptions, 'seed' | 'direction'>): DrapeProposal[];
   drape(options: DrapeOptions): Drape;
   /** Cut open along shortest ways over the surface between points near it, at least two a cut; see

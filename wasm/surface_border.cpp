@@ -147,6 +147,7 @@ val propose(const OpenSurface& open, val options) {
         row.set("direction", vector_out(proposal.options.direction));
         row.set("covered", proposal.covered);
         row.set("muchSheared", proposal.much_sheared);
+        row.set("meanDistance", proposal.mean_distance);
         list.call<void>("push", row);
     }
     return list;
@@ -329,6 +330,7 @@ val measure(const OpenSurface& open, val net) {
     object.set("length", report.length);
     object.set("coverage", report.coverage);
     object.set("openBorder", report.open_border);
+    object.set("gaps", report.gaps);
     object.set("meanDistance", report.mean_distance);
     object.set("largestDistance", report.largest_distance);
     object.set("smallestAngle", report.smallest_angle);

@@ -62,6 +62,7 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"max_dL", measured.max_deviation},
             {"coverage", measured.coverage},
             {"open_border_in_lengths", measured.open_border / length},
+            {"gaps", measured.gaps},
             {"mean_distance", measured.mean_distance},
             {"largest_distance", measured.largest_distance},
             {"mean_distance_in_lengths", measured.mean_distance / length},

@@ -76,6 +76,7 @@ struct DrapeReport {
     double coverage;                         ///< part of the surface's area that is within L / 2 of the net
     double open_border;                      ///< length of the net's border that is not beside the surface's: of gaps,
                                              ///< and of both sides of slits, which coverage counts as covered
+    int gaps;                                ///< how many stretches of border that is; a whole loop is one
     double mean_distance, largest_distance;  ///< of vertices and middles of edges from the surface, beyond its border
                                              ///< from where it would go on; in the surface's unit
     double smallest_angle, largest_angle;    ///< of corners of whole cells, radians

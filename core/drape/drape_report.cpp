@@ -11,7 +11,7 @@
 #include "net/measures.h"
 #include "net/topology.h"
 #include "net/triangulation.h"
-#include "surface/height.h"
+#include "surface/guide.h"
 #include "surface/segment.h"
 
 namespace chebnet {
@@ -20,8 +20,8 @@ namespace {
 
 // The surface is sampled in pieces no wider than this fraction of an edge.
 constexpr double k_sample = 0.25;
-// A part of L: cells with edges nearer to it are whole.
-constexpr double k_whole = 1e-5;
+// A part of L: cells with edges nearer to it are whole. Those of a net whose dL is below 1e-9 are, by some 3e-5.
+constexpr double k_whole = 1e-4;
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 // In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
 constexpr double k_beside_border = 1.5;
@@ -82,11 +82,12 @@ bool is_beside_border(const Surface& surface, const std::vector<int>& border, co
     });
 }
 
-/// What lies beyond the surface's border has it for its nearest place.
-double open_border(const Surface& surface, const SurfaceTree& tree, const Net& net, double length) {
+/// Of each edge, whether it is on the net's border but not beside the surface's. What lies beyond the surface's border
+/// has it for its nearest place.
+std::vector<bool> open_edges(const Surface& surface, const SurfaceTree& tree, const Net& net, double length) {
     std::vector<int> border;
     for (const std::vector<int>& loop : surface.boundary_loops()) border.insert(border.end(), loop.begin(), loop.end());
-    double open = 0;
+    std::vector<bool> is_open(static_cast<std::size_t>(net.edge_count()));
     int guess = 0;
     for (int e = 0; e < net.edge_count(); ++e) {
         if (net.edge_face_counts()[e] != 1) continue;
@@ -94,10 +95,34 @@ double open_border(const Surface& surface, const SurfaceTree& tree, const Net& n
         const SurfaceTree::Nearest near =
             tree.nearest((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2, guess);
         guess = near.at.face;
-        if (!is_beside_border(surface, border, surface.position_at(near.at), k_beside_border * length))
-            open += net.rest_lengths()[e];
+        is_open[e] = !is_beside_border(surface, border, surface.position_at(near.at), k_beside_border * length);
     }
-    return open;
+    return is_open;
+}
+
+/// How often a walk along the border comes to an open edge from one that is not; once, if all of a loop is open.
+int runs_of(const std::vector<bool>& is_open, const Topology& topology) {
+    int runs = 0;
+    for (const std::vector<int>& loop : topology.boundary_loops()) {
+        const auto is_open_from = [&](std::size_t k) {
+            return is_open[topology.edge_between(loop[k % loop.size()], loop[(k + 1) % loop.size()])];
+        };
+        int begun = 0, open = 0;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            open += is_open_from(k) ? 1 : 0;
+            begun += is_open_from(k + 1) && !is_open_from(k) ? 1 : 0;
+        }
+        runs += open == std::ssize(loop) ? 1 : begun;
+    }
+    return runs;
+}
+
+void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net& net, const Topology& topology,
+                     DrapeReport& report) {
+    const std::vector<bool> is_open = open_edges(surface, tree, net, report.length);
+    for (int e = 0; e < net.edge_count(); ++e)
+        if (is_open[e]) report.open_border += net.rest_lengths()[e];
+    report.gaps = runs_of(is_open, topology);
 }
 
 /// That of most edges: those at a border may be cut.
@@ -130,7 +155,7 @@ std::vector<AngleRange> whole_cells(const Net& net) {
 }
 
 /// Where a border has cut the net, the edges along it are of no rod.
-void add_rods(const Net& net, DrapeReport& report) {
+void add_rods(const Net& net, const Topology& topology, DrapeReport& report) {
     std::set<std::pair<int, int>> rim;
     for (int e = 0; e < net.edge_count(); ++e) {
         const double length = net.rest_lengths()[e];
@@ -139,7 +164,7 @@ void add_rods(const Net& net, DrapeReport& report) {
         else
             report.rod_length += length;
     }
-    for (const std::vector<int>& line : Topology(net).net_lines())
+    for (const std::vector<int>& line : topology.net_lines())
         if (!rim.contains(std::minmax(line[0], line[1]))) ++report.rods;
 }
 
@@ -159,18 +184,12 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     DrapeReport report{};
     report.length = length_of_most(net);
     const Positions& x = net.rest_positions();
-    int guess = 0;
-    const auto add_distance = [&](const Eigen::Vector3d& point) {
-        const Height height = height_of(surface, tree, point, guess);
-        guess = height.at.face;
-        report.mean_distance += std::abs(height.height);
-        report.largest_distance = std::max(report.largest_distance, std::abs(height.height));
-    };
-    for (int v = 0; v < net.vertex_count(); ++v) add_distance(x.col(v));
-    for (int e = 0; e < net.edge_count(); ++e) add_distance((x.col(net.edges()(0, e)) + x.col(net.edges()(1, e))) / 2);
-    report.mean_distance /= net.vertex_count() + net.edge_count();
+    const Topology topology(net);
+    const GuideDistance distance = distance_to(surface, tree, net, x);
+    report.mean_distance = distance.mean;
+    report.largest_distance = distance.largest;
     report.coverage = coverage(surface, net, report.length);
-    report.open_border = open_border(surface, tree, net, report.length);
+    add_open_border(surface, tree, net, topology, report);
     const std::vector<AngleRange> cells = whole_cells(net);
     report.smallest_angle = std::numbers::pi;
     for (const AngleRange& corners : cells) {
@@ -179,7 +198,7 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     }
     report.sheared = part_sheared(cells, k_shear);
     report.much_sheared = part_sheared(cells, k_much_shear);
-    add_rods(net, report);
+    add_rods(net, topology, report);
     report.max_deviation = max_deviation(net, x);
     return report;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "surface/guide.h"
 
 namespace chebnet {
 
@@ -19,8 +20,8 @@ constexpr int k_trial_cells = 1000;
 constexpr std::size_t k_finals = 4;  // how many are tried with the edges asked for
 constexpr int k_most_samples = 2000;
 constexpr int k_lloyd_steps = 6;
-// A sheared cell counts as so much of an uncovered one.
-constexpr double k_shear_weight = 0.05;
+// A sheared cell counts as so much of an uncovered one, and so does a cell one edge length off the surface.
+constexpr double k_shear_weight = 0.05, k_distance_weight = 0.2;
 
 /// Of triangles all over the surface, their middles.
 Positions samples_of(const Surface& surface) {
@@ -91,11 +92,9 @@ double area_of(const Net& net) {
     return area;
 }
 
-double worth(const DrapeProposal& proposal) { return proposal.covered - k_shear_weight * proposal.much_sheared; }
-
 void rank(std::vector<DrapeProposal>& proposals) {
     std::stable_sort(proposals.begin(), proposals.end(),
-                     [](const DrapeProposal& a, const DrapeProposal& b) { return worth(a) > worth(b); });
+                     [](const DrapeProposal& a, const DrapeProposal& b) { return a.worth() > b.worth(); });
 }
 
 /// What comes of it with edges of some length; nothing where no cell fits.
@@ -106,7 +105,9 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
     trial.border = DrapeOptions::Border::inside;
     try {
         const Net net = drape(surface, tree, trial).net;
-        return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear)};
+        const double distance = distance_to(surface, tree, net, net.rest_positions()).mean / length;
+        return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear),
+                             distance};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -120,12 +121,16 @@ std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& 
     for (int k = 0; k < k_directions; ++k) {
         options.direction = direction_at(surface.normal_at(place.at), k * std::numbers::pi / 2 / k_directions);
         const std::optional<DrapeProposal> proposal = tried(surface, tree, options, length);
-        if (proposal && (!best || worth(*proposal) > worth(*best))) best = proposal;
+        if (proposal && (!best || proposal->worth() > best->worth())) best = proposal;
     }
     return best;
 }
 
 }  // namespace
+
+double DrapeProposal::worth() const {
+    return covered - k_shear_weight * much_sheared - k_distance_weight * mean_distance;
+}
 
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree,
                                           const DrapeOptions& options) {

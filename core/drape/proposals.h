@@ -9,14 +9,18 @@ namespace chebnet {
 /// Where a net may begin, and what came of it when it was tried.
 struct DrapeProposal {
     DrapeOptions options;
-    double covered = 0;       ///< area of the cells as a part of the surface's
-    double much_sheared = 0;  ///< part of the cells with a corner more than k_much_shear from a right angle
+    double covered = 0;        ///< area of the cells as a part of the surface's
+    double much_sheared = 0;   ///< part of the cells with a corner more than k_much_shear from a right angle
+    double mean_distance = 0;  ///< of vertices and middles of edges from the surface, in edge lengths
+
+    /// What is covered, less what shear and distance count against it.
+    double worth() const;
 };
 
 /// Tries nets of about a thousand cells from places spread over the surface, in six directions each, and the best of
 /// them with the edges asked for. Gives the best of each place, those first that cover most and, among like ones, are
-/// sheared least. All but seed and direction is as in `options`. Takes about as long as laying a net of fifty thousand
-/// cells. Throws Error as drape does if no place takes a net.
+/// sheared least and come nearest to the surface. All but seed and direction is as in `options`. Takes about as long as
+/// laying a net of fifty thousand cells. Throws Error as drape does if no place takes a net.
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
 }  // namespace chebnet

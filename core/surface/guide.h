@@ -26,12 +26,18 @@ private:
 
 /// How far each of some points (3×N, finite) is from the surface, beyond its border from where it would go on as flat
 /// as it is there; negative below it.
-Eigen::VectorXd heights_over(const Guide& guide, const Positions& points);
+Eigen::VectorXd heights_over(const Surface& surface, const SurfaceTree& tree, const Positions& points);
+inline Eigen::VectorXd heights_over(const Guide& guide, const Positions& points) {
+    return heights_over(guide.surface(), guide.tree(), points);
+}
 
 /// The same without a sign, of all vertices of a net and the middles of its edges.
 struct GuideDistance {
     double mean = 0, largest = 0;
 };
-GuideDistance distance_to(const Guide& guide, const Net& net, const Positions& positions);
+GuideDistance distance_to(const Surface& surface, const SurfaceTree& tree, const Net& net, const Positions& positions);
+inline GuideDistance distance_to(const Guide& guide, const Net& net, const Positions& positions) {
+    return distance_to(guide.surface(), guide.tree(), net, positions);
+}
 
 }  // namespace chebnet
