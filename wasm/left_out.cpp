@@ -43,7 +43,7 @@ std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core()
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }
-Eigen::VectorXd heights_over(const Guide&, const Positions&) { leave_to_the_whole_core(); }
+Eigen::VectorXd heights_over(const Surface&, const SurfaceTree&, const Positions&) { leave_to_the_whole_core(); }
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 // Never called where no handle has passed that check.
 void LengthSystem::set_slides(std::span<const Slide>) {}

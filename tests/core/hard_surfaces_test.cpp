@@ -1,0 +1,81 @@
+#include "hard_surfaces.h"
+
+#include <catch2/catch.hpp>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "../soak/surface_invariants.h"
+#include "base/error.h"
+#include "drape/bridged_drape.h"
+#include "drape/drape.h"
+#include "net/topology.h"
+#include "remesh/remesh.h"
+#include "surface/curvature.h"
+#include "surface/guide.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr int k_cells = 400;
+
+std::string all(const invariants::Violations& violations) {
+    std::string text;
+    for (const std::string& violation : violations) text += violation + "; ";
+    return text;
+}
+
+std::string judged(const Guide& guide, const Net& net, const invariants::Asked& asked) {
+    const DrapeReport report = measure_drape(guide.surface(), guide.tree(), net);
+    return all(invariants::of_net_on_surface(guide.surface(), net, report, asked));
+}
+
+int characteristic(const Net& net) { return net.vertex_count() - net.edge_count() + net.face_count(); }
+
+}  // namespace
+
+TEST_CASE("On surfaces of all kinds a laid net is exact, within its limit, and its gaps are reported", "[large]") {
+    for (const auto& [name, mesh] : samples::hard_surfaces()) {
+        INFO(name);
+        const auto guide = std::make_shared<const Guide>(Surface(mesh));
+        DrapeOptions options = suggested_drape(guide->surface(), guide->tree(), k_cells);
+        for (const auto border :
+             {DrapeOptions::Border::inside, DrapeOptions::Border::beyond, DrapeOptions::Border::cut}) {
+            CAPTURE(static_cast<int>(border));
+            options.border = border;
+            options.slits = border == DrapeOptions::Border::cut;
+            const Drape laid = drape(guide->surface(), guide->tree(), options);
+            const invariants::Asked asked{options.smallest_angle, border == DrapeOptions::Border::cut};
+            CHECK(judged(*guide, laid.net, asked) == "");
+            const SurfaceReport described = describe(guide->surface());
+            const double coverage = measure_drape(guide->surface(), guide->tree(), laid.net).coverage;
+            if (border == DrapeOptions::Border::beyond && described.components == 1 && coverage < 0.95)
+                CHECK(laid.locked + laid.met > 0);
+        }
+    }
+}
+
+TEST_CASE("Surfaces of all kinds get a net over the whole of them, or a sentence that says why not", "[large]") {
+    int made = 0;
+    for (const auto& [name, mesh] : samples::hard_surfaces()) {
+        INFO(name);
+        const auto guide = std::make_shared<const Guide>(Surface(mesh));
+        RemeshOptions options;
+        options.cells = k_cells;
+        try {
+            const Net net = remesh(guide, options).net;
+            ++made;
+            CHECK(judged(*guide, net, {options.smallest_angle}) == "");
+            const SurfaceReport report = describe(guide->surface());
+            CHECK(characteristic(net) == 2 * report.components - 2 * report.genus - report.boundary_loops);
+            CHECK(std::ssize(Topology(net).boundary_loops()) == report.boundary_loops);
+        } catch (const Error& error) {
+            const std::string why = error.what();
+            CAPTURE(why);
+            CHECK(error.code() == ErrorCode::bad_option);
+            CHECK(why.find("smaller ones may") != std::string::npos);
+        }
+    }
+    CHECK(made >= 30);
+}
