@@ -51,6 +51,19 @@ val shapes() {
     return table;
 }
 
+val texts(Names names) {
+    val list = val::array();
+    for (const char* name : names) list.call<void>("push", val::u8string(name));
+    return list;
+}
+
+val options_of(const MethodInfo& method) {
+    val list = val::array();
+    for (const OptionInfo& option : option_table())
+        if (reads(method, option.name)) list.call<void>("push", val::u8string(option.name));
+    return list;
+}
+
 val methods() {
     val table = val::array();
     for (const MethodInfo& method : method_table()) {
@@ -59,6 +72,8 @@ val methods() {
         set_text(row, "sentence", method.sentence);
         set_text(row, "citation", method.citation);
         row.set("slides", method.slides);
+        row.set("stages", texts(method.stages));
+        row.set("options", options_of(method));
         table.call<void>("push", row);
     }
     return table;

@@ -36,6 +36,10 @@ export interface MethodInfo {
   citation: string;
   /** Whether it lets handles slide; others hold them where they stand. */
   slides: boolean;
+  /** What its stages are called, that of number 1 first. */
+  stages: string[];
+  /** The names of the options that it reads. */
+  options: string[];
 }
 
 export interface InitialisationInfo {
@@ -153,7 +157,7 @@ export interface UnreachablePair {
 export interface TraceRow {
   /** From 1; those of an initialisation end at 0. */
   iteration: number;
-  /** 0 in an initialisation. */
+  /** From 1, by the method's `stages`; 0 in an initialisation. */
   stage: number;
   p: number;
   energy: number;

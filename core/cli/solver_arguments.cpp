@@ -13,11 +13,20 @@
 namespace chebnet {
 namespace {
 
+/// By the numbers that traces have.
+std::string stage_list(const MethodInfo& method) {
+    std::string list;
+    for (std::size_t i = 0; i < method.stages.size(); ++i)
+        if (method.stages[i][0] != '\0')
+            list += (list.empty() ? "" : ", ") + std::to_string(i + 1) + " " + method.stages[i];
+    return list;
+}
+
 std::string method_list() {
     std::vector<std::vector<std::string>> rows;
     for (const MethodInfo& method : method_table())
         rows.push_back({method.name, std::string(method.sentence) + (method.slides ? " Lets handles slide." : "") +
-                                         " (" + method.citation + ")"});
+                                         " (" + method.citation + ") Stages: " + stage_list(method) + "."});
     return "Methods:\n" + text_table(rows);
 }
 

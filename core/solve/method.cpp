@@ -1,5 +1,6 @@
 #include "solve/method.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,13 @@ std::span<const MethodInfo> method_table() {
         return infos;
     }();
     return table;
+}
+
+bool reads(const MethodInfo& method, std::string_view option) {
+    // By the editor, whatever the method.
+    static constexpr const char* k_of_every_solve[] = {"threshold", "max_iterations", "length_scale"};
+    const auto is_among = [&](Names names) { return std::ranges::find(names, option) != names.end(); };
+    return is_among(k_of_every_solve) || is_among(method.options);
 }
 
 std::unique_ptr<Method> make_method(std::string_view name) {

@@ -50,6 +50,7 @@ public:
     virtual std::span<const double> edge_forces() const { return {}; }
 };
 
+using Names = std::span<const char* const>;
 using MakeMethod = std::unique_ptr<Method> (*)();
 
 /// One line of the table by which the command line, the page and the tests find a method.
@@ -57,10 +58,14 @@ struct MethodInfo {
     const char* name = nullptr;
     const char* sentence = nullptr;
     const char* citation = nullptr;
+    Names stages = {};          ///< what the numbers of TraceRow::stage stand for, from 1
+    Names options = {};         ///< what it reads of Options beside what every solve does: see reads()
     MakeMethod make = nullptr;  ///< null in a build that has the method's words only
     bool slides = false;        ///< whether it lets handles slide: knows_slides() of what is made
 };
 std::span<const MethodInfo> method_table();
+/// Whether what a solve by this method does depends on an option.
+bool reads(const MethodInfo& method, std::string_view option);
 /// The name of the method used unless another is asked for.
 inline constexpr std::string_view k_default_method = "equilibrium";
 /// The same where a person or a script waits for the result: coming to rest takes minutes in large nets.

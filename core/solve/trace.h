@@ -23,7 +23,7 @@ inline bool keeps_lengths(Status status) { return status == Status::converged ||
 /// What one iteration did.
 struct TraceRow {
     int iteration = 0;         ///< from 1, counted since the solve was started; an initialisation's end at 0
-    int stage = 0;             ///< 1, 2 or 3 (Li et al. 2022, section 3.3); 1 for a method without stages, 0 before it
+    int stage = 0;             ///< from 1, as MethodInfo::stages names them; 0 in an initialisation
     double p = 0;              ///< exponent of the energy; 0 if it has none
     double energy = 0;         ///< the method's own energy after the iteration; 0 where all edges have their length
     double max_deviation = 0;  ///< max dL after the iteration, over all edges

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, expect, test } from 'vitest';
 import type { Chebnet } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { largestDeviation } from './geometry';
-import { OUTPUT, type Script, type Visit, visits } from './page';
+import { openForResearch, OUTPUT, type Script, type Visit, visits } from './page';
 
 const DOME = 'dome:vertices=2000,reach=55';
 
@@ -236,4 +236,43 @@ test('a strip that has buckled is pushed through to the other side, and back by 
   await visit.page.keyboard.press('Control+z');
   await script.settled();
   expect(apart(await script.positions(), before)).toBeLessThan(1e-6);
+});
+
+test('the solver has the settings that its method reads, and no others', async () => {
+  const { page } = visit;
+  await openForResearch(page, 'Solver');
+  const solver = page.locator('details.section', { has: page.locator('summary', { hasText: /^Solver$/ }) }).last();
+  await solver.locator('summary', { hasText: 'More settings' }).click();
+  const shown = () =>
+    solver.locator('.row:visible > span').evaluateAll((all) => all.map((each) => each.textContent ?? ''));
+  const use = (name: string) => solver.locator('select').first().selectOption(name);
+  expect(await shown()).toEqual(expect.arrayContaining(['Shear limit', 'Bending weight', 'Threshold']));
+  expect(await shown()).not.toContain('p start');
+  await use('li2022');
+  await expect.poll(shown).toContain('p start');
+  expect(await shown()).not.toContain('Shear limit');
+  await page.screenshot({ path: join(OUTPUT, 'solver-li2022.png') });
+  await use('arap');
+  await expect.poll(shown).not.toContain('p start');
+  expect(await shown()).toEqual(
+    expect.arrayContaining(['Threshold', 'Energy tolerance', 'Gradient tolerance', 'Max iterations', 'Length scale']),
+  );
+  expect(await shown()).toHaveLength(2 + 5); // with method and initialisation
+});
+
+test('stages have the names that their method gives them', async () => {
+  const { page } = visit;
+  await openForResearch(page, 'Convergence');
+  const stage = page.locator('.numbers div', { hasText: /^Stage/ }).locator('dd');
+  await page.locator('summary', { hasText: /^Convergence$/ }).click();
+  for (const [method, names] of [
+    ['equilibrium', /^(To the handles|To rest)$/],
+    ['projection', /^(Rigid start|Springs|Exact lengths)$/],
+    ['li2022', /^(Small exponent|Large exponent|Worst edges)$/],
+  ] as const) {
+    await page.evaluate((name) => window.chebnet.setOptions({ method: name }), method);
+    await drag([-30, -20]);
+    await expect.poll(() => stage.textContent(), { message: method }).toMatch(names);
+  }
+  await page.screenshot({ path: join(OUTPUT, 'stages.png') });
 });

@@ -30,7 +30,7 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
   await script.settled();
   await expect
     .poll(() => page.locator('[role=status]').allInnerTexts())
-    .toContainEqual(expect.stringMatching(/Stage 2/));
+    .toContainEqual(expect.stringMatching(/Large exponent, exponent p = /));
   await expect.poll(() => page.locator('.sidebar').innerText()).toMatch(/Move, edges\s+\d/);
   await page.screenshot({ path: join(OUTPUT, 'experiment-desktop.png') });
   const net = { x: 400, y: 150, width: 400, height: 550 };

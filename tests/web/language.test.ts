@@ -89,6 +89,8 @@ describe('what the core says has Chinese words:', () => {
     for (const { INITIALISATIONS: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(initialisations));
     expect(names(FORMATS)).toEqual(byName(formats));
     expect(names(ZH_PANELS.OPTIONS)).toEqual(byName(options));
+    const stages = tables.methods.flatMap((each) => each.stages).filter((stage) => stage !== '');
+    expect(names(ZH_PANELS.STAGES)).toEqual([...new Set(stages)].sort());
     for (const { title, sentence } of shapes) expect([title, sentence].every((text) => HAN.test(text))).toBe(true);
     const all = [
       ...shapes.flatMap(({ parameters }) => parameters),

@@ -10,8 +10,11 @@ import { SLIDER_STEPS, formatRecipe, fromSlider, parseRecipe, toSlider } from '.
 import { edgeLayers, project } from '../../web/src/elements/thumbnail';
 import { coordinate, milliseconds, small } from '../../web/src/language/numbers';
 import { standing } from '../../web/src/sidebar/status';
-import { stageWords } from '../../web/src/sidebar/step_panel';
+import { StageNames } from '../../web/src/sidebar/stage_names';
 import type { FrameData, OpenedNet } from '../../web/src/worker/protocol';
+import { load } from '../wasm/load';
+
+const core = await load();
 
 const parameter = (name: string, value: number, smallest: number, largest: number) => ({
   name,
@@ -71,55 +74,57 @@ function rows(...solve: [stage: number, maxDeviation: number][]): TraceRow[] {
   });
 }
 
+const named = (stage: number) => `stage ${stage}`;
+
 describe('the record of convergence', () => {
   test('counts iterations and marks where stages begin', () => {
     const record = new Convergence();
-    record.add(rows([1, 1e-1], [1, 1e-2], [2, 1e-4], [3, 1e-7]));
+    record.add(rows([1, 1e-1], [1, 1e-2], [2, 1e-4], [3, 1e-7]), named);
     expect(record.curve(false)).toEqual({
       x: [1, 2, 3, 4],
       y: [-1, -2, -4, -7],
       stageStarts: [
-        { x: 1, stage: 1 },
-        { x: 3, stage: 2 },
-        { x: 4, stage: 3 },
+        { x: 1, stage: 'stage 1' },
+        { x: 3, stage: 'stage 2' },
+        { x: 4, stage: 'stage 3' },
       ],
     });
     expect(record.curve(true).x).toEqual([10, 20, 30, 40]);
   });
   test('puts solves one after another, a gap between', () => {
     const record = new Convergence();
-    record.add(rows([1, 1e-1], [1, 1e-2]));
-    record.add(rows([1, 1e-3]));
+    record.add(rows([1, 1e-1], [1, 1e-2]), named);
+    record.add(rows([1, 1e-3]), named);
     expect(record.curve(false)).toMatchObject({ x: [1, 2, 2, 3], y: [-1, -2, null, -3] });
   });
   test('goes on with a solve that comes in pieces', () => {
     const record = new Convergence();
     const [first, second] = rows([1, 1e-1], [2, 1e-2]);
-    record.add([first!]);
+    record.add([first!], named);
     record.rest();
-    record.add([second!]);
+    record.add([second!], named);
     expect(record.curve(false).y).toEqual([-1, -2]);
   });
   test('at rest keeps the last solve, and then begins anew', () => {
     const record = new Convergence();
-    record.add(rows([1, 1e-1]));
-    record.add(rows([1, 1e-2], [2, 1e-3]));
+    record.add(rows([1, 1e-1]), named);
+    record.add(rows([1, 1e-2], [2, 1e-3]), named);
     record.rest();
     expect(record.curve(false).y).toEqual([-2, -3]);
-    record.add(rows([1, 1e-4]));
+    record.add(rows([1, 1e-4]), named);
     expect(record.curve(false).y).toEqual([-4]);
   });
   test('rolls on by whole solves, but never cuts the last one', () => {
     const record = new Convergence();
-    for (let k = 0; k < 30; k++) record.add(rows([1, 1e-1], [1, 1e-2], [1, 1e-3], [1, 1e-4]));
+    for (let k = 0; k < 30; k++) record.add(rows([1, 1e-1], [1, 1e-2], [1, 1e-3], [1, 1e-4]), named);
     expect(record.curve(false).x.length).toBeLessThan(100);
     expect(record.curve(false).y[0]).toBe(-1);
-    record.add(rows(...Array.from({ length: 200 }, (): [number, number] => [1, 1e-5])));
+    record.add(rows(...Array.from({ length: 200 }, (): [number, number] => [1, 1e-5])), named);
     expect(record.curve(false).y).toHaveLength(200);
   });
   test('has no place for what is not finite', () => {
     const record = new Convergence();
-    record.add(rows([1, Infinity], [1, 0]));
+    record.add(rows([1, Infinity], [1, 0]), named);
     expect(record.curve(false).y).toEqual([null, -16]);
   });
 });
@@ -165,10 +170,13 @@ test('a solve that has ended stands as it ended, one under way as its edges are'
   expect(standing({ ...beyond, status: 'converged' }, false)).toBe('held_back');
 });
 
-test('a stage says its exponent, if it has one, and how many vertices move', () => {
-  const [row] = rows([3, 1e-5]);
-  expect(stageWords({ ...row!, p: 50, freeVertices: 1234 })).toBe('Stage 3, exponent p = 50, 1,234 vertices move');
-  expect(stageWords({ ...row!, p: 0, freeVertices: 12 })).toBe('Stage 3, 12 vertices move');
+test('a stage is called as the core calls it, by the method it is one of', () => {
+  const names = new StageNames();
+  names.setTables({ methods: core.methods() });
+  expect(names.of('li2022', 2)).toBe('Large exponent');
+  expect(names.of('projection', 2)).toBe('Springs');
+  expect(names.of('equilibrium', 2)).toBe('To the handles');
+  expect(names.of('equilibrium', 0)).toBe('Start');
 });
 
 test('the longest move is that of the vertex that went farthest', () => {

@@ -13,6 +13,8 @@ import type { FrameData, OpenedNet } from './worker/protocol';
 
 /** Lessons that the net can demonstrate. */
 export const LESSONS = ['net', 'deviation', 'energy', 'stages'] as const;
+/** The method whose stages are taught. */
+export const TAUGHT_METHOD = 'li2022';
 export type Lesson = (typeof LESSONS)[number];
 
 export interface PanelEvents {

@@ -62,7 +62,7 @@ public:
     std::span<const double> edge_forces() const override;
 
 private:
-    enum Stage { open = 0, net = 1, follow = 2, rest = 3 };
+    enum Stage { net = 1, follow = 2, rest = 3, open = 4 };
 
     Method& projection();
     Problem problem() const { return {*m_net, *m_topology, m_walk.held().vertices(), m_pulls, m_reachable}; }
@@ -632,6 +632,12 @@ std::span<const double> Equilibrium::edge_forces() const {
 
 std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }
 
+constexpr std::array k_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
+// The tolerances where a net is found by `projection`.
+constexpr auto k_options =
+    joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "straight_rods", "gravity",
+                                    "guide_mode", "guide_weight", "rest_tolerance"});
+
 }  // namespace
 
 /// The net at rest: the least of a stated energy among all nets with exact lengths, exact handles and no corner of a
@@ -651,6 +657,8 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 ///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
 ///      Where they follow a valley, they are carried on along it (PathExtrapolation).
 ///
+/// Before all of them, as stage 4, the rest shape is opened where it has corners that are too sharp.
+///
 /// What slides is free, but for the coordinates that it keeps: these walk with the handles, and moves, Newton steps and
 /// projections leave them alone. At rest no force is left along its axes. Stage 1 and a shape to begin with have it
 /// stand.
@@ -659,9 +667,13 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 /// `converged` says that lengths, limit and rest are reached; `exact` that rest is not; `stalled` that the limit is not
 /// either. Where no net is found it ends as `projection` does.
 constinit const MethodInfo k_equilibrium = {
-    "equilibrium", "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
+    "equilibrium",
+    "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
     "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "
     "Optimization. SIAM Journal on Scientific Computing 23(4), 2001",
-    in_this_build(make), true};
+    k_stages,
+    k_options,
+    in_this_build(make),
+    true};
 
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #include "energy/power_energy.h"
 #include "solve/methods/methods.h"
 #include "solve/parts/gradient_direction.h"
+#include "solve/parts/option_names.h"
 #include "solve/parts/staged_descent.h"
 
 namespace chebnet {
@@ -12,13 +13,18 @@ std::unique_ptr<Method> make() {
                                            keep_all_vertices);
 }
 
+constexpr auto k_options = joined(k_tolerances, k_exponents);
+
 }  // namespace
 
 /// Gradient descent on the paper's energy, with its exponents.
 constinit const MethodInfo k_gradient_descent = {
-    "gradient_descent", "Steepest descent on the paper's energy, with a line search: cheap and very many iterations.",
+    "gradient_descent",
+    "Steepest descent on the paper's energy, with a line search: cheap and very many iterations.",
     "Armijo: Minimization of functions having Lipschitz continuous first partial derivatives. Pacific Journal of "
     "Mathematics 16(1), 1966",
+    k_staged_names,
+    k_options,
     in_this_build(make)};
 
 }  // namespace chebnet

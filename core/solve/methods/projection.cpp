@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "solve/parts/held_vertices.h"
 #include "solve/parts/laplacian_part.h"
 #include "solve/parts/length_projection.h"
+#include "solve/parts/option_names.h"
 #include "solve/parts/spring_descent.h"
 #include "solve/parts/stopping.h"
 
@@ -337,6 +339,8 @@ namespace {
 
 std::unique_ptr<Method> make() { return std::make_unique<Projection>(); }
 
+constexpr std::array k_stages{"Rigid start", "Springs", "Exact lengths", "Newton steps"};
+
 }  // namespace
 
 /// A good start, then exact lengths (our own; no paper has it as a whole). In stages:
@@ -366,6 +370,9 @@ constinit const MethodInfo k_projection = {
     "A rigid start, springs, then projection onto the exact lengths: our own way to go fast and bend little.",
     "Sorkine, Alexa 2007; Liu, Bouaziz, Kavan 2017; Goldenthal, Harmon, Fattal, Bercovier, Grinspun: Efficient "
     "Simulation of Inextensible Cloth. ACM Transactions on Graphics 26(3), 2007",
-    in_this_build(make), true};
+    k_stages,
+    k_tolerances,
+    in_this_build(make),
+    true};
 
 }  // namespace chebnet

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -33,5 +34,8 @@ private:
     double m_energy = 0;         // at the present positions, in units of the mean length
     double m_max_deviation = 0;  // likewise
 };
+
+/// What its one stage is called.
+inline constexpr std::array k_alternating_names{"Alternating"};
 
 }  // namespace chebnet

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -67,6 +68,9 @@ private:
     double m_max_deviation = 0;
     double m_total_energy = 0;  // over all edges that can change, at the present positions
 };
+
+/// What its stages are called.
+inline constexpr std::array k_staged_names{"Small exponent", "Large exponent", "Worst edges"};
 
 /// For StagedDescent: an energy that needs to know its exponent only.
 template <typename Energy>

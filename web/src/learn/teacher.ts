@@ -2,7 +2,7 @@
 import type { App } from '../app/app';
 import type { HandleData, Vec3 } from '../document/document';
 import { learnWords } from '../language/learn';
-import type { Lesson } from '../panels';
+import { type Lesson, TAUGHT_METHOD } from '../panels';
 
 /** How far a handle is pulled, in edge lengths: a little to be seen, more to give the solver something to do. */
 const LITTLE = 3;
@@ -10,8 +10,6 @@ const MUCH = 6;
 const PULL_MS = 1800;
 /** Pause between two steps, in milliseconds. */
 const STEP_MS = 160;
-/** The method with the stages that are taught. */
-const TAUGHT = 'li2022';
 /** Most iterations; its stages take far fewer. */
 const MOST_STEPS = 60;
 
@@ -74,7 +72,7 @@ export class Teacher {
     this.#letGo();
     this.#isAhead = true;
     this.#app.handles.beginDrag();
-    await this.#setMethod(TAUGHT);
+    await this.#setMethod(TAUGHT_METHOD);
     // The step is requested before the solver starts by itself.
     this.#app.handles.drag([{ vertex, target: this.#inwards(target, MUCH) }]);
     await this.#app.step();

@@ -17,7 +17,7 @@ interface Solve {
   /** Milliseconds since the solve began. */
   milliseconds: number[];
   maxDeviations: number[];
-  stages: number[];
+  stages: string[];
 }
 
 /** The record over one axis. A null separates two solves. */
@@ -26,14 +26,15 @@ export interface Curve {
   /** log₁₀ of max dL. */
   y: (number | null)[];
   /** Where stages begin. */
-  stageStarts: { x: number; stage: number }[];
+  stageStarts: { x: number; stage: string }[];
 }
 
 export class Convergence {
   #solves: Solve[] = [];
   #rested = false;
 
-  add(rows: readonly TraceRow[]): void {
+  /** @param nameOf what a stage is called. */
+  add(rows: readonly TraceRow[], nameOf: (stage: number) => string): void {
     for (const { iteration, stage, maxDeviation, totalMs } of rows) {
       // Iterations of an initialisation are numbered up to 0.
       if (!(iteration > (this.#solves.at(-1)?.lastIteration ?? Infinity))) this.#beginSolve();
@@ -41,7 +42,7 @@ export class Convergence {
       solve.lastIteration = iteration;
       solve.milliseconds.push(totalMs);
       solve.maxDeviations.push(maxDeviation);
-      solve.stages.push(stage);
+      solve.stages.push(nameOf(stage));
     }
     while (this.#solves.length > 1 && this.#length > LONGEST) this.#solves.shift();
   }

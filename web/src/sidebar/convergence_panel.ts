@@ -7,14 +7,17 @@ import type { Panel } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { ConvergencePlot } from './convergence_plot';
 import { LiveNumbers } from './live_numbers';
+import { StageNames } from './stage_names';
 
 export class ConvergencePanel implements Panel {
   readonly #numbers = new LiveNumbers();
   readonly #plot = new ConvergencePlot();
   readonly element = makeSection(words.sections.convergence, true, this.#numbers.element, this.#plot.element);
+  readonly #stages = new StageNames();
   #usualThreshold = 1e-6;
 
-  setTables({ options }: Tables): void {
+  setTables({ options, methods }: Tables): void {
+    this.#stages.setTables({ methods });
     this.#usualThreshold = options.find(({ name }) => name === 'threshold')?.value ?? this.#usualThreshold;
   }
 
@@ -31,12 +34,12 @@ export class ConvergencePanel implements Panel {
     this.#numbers.setHandles(handles.length);
   }
 
-  onFrame({ trace }: FrameData): void {
-    this.#plot.add(trace);
+  onFrame({ trace, method }: FrameData): void {
+    this.#plot.add(trace, (stage) => this.#stages.of(method, stage));
   }
 
   setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
-    this.#numbers.setFrame(frame, framesPerSecond, solving);
+    this.#numbers.setFrame(frame, this.#stages.of(frame.method, frame.stage), framesPerSecond, solving);
     this.#plot.refresh();
   }
 }

@@ -47,9 +47,9 @@ export class ConvergencePlot {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#plot?.redraw());
   }
 
-  add(rows: readonly TraceRow[]): void {
+  add(rows: readonly TraceRow[], stageName: (stage: number) => string): void {
     if (rows.length === 0) return;
-    this.#record.add(rows);
+    this.#record.add(rows, stageName);
     this.#stale = true;
     clearTimeout(this.#resting);
     this.#resting = window.setTimeout(() => this.#rest(), REST_MS);
@@ -141,11 +141,12 @@ export class ConvergencePlot {
       ctx.strokeStyle = plotColour(this.element, this.#curve.stageStarts.length < 8 ? '--line-strong' : '--line');
       ctx.setLineDash([]);
       strokeLine(ctx, x, bbox.top - 4 * ratio, x, bbox.top + bbox.height);
-      if (x < free) continue;
+      const { width } = ctx.measureText(start.stage);
+      const left = Math.min(x, bbox.left + bbox.width - width);
+      if (left < free) continue;
       ctx.fillStyle = plotColour(this.element, '--muted');
-      const label = free < 0 ? panelWords.plot.stage(start.stage) : String(start.stage);
-      ctx.fillText(label, x, bbox.top - 7 * ratio);
-      free = x + ctx.measureText(label).width + LABEL_ROOM * ratio;
+      ctx.fillText(start.stage, left, bbox.top - 7 * ratio);
+      free = left + width + LABEL_ROOM * ratio;
     }
     ctx.restore();
   }

@@ -2,7 +2,7 @@
 import { make, makeButton, setText } from '../elements/dom';
 import { learnWords as TEXT } from '../language/learn';
 import { worstRatio } from '../net/energy';
-import type { Lesson, PanelEvents } from '../panels';
+import { type Lesson, type PanelEvents, TAUGHT_METHOD } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { EnergyGraph } from './energy_graph';
 import { withFormulas } from './formulas';
@@ -45,8 +45,9 @@ export class Lessons {
     const ratio = worstRatio(net, frame);
     this.#graph.update(p, ratio);
     setText(this.#now, TEXT.now(p, ratio.toPrecision(5)));
+    const isTaught = frame.method === TAUGHT_METHOD && frame.status === 'running';
     this.#stages.forEach((each, i) => {
-      if (frame.status === 'running' && frame.stage === i + 1) each.setAttribute('aria-current', 'step');
+      if (isTaught && frame.stage === i + 1) each.setAttribute('aria-current', 'step');
       else each.removeAttribute('aria-current');
     });
   }

@@ -31,15 +31,16 @@ export class LiveNumbers {
     setText(this.#cells.handles, count(handles));
   }
 
-  /** @param solving at rest no frames are counted. */
-  setFrame(frame: FrameData, framesPerSecond: number, solving: boolean): void {
+  /** @param stage what it is called.
+   *  @param solving at rest no frames are counted. */
+  setFrame(frame: FrameData, stage: string, framesPerSecond: number, solving: boolean): void {
     setText(
       this.#cells.largestError,
       frame.maxDeviation < ROUNDING ? words.legend.exact : lengthError(frame.maxDeviation),
     );
     setText(this.#cells.maxDeviation, small(frame.maxDeviation));
     const solved = frame.iterations > 0;
-    setText(this.#cells.stage, solved ? String(frame.stage) : NOTHING);
+    setText(this.#cells.stage, solved ? stage : NOTHING);
     setText(this.#cells.iterations, solved ? count(frame.iterations) : NOTHING);
     setText(this.#cells.milliseconds, solved ? duration(frame.milliseconds) : NOTHING);
     setText(this.#cells.framesPerSecond, solving && framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);

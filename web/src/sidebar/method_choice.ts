@@ -55,7 +55,11 @@ export class MethodChoice {
   }
 
   get value(): string {
-    return this.#choice.chosen?.name ?? '';
+    return this.chosen?.name ?? '';
+  }
+
+  get chosen(): MethodInfo | undefined {
+    return this.#choice.chosen;
   }
 
   setTable(table: MethodInfo[]): void {

@@ -25,6 +25,7 @@ export class SolverPanel implements Panel {
   readonly #initialisation = new InitialisationChoice(() => this.#set(this.#options));
   readonly #usual = make('div');
   readonly #seldom = make('div');
+  readonly #more = make('details', { class: 'more' }, make('summary', {}, panelWords.solver.more), this.#seldom);
   readonly #defaults: HTMLButtonElement;
   readonly #buttons: Record<'cancel' | 'undo', HTMLButtonElement>;
   #settings: Setting[] = [];
@@ -52,7 +53,7 @@ export class SolverPanel implements Panel {
       ...this.#method.content,
       ...this.#initialisation.content,
       this.#usual,
-      make('details', { class: 'more' }, make('summary', {}, panelWords.solver.more), this.#seldom),
+      this.#more,
       this.#defaults,
     );
   }
@@ -70,8 +71,12 @@ export class SolverPanel implements Panel {
     this.#options = options;
     this.#method.setValue(method);
     this.#initialisation.setValue(initialisation);
-    for (const { option, input } of this.#settings)
+    const { options: read = [] } = this.#method.chosen ?? {};
+    for (const { option, input, row } of this.#settings) {
       this.#updateSetting(option, input, options[option.name] ?? option.value);
+      row.hidden = !read.includes(option.name);
+    }
+    this.#more.hidden = [...this.#seldom.children].every((row) => (row as HTMLElement).hidden);
     this.#defaults.hidden = Object.keys(options).length === 0;
   }
 

@@ -3,10 +3,12 @@ import type { TraceRow } from '../../../wasm/chebnet';
 import { longestMove } from '../document/longest_move';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
+import type { Tables } from '../net/tables';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, makeButton, makeSection, makeSwitch, setText } from '../elements/dom';
 import type { Panel, PanelEvents } from '../panels';
 import { count, NOTHING, small } from '../language/numbers';
+import { StageNames } from './stage_names';
 
 const LABELS = panelWords.step.numbers;
 
@@ -17,10 +19,12 @@ export class StepPanel implements Panel {
   readonly #stage = make('p', { class: 'quiet' });
   readonly #cells: Cells;
   #row: TraceRow | null = null;
+  #method = '';
   /** Of the last step, in edges; null if it was no single one. */
   #move: number | null = null;
   #edgeLength = 1;
   readonly #say: (stage: string) => void;
+  readonly #stages = new StageNames();
 
   /** @param say tells a visitor who steps that another stage began. */
   constructor(events: PanelEvents, say: (stage: string) => void) {
@@ -39,6 +43,10 @@ export class StepPanel implements Panel {
     this.element = makeSection(words.sections.step, false, buttons, row, this.#stage, numbers);
   }
 
+  setTables(tables: Tables): void {
+    this.#stages.setTables(tables);
+  }
+
   setNet({ info }: OpenedNet): void {
     this.#edgeLength = info.meanLength;
     this.#row = null;
@@ -46,26 +54,27 @@ export class StepPanel implements Panel {
     this.setFrame();
   }
 
-  onFrame({ trace, stepFrom, positions }: FrameData): void {
+  onFrame({ trace, stepFrom, positions, method }: FrameData): void {
     const row = trace.at(-1);
     if (row === undefined) return;
     const isNew = row.iteration === 1 || row.stage !== this.#row?.stage;
     this.#row = row;
+    this.#method = method;
     this.#move = stepFrom && longestMove(stepFrom, positions) / this.#edgeLength;
-    if (stepFrom && isNew) this.#say(stageWords(row));
+    if (stepFrom && isNew) this.#say(this.#words(row));
   }
 
   setFrame(): void {
     const [row, move, cells] = [this.#row, this.#move, this.#cells];
-    setText(this.#stage, row ? stageWords(row) : panelWords.step.idle);
+    setText(this.#stage, row ? this.#words(row) : panelWords.step.idle);
     setText(cells.iteration, row ? count(row.iteration) : NOTHING);
     setText(cells.energy, row ? small(row.energy) : NOTHING);
     setText(cells.step, row ? small(row.step) : NOTHING);
     setText(cells.move, move === null ? NOTHING : small(move));
   }
-}
 
-/** Which stage an iteration belongs to and what is done there. */
-export function stageWords({ stage, p, freeVertices }: TraceRow): string {
-  return panelWords.step.stage(stage, p > 0 ? p : null, count(freeVertices));
+  /** Which stage an iteration belongs to and what is done there. */
+  #words({ stage, p, freeVertices }: TraceRow): string {
+    return panelWords.step.stage(this.#stages.of(this.#method, stage), p > 0 ? p : null, count(freeVertices));
+  }
 }

@@ -197,10 +197,10 @@ export const panels = {
     handles: 'Handles',
     largestError: 'Largest error',
     maxDeviation: 'Max dL',
-    stage: 'Stage',
     iterations: 'Iterations',
     milliseconds: 'Last solve',
     framesPerSecond: 'Frames a second',
+    stage: 'Stage',
   },
   plot: {
     label: 'Convergence: largest deviation dL against iterations',
@@ -208,7 +208,11 @@ export const panels = {
     empty: 'Drag a handle: the curve of each solve appears here.',
     iterations: 'Iterations',
     milliseconds: 'Milliseconds',
-    stage: (stage: number) => (stage === 0 ? 'Start' : `Stage ${stage}`),
+  },
+  stages: {
+    /** An initialisation. */
+    start: 'Start',
+    named: (name: string) => name,
   },
   solver: {
     /** What it is for. */
@@ -234,8 +238,8 @@ export const panels = {
     idle: 'Solves one iteration, then stops. The arrows show where it leads.',
     numbers: { iteration: 'Iteration', energy: 'Energy', step: 'Step size', move: 'Move, edges' },
     /** `p`: null if the energy has no exponent. */
-    stage: (stage: number, p: number | null, vertices: string) =>
-      `${stage === 0 ? 'Start' : `Stage ${stage}`}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
+    stage: (stage: string, p: number | null, vertices: string) =>
+      `${stage}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
   },
   comparison: {
     ofRuns: {

@@ -25,6 +25,22 @@ export const INITIALISATIONS: Record<string, string> = {
   local_global: '先作几次局部–全局迭代：将各边拉向自己的长度。',
 };
 
+/** By what the core calls them. */
+export const STAGES: Record<string, string> = {
+  'Small exponent': '小指数',
+  'Large exponent': '大指数',
+  'Worst edges': '误差最大的边',
+  'Rigid start': '刚性起步',
+  Springs: '弹簧',
+  'Exact lengths': '精确边长',
+  'Newton steps': '牛顿步',
+  'Finding a net': '寻找网',
+  'To the handles': '移向手柄',
+  'To rest': '趋于静止',
+  'Opening corners': '张开尖角',
+  Alternating: '交替求解',
+};
+
 export const OPTIONS: Record<string, string> = {
   threshold: '最大 dL 低于此值即为收敛（ε3）。',
   energy_tolerance: '能量的相对变化小于此值时，一个阶段结束（ε1）。',
@@ -231,10 +247,10 @@ export const panels: Widened<typeof en> = {
     handles: '手柄',
     largestError: '最大误差',
     maxDeviation: '最大 dL',
-    stage: '阶段',
     iterations: '迭代次数',
     milliseconds: '上次求解',
     framesPerSecond: '每秒帧数',
+    stage: '阶段',
   },
   plot: {
     label: '收敛曲线：最大偏差 dL 随迭代次数的变化',
@@ -242,7 +258,10 @@ export const panels: Widened<typeof en> = {
     empty: '拖动手柄，每次求解的曲线就显示在这里。',
     iterations: '迭代次数',
     milliseconds: '毫秒',
-    stage: (stage) => (stage === 0 ? '起始' : `阶段 ${stage}`),
+  },
+  stages: {
+    start: '起始',
+    named: (name) => STAGES[name] ?? name,
   },
   solver: {
     option: ({ name, sentence }: OptionInfo) => OPTIONS[name] ?? sentence,
@@ -266,8 +285,7 @@ export const panels: Widened<typeof en> = {
     arrowsHint: '从顶点原来的位置指向新的位置；最长的箭头画成四条边长',
     idle: '求解一次迭代后停止。箭头表示移动的方向。',
     numbers: { iteration: '迭代', energy: '能量', step: '步长', move: '位移（边长）' },
-    stage: (stage, p, vertices) =>
-      `${stage === 0 ? '起始' : `阶段 ${stage}`}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
+    stage: (stage, p, vertices) => `${stage}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
   },
   comparison: {
     ofRuns: {
