@@ -51,16 +51,16 @@ val shapes() {
     return table;
 }
 
-val texts(Names names) {
+val texts(NameList names) {
     val list = val::array();
-    for (const char* name : names) list.call<void>("push", val::u8string(name));
+    for (const char* name : names) list.call<void>("push", std::string(name));
     return list;
 }
 
 val options_of(const MethodInfo& method) {
     val list = val::array();
     for (const OptionInfo& option : option_table())
-        if (reads(method, option.name)) list.call<void>("push", val::u8string(option.name));
+        if (reads(method, option.name)) list.call<void>("push", std::string(option.name));
     return list;
 }
 

@@ -22,7 +22,7 @@ std::span<const MethodInfo> method_table() {
 bool reads(const MethodInfo& method, std::string_view option) {
     // By the editor, whatever the method.
     static constexpr const char* k_of_every_solve[] = {"threshold", "max_iterations", "length_scale"};
-    const auto is_among = [&](Names names) { return std::ranges::find(names, option) != names.end(); };
+    const auto is_among = [&](NameList names) { return std::find(names.begin(), names.end(), option) != names.end(); };
     return is_among(k_of_every_solve) || is_among(method.options);
 }
 

@@ -50,7 +50,7 @@ public:
     virtual std::span<const double> edge_forces() const { return {}; }
 };
 
-using Names = std::span<const char* const>;
+using NameList = std::span<const char* const>;
 using MakeMethod = std::unique_ptr<Method> (*)();
 
 /// One line of the table by which the command line, the page and the tests find a method.
@@ -58,8 +58,8 @@ struct MethodInfo {
     const char* name = nullptr;
     const char* sentence = nullptr;
     const char* citation = nullptr;
-    Names stages = {};          ///< what the numbers of TraceRow::stage stand for, from 1
-    Names options = {};         ///< what it reads of Options beside what every solve does: see reads()
+    NameList stages = {};       ///< what the numbers of TraceRow::stage stand for, from 1
+    NameList options = {};      ///< what it reads of Options beside what every solve does: see reads()
     MakeMethod make = nullptr;  ///< null in a build that has the method's words only
     bool slides = false;        ///< whether it lets handles slide: knows_slides() of what is made
 };

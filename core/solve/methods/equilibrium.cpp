@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
+#include "solve/parts/option_names.h"
 #include "solve/parts/path_extrapolation.h"
 #include "solve/parts/rest_energy.h"
 #include "solve/parts/tangent_newton.h"
