@@ -1,0 +1,158 @@
+/** A phone, upright and on its side, and a desk at 200 %: all there is can be reached, is large enough and is not covered. */
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { describe, expect, test } from 'vitest';
+import { drawn, OUTPUT, visits } from './page';
+
+const { arrive } = visits();
+
+const SIZES = [
+  ['a phone', { width: 360, height: 740 }, true],
+  ['a phone on its side', { width: 740, height: 360 }, true],
+  ['a desk at 200 %', { width: 640, height: 400 }, false],
+] as const;
+
+/** In pixels: WCAG 2.2, success criterion 2.5.8. */
+const LEAST = 24;
+
+/** What is wrong with the controls inside, each scrolled into view as a finger would. */
+async function faults(page: Page, inside: string): Promise<string[]> {
+  await drawn(page);
+  const { count, found } = await page.evaluate(
+    async ([selector, least]) => {
+      const roots = [...document.querySelectorAll(selector)];
+      const all = roots.flatMap((root) => [
+        ...root.querySelectorAll<HTMLElement>('button, select, input, summary, a[href], textarea'),
+      ]);
+      const wrong: string[] = [];
+      let seen = 0;
+      for (const control of all) {
+        if (!control.checkVisibility({ visibilityProperty: true }) || control.closest('[inert]')) continue;
+        if (control.matches('p a, li a, dd a')) continue; // Within a sentence.
+        seen += 1;
+        control.scrollIntoView({ block: 'center', inline: 'nearest' });
+        const box = control.getBoundingClientRect();
+        // A label belongs to what it names.
+        const target = control.closest('label') ?? control;
+        const { width, height } = target.getBoundingClientRect();
+        const name = `${control.tagName} ${control.ariaLabel ?? (control.textContent || control.closest('label')?.textContent || control.title)}`;
+        const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+        if (Math.min(width, height) < least) wrong.push(`${name}: ${width} × ${height}`);
+        if (box.left < -1 || box.right > innerWidth + 1 || y < 0 || y > innerHeight)
+          wrong.push(`${name}: out of sight, ${Math.round(box.left)} to ${Math.round(box.right)}, at ${Math.round(y)}`);
+        else if (!target.contains(document.elementFromPoint(x, y)) && !(control as HTMLButtonElement).disabled)
+          wrong.push(`${name}: covered by ${document.elementFromPoint(x, y)?.outerHTML.slice(0, 80)}`);
+      }
+      return { count: seen, found: wrong };
+    },
+    [inside, LEAST] as const,
+  );
+  expect(count).toBeGreaterThan(0);
+  return found;
+}
+
+describe.each(SIZES)('%s', (name, viewport, isMobile) => {
+  const visit = () => arrive('', { viewport, ...(isMobile && { hasTouch: true, isMobile }) });
+  const picture = (page: Page, of: string) =>
+    page.screenshot({ path: join(OUTPUT, `${name.replace(/\W+/g, '-')}-${of}.png`) });
+  const button = (page: Page, label: string) => page.getByRole('button', { name: label, exact: true });
+
+  test('tools have words, and stand beside title, legend and each other', async () => {
+    const { page } = await visit();
+    await page.locator('.sections > *').nth(6).waitFor({ state: 'attached' });
+    await picture(page, 'first');
+    expect(await faults(page, '.toolbar')).toEqual([]);
+    const words = await page
+      .locator('.toolbar:not(.selection-bar) button span')
+      .evaluateAll((all) =>
+        all.map((each) => each.checkVisibility() && each.scrollWidth <= each.parentElement!.clientWidth),
+      );
+    expect(words.length).toBe(8);
+    expect(words.every(Boolean)).toBe(true);
+    const boxes = await Promise.all(
+      ['.title h1', '.toolbar:not(.selection-bar)', '.legend', '.status'].map(async (each) => ({
+        each,
+        box: (await page.locator(each).first().boundingBox())!,
+      })),
+    );
+    for (const [i, { each, box }] of boxes.entries())
+      for (const { each: other, box: beside } of boxes.slice(i + 1)) {
+        const apart =
+          box.x + box.width <= beside.x ||
+          beside.x + beside.width <= box.x ||
+          box.y + box.height <= beside.y ||
+          beside.y + beside.height <= box.y;
+        expect(apart, `${each} and ${other}`).toBe(true);
+      }
+  });
+
+  test('the legend is whole, and away from the net', async () => {
+    const { page, script } = await visit();
+    await script.settled();
+    await drawn(page);
+    const legend = (await page.locator('.legend').boundingBox())!;
+    const tools = (await page.locator('.toolbar:not(.selection-bar)').boundingBox())!;
+    expect(legend.x).toBeGreaterThanOrEqual(0);
+    expect(legend.y + legend.height).toBeLessThanOrEqual(viewport.height);
+    const cut = await page.locator('.legend :is(h2, .ticks span, .words)').evaluateAll(
+      (all) =>
+        all.filter((each) => {
+          const box = each.getBoundingClientRect();
+          return each.scrollWidth > each.clientWidth + 1 || box.left < 0 || box.right > innerWidth || box.height < 12;
+        }).length,
+    );
+    expect(cut).toBe(0);
+    const places = await page.evaluate(() =>
+      Array.from({ length: window.chebnet.stats().vertices }, (_, vertex) => window.chebnet.screenPosition(vertex)),
+    );
+    for (const { x, y, width, height } of [legend, tools]) {
+      const under = places.filter((at) => at.x > x && at.x < x + width && at.y > y && at.y < y + height);
+      expect(under).toEqual([]);
+    }
+  });
+
+  test('the controls, with every section unfolded', async () => {
+    const { page } = await visit();
+    await page.locator('.sections > *').nth(8).waitFor({ state: 'attached' });
+    const fold = button(page, 'Controls');
+    if (await fold.isVisible()) await fold.click();
+    await page.evaluate(() => {
+      for (const section of document.querySelectorAll<HTMLDetailsElement>('.sections details')) section.open = true;
+    });
+    await page.locator('.lesson').first().waitFor({ state: 'attached' });
+    await picture(page, 'controls');
+    expect(await faults(page, '.sidebar')).toEqual([]);
+  });
+
+  test('menus and dialogs', async () => {
+    const { page } = await visit();
+    for (const [label, menu] of [
+      ['File', '#project-menu'],
+      ['Export', '#export-menu'],
+    ] as const) {
+      await button(page, label).click();
+      await picture(page, label);
+      expect(await faults(page, menu), label).toEqual([]);
+      expect(await page.locator(`${menu} .line span`).first().isVisible()).toBe(true);
+      await page.keyboard.press('Escape');
+    }
+    await button(page, 'Share').click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Copy link' }).waitFor();
+    await picture(page, 'share');
+    expect(await faults(page, 'dialog[open]')).toEqual([]);
+    await page.keyboard.press('Escape');
+  });
+
+  test('"On a surface…"', async () => {
+    const { page } = await visit();
+    const fold = button(page, 'Controls');
+    if (await fold.isVisible()) await fold.click();
+    await button(page, 'On a surface…').click();
+    await page.locator('dialog.drape .primary:not([disabled])').waitFor();
+    await picture(page, 'surface');
+    expect(await faults(page, 'dialog[open]')).toEqual([]);
+    await page.locator('dialog label', { hasText: /^Net/ }).getByRole('combobox').selectOption('whole');
+    await picture(page, 'whole-surface');
+    expect(await faults(page, 'dialog[open]')).toEqual([]);
+  });
+});
