@@ -335,11 +335,14 @@ describe('on a vault', () => {
     expect(text).toMatch(pair);
     expect(text).toMatch(/reach/i);
     await visit.page.locator('.status-words', { hasText: 'Out of reach: holding the best shape' }).waitFor();
+    const marks = visit.page.locator('svg.overlay .marks');
+    expect(await marks.getAttribute('d')).toMatch(/^M.*Z$/);
     await visit.page.screenshot({ path: join(OUTPUT, 'unreachable.png') });
     await ways.getByRole('button', { name: 'Make the handle soft' }).click();
     await script.settled();
     expect((await script.stats()).status).toBe('converged');
     await ways.getByRole('button').first().waitFor({ state: 'detached' });
+    expect(await marks.getAttribute('d')).toBe('');
     await visit.page.keyboard.press('Control+z');
     await script.settled();
     await ways.getByRole('button', { name: 'Back to the last good shape' }).click();

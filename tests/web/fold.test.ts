@@ -1,6 +1,6 @@
 /** Fold angles, curvature and sharp corners, as the page reckons them. */
 import { expect, test } from 'vitest';
-import { countSharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
+import { sharpQuads, writeCurvatures, writeFolds } from '../../web/src/net/fold';
 import { load } from '../wasm/load';
 
 const chebnet = await load();
@@ -39,7 +39,7 @@ test('a dome is curved one way, a saddle the other, whatever their edges', () =>
 test('the quads of a sheet are as sharp as right angles, and so are those of blocks', () => {
   for (const recipe of ['sheet:vertices=121', 'jack:vertices=300']) {
     const net = chebnet.openRecipe(recipe);
-    expect(countSharpQuads(net, net.positions(), 89.9)).toBe(0);
-    expect(countSharpQuads(net, net.positions(), 90.1)).toBe(net.info.faces);
+    expect(sharpQuads(net, net.positions(), 89.9).size).toBe(0);
+    expect(sharpQuads(net, net.positions(), 90.1).size).toBe(net.info.faces);
   }
 });

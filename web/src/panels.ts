@@ -42,6 +42,8 @@ export interface PanelEvents {
   handles: HandleCommands;
   /** Preview the vertices that a button would select; none: no longer. */
   preview(vertices: readonly number[]): void;
+  /** Mark cells of the net, each by the vertices at its corners; none: no longer. */
+  mark(cells: readonly (readonly number[])[]): void;
   setOptions(settings: SolverSettings): void;
   /** As setOptions, and the net comes to rest by them at once. */
   setBehaviour(settings: SolverSettings): void;

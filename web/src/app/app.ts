@@ -456,6 +456,7 @@ export class App {
       cancelOpening: () => this.cancelOpening(),
       handles: this.handles,
       preview: (vertices) => this.#presenter.view.setPreview(this.handles.bothSides(vertices)),
+      mark: (cells) => this.#presenter.view.setMarks(cells),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
       setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
       adaptLengths: (progress) => this.adaptLengths(progress),

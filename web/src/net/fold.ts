@@ -31,14 +31,14 @@ export function writeCurvatures(curvatures: Float32Array, positions: Float64Arra
     if (pairs[2 * edge + 1]! < 0) curvatures[edges[2 * edge]!] = curvatures[edges[2 * edge + 1]!] = 0;
 }
 
-/** How many quads have a corner sharper than so many degrees. */
-export function countSharpQuads(net: Corners, positions: Float64Array, limit: number): number {
+/** The quads with a corner sharper than so many degrees. */
+export function sharpQuads(net: Corners, positions: Float64Array, limit: number): Set<number> {
   const sharp = new Set<number>();
   forEachCorner(net, positions, (angle, _, face) => {
     const isQuad = net.faceStart[face + 1]! - net.faceStart[face]! === 4;
     if (isQuad && DEGREES * angle < limit) sharp.add(face);
   });
-  return sharp.size;
+  return sharp;
 }
 
 type Corners = Pick<Faces, 'faceStart' | 'faceVertices'>;

@@ -4,7 +4,7 @@ import type { ChebnetDocument } from '../document/document';
 import { longestMove } from '../document/longest_move';
 import { make, makeButton, setText } from '../elements/dom';
 import { panelWords } from '../language/panels';
-import { countSharpQuads } from '../net/fold';
+import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -60,7 +60,7 @@ export class SharpNotice implements Panel {
     const move = longestMove(restPositions, frame.positions) / info.meanLength;
     if (move < SEEN_MOVE || !this.#areAtRest(frame.handles)) return;
     const limit = Number(this.#document.options[LIMIT] ?? this.#usualLimit);
-    const count = countSharpQuads(this.#net, restPositions, limit);
+    const count = sharpQuads(this.#net, restPositions, limit).size;
     if (count === 0) return;
     setText(this.#words, panelWords.sharp.opened(count, move.toFixed(2)));
     this.element.replaceChildren(this.#line);

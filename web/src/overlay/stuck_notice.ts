@@ -1,13 +1,16 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
  *  hand was held back. Why, and the ways out; it stays for as long as that is so. Also what came of one of these ways: edges
  *  that have grown, for as long as they are so. */
+import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
+import { type BadCells, badCells } from '../net/bad_cells';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
+import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import './messages.css';
@@ -15,6 +18,11 @@ import './messages.css';
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
 const SOFT = 0.01;
 const SCALE = 'length_scale';
+const LIMIT = 'shear_limit';
+/** More than this could not be told apart, and would be slow to draw. */
+const MOST_MARKS = 500;
+
+const NONE_BAD: BadCells = { off: new Set(), sharp: new Set() };
 
 type Standing = 'good' | 'stuck' | 'short' | 'grown' | 'growing';
 
@@ -34,6 +42,10 @@ export class StuckNotice implements Panel {
   #handles: readonly HandleData[] = [];
   #choice: Choice | null = null;
   #frame: FrameData | null = null;
+  #net: OpenedNet | null = null;
+  #usualLimit = 0;
+  /** What is wrong with the net as it stands. */
+  #bad: BadCells = NONE_BAD;
   #isGrowing = false;
   #history: HistoryView | null = null;
   /** The place in the history of the last shape that was right. */
@@ -59,6 +71,10 @@ export class StuckNotice implements Panel {
     this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways));
   }
 
+  setTables({ options }: Tables): void {
+    this.#usualLimit = options.find(({ name }) => name === LIMIT)?.value ?? 0;
+  }
+
   setDocument(document: ChebnetDocument): void {
     this.#document = document;
     this.#show();
@@ -75,16 +91,37 @@ export class StuckNotice implements Panel {
     this.#show();
   }
 
-  setNet(_net: OpenedNet): void {
+  setNet(net: OpenedNet): void {
+    this.#net = net;
     this.#frame = null;
+    this.#mark();
     this.#show();
   }
 
   setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
     if (solving) return;
     this.#frame = frame;
-    if (frame.maxDeviation <= KEPT_DEVIATION) this.#good = this.#present;
+    this.#mark();
+    if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#good = this.#present;
     this.#show();
+  }
+
+  /** The cells to blame, if the net did not come to a good shape. */
+  #mark(): void {
+    const [net, frame, before] = [this.#net, this.#frame, this.#bad];
+    const isLost = net && frame && (hasLostLengths(frame) || frame.status === 'stalled');
+    this.#bad = isLost ? badCells(net, frame, this.#limit) : NONE_BAD;
+    const cells = [...new Set([...this.#bad.off, ...this.#bad.sharp])].slice(0, MOST_MARKS);
+    if (net && (cells.length > 0 || before !== NONE_BAD))
+      this.#events.mark(
+        cells.map((face) => [...net.faceVertices.subarray(net.faceStart[face], net.faceStart[face + 1])]),
+      );
+  }
+
+  /** Of corners, in degrees, for the method that heeds one. */
+  get #limit(): number {
+    const { method, options } = this.#document ?? {};
+    return method === METHOD_AT_REST ? Number(options?.[LIMIT] ?? this.#usualLimit) : 0;
   }
 
   #show(): void {
@@ -104,9 +141,8 @@ export class StuckNotice implements Panel {
   get #standing(): Standing {
     if (this.#isGrowing) return 'growing';
     if (this.#frame === null) return 'good';
-    const { status, maxDeviation, fellShort } = this.#frame;
-    if (status !== 'running' && !(maxDeviation <= KEPT_DEVIATION)) return 'stuck';
-    if (fellShort) return 'short';
+    if (hasLostLengths(this.#frame) || this.#bad.sharp.size > 0) return 'stuck';
+    if (this.#frame.fellShort) return 'short';
     return this.#scale === 1 ? 'good' : 'grown';
   }
 
@@ -149,14 +185,19 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { fellShort, grown, shrunk, noShape, unreachable, tooLocal } = panelWords.stuck;
+    const { fellShort, grown, shrunk, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
     if (standing === 'short') return fellShort;
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
-    if (this.#worst === undefined) return noShape;
+    if (this.#worst === undefined) return hasLostLengths(this.#frame!) ? noShape : tooSharp;
     const { vertexA, vertexB, distance, reach } = this.#worst;
     const isHandle = this.#handles.some(({ vertex }) => vertex === vertexB);
     return isHandle ? unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3)) : tooLocal;
   }
+}
+
+/** A solve has ended without them. */
+function hasLostLengths({ status, maxDeviation }: FrameData): boolean {
+  return status !== 'running' && !(maxDeviation <= KEPT_DEVIATION);
 }
 
 /** By how much lengths differ from those of before. */

@@ -31,6 +31,8 @@ export interface Annotated {
   dragged: number | undefined;
   /** Vertices that a button would select. */
   preview: readonly number[];
+  /** The corners of cells that are not as they should be. */
+  marks: readonly (readonly number[])[];
   /** What is said beside the handle that leads a drag. */
   readout: string;
   unreachable: FrameData['unreachable'];
@@ -44,7 +46,7 @@ export class Annotations {
     this.#picture = picture;
   }
 
-  draw({ found, isFirstVisit, dragged, preview, readout, unreachable }: Annotated): void {
+  draw({ found, isFirstVisit, dragged, preview, marks, readout, unreachable }: Annotated): void {
     const { markers } = this.#picture;
     const radius = markers.screenRadius;
     this.#drawHover(found, radius);
@@ -53,6 +55,7 @@ export class Annotations {
     this.overlay.setPulse(begin ? this.#picture.place(begin) : null, radius + 3);
     this.overlay.setTether(this.#tether(dragged, radius));
     this.overlay.setPreview(preview.map((vertex) => this.#vertexPlace(vertex)));
+    this.overlay.setMarks(marks.map((cell) => cell.map((vertex) => this.#vertexPlace(vertex))));
     this.overlay.setReadout(readout, this.#above(dragged, radius));
     this.overlay.setStrains(this.#strains(unreachable));
   }

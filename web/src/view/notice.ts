@@ -51,6 +51,7 @@ export function createBlankView(container: HTMLElement): View {
     setReach() {},
     setReadout() {},
     setPreview() {},
+    setMarks() {},
     setAppearance() {},
     setStepArrows() {},
     setShares() {},

@@ -20,6 +20,7 @@ export class Overlay {
   readonly #ring = make('circle', 'ring');
   readonly #pulse = make('circle', 'pulse');
   readonly #outline = make('path', 'outline');
+  readonly #marks = make('path', 'marks');
   readonly #preview = make('path', 'preview');
   readonly #readout = make('text', 'readout');
 
@@ -29,6 +30,7 @@ export class Overlay {
     plus.setAttribute('d', 'M-3.5 0H3.5M0 -3.5V3.5');
     this.#hover.append(this.#ring, plus);
     this.element.append(
+      this.#marks,
       this.#strains,
       this.#preview,
       this.#tether,
@@ -75,6 +77,14 @@ export class Overlay {
     // Lines of zero length with round caps are dots.
     const path = places.map(({ x, y }) => `M${x.toFixed(1)} ${y.toFixed(1)}h0`).join('');
     if (this.#preview.getAttribute('d') !== path) this.#preview.setAttribute('d', path);
+  }
+
+  /** Cells that are not as they should be. */
+  setMarks(cells: readonly (readonly Place[])[]): void {
+    const path = cells
+      .map((corners) => `M${corners.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}Z`)
+      .join('');
+    if (this.#marks.getAttribute('d') !== path) this.#marks.setAttribute('d', path);
   }
 
   setReadout(text: string, at: Place | null): void {

@@ -69,6 +69,7 @@ class SceneView implements View {
   #symmetry: Symmetry | undefined;
   #regionShown = false;
   #preview: readonly number[] = [];
+  #marks: readonly (readonly number[])[] = [];
   #readout = '';
   #found: Found | null = null;
   #axes: AxisDrag | null = null;
@@ -223,6 +224,11 @@ class SceneView implements View {
 
   setPreview(vertices: readonly number[]): void {
     this.#preview = vertices;
+    this.#drawAnnotations();
+  }
+
+  setMarks(cells: readonly (readonly number[])[]): void {
+    this.#marks = cells;
     this.#drawAnnotations();
   }
 
@@ -394,6 +400,7 @@ class SceneView implements View {
   #forgetNet(): void {
     this.#handles = [];
     this.#found = null;
+    this.#marks = [];
     this.#regionShown = false;
     this.#reach.object.visible = false;
   }
@@ -531,6 +538,7 @@ class SceneView implements View {
       isFirstVisit: this.#firstVisit,
       dragged,
       preview: this.#preview,
+      marks: this.#marks,
       readout: this.#readout,
       unreachable: this.#latest?.unreachable ?? [],
     });

@@ -73,6 +73,8 @@ export interface View {
   setReadout(text: string): void;
   /** Highlights the vertices that a button would select. */
   setPreview(vertices: readonly number[]): void;
+  /** Marks cells, each by the vertices at its corners. */
+  setMarks(cells: readonly (readonly number[])[]): void;
   setAppearance(appearance: Omit<ViewState, 'camera'>): void;
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;

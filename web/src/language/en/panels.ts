@@ -472,7 +472,8 @@ export const panels = {
     grown: (percent: string) => `Edges are ${percent} % longer.`,
     shrunk: (percent: string) => `Edges are ${percent} % shorter.`,
     lengthsBack: 'Lengths as before',
-    noShape: 'No shape nearby has all edges at their length.',
+    noShape: 'No shape nearby has all edges at their length: the marked cells are off.',
+    tooSharp: 'No shape nearby keeps all corners above their limit: those of the marked cells are sharper.',
     unreachable: (a: number, b: number, distance: string, reach: string) =>
       `Handles ${a} and ${b} are out of reach of each other: they are ${distance} apart, the net between them is ${reach} long. ` +
       'It holds its best shape; bring them closer.',

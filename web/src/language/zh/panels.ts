@@ -498,7 +498,8 @@ export const panels: Widened<typeof en> = {
     grown: (percent) => `边长增加了 ${percent}%。`,
     shrunk: (percent) => `边长减少了 ${percent}%。`,
     lengthsBack: '恢复原来的边长',
-    noShape: '附近没有所有边长都正确的形状。',
+    noShape: '附近没有所有边长都正确的形状：标出的格子有偏差。',
+    tooSharp: '附近没有所有角都不小于限度的形状：标出的格子有过尖的角。',
     unreachable: (a, b, distance, reach) =>
       `手柄 ${a} 与手柄 ${b} 相距太远：二者相距 ${distance}，而其间的网长仅为 ${reach}。网已保持在最佳形状，请将二者移近。`,
     tooLocal: '允许移动的部分太小，无法完成这次拖动。网保持最接近的形状；请把手柄移回，或放宽影响范围后重新拖动。',
