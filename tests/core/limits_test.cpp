@@ -89,7 +89,8 @@ TEST_CASE("Where tens of thousands of edges meet, every step stays bounded", "[l
     const bool couples = too_large([&] { LengthProjection(editor.net(), editor.topology()); }).empty();
     CHECK(couples == (valence <= 2'000));
 
-    const std::string method = GENERATE("projection", "li2022");
+    const std::string method = GENERATE("projection", "li2022", "equilibrium");
+    CAPTURE(method);
     editor.set_method(method);
     editor.set_handles(samples::handles_at_rest(editor.net(), {0, 1, 1 + valence / 3, 1 + 2 * valence / 3}));
     editor.move_handle(1, {0.9, 0, 0.3});
@@ -97,4 +98,15 @@ TEST_CASE("Where tens of thousands of edges meet, every step stays bounded", "[l
     CHECK(report.iterations > 0);
     CHECK(editor.positions().allFinite());
     CHECK(editor.handle_error() == 0);
+}
+
+TEST_CASE("Where rest is too large to be reckoned, a net with exact lengths is said to be that, not at rest",
+          "[large]") {
+    Editor editor(fan(3'000));
+    editor.set_method("equilibrium");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 1}));
+    CHECK(editor.solve().status == Status::exact);
+    const Positions before = editor.positions();
+    CHECK(editor.solve().status == Status::exact);
+    CHECK(editor.positions() == before);
 }

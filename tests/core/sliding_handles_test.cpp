@@ -58,7 +58,7 @@ bool holds(const Editor& editor, const std::vector<Handle>& wanted) {
 }
 
 double gradient(const Editor& editor) {
-    return samples::first_order(editor.net(), editor.handles(), editor.options(), editor.positions()).gradient;
+    return samples::first_order({editor.net(), editor.handles(), editor.options()}, editor.positions()).gradient;
 }
 
 /// How far apart the feet in the middle of opposite sides stand.

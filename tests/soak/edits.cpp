@@ -108,6 +108,17 @@ const EditKind& random_edit_kind(Random& random) {
     return k_edit_kinds[0];
 }
 
+Options random_behaviour(Random& random) {
+    Options options;
+    if (random() % 2 == 0) return options;
+    options.shear_limit = std::vector{0.0, 30.0, 45.0, 60.0}[random() % 4];
+    options.straight_rods = random() % 3 == 0;
+    if (random() % 3 == 0) options.bending_weight = std::pow(10, real(random, -2, 2));
+    if (random() % 3 == 0) options.shear_weight = random() % 2 == 0 ? 0 : std::pow(10, real(random, -3, 1));
+    if (random() % 4 == 0) options.gravity = std::pow(10, real(random, -4, 0));
+    return options;
+}
+
 std::vector<Handle> random_handles(const Net& net, Random& random) {
     std::vector<int> vertices(static_cast<std::size_t>(net.vertex_count()));
     std::iota(vertices.begin(), vertices.end(), 0);

@@ -3,10 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -14,6 +14,7 @@
 #include "invariants.h"
 #include "net/measures.h"
 #include "nets.h"
+#include "rest_judge.h"
 
 namespace chebnet::soak {
 namespace {
@@ -30,10 +31,22 @@ struct Plan {
     std::string show;
 };
 
+using Counts = std::map<Status, int>;
+
+/// All there are, in their order: the compiler sees to it that to_string() knows each.
+std::vector<Status> statuses() {
+    std::vector<Status> all;
+    for (Status status{}; to_string(status) != std::string_view("unknown");
+         status = Status(static_cast<int>(status) + 1))
+        all.push_back(status);
+    return all;
+}
+
 struct Tally {
-    std::map<std::string, std::array<int, 6>> statuses;  // by "method, edit"
-    std::array<int, 6> all{};
+    std::map<std::string, Counts> statuses;  // by "method, edit"
+    Counts all;
     int converged = 0, below_1 = 0, below_5 = 0;  // edits, and those of them with a corner as acute in degrees
+    int judged_at_rest = 0;                       // those of them by `equilibrium` whose rest was reckoned again
     int homecomings = 0, strays = 0;              // edits back to rest, and those of them that did not converge
     std::vector<double> milliseconds;
     double worst_ratio = 0, worst_ms = 0;
@@ -50,9 +63,8 @@ void count_angles(const Editor& editor, Tally& tally) {
 
 void count(const Editor& editor, const EditKind& edit, const std::string& method, const SolveReport& report,
            Tally& tally) {
-    const auto status = static_cast<std::size_t>(report.status);
-    ++tally.statuses[method + ", " + edit.name][status];
-    ++tally.all[status];
+    ++tally.statuses[method + ", " + edit.name][report.status];
+    ++tally.all[report.status];
     if (report.status == Status::converged) count_angles(editor, tally);
     if (std::string_view(edit.name) != "go home") return;
     ++tally.homecomings;
@@ -71,8 +83,11 @@ void count_times(std::vector<double> times, const std::string& net, Tally& tally
 void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed, const Plan& plan, Tally& tally) {
     Random random(seed);
     Editor editor(kind.make(random));
-    editor.set_method(method);
-    editor.set_handles(random_handles(editor.net(), random));
+    EditState state = editor.state();
+    state.method = method;
+    state.options = random_behaviour(random);
+    state.handles = random_handles(editor.net(), random);
+    editor.set_state(std::move(state));
     const auto tell = [&](int i, const EditKind& edit, const SolveReport& report, const std::string& what) {
         std::printf(
             "edit %d, %s, ends %s after %d iterations with max dL %.2g%s\n    "
@@ -81,6 +96,7 @@ void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed
             kind.name.c_str(), plan.vertices, method.c_str(), static_cast<unsigned long long>(seed));
     };
     std::vector<double> times;
+    invariants::RestJudge rest;
     for (int i = 0; i < k_edits_of_a_net; ++i) {
         const EditKind& edit = random_edit_kind(random);
         const Positions before = editor.positions();
@@ -88,23 +104,24 @@ void edit_net(const NetKind& kind, const std::string& method, std::uint64_t seed
         const SolveReport report = editor.solve();
         times.push_back(report.milliseconds);
         count(editor, edit, method, report, tally);
-        for (const std::string& violation : invariants::of_solve(editor, report, {}, before)) {
-            ++tally.violations;
-            tell(i, edit, report, ", VIOLATED: " + violation);
-        }
+        invariants::Violations violations = invariants::of_solve(editor, report, {}, before);
+        for (std::string& violation : rest.of_solve(editor, report)) violations.push_back(std::move(violation));
+        tally.violations += static_cast<int>(violations.size());
+        for (const std::string& violation : violations) tell(i, edit, report, ", VIOLATED: " + violation);
         if (plan.edits == 1 || plan.show == to_string(report.status)) tell(i, edit, report, "");
     }
     const std::string net = kind.name + " of " + std::to_string(editor.net().vertex_count()) + " vertices, " + method;
     count_times(std::move(times), net, tally);
+    tally.judged_at_rest += rest.judged();
 }
 
 void print(const Tally& tally) {
     std::printf("%-28s", "");
-    for (int s = 0; s < 6; ++s) std::printf("%15s", to_string(static_cast<Status>(s)));
+    for (const Status status : statuses()) std::printf("%15s", to_string(status));
     std::printf("\n");
-    const auto row = [](const std::string& name, const std::array<int, 6>& counts) {
+    const auto row = [](const std::string& name, const Counts& counts) {
         std::printf("%-28s", name.c_str());
-        for (int count : counts) std::printf("%15d", count);
+        for (const Status status : statuses()) std::printf("%15d", counts.contains(status) ? counts.at(status) : 0);
         std::printf("\n");
     };
     for (const auto& [name, counts] : tally.statuses) row(name, counts);
@@ -117,6 +134,7 @@ void print(const Tally& tally) {
     const auto percent = [](int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; };
     std::printf("smallest angle of converged edits: %.0f %% below 1°, %.0f %% below 5°\n",
                 percent(tally.below_1, tally.converged), percent(tally.below_5, tally.converged));
+    std::printf("nets at rest, reckoned again: %d\n", tally.judged_at_rest);
     std::printf("edits back to rest that do not converge: %d of %d\n", tally.strays, tally.homecomings);
     std::printf("invariants violated: %d\n", tally.violations);
 }

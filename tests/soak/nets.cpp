@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../core/sample_nets.h"
 #include "shapes/shapes.h"
 
 namespace chebnet::soak {
@@ -163,6 +164,14 @@ Net crumpled_patch(Random& random) {
     return Net(x, quads(m, m));
 }
 
+/// With corners sharper than a limit may allow: of a patch, which can be opened, or of a box, which is rigid.
+Net leaning(bool closed, Random& random) {
+    const Net upright = closed ? samples::cube() : patch(100, random);
+    Positions x = upright.rest_positions();
+    x.row(0) += real(random, 0.5, 3) * x.row(closed ? 2 : 1);
+    return Net(x, upright.faces(), RestLengths::own);
+}
+
 }  // namespace
 
 std::vector<NetKind> net_kinds(int largest) {
@@ -184,6 +193,8 @@ std::vector<NetKind> net_kinds(int largest) {
     kinds.push_back({"tiny", [](Random& random) { return scaled_patch(-real(random, 5, 55), random); }});
     kinds.push_back({"distant", distant_patch});
     kinds.push_back({"crumpled", crumpled_patch});
+    kinds.push_back({"leaning", [](Random& random) { return leaning(false, random); }});
+    kinds.push_back({"leaning box", [](Random& random) { return leaning(true, random); }});
     return kinds;
 }
 

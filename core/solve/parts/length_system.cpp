@@ -4,6 +4,7 @@
 
 #include "linear/limits.h"
 #include "linear/ordering.h"
+#include "solve/parts/valence_limit.h"
 
 namespace chebnet {
 
@@ -13,19 +14,16 @@ namespace {
 constexpr double k_shift = 1e-9;
 // The same for its factor in single precision.
 constexpr double k_factor_shift = 1e-6;
-// The edges at a vertex are all coupled with each other: a dense block, whose factor takes as many operations.
-constexpr double k_most_block_operations = 3e9;
 
 void check_size(const Net& net, const Topology& topology) {
-    double couplings = 0, operations = 0;
+    double couplings = 0;
     for (int v = 0; v < net.vertex_count(); ++v) {
         const double valence = topology.valence(v);
         couplings += valence * (valence - 1) / 2;
-        operations += valence * valence * valence / 3;
     }
     // Each coupling is kept here, as a link, and three times as an index while the order is found.
     check_factor_bytes(net.edge_count(), couplings * (40 + 8 + 12));
-    if (operations > k_most_block_operations) throw Error(ErrorCode::too_large, "too many edges meet at one vertex");
+    check_valences(net, topology);
 }
 
 /// In an order that does not depend on the compiler, as Eigen's do.

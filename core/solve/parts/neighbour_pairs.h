@@ -7,13 +7,16 @@
 
 #include "net/net.h"
 #include "net/topology.h"
+#include "solve/parts/valence_limit.h"
 
 namespace chebnet {
 
 /// The pairs of vertices that are neighbours or have a common neighbour: what the Hessian of a bending energy joins.
 class NeighbourPairs {
 public:
+    /// Throws Error too_large where too many meet at a vertex, see check_valences().
     NeighbourPairs(const Net& net, const Topology& topology) {
+        check_valences(net, topology);
         for (int v = 0; v < net.vertex_count(); ++v) {
             const std::span<const int> around = topology.neighbours(v);
             for (std::size_t i = 0; i < around.size(); ++i) {
