@@ -75,6 +75,8 @@ private:
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy);
+    Status without_rest(const Positions& positions) const;
+    bool is_carried() const;
     bool prepare_energy(const Positions& positions, bool same_energy);
     void begin_walk_home();
     Stage first_stage(const Positions& positions);
@@ -86,6 +88,7 @@ private:
     bool move_handles(double part, Positions& x);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
+    bool is_net() const;
     Status stuck() const;
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
@@ -155,6 +158,7 @@ void Equilibrium::prepare(const Problem& problem) {
     m_topology = &problem.topology;
     m_is_free = free_vertices(of.vertex_count(), problem.fixed);
     m_slides.assign(problem.slides.begin(), problem.slides.end());
+    m_pulls_changed |= m_options.gravity > 0;  // the net may hang by other vertices, or by none
     m_walk.set_handles(HeldVertices(of.vertex_count(), problem.fixed, problem.slides));
     m_walk.forget_moves(of.vertex_count());
     m_part = std::make_unique<FreePart>(of, m_is_free);
@@ -257,7 +261,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
         if (status == Status::converged && can_rest) m_stage = rest;
-        if (m_stage == net) return status;
+        if (m_stage == net) return status == Status::converged ? without_rest(positions) : status;
     }
     if (m_stage == follow) {
         m_walk.begin(m_result, positions, m_net->mean_length());
@@ -272,6 +276,12 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     return Status::converged;
 }
 
+/// Of a net where the systems for rest are too large, or nothing may move.
+Status Equilibrium::without_rest(const Positions& positions) const {
+    if (m_part->size() > 0) return Status::exact;
+    return limit().largest_lack(positions) <= 2 * CornerLimit::k_tolerance ? Status::converged : Status::stalled;
+}
+
 /// Where handles are at home, or jump to where the rest shape is nearer than the last net, the walk begins at the rest
 /// shape: at home that is the answer.
 void Equilibrium::begin_walk_home() {
@@ -282,11 +292,28 @@ void Equilibrium::begin_walk_home() {
         begin_at_rest_shape(m_walk.is_jump() ? m_walk.length() : HandleWalk::k_same);
 }
 
+/// Whether something keeps each piece of the net from falling for ever: at its height, or drawn towards a place.
+bool Equilibrium::is_carried() const {
+    if (m_options.gravity == 0) return true;
+    constexpr int z = 2;
+    std::vector<bool> carries(m_is_free.size());
+    for (std::size_t v = 0; v < carries.size(); ++v) carries[v] = !m_is_free[v];
+    for (const Slide& slide : m_slides) carries[slide.vertex] = !has_axis(slide.along, z);
+    for (const Pull& pull : m_pulls) carries[pull.vertex] = true;
+    const auto has_carrier = [&](const std::vector<int>& piece) {
+        return std::any_of(piece.begin(), piece.end(), [&](int v) { return carries[v]; });
+    };
+    const std::vector<std::vector<int>> pieces = m_topology->components();
+    return std::all_of(pieces.begin(), pieces.end(), has_carrier);
+}
+
 /// False if the systems for it would be too large.
 bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
     try {
         if (!same_energy) {
-            m_rest_energy.choose(*m_net, *m_topology, m_rest_shape, m_options, m_pulls, m_guide.get(), m_unit);
+            Options options = m_options;
+            if (!is_carried()) options.gravity = 0;
+            m_rest_energy.choose(*m_net, *m_topology, m_rest_shape, options, m_pulls, m_guide.get(), m_unit);
             m_constraints.reset();
             m_has_metric = m_pulls_changed = false;
         }
@@ -357,7 +384,7 @@ Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
 /// From where `projection` has ended like this, if it has found a net.
 Status Equilibrium::begin_rest(Status of_projection, Positions& positions) {
     if (of_projection != Status::converged || !m_reachable) return of_projection;
-    if (!m_constraints || !m_newton) return Status::exact;
+    if (!m_constraints || !m_newton) return without_rest(positions);
     const Positions found = positions;
     if (!project(positions)) {
         positions = found;
@@ -468,23 +495,22 @@ void Equilibrium::enter_rest(const Positions& positions) {
 /// Per unit of length.
 double Equilibrium::gradient_norm() const { return m_newton->gradient_norm() * m_net->mean_length(); }
 
-bool Equilibrium::is_at_rest() const {
-    return m_is_still && m_max_deviation < m_options.threshold && gradient_norm() < m_options.rest_tolerance &&
-           m_lack <= 2 * CornerLimit::k_tolerance;
+bool Equilibrium::is_at_rest() const { return m_is_still && is_net() && gradient_norm() < m_options.rest_tolerance; }
+
+/// With exact lengths, and no corner beyond the limit.
+bool Equilibrium::is_net() const {
+    return m_max_deviation < m_options.threshold && m_lack <= 2 * CornerLimit::k_tolerance;
 }
 
 /// The end of a way to rest that leads no farther.
-Status Equilibrium::stuck() const {
-    const bool is_net = m_max_deviation < m_options.threshold && m_lack <= 2 * CornerLimit::k_tolerance;
-    return is_net ? Status::exact : Status::stalled;
-}
+Status Equilibrium::stuck() const { return is_net() ? Status::exact : Status::stalled; }
 
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (!m_is_linearised && !linearise(positions)) return stuck();
     if (is_at_rest()) return Status::converged;
     take_step(positions, row);
     if (row.step == 0) {
-        if (m_is_linearised && gradient_norm() < m_options.rest_tolerance) return Status::converged;
+        if (m_is_linearised && is_net() && gradient_norm() < m_options.rest_tolerance) return Status::converged;
         if (m_is_careful) return stuck();
         m_is_careful = true;
     }
