@@ -53,6 +53,18 @@ function smallestAngle(quads: readonly (readonly number[])[], positions: Float64
   return Math.min(...angles);
 }
 
+/** A sheet of n × n unit squares, as OBJ. */
+function sheetText(n: number): string {
+  const range = [...Array(n + 1).keys()];
+  const vertices = range.flatMap((j) => range.map((i) => `v ${i} ${j} 0`));
+  const at = (i: number, j: number) => j * (n + 1) + i + 1;
+  const inner = range.slice(1);
+  const faces = inner.flatMap((j) =>
+    inner.map((i) => `f ${at(i - 1, j - 1)} ${at(i, j - 1)} ${at(i, j)} ${at(i - 1, j)}`),
+  );
+  return [...vertices, ...faces, ''].join('\n');
+}
+
 /** RMS of how far vertices are apart. */
 function apart(a: Float64Array, b: Float64Array): number {
   return Math.sqrt(a.reduce((sum, value, i) => sum + (value - b[i]!) ** 2, 0) / (a.length / 3));
@@ -275,4 +287,23 @@ test('stages have the names that their method gives them', async () => {
     await expect.poll(() => stage.textContent(), { message: method }).toMatch(names);
   }
   await page.screenshot({ path: join(OUTPUT, 'stages.png') });
+});
+
+test('colours of the corners go up to the limit that is chosen, and a net without handles is not left to fall', async () => {
+  const { page } = visit;
+  await page.locator('select:has(option[value=shear])').selectOption('shear', { force: true });
+  const legend = page.locator('.legend .ticks');
+  await expect.poll(() => legend.textContent()).toContain('limit 60°');
+  await page.getByRole('slider', { name: 'Corners' }).fill('9');
+  await expect.poll(() => legend.textContent()).toContain('limit 45°');
+  await script.settled();
+
+  // As a file comes: with no handles.
+  await script.open({ obj: sheetText(8), name: 'sheet.obj' });
+  await script.settled();
+  const before = await script.positions();
+  await page.getByRole('slider', { name: 'Gravity' }).fill('5');
+  await expect.poll(() => page.getByText('Nothing holds the net').isVisible()).toBe(true);
+  await script.settled();
+  expect(apart(await script.positions(), before)).toBeLessThan(0.01);
 });

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import type { MapColours, Rgb } from '../../web/src/fields/colour_map';
 import { cssColour, endText, lookupTable, mix, parseColour, positionOn } from '../../web/src/fields/colour_map';
-import { FIELD_NAMES, fieldOf } from '../../web/src/fields/fields';
+import { FIELD_NAMES, fieldOf, scaleOf } from '../../web/src/fields/fields';
 
 const COLOURS: MapColours = {
   good: [0, 0, 1],
@@ -58,6 +58,14 @@ test('shear is the further from blue, by yellow, to red the sharper a corner', (
   expect([0, 30, 60, 80].map((degrees) => colourOf(shear, degrees))).toEqual(
     [COLOURS.good, COLOURS.warn, COLOURS.bad, COLOURS.bad].map(([r, g, b]) => [r, g, b].map((c) => expect.closeTo(c))),
   );
+});
+
+test('shear is red where a corner comes to its own limit, which the legend names', () => {
+  const shown = (cornerLimit?: number) => scaleOf({ field: 'shear', colourMap: 'paper', cornerLimit }, COLOURS);
+  expect(shown().ticks.map(({ label }) => label)).toEqual(['0°', 'warn 30°', 'limit 60°']);
+  expect(shown(45).ticks.map(({ label }) => label)).toEqual(['0°', 'warn 22.5°', 'limit 45°']);
+  expect(colourOf(shown(45), 45)).toEqual(COLOURS.bad);
+  expect(shown(0).ticks.map(({ label }) => label)).toEqual(['0°', '45°', '90°']);
 });
 
 test('an edge pulls or pushes', () => {

@@ -247,7 +247,7 @@ export class App {
     if (this.opening === null) return;
     const view = { ...this.opening.document.view, ...change };
     this.#state.change({ view });
-    if (change.camera === undefined) this.#presenter.setAppearance(view);
+    if (change.camera === undefined) this.#presenter.setAppearance({ ...this.opening.document, view });
   }
 
   // ----------------------------------------------------------------------------------------------------------- solving

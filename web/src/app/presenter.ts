@@ -1,7 +1,7 @@
 /** Keeps view and panels up to date. All changes within one task are presented once, after it. */
 import { Beside } from '../compare/beside';
 import type { Run } from '../compare/run';
-import type { ChebnetDocument, GuideSource, HandleData, ViewState } from '../document/document';
+import { type ChebnetDocument, type GuideSource, type HandleData, lookOf } from '../document/document';
 import type { Choice } from '../handles/commands';
 import type { PanelEvents, Panels } from '../panels';
 import type { View, ViewEvents } from '../view/view';
@@ -33,6 +33,8 @@ export class Presenter {
   readonly #presented: Presented;
   #isScheduled = false;
   #shownGuide: GuideSource | undefined;
+  /** Of corners, in the view's colours. */
+  #shownLimit: number | undefined;
   /** The run whose net the view shows in place of the user's. */
   #shownRun: Run | null = null;
   /** The runs whose nets stand beside it. */
@@ -71,8 +73,15 @@ export class Presenter {
     this.view.setSymmetry(document.symmetry);
     this.#presentGuide(document);
     this.view.setHandles(this.#shownHandles(), choice);
+    this.#presentLimit(document);
     this.panels.setDocument(document, choice);
     this.panels.setHistory(history);
+  }
+
+  /** Colours by shear go up to the limit of the corners. */
+  #presentLimit(document: ChebnetDocument): void {
+    const { cornerLimit } = lookOf(document);
+    if (cornerLimit !== this.#shownLimit) this.setAppearance(document);
   }
 
   #presentGuide({ guide, view }: ChebnetDocument): void {
@@ -94,7 +103,7 @@ export class Presenter {
     const { document, net, frame } = opening;
     // Before the view, which fits the net into the space that the panels leave.
     this.panels.setDocument(document, this.#presented.choice());
-    this.view.setAppearance(document.view);
+    this.setAppearance(document);
     this.view.setNet(net, frame, document.view.camera);
     this.panels.setNet(net);
     this.#presentNumbers(frame);
@@ -116,9 +125,11 @@ export class Presenter {
     this.panels.setHandles(handles, choice);
   }
 
-  setAppearance(view: ViewState): void {
-    this.view.setAppearance(view);
-    this.#beside.setAppearance(view);
+  setAppearance(document: ChebnetDocument): void {
+    const look = lookOf(document);
+    this.#shownLimit = look.cornerLimit;
+    this.view.setAppearance(look);
+    this.#beside.setAppearance(look);
   }
 
   // -------------------------------------------------------------------------------------------------- nets of a comparison
@@ -139,7 +150,7 @@ export class Presenter {
     if (opening === null || (runs.length === 0 && this.#runsBeside.length === 0)) return;
     this.#runsBeside = runs;
     const frames = runs.flatMap(({ frame }) => frame ?? []);
-    this.#beside.show(opening.net, frames, { ...opening.document.view, camera: this.view.camera() });
+    this.#beside.show(opening.net, frames, { ...lookOf(opening.document), camera: this.view.camera() });
     this.panels.setRuns(this.#shownRun, runs);
   }
 

@@ -1,5 +1,5 @@
 /** Views of other nets beside the user's, with the same camera; nothing can be edited in them. */
-import type { HandleData, ViewState } from '../document/document';
+import type { HandleData, Look, ViewState } from '../document/document';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -18,7 +18,7 @@ export class Beside {
   }
 
   /** One view for each frame. */
-  show(net: OpenedNet, frames: readonly FrameData[], look: ViewState): void {
+  show(net: OpenedNet, frames: readonly FrameData[], look: Look): void {
     for (const view of this.#views.splice(frames.length)) view.dispose();
     frames.forEach((frame, place) => {
       const view = (this.#views[place] ??= this.#open(place, net, frame, look));
@@ -29,7 +29,7 @@ export class Beside {
     });
   }
 
-  setAppearance(look: ViewState): void {
+  setAppearance(look: Look): void {
     for (const view of this.#views) view.setAppearance(look);
   }
 
@@ -37,7 +37,7 @@ export class Beside {
     for (const view of this.#views) view.setCamera(camera);
   }
 
-  #open(place: number, net: OpenedNet, frame: FrameData, look: ViewState): View {
+  #open(place: number, net: OpenedNet, frame: FrameData, look: Look): View {
     const view = this.#create({ ...LOOKING_ONLY, cameraMoved: (camera) => this.#turned(view, camera) }, place);
     view.setAppearance(look);
     view.setNet(net, frame, look.camera);

@@ -1,6 +1,6 @@
 /** What is being edited, as plain data: everything a link, a file or undo must bring back. */
 import type { Axes, Handle, Mesh, RestLengths } from '../../../wasm/chebnet';
-import type { Colouring } from '../fields/fields';
+import type { Colouring, ShownColouring } from '../fields/fields';
 
 export type Vec3 = [number, number, number];
 
@@ -142,6 +142,14 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   positions: Float64Array | null;
   /** Nothing is left to be solved. */
   settled: boolean;
+}
+
+/** How the net of a document looks. */
+export type Look = ViewState & ShownColouring;
+
+export function lookOf({ view, options }: Pick<ChebnetDocument, 'view' | 'options'>): Look {
+  const limit = options['shear_limit'];
+  return typeof limit === 'number' ? { ...view, cornerLimit: limit } : view;
 }
 
 /** What can be opened: a document whose handles and positions may still be where the net has them. */

@@ -1,5 +1,6 @@
 /** Saves the net that is open as a file of some kind. */
 import type { FlatPattern, FormatInfo, PatternFault } from '../../../wasm/chebnet';
+import { lookOf } from '../document/document';
 import { baseNameOf, fileNameOf } from '../document/file_name';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { download } from '../files/download';
@@ -86,7 +87,7 @@ function jobOf(
   if (kind === '3dm')
     return { kind, mesh: { faceStart, faceVertices }, positions, lines, name, layers: panelWords.saving.layers };
   const { field, upAxis: up = 'z' } = document.view;
-  const colours = vertexColours(scaleOf(document.view, theme), fieldOf(field), frame, net);
+  const colours = vertexColours(scaleOf(lookOf(document), theme), fieldOf(field), frame, net);
   return { kind, positions, triangles, edges, colours, ink: theme.ink, up, name };
 }
 

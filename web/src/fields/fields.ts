@@ -30,8 +30,11 @@ export interface ColourField {
   ends?: 'any' | 'above 0';
   /** Its numbers in the unit that is shown, written in place: this is done for each frame. */
   write(numbers: Float32Array, placed: Placed, net: Faces): void;
-  /** @param ends in place of the map's own. */
-  scale(colours: MapColours, map: ColourMap, ends?: Ends): Scale;
+  /**
+   * @param ends in place of the map's own.
+   * @param cornerLimit degrees: no corner is to be narrower; 0: any may be.
+   */
+  scale(colours: MapColours, map: ColourMap, ends?: Ends, cornerLimit?: number): Scale;
   /** A summary of all its numbers for the legend. */
   summary(numbers: Float32Array): string;
 }
@@ -41,13 +44,8 @@ const DEGREES = 180 / Math.PI;
 /** Li et al. 2022 draw an edge blue below the threshold ε₃ = 1e-6 and red above twice that. */
 const PAPER_ENDS: Ends = [1e-6, 2e-6];
 
-/** A corner of 30° is the limit of most cloth and wire mesh, and of a net at rest. */
-const SHEAR_ENDS: Ends = [0, 60];
-const SHEAR_TICKS = [
-  { value: 0, label: '0°' },
-  { value: 30, label: words.legend.warn('30°') },
-  { value: 60, label: words.legend.limit('60°') },
-];
+/** A corner of 30° is the limit of most cloth and wire mesh, and of a net at rest unless another is chosen. */
+const USUAL_CORNER_LIMIT = 30;
 
 /** In the order in which they are offered. */
 export const FIELDS = {
@@ -72,10 +70,10 @@ export const FIELDS = {
     write: (numbers, { fields: { angle } }) => {
       for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = Math.abs(angle[vertex]! * DEGREES - 90);
     },
-    scale: ({ good, warn, bad }, _, ends) => {
-      const [low, high] = ends ?? SHEAR_ENDS;
+    scale: ({ good, warn, bad }, _, ends, cornerLimit = USUAL_CORNER_LIMIT) => {
+      const [low, high] = ends ?? [0, 90 - cornerLimit];
       const scale = diverging([good, warn, bad], (low + high) / 2, [low, high], '°');
-      return ends ? scale : { ...scale, ticks: SHEAR_TICKS };
+      return ends || cornerLimit === 0 ? scale : { ...scale, ticks: shearTicks(high) };
     },
     summary: (numbers) => words.legend.net(words.legend.upTo(`${rangeOf(numbers)[1].toFixed(0)}°`)),
   },
@@ -173,14 +171,20 @@ export interface Colouring {
   ends?: { [Each in ScaledName]?: Ends | undefined };
 }
 
+/** As a document has it, whose corners may have a limit of their own. */
+export interface ShownColouring extends Colouring {
+  cornerLimit?: number | undefined;
+}
+
 /** The ends set by hand for the field that is shown. */
 export function endsOf({ field, ends = {} }: Colouring): Ends | undefined {
   const all: { [Each in FieldName]?: Ends | undefined } = ends;
   return all[field];
 }
 
-export function scaleOf(colouring: Colouring, colours: MapColours): Scale {
-  return fieldOf(colouring.field).scale(colours, colouring.colourMap, endsOf(colouring));
+export function scaleOf(colouring: ShownColouring, colours: MapColours): Scale {
+  const { field, colourMap, cornerLimit } = colouring;
+  return fieldOf(field).scale(colours, colourMap, endsOf(colouring), cornerLimit);
 }
 
 /** Whether a map of the field can go from one to the other. */
@@ -203,6 +207,15 @@ export function rangeOf(numbers: Float32Array): [number, number] {
     high = Math.max(high, each);
   }
   return [low, high];
+}
+
+function shearTicks(most: number): Scale['ticks'] {
+  const { warn, limit } = words.legend;
+  return [
+    { value: 0, label: '0°' },
+    { value: most / 2, label: warn(`${most / 2}°`) },
+    { value: most, label: limit(`${most}°`) },
+  ];
 }
 
 function meanOf(numbers: Float32Array | Float64Array): number {

@@ -120,6 +120,7 @@ export const en = {
       'No corner of a quad gets narrower than this: wires would lie on each other, rods could not turn further',
     weight: 'Gravity',
     weightHint: 'Bends the net downwards between its handles',
+    unheld: 'Nothing holds the net: give it a handle to hang by.',
     off: 'off',
     degrees: (degrees: number) => `from ${degrees}°`,
     times: (step: number) => `${step} of 9`,

@@ -116,6 +116,7 @@ export const zh: Words = {
     limitHint: '四边形的角不会比这更窄：否则金属丝会叠在一起，杆件也无法再转动',
     weight: '重力',
     weightHint: '使网在手柄之间向下弯',
+    unheld: '网没有支撑：先加一个手柄把它固定住。',
     off: '关',
     degrees: (degrees) => `≥ ${degrees}°`,
     times: (step) => `${step}/9`,

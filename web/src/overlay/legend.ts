@@ -1,8 +1,8 @@
 /** The colour map with its ends, which can be set by hand, and below it the range of the data. */
 import type { Run } from '../compare/run';
-import type { ChebnetDocument } from '../document/document';
+import { type ChebnetDocument, lookOf } from '../document/document';
 import { cssColour, positionOn, type Scale } from '../fields/colour_map';
-import { type Colouring, endsOf, fieldOf, numbersOf, rangeOf, scaleOf } from '../fields/fields';
+import { endsOf, fieldOf, numbersOf, rangeOf, type ShownColouring, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -21,7 +21,7 @@ export class Legend implements Panel {
   readonly #words = make('p', { class: 'words' });
   readonly #ends: MapEnds;
   readonly element: HTMLElement;
-  #view: Colouring = { field: 'deviation', colourMap: 'paper' };
+  #view: ShownColouring = { field: 'deviation', colourMap: 'paper' };
   #scale: Scale | null = null;
   /** The frame of the open net, and the one in the view, which may be that of a run. */
   #own: FrameData | null = null;
@@ -43,9 +43,15 @@ export class Legend implements Panel {
     onThemeChange(() => this.#draw());
   }
 
-  setDocument({ view }: ChebnetDocument): void {
-    const { field, colourMap, ends } = this.#view;
-    const same = this.#scale !== null && view.field === field && view.colourMap === colourMap && view.ends === ends;
+  setDocument(document: ChebnetDocument): void {
+    const { field, colourMap, ends, cornerLimit } = this.#view;
+    const view = lookOf(document);
+    const same =
+      this.#scale !== null &&
+      view.field === field &&
+      view.colourMap === colourMap &&
+      view.ends === ends &&
+      view.cornerLimit === cornerLimit;
     this.#view = view;
     if (!same) this.#draw();
   }

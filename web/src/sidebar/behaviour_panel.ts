@@ -1,8 +1,8 @@
 /** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, and how narrow its corners may get. In
  *  terms of designers, for options of the method `equilibrium`. */
 import { METHOD_AT_REST } from '../document/defaults';
-import type { ChebnetDocument, SolverOptions } from '../document/document';
-import { make, makeSection, makeSelect, setValue } from '../elements/dom';
+import type { ChebnetDocument, HandleData, SolverOptions } from '../document/document';
+import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
 import type { Tables } from '../net/tables';
@@ -36,12 +36,18 @@ function lightest(vertices: number): number {
   return 1.5 * Math.max(vertices, 4) ** -1.5;
 }
 
+/** Whether the net can hang by a handle: not by one that slides up and down. */
+function carries({ slides }: HandleData): boolean {
+  return slides?.includes('z') !== true;
+}
+
 export class BehaviourPanel implements Panel {
   readonly element: HTMLElement;
   readonly #choice: ReturnType<typeof makeSelect>;
   readonly #about = make('p', { class: 'quiet' });
   readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, () => this.#chooseLimit());
   readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, () => this.#chooseWeight());
+  readonly #unheld = make('p', { class: 'quiet', role: 'status' });
   readonly #guidePlace = make('div', { hidden: true });
   #guide: GuideControls | null = null;
   readonly #events: PanelEvents;
@@ -66,6 +72,7 @@ export class BehaviourPanel implements Panel {
       this.#about,
       this.#limit.row,
       this.#weight.row,
+      this.#unheld,
       this.#guidePlace,
     );
   }
@@ -91,6 +98,8 @@ export class BehaviourPanel implements Panel {
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
     this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#setWeight(this.#weightStep());
+    const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
+    setText(this.#unheld, falls ? words.behaviour.unheld : '');
     this.#guidePlace.hidden = document.guide === undefined;
     if (document.guide) void this.#setGuide();
   }

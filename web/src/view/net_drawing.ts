@@ -1,7 +1,7 @@
 /** What is drawn of the net: lines or rods, faces and a shadow, in the colours of a field and cut by the section plane; and
  *  the surface beside it. What draws rods and surfaces is loaded when it is first needed. */
 import { Group, type Vector2, type WebGLRenderer } from 'three';
-import type { ViewState } from '../document/document';
+import type { Look } from '../document/document';
 import type { Part } from '../handles/part';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { lazy } from '../lazy';
@@ -16,7 +16,7 @@ import { Space } from './space';
 import type { SurfaceShade } from './surface_shade';
 import type { Theme } from './theme';
 
-export type Appearance = Omit<ViewState, 'camera'>;
+export type Appearance = Omit<Look, 'camera'>;
 
 interface NetDrawingEvents {
   /** The view must be redrawn. */

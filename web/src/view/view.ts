@@ -1,7 +1,7 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports gestures; it
  *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { HandleData, Symmetry, Vec3, ViewState } from '../document/document';
+import type { HandleData, Look, Symmetry, Vec3 } from '../document/document';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
@@ -75,7 +75,7 @@ export interface View {
   setPreview(vertices: readonly number[]): void;
   /** Marks cells, each by the vertices at its corners. */
   setMarks(cells: readonly (readonly number[])[]): void;
-  setAppearance(appearance: Omit<ViewState, 'camera'>): void;
+  setAppearance(appearance: Omit<Look, 'camera'>): void;
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
