@@ -23,6 +23,14 @@ function surfaceFile(name: string): string {
   return lines.join('\n');
 }
 
+/** Where a handle is to stand. */
+const targetOf = async (vertex: number) =>
+  (await visit.page.evaluate(() => window.chebnet.handles())).find((handle) => handle.vertex === vertex)!.target;
+
+function distanceFromSurface(point: readonly [number, number, number]): number {
+  return distanceFromShell(Float64Array.from(point));
+}
+
 /** Mean, of the vertices. */
 function distanceFromShell(positions: Float64Array): number {
   const surface = chebnet.ownSurface('shell');
@@ -46,14 +54,14 @@ beforeEach(async () => {
 const dialog = (name: RegExp) => visit.page.getByRole('dialog', { name });
 const draper = () => dialog(/^A net on a surface$/);
 const press = (name: string) => draper().getByRole('button', { name, exact: true }).click();
-const results = () => draper().locator('.facts').innerText();
+const results = () => draper().locator('.results .facts').innerText();
 const direction = () => draper().getByRole('slider', { name: 'Direction' });
 
 const picture = () => visit.page.locator('#view canvas').screenshot();
 
 /** Waits for the report of the net that is shown. */
 async function measured() {
-  await expect.poll(() => draper().locator('.facts:not(.stale)').innerText()).toContain('Largest dL');
+  await expect.poll(() => draper().locator('.results .facts:not(.stale)').innerText()).toContain('Largest dL');
 }
 
 /** Where the seed and its knob are, by the ring around them. */
@@ -112,6 +120,12 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   await measured();
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-net.png') });
   expect(await results()).toMatch(/Covered\s+100 %/);
+  expect(await results()).toMatch(/Distance, mean\s+[\d.e-]+ edges, [\d.e-]+ units/);
+  expect(await results()).toMatch(/Gaps\s+none/);
+  expect(await results()).toMatch(/Milliseconds\s+[\d.]+: laying [\d.]+, opening [\d.]+, measuring [\d.]+/);
+  // What a proposal promises stands below its picture.
+  const beginning = draper().getByRole('button', { name: 'Beginning 1' });
+  expect(await beginning.innerText()).toMatch(/\d+ % covered\s+[\d.]+ % sheared\s+[\d.e-]+ edges off/);
 
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
   await measured();
@@ -205,6 +219,34 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
   await expect.poll(results).not.toBe(coarse);
   expect(await draper().getByRole('slider', { name: 'Cells' }).getAttribute('aria-valuetext')).toBe('20,000');
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  await measured();
+
+  // The surface in numbers, as a file's.
+  await draper().getByText('The surface in numbers').click();
+  await draper()
+    .getByText(/^Noise/)
+    .waitFor();
+  expect(await draper().locator('.numbers .facts').innerText()).toMatch(/Boundary loops\s+1/);
+
+  // So many cells each way, and then to the border again; no angle closer than the sharpest corner.
+  const cellsShown = async () => Number(/Cells, vertices\s+([\d,]+), /.exec(await results())?.[1]?.replace(',', ''));
+  const reach = draper().getByRole('spinbutton', { name: 'Cells each way' });
+  const all = await cellsShown();
+  await reach.fill('2');
+  await reach.blur();
+  await expect.poll(cellsShown).toBe(16);
+  await reach.fill('');
+  await reach.blur();
+  await expect.poll(cellsShown).toBe(all);
+  const angle = draper().getByRole('slider', { name: 'Angle' });
+  await angle.press('Home');
+  const sharpest = draper().getByRole('slider', { name: 'Sharpest' });
+  for (let step = 0; step < 3; step++) await sharpest.press('PageUp');
+  await expect.poll(async () => Number(await sharpest.inputValue())).toBeGreaterThan(40);
+  expect(await angle.inputValue()).toBe(await sharpest.inputValue());
+  await measured();
+  await sharpest.fill('30');
+  await angle.fill('90');
   await measured();
 
   const before = await places();
@@ -396,12 +438,90 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
 
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
   for (let step = 0; step < 10; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowRight');
+  // The edges may have a length to the last bit, and bumps are told what they count.
+  const length = draper().getByRole('spinbutton', { name: 'Edge length' });
+  const wished = (Number(await length.inputValue()) * 1.03).toPrecision(4);
+  await length.fill(wished);
+  await length.blur();
+  await draper().getByRole('combobox', { name: 'Bumps' }).selectOption('smoothed 3 times as far');
   await press('Make the net');
   await measured();
+  expect(await results()).toMatch(/Milliseconds\s+[\d.]+: triangles [\d.]+, directions/);
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 
-  await openExactNet(first);
+  const net = await openExactNet(first);
+  expect(net.length).toBeCloseTo(Number(wished), 6);
+});
+
+test('a surface beside the net says how far the net is, in edges and units, and a handle in hand keeps to it', async () => {
+  await visit.page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
+  await script.settled();
+  const guide = visit.page.getByRole('group', { name: 'Surface: shell' });
+  await guide.waitFor();
+  const farther = async () => distanceFromShell(await script.positions());
+
+  // How strongly it draws the net, and on which side.
+  const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(vertex, [target[0], target[1], target[2] + 1]);
+  await script.settled();
+  const usual = await farther();
+  await guide.getByRole('slider', { name: 'How strongly' }).press('End');
+  await script.settled();
+  await expect.poll(farther).toBeLessThan(usual);
+  const keeps = guide.getByRole('combobox', { name: 'Keeps the net' });
+  await keeps.selectOption('outside of it');
+  await script.settled();
+  await keeps.selectOption('on it');
+  await script.settled();
+  await expect.poll(farther).toBeLessThan(usual);
+
+  await guide.getByRole('button', { name: 'Handles onto it' }).click();
+  await expect.poll(async () => distanceFromSurface(await targetOf(vertex))).toBeLessThan(1e-6);
+
+  // In hand: off the surface when free, on it when it snaps.
+  await visit.page.locator('summary', { hasText: 'Dragging' }).click();
+  await keeps.selectOption('free');
+  await dragBy(script, vertex, [5, -40]);
+  await script.settled();
+  expect(distanceFromSurface(await targetOf(vertex))).toBeGreaterThan(0.05);
+  await visit.page.getByRole('checkbox', { name: 'Snap to the surface' }).check();
+  await dragBy(script, vertex, [5, 10]);
+  await script.settled();
+  await expect.poll(async () => distanceFromSurface(await targetOf(vertex))).toBeLessThan(1e-6);
+
+  await visit.page.getByText('Appearance', { exact: true }).click();
+  await visit.page.getByRole('combobox', { name: 'Colour by' }).selectOption('Distance from the surface');
+  await expect
+    .poll(() => visit.page.getByRole('region', { name: 'Legend', exact: true }).innerText())
+    .toMatch(/edges, -?[\d.]+ to [\d.]+ units/);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-snapped.png') });
+
+  await guide.getByRole('button', { name: 'Take it away' }).click();
+  await guide.waitFor({ state: 'hidden' });
+  await visit.page.getByRole('checkbox', { name: 'Snap to the surface' }).waitFor({ state: 'hidden' });
+});
+
+test('a script describes a surface, lays a net on it or over it, and reads how it lies', async () => {
+  const run = <T>(call: (script: typeof window.chebnet) => Promise<T>) =>
+    visit.page.evaluate(`(${call.toString()})(window.chebnet)`) as Promise<T>;
+  const described = await run((script) => script.describe({ own: 'pebble' }));
+  expect(described).toMatchObject({ prospect: 'too_curved', genus: 0, boundaryLoops: 0 });
+  const laid = await run((script) => script.drape({ own: 'hypar' }, { cells: 300, border: 'inside' }));
+  expect(laid.coverage).toBeGreaterThan(0.8);
+  expect(laid.maxDeviation).toBeLessThan(1e-12);
+  expect(laid.locked).toBe(0);
+  const again = await run((script) => script.report());
+  expect(again.meanDistance).toBeCloseTo(laid.meanDistance, 6);
+  expect(again.rods).toBe(laid.rods);
+  const whole = await run((script) => script.remesh({ own: 'pebble' }, { cells: 300 }));
+  expect(whole.singularVertices).toEqual([{ valence: 3, count: 8 }]);
+  expect((await script.stats()).faces).toBeGreaterThan(200);
+  await visit.page.getByRole('group', { name: 'Surface: pebble' }).waitFor();
+  const refused = await visit.page.evaluate(() =>
+    window.chebnet.remesh({ own: 'pebble' }, { cells: 3 }).catch(({ code, message }) => ({ code, message })),
+  );
+  expect(refused).toMatchObject({ code: 'bad_option' });
 });
 
 test('a singular vertex is dragged, and the next net has one there; none where a region is to be free', async () => {

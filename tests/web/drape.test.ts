@@ -43,6 +43,10 @@ describe('the worker', () => {
     expect(draped.net.info.meanLength).toBeCloseTo(0.3, 9);
     expect(draped.fields.angle).toHaveLength(draped.net.info.vertices);
     expect(measured.report.coverage).toBeGreaterThan(0.95);
+    expect(measured.report.gaps).toBe(0);
+    expect(draped.times.lay).toBeGreaterThan(0);
+    expect(draped.times.open).toBeGreaterThan(0);
+    expect(measured.milliseconds).toBeGreaterThan(0);
   });
 
   test('proposes where to begin, with a picture of each', () => {
@@ -53,7 +57,11 @@ describe('the worker', () => {
     );
     if (proposed?.type !== 'proposed') return expect.fail();
     expect(proposed.proposals).toHaveLength(4);
-    for (const { wireframe, direction } of proposed.proposals) {
+    for (const { wireframe, direction, covered, muchSheared, meanDistance } of proposed.proposals) {
+      expect(covered).toBeGreaterThan(0.5);
+      expect(muchSheared).toBeLessThan(0.5);
+      expect(meanDistance).toBeGreaterThan(0);
+      expect(meanDistance).toBeLessThan(0.1);
       expect(Math.hypot(...direction)).toBeCloseTo(1);
       expect(Math.max(...wireframe.edges)).toBeLessThan(wireframe.positions.length / 3);
     }

@@ -4,6 +4,7 @@ import type { Ball, Handle } from '../../wasm/chebnet';
 import type { Vec3 } from '../../web/src/document/document';
 import { Along } from '../../web/src/handles/along';
 import { DragGuide } from '../../web/src/handles/drag_guide';
+import { SurfacePoints } from '../../web/src/handles/surface_points';
 import {
   type InHand,
   isNearBorder,
@@ -215,6 +216,26 @@ describe('a drag', () => {
     guide.snapping = null;
     guide.end();
     expect(shown.setReadout).toHaveBeenLastCalledWith('');
+  });
+
+  test('that snaps to a surface is on it, within reach, and not where it keeps to an axis', async () => {
+    await guide.begin(one, null);
+    // A slanted square, of two triangles.
+    const surface = new SurfacePoints({
+      positions: Float64Array.from([-1, -1, 0, 1, -1, 1, 1, 1, 1, -1, 1, 0]),
+      triangles: Int32Array.from([0, 1, 2, 0, 2, 3]),
+    });
+    guide.snapping = new Snapping(null, false, 1, surface);
+    const at = (target: Vec3): Vec3 => guide.snapped([{ vertex: 1, target }], [])[0]!.target;
+    const [x, y, z] = at([0.1, 0.2, 0.9]);
+    expect(z).toBeCloseTo((x + 1) / 2);
+    expect(y).toBeCloseTo(0.2);
+    expect(at([3, 0.5, 1])).toEqual([1, 0.5, 1].map((each) => expect.closeTo(each)));
+    guide.keepTo(new Along('x', 1));
+    expect(at([0.4, 0, 0])).toEqual([0.4, 0, 0].map((each) => expect.closeTo(each)));
+    guide.keepTo(null);
+    guide.snapping = null;
+    guide.end();
   });
 
   test('kept to an axis is on it to the last bit, snaps and stops on it, and freed it goes anywhere again', async () => {

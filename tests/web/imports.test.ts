@@ -31,7 +31,17 @@ const PAGE = [
   // The controls: their contract with the page, and where they stand.
   ...['panels.ts', 'overlay', 'dialogs', 'comparison', 'sidebar'],
   // The page.
-  ...['app', 'keys.ts', 'learn', 'projects', 'script_arguments.ts', 'scripting.ts', 'embed', 'main.ts'],
+  ...[
+    'app',
+    'keys.ts',
+    'learn',
+    'projects',
+    'script_arguments.ts',
+    'surface_script.ts',
+    'scripting.ts',
+    'embed',
+    'main.ts',
+  ],
 ];
 const CORE = [
   'base',

@@ -1,7 +1,7 @@
 /** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
  *  of its type or throws a Failure that says which argument must be what. */
 import type { Axes } from '../../wasm/chebnet';
-import { axesToSlide, type Vec3 } from './document/document';
+import { axesToSlide, type GuideSource, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
 
 export type ScriptNet = { recipe: string } | { obj: string; name?: string };
@@ -73,10 +73,14 @@ export function readLocality(radius: Untrusted): number | null {
   return radius.value === null ? null : radius.positive();
 }
 
+/** Null: there is to be none. */
+export function readGuide(surface: Untrusted, most = Infinity): ScriptSurface | null {
+  return surface.value === null ? null : readSurface(surface, most);
+}
+
 /** Whether there is such a surface, the core says.
  *  @param most vertices or faces. */
-export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface | null {
-  if (surface.value === null) return null;
+export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface {
   const own = surface.at('own').maybe(readText);
   if (own !== undefined) return { own };
   const name = surface.at('name').maybe(readText);
@@ -91,6 +95,19 @@ export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface 
       .map((face) => face.list().map(readVertex)),
     ...(name === undefined ? {} : { name }),
   };
+}
+
+export function guideOf(surface: ScriptSurface): GuideSource {
+  if ('own' in surface) return surface;
+  const { vertices, faces, name = 'surface' } = surface;
+  const faceStart = new Int32Array(faces.length + 1);
+  faces.forEach((face, i) => (faceStart[i + 1] = faceStart[i]! + face.length));
+  const mesh = {
+    positions: Float64Array.from(vertices.flat()),
+    faceStart,
+    faceVertices: Int32Array.from(faces.flat()),
+  };
+  return { name, mesh };
 }
 
 /** Whether there are such, the core says. */

@@ -11,22 +11,27 @@
  * core/base/error.h, e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits
  * for the page to be ready.
  */
-import type { ChebnetError, Status } from '../../wasm/chebnet';
+import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
-import { type GuideSource, type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
+import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
 import { linking } from './projects/linking';
 import {
+  guideOf,
   readEvent,
+  readGuide,
   readHandles,
   readLocality,
   readNet,
   readOptions,
-  readSurface,
   readVertex,
 } from './script_arguments';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
 import { Failure } from './failure';
+import { lazy } from './lazy';
+import type { LaidReport, ScriptDrape, WholeReport } from './surface_script';
+
+const surfaces = lazy(() => import('./surface_script'));
 
 export interface Stats {
   vertices: number;
@@ -58,6 +63,15 @@ export interface Scripting {
   /** Puts a surface beside the net, one of our own or polygons, or takes it away; what it does the options `guide_mode` and
    *  `guide_weight` say. */
   setGuide(surface: ScriptSurface | null): Promise<void>;
+  /** What a surface is like, and what can be expected of one net on it. */
+  describe(surface: ScriptSurface): Promise<SurfaceReport>;
+  /** Lays one piece of a net on a surface, with steps as `ScriptDrape` says, and opens it with the surface beside it. Resolves with
+   *  how it lies. */
+  drape(surface: ScriptSurface, options?: ScriptDrape): Promise<LaidReport>;
+  /** The same with a net over the whole surface, which may take seconds. */
+  remesh(surface: ScriptSurface, options?: RemeshOptions): Promise<WholeReport>;
+  /** How the open net lies now on the surface beside it. */
+  report(): Promise<DrapeReport>;
   /** Resolves when nothing is under way and the net is settled. */
   settled(): Promise<void>;
   /** Where the vertices stand, 3 numbers each; a copy. */
@@ -109,9 +123,22 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
       app.handles.setLocality(given ?? undefined);
     },
     setGuide: async (surface) => {
-      const given = readSurface(argument('surface', surface));
+      const given = readGuide(argument('surface', surface));
       await ready;
       await app.setGuide(given === null ? undefined : guideOf(given));
+    },
+    describe: async (surface) => (await surfaces()).describe(argument('surface', surface)),
+    drape: async (surface, options = {}) => {
+      await ready;
+      return (await surfaces()).drape(app, argument('surface', surface), argument('options', options));
+    },
+    remesh: async (surface, options = {}) => {
+      await ready;
+      return (await surfaces()).remesh(app, argument('surface', surface), argument('options', options));
+    },
+    report: async () => {
+      await ready;
+      return (await surfaces()).report(app);
     },
     settled: async () => {
       await ready;
@@ -156,19 +183,6 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slid
     ...(weight === undefined ? {} : { weight }),
     ...(slides === undefined ? {} : { slides }),
   };
-}
-
-function guideOf(surface: ScriptSurface): GuideSource {
-  if ('own' in surface) return surface;
-  const { vertices, faces, name = 'surface' } = surface;
-  const faceStart = new Int32Array(faces.length + 1);
-  faces.forEach((face, i) => (faceStart[i + 1] = faceStart[i]! + face.length));
-  const mesh = {
-    positions: Float64Array.from(vertices.flat()),
-    faceStart,
-    faceVertices: Int32Array.from(faces.flat()),
-  };
-  return { name, mesh };
 }
 
 async function setOptions(app: App, given: ScriptOptions): Promise<void> {

@@ -17,11 +17,19 @@ const BORDERS = ['beyond', 'cut', 'inside'] as const;
 /** How far the net may leave the surface where it locks, in edge lengths. */
 const HEIGHTS = [0, 0.1, 0.25, 0.5, 1];
 
-/** The same of a net over the whole surface. */
+/** Between its families a net has any of these angles at the seed that keeps within its limit, degrees. */
+const LEAST_ANGLE = 40;
+/** The sharpest corner a net may have, degrees; over a whole surface no net keeps to more. */
+const LIMITS = { least: 10, usual: 30, piece: 75, whole: 60 };
+
+/** Where net lines may run as the surface ends, of a net over the whole of it. */
 const LINES = ['fitting', 'always', 'across', 'never'] as const;
 
 /** Edges of the surface that are sharper are followed, degrees; 0: none are. */
 const CREASES = [0, 30, 45, 60];
+
+/** How large bumps may be that make no singular vertices; 1 as usual. */
+const SMOOTHINGS = [0, 1, 3, 10, 30];
 
 export interface FormEvents {
   /** The name of one of our own, or null: the visitor's. */
@@ -38,7 +46,9 @@ export class DrapeForm {
   readonly #cells = slider(TEXT.cells, 0, STEPS, 1, () => this.#chooseCells());
   readonly #length = make('input', { type: 'number', min: 0, step: 'any', 'aria-label': TEXT.length });
   readonly #turn = slider(TEXT.direction, 0, 180, 1, () => this.#chooseTurn());
-  readonly #angle = slider(TEXT.angle, 40, 140, 1, () => this.#show());
+  readonly #angle = slider(TEXT.angle, LEAST_ANGLE, 180 - LEAST_ANGLE, 1, () => this.#show());
+  readonly #limit = slider(TEXT.limit, LIMITS.least, LIMITS.piece, 1, () => this.#chooseLimit());
+  readonly #reach = make('input', { type: 'number', min: 1, step: 1, placeholder: TEXT.toBorder });
   readonly #border = makeSelect(
     TEXT.border,
     BORDERS.map((value) => ({ value, text: TEXT.borders[value] })),
@@ -59,6 +69,11 @@ export class DrapeForm {
     CREASES.map((degrees) => ({ value: String(degrees), text: TEXT.creases(degrees) })),
     () => {},
   );
+  readonly #smoothing = makeSelect(
+    TEXT.smoothing,
+    SMOOTHINGS.map((smoothing) => ({ value: String(smoothing), text: TEXT.smoothings(smoothing) })),
+    () => {},
+  );
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
   readonly #kinds: ReturnType<typeof makeSelect>;
   /** What only a net from a seed has. */
@@ -66,6 +81,8 @@ export class DrapeForm {
   /** What only a net over the whole surface has. */
   readonly #wholeRows: HTMLElement[];
   #area = 1;
+  /** A length was asked for, not a number of cells. */
+  #isByLength = false;
   #hasBorder = false;
   #seed: Seed | null = null;
   #direction: Point = [1, 0, 0];
@@ -82,11 +99,15 @@ export class DrapeForm {
       () => this.#chooseKind(),
     );
     this.#length.addEventListener('change', () => this.#chooseLength());
+    this.#reach.addEventListener('change', () => this.#chooseReach());
     this.#angle.input.value = '90';
+    this.#limit.input.value = String(LIMITS.usual);
+    this.#smoothing.select.value = '1';
     this.#shear.box.checked = true;
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
-    this.#pieceRows = [length, this.#turn.row, this.#angle.row, this.#border.row, this.#leave.row];
-    this.#wholeRows = [this.#line.row, this.#crease.row];
+    const reach = make('label', { class: 'row' }, make('span', {}, TEXT.reach), this.#reach);
+    this.#pieceRows = [this.#turn.row, this.#angle.row, reach, this.#border.row, this.#leave.row];
+    this.#wholeRows = [this.#line.row, this.#crease.row, this.#smoothing.row];
     this.#showRows();
     this.element = make(
       'div',
@@ -94,6 +115,8 @@ export class DrapeForm {
       surfaces.row,
       this.#kinds.row,
       this.#cells.row,
+      length,
+      this.#limit.row,
       ...this.#pieceRows,
       ...this.#wholeRows,
       this.#shear.row,
@@ -108,8 +131,11 @@ export class DrapeForm {
 
   /** Of a net over the whole surface. */
   readWhole(): RemeshOptions {
+    const length = this.#length.valueAsNumber;
     return {
-      cells: Math.round(cellsOf(this.#length.valueAsNumber, this.#area)),
+      ...(this.#isByLength ? { length } : { cells: Math.round(cellsOf(length, this.#area)) }),
+      smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
+      smoothing: Number(this.#smoothing.select.value),
       crease: Number(this.#crease.select.value) * DEGREE,
       border: this.#line.select.value as (typeof LINES)[number],
     };
@@ -121,6 +147,7 @@ export class DrapeForm {
     this.#hasBorder = boundaryLoops > 0;
     this.#showRows();
     this.#seed = null;
+    this.#isByLength = false;
     this.#setLength(length);
   }
 
@@ -140,12 +167,34 @@ export class DrapeForm {
       direction: this.#direction,
       length: this.#length.valueAsNumber,
       angle: this.#angle.input.valueAsNumber * DEGREE,
+      smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
+      ...(this.#reach.validity.valid && this.#reach.value !== '' ? { reach: this.#reach.valueAsNumber } : {}),
       border: this.#border.select.value as (typeof BORDERS)[number],
       leave: Number(this.#leave.select.value),
     };
   }
 
+  /** The families cannot be closer to each other than corners may be sharp. */
+  #chooseLimit(): void {
+    this.#boundAngle();
+    this.#show();
+  }
+
+  #boundAngle(): void {
+    const least = Math.max(LEAST_ANGLE, this.isWhole ? 0 : this.#limit.input.valueAsNumber);
+    // The input keeps its value within what it may be.
+    this.#angle.input.min = String(least);
+    this.#angle.input.max = String(180 - least);
+  }
+
+  #chooseReach(): void {
+    if (this.#reach.reportValidity()) this.#events.changed();
+  }
+
   #chooseKind(): void {
+    this.#limit.input.max = String(this.isWhole ? LIMITS.whole : LIMITS.piece);
+    this.#boundAngle();
+    this.#show(false);
     this.#showRows();
     this.#events.kindChanged();
   }
@@ -157,6 +206,7 @@ export class DrapeForm {
   }
 
   #chooseCells(): void {
+    this.#isByLength = false;
     this.#setLength(lengthOf(cellsAt(this.#cells.input.valueAsNumber), this.#area));
     this.#events.changed();
   }
@@ -167,6 +217,7 @@ export class DrapeForm {
     const isGood = length > 0 && cells <= MOST_CELLS;
     this.#length.setCustomValidity(isGood ? '' : TEXT.tooShort(lengthWords(lengthOf(MOST_CELLS, this.#area))));
     if (!this.#length.reportValidity()) return;
+    this.#isByLength = true;
     this.#setLength(length);
     this.#events.changed();
   }
@@ -189,6 +240,7 @@ export class DrapeForm {
     show(this.#cells, cells);
     show(this.#turn, `${this.#turn.input.value}°`);
     show(this.#angle, `${this.#angle.input.value}°`);
+    show(this.#limit, `${this.#limit.input.value}°`);
     if (isChange && this.#seed !== null) this.#events.changed();
   }
 }

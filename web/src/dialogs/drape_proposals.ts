@@ -1,10 +1,16 @@
 /** Where a net would begin well, as pictures to choose from. */
 import type { Proposal } from '../drape/drape_protocol';
 import { make, makeButton } from '../elements/dom';
+import { small } from '../language/numbers';
 import { drawThumbnail } from '../elements/thumbnail';
 import { dialogWords } from '../language/dialogs';
+import { percentWords } from './file_words';
 
 const TEXT = dialogWords.drape;
+
+function wordsOf({ covered, muchSheared, meanDistance }: Proposal): string[] {
+  return TEXT.proposed(percentWords(covered), percentWords(muchSheared), small(meanDistance));
+}
 
 export class DrapeProposals {
   readonly element = make('div', { class: 'proposals', role: 'group', 'aria-label': TEXT.proposals });
@@ -18,9 +24,12 @@ export class DrapeProposals {
   set(proposals: readonly Proposal[]): void {
     const canvases = proposals.map(() => make('canvas'));
     this.element.replaceChildren(
-      ...proposals.map((proposal, i) =>
-        makeButton(canvases[i]!, () => this.#chosen(proposal), { 'aria-label': TEXT.proposal(i + 1) }),
-      ),
+      ...proposals.map((proposal, i) => {
+        const how = wordsOf(proposal);
+        const caption = make('small', {}, ...how.map((line) => make('span', {}, line)));
+        const picture = make('span', {}, canvases[i]!, caption);
+        return makeButton(picture, () => this.#chosen(proposal), { 'aria-label': TEXT.proposal(i + 1, how) });
+      }),
     );
     // Their size is that of the elements, once these are in the page.
     proposals.forEach(({ wireframe }, i) => drawThumbnail(canvases[i]!, wireframe));

@@ -1,10 +1,11 @@
 /** What can be expected of a net on a surface, and how the one that is shown lies. */
 import type { DrapeReport, SurfaceReport } from '../../../wasm/chebnet';
-import type { DrapedNet, RemeshedNet } from '../drape/drape_protocol';
+import type { DrapedNet, PhaseTimes, RemeshedNet } from '../drape/drape_protocol';
 import { make, setText } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
-import { count, small } from '../language/numbers';
+import { count, milliseconds, small } from '../language/numbers';
 import { lengthWords, percentWords } from './file_words';
+import { makeSurfaceFacts, prospectWords } from './surface_facts';
 
 const TEXT = dialogWords.drape;
 const DEGREES = 180 / Math.PI;
@@ -13,13 +14,8 @@ const PATIENCE_MS = 600;
 /** Part of the surface: a net that covers less is not what its prospect promised. */
 const COVERS = 0.97;
 
-/** In a sentence, before anything is tried. */
-export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
-  const sentence = TEXT.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
-  return components > 1 ? TEXT.pieces(sentence, components) : sentence;
-}
-
-function gapWords({ locked, met }: DrapedNet): string {
+/** Where no vertex could be set. */
+function refusedWords({ locked, met }: DrapedNet): string {
   return locked + met > 0 ? TEXT.refusals(count(locked), count(met)) : TEXT.none;
 }
 
@@ -29,9 +25,21 @@ function singularWords({ singularVertices }: RemeshedNet): string {
   return TEXT.singularOf(count(total), singularVertices.map((each) => `${each.count} × ${each.valence}`).join(', '));
 }
 
+/** The total first, then those that took time enough to be read. */
+function timeWords(times: PhaseTimes): string {
+  const total = Object.values(times).reduce((sum, each) => sum + each, 0);
+  const phases = Object.keys(TEXT.times) as (keyof PhaseTimes)[];
+  const parts = phases.flatMap((phase) => {
+    const time = times[phase] ?? 0;
+    return time < 0.05 ? [] : [`${TEXT.times[phase]} ${milliseconds(time)}`];
+  });
+  return TEXT.timeOf(milliseconds(total), parts);
+}
+
 export class DrapeResults {
   // In the page from the start: screen readers announce changes of what is there.
   readonly #prospect = make('p', { class: 'prospect', role: 'status' });
+  readonly #numbers = make('details', { class: 'numbers', hidden: true });
   readonly #fault = make('p', { class: 'refusal', role: 'alert', hidden: true });
   readonly #facts = make('dl', { class: 'facts' });
   readonly #making = make('p', { class: 'quiet', role: 'status' });
@@ -44,10 +52,17 @@ export class DrapeResults {
     return this.#prospect;
   }
 
+  /** Of the surface. */
+  get numbers(): HTMLElement {
+    return this.#numbers;
+  }
+
   /** Null: it is being opened. */
   setSurface(report: SurfaceReport | null): void {
     this.#surface = report;
     this.#sayProspect('');
+    this.#numbers.hidden = report === null;
+    if (report !== null) this.#numbers.replaceChildren(make('summary', {}, TEXT.numbers), makeSurfaceFacts(report));
     this.removeNet();
   }
 
@@ -97,23 +112,28 @@ export class DrapeResults {
     this.#facts.classList.add('stale');
   }
 
-  setReport(report: DrapeReport): void {
+  /** @param measuring time that took, milliseconds. */
+  setReport(report: DrapeReport, measuring: number): void {
     if (this.#net === null) return;
     this.#facts.classList.remove('stale');
     this.#reviseProspect(this.#net, report.coverage);
     const { net } = this.#net;
     const { faces, vertices } = net.info;
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
-    const inLengths = (distance: number): string => TEXT.lengths(small(distance / report.length));
+    const inLengths = (distance: number): string => small(distance / report.length);
+    const distance = (inUnits: number): string => TEXT.distance(inLengths(inUnits), small(inUnits));
     const rows: [string, string][] = [
       [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
-      [TEXT.openBorder, report.openBorder > 0 ? inLengths(report.openBorder) : TEXT.none],
-      [TEXT.meanDistance, inLengths(report.meanDistance)],
-      [TEXT.largestDistance, inLengths(report.largestDistance)],
+      [TEXT.gaps, report.gaps > 0 ? count(report.gaps) : TEXT.none],
+      [TEXT.openBorder, report.openBorder > 0 ? TEXT.lengths(inLengths(report.openBorder)) : TEXT.none],
+      [TEXT.meanDistance, distance(report.meanDistance)],
+      [TEXT.largestDistance, distance(report.largestDistance)],
       [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
       [TEXT.sheared, percentWords(report.sheared)],
       [TEXT.muchSheared, percentWords(report.muchSheared)],
-      'singularVertices' in this.#net ? [TEXT.singular, singularWords(this.#net)] : [TEXT.gaps, gapWords(this.#net)],
+      'singularVertices' in this.#net
+        ? [TEXT.singular, singularWords(this.#net)]
+        : [TEXT.refused, refusedWords(this.#net)],
       ...('pieces' in this.#net && this.#net.pieces + this.#net.bare > 1
         ? [[TEXT.cuts.pieces, TEXT.cuts.piecesOf(this.#net.pieces, this.#net.bare)] as [string, string]]
         : []),
@@ -121,6 +141,7 @@ export class DrapeResults {
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
       ...(cutEnds > 0 ? [[TEXT.cutEnds, count(cutEnds)] as [string, string]] : []),
       [TEXT.deviation, small(report.maxDeviation)],
+      [TEXT.time, timeWords({ ...this.#net.times, measure: measuring })],
     ];
     this.#facts.replaceChildren(
       ...rows.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),

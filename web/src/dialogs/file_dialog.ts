@@ -9,8 +9,8 @@ import type { FileChoice, FileDialogLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import { make, makeButton, setText } from '../elements/dom';
-import { prospectWords } from './drape_results';
 import { faceWords, largestDifference, lengthWords, percentWords, singularWords } from './file_words';
+import { makeFactList, makeSurfaceFacts, prospectWords } from './surface_facts';
 import { count } from '../language/numbers';
 import { UpChoice } from './up_choice';
 import './dialog.css';
@@ -77,23 +77,10 @@ export class FileDialog implements FileDialogLike {
   }
 }
 
-function makeSurfaceFacts({ triangles, components, boundaryLoops, genus, area, smoothedCurvature }: SurfaceReport) {
-  const terms = dialogWords.file.facts;
-  const inPi = (radians: number): string => `${(radians / Math.PI).toFixed(1)}\u00a0π`;
-  return makeList([
-    [terms.triangles, count(triangles)],
-    [terms.pieces, count(components)],
-    [terms.boundaryLoops, count(boundaryLoops)],
-    [terms.genus, count(genus)],
-    [terms.area, lengthWords(area)],
-    [terms.curvature, terms.bothSigns(inPi(smoothedCurvature.positive), inPi(-smoothedCurvature.negative))],
-  ]);
-}
-
 function makeFacts(report: FileReport): HTMLElement {
   const { vertices, edges, boundaryLoops, components, singularVertices } = report;
   const terms = dialogWords.file.facts;
-  return makeList([
+  return makeFactList([
     [terms.vertices, count(vertices)],
     [terms.edges, count(edges)],
     [terms.faces, faceWords(report)],
@@ -105,14 +92,6 @@ function makeFacts(report: FileReport): HTMLElement {
     [terms.longest, lengthWords(report.longestLength)],
     [terms.deviation, percentWords(largestDifference(report))],
   ]);
-}
-
-function makeList(facts: [string, string][]): HTMLElement {
-  return make(
-    'dl',
-    { class: 'facts' },
-    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
-  );
 }
 
 function makeDefects({ findings, refusal }: FileReport): HTMLElement {

@@ -5,7 +5,6 @@ import type { ChangedNet, ChangeRequest } from '../change/change_protocol';
 import { Changing } from '../change/changing';
 import { changedScene, nameOf, requestOf, type WantedChange } from '../change/subject';
 import type { NamedChange } from '../document/changes';
-import { freshScene } from '../document/defaults';
 import type { NetSource, Scene, UpAxis } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
@@ -16,6 +15,7 @@ import { ChangeDialog } from './change_dialog';
 import { DrapeDialog } from './drape_dialog';
 import type { GivenSurface } from './drape_dialog';
 import { EqualizeDialog } from './equalize_dialog';
+import { takenScene } from './taken_scene';
 import { pickFile } from '../files/pick_file';
 import { FileDialog } from './file_dialog';
 import { createView } from '../view/scene';
@@ -111,18 +111,10 @@ export class Openers {
     }
   }
 
-  async #open({ net, handles, guide, upAxis = 'z' }: TakenNet): Promise<void> {
-    if (handles.length === 0 && guide === undefined) return this.#app.openNet(net, upAxis);
-    const { document } = this.#app.opening ?? {};
-    const { camera: _, upAxis: __, ...view } = document?.view ?? freshScene(net).view;
-    await this.#app.openScene({
-      ...freshScene(net),
-      handles,
-      ...(guide && { guide }),
-      // What no handle holds stays as it was shown; a guide would draw it.
-      settled: handles.length === 0,
-      view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
-    });
+  async #open(taken: TakenNet): Promise<void> {
+    if (taken.handles.length === 0 && taken.guide === undefined)
+      return this.#app.openNet(taken.net, taken.upAxis ?? 'z');
+    await this.#app.openScene(takenScene(taken, this.#app.opening?.document));
   }
 
   #createDraper(given: GivenSurface | null, upAxis: UpAxis, fileWanted?: () => Promise<void>): DrapeDialog {

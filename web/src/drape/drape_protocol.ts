@@ -2,6 +2,7 @@
 import type {
   CoreFields,
   DrapeOptions,
+  DrapeProposal,
   DrapeReport,
   KeptWishes,
   Mesh,
@@ -59,9 +60,12 @@ export interface Seed extends SurfacePlace {
 export interface ShownNet {
   net: OpenedNet;
   fields: CoreFields;
-  /** Time it took to lay, without opening and sending the net. */
-  milliseconds: number;
+  times: PhaseTimes;
 }
+
+/** Milliseconds that it took: to lay a net, or by the phases of one over the whole surface; to open it for the picture; and
+ *  to measure it. */
+export type PhaseTimes = Partial<Record<'lay' | RemeshPhase | 'open' | 'measure', number>>;
 
 /** One piece, laid from a seed. */
 export interface DrapedNet extends ShownNet {
@@ -106,8 +110,8 @@ export type DrapeRequest =
   | { type: 'proposeCuts'; settings: DrapeSettings }
   /** Answered with `remeshed` or `error`, and `progress` before. */
   | { type: 'remesh'; options: RemeshOptions }
-  /** How the last net lies. Answered with `measured`. */
-  | { type: 'measure' };
+  /** How the last net, or another one, lies. Answered with `measured`. */
+  | { type: 'measure'; mesh?: Mesh };
 
 export type DrapeResponse =
   | { type: 'opened'; surface: ShownSurface; length: number }
@@ -125,13 +129,11 @@ export type DrapeResponse =
   | ({ type: 'remeshed' } & RemeshedNet)
   /** The ray does not meet the surface. */
   | { type: 'missed' }
-  | { type: 'measured'; report: DrapeReport }
+  | { type: 'measured'; report: DrapeReport; milliseconds: number }
   /** `code` as in core/base/error.h. What was open stays so. */
   | { type: 'error'; code: string; message: string };
 
-/** Where a net would begin well, and what is drawn of that net. */
-export interface Proposal {
-  seed: Point;
-  direction: Point;
+/** Where a net would begin well, how it lies, and what is drawn of it. */
+export interface Proposal extends DrapeProposal {
   wireframe: Wireframe;
 }

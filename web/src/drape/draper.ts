@@ -7,6 +7,7 @@ import type {
   DrapeRequest,
   DrapeResponse,
   DrapeSettings,
+  PhaseTimes,
   ProposalSettings,
   Ray,
   ShownNet,
@@ -54,8 +55,11 @@ export class Draper {
       return { type: 'placed', place: placeOf(this.#surface, request.at), mark: request.mark };
     if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
-    if (this.#mesh === null) throw new Error('no net has been laid');
-    return { type: 'measured', report: this.#surface.measure(this.#mesh) };
+    const mesh = request.mesh ?? this.#mesh;
+    if (mesh === null) throw new Error('no net has been laid');
+    const start = performance.now();
+    const report = this.#surface.measure(mesh);
+    return { type: 'measured', report, milliseconds: performance.now() - start };
   }
 
   #open(source: SurfaceSource): DrapeResponse {
@@ -78,10 +82,11 @@ export class Draper {
     const length = Math.max(settings.length, surface.suggest(PICTURED_CELLS).length);
     return {
       type: 'proposed',
-      proposals: proposals.map(({ seed, direction }) => {
+      proposals: proposals.map((proposal) => {
+        const { seed, direction } = proposal;
         const { mesh } = surface.drape({ ...settings, length, seed, direction });
         const edges = withEditor(this.#core, mesh, (editor) => editor.edges);
-        return { seed, direction, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
+        return { ...proposal, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
       }),
     };
   }
@@ -96,9 +101,9 @@ export class Draper {
       settings.cuts.length === 0
         ? { ...surface.drape(options), pieces: 1, bare: 0 }
         : this.#cutOpen(surface, settings.cuts).drapePieces(options);
-    const milliseconds = performance.now() - start;
+    const lay = performance.now() - start;
     const { mesh, ...rest } = drape;
-    return { type: 'draped', seed: { ...place, direction }, ...rest, milliseconds, ...this.#shown(mesh) };
+    return { type: 'draped', seed: { ...place, direction }, ...rest, ...this.#shown(mesh, { lay }) };
   }
 
   /** While the seed is dragged the cuts stay. */
@@ -129,24 +134,23 @@ export class Draper {
   }
 
   #cover(surface: Surface, options: RemeshOptions): DrapeResponse {
-    const start = performance.now();
-    const { mesh, singularVertices, singular, kept } = surface.remesh(options, (phase, done) =>
+    const { mesh, singularVertices, singular, kept, milliseconds } = surface.remesh(options, (phase, done) =>
       this.#post({ type: 'progress', phase, done }),
     );
-    const milliseconds = performance.now() - start;
     return {
       type: 'remeshed',
       singularVertices,
       singular: singular.map(({ position, valence }) => ({ ...surface.nearest(position), position, valence })),
       kept,
-      milliseconds,
-      ...this.#shown(mesh),
+      ...this.#shown(mesh, milliseconds),
     };
   }
 
-  #shown(mesh: Mesh): Omit<ShownNet, 'milliseconds'> {
+  #shown(mesh: Mesh, times: PhaseTimes): ShownNet {
     this.#mesh = mesh;
-    return withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
+    const start = performance.now();
+    const shown = withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
+    return { ...shown, times: { ...times, open: performance.now() - start } };
   }
 }
 

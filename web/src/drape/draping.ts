@@ -46,8 +46,8 @@ export interface DrapingEvents {
   /** @param done of the phase, 0 … 1. */
   progressed(phase: RemeshPhase, done: number): void;
   remeshed(net: RemeshedNet): void;
-  /** Of the last net. */
-  measured(report: DrapeReport): void;
+  /** Of the last net. @param milliseconds that it took to measure it. */
+  measured(report: DrapeReport, milliseconds: number): void;
   /** With the core's sentence; the net of before stays. */
   refused(error: Failure): void;
 }
@@ -179,7 +179,7 @@ export class Draping {
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'missed') this.#events.missed();
     else if (response.type === 'remeshed') this.#events.remeshed(response);
-    else if (response.type === 'measured') this.#events.measured(response.report);
+    else if (response.type === 'measured') this.#events.measured(response.report, response.milliseconds);
     else if (response.type === 'error')
       this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)));
   }

@@ -1,9 +1,12 @@
 /** Answers the page that embeds this one; see protocol.ts. */
+import type { RemeshOptions } from '../../../wasm/chebnet';
 import { Untrusted } from '../document/untrusted';
 import { codeOf, Failure, messageOf } from '../failure';
 import type { Scripting } from '../scripting';
+import type { ScriptDrape } from '../surface_script';
 import {
   readEvent,
+  readGuide,
   readHandles,
   readLocality,
   readNet,
@@ -36,7 +39,13 @@ export class Host {
       setHandles: (handles) => script.setHandles(readHandles(handles, MOST_HANDLES)),
       move: (vertex, target) => script.move(readVertex(vertex), target.point()),
       setLocality: (radius) => script.setLocality(readLocality(radius)),
-      setGuide: (surface) => script.setGuide(readSurface(surface, MOST_OF_SURFACE)),
+      setGuide: (surface) => script.setGuide(readGuide(surface, MOST_OF_SURFACE)),
+      describe: (surface) => script.describe(readSurface(surface, MOST_OF_SURFACE)),
+      // What is in the options is read by the call.
+      drape: (surface, options) => script.drape(readSurface(surface, MOST_OF_SURFACE), options.value as ScriptDrape),
+      remesh: (surface, options) =>
+        script.remesh(readSurface(surface, MOST_OF_SURFACE), options.value as RemeshOptions),
+      report: () => script.report(),
       settled: () => script.settled(),
       positions: () => script.positions(),
       edges: () => script.edges(),

@@ -19,6 +19,7 @@
  *     setHandles([{ vertex, target?, anchor?, name?, hidden?, weight?, slides? }])   10,000 handles
  *     move(vertex, [x, y, z]), setLocality(edges | null), setOptions({ name: value })
  *     setGuide({ own } | { vertices, faces, name? } | null)   100,000 vertices and faces
+ *     describe(surface), drape(surface, options?), remesh(surface, options?)   likewise; report()
  *     settled(), positions(), edges(), handles(), stats(), screenPosition(vertex), link()
  *     on('frame' | 'settled' | 'error'), off(…)
  *

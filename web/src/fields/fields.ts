@@ -36,7 +36,7 @@ export interface ColourField {
    */
   scale(colours: MapColours, map: ColourMap, ends?: Ends, cornerLimit?: number): Scale;
   /** A summary of all its numbers for the legend. */
-  summary(numbers: Float32Array): string;
+  summary(numbers: Float32Array, placed: Placed, net: Faces): string;
 }
 
 const DEGREES = 180 / Math.PI;
@@ -133,9 +133,14 @@ export const FIELDS = {
       for (let vertex = 0; vertex < height.length; vertex++) numbers[vertex] = height[vertex]! / length;
     },
     scale: ({ narrow, right, wide }, _, ends = [-0.5, 0.5]) => diverging([narrow, right, wide], 0, ends, ''),
-    summary: (numbers) => {
-      const [low, high] = rangeOf(numbers);
-      return words.legend.net(words.legend.range(low.toFixed(2), high.toFixed(2)));
+    summary: (numbers, { fields: { height } }) => {
+      const range = ([low, high]: Ends, digits: (x: number) => string): string =>
+        words.legend.range(digits(low), digits(high));
+      const inLengths = range(rangeOf(numbers), (x) => x.toFixed(2));
+      return words.legend.inUnits(
+        words.legend.net(inLengths),
+        range(rangeOf(height), (x) => x.toPrecision(3)),
+      );
     },
   },
   /** 1 for edges longer than their rest length, 0 for others. */

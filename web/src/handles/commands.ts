@@ -1,5 +1,6 @@
 /** The contract between the handle editor and panels and keys: commands, and the state of the selection. */
 import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import type { DrawnSurface } from '../worker/protocol';
 import type { Part } from './part';
 import type { Selection } from './selection';
 import type { Snapping } from './snapping';
@@ -63,6 +64,8 @@ export interface HandleCommands {
   setKeepWithin(on: boolean): void;
   /** What drags snap to, from now on, also one under way; null: nothing. */
   setSnapping(snapping: Snapping | null): void;
+  /** The surface beside the net; null: there is none. */
+  guide(): Promise<DrawnSurface | null>;
   /** Whether a drag always shows how far it can go. */
   setShowReach(on: boolean): void;
 }

@@ -9,7 +9,7 @@ import { words } from '../language/language';
 import { lazy } from '../lazy';
 import type { Client } from '../worker/client';
 import type { Opening } from '../worker/opening';
-import type { OpenedNet } from '../worker/protocol';
+import type { DrawnSurface, OpenedNet } from '../worker/protocol';
 import type { Along } from './along';
 import type { DragGuide } from './drag_guide';
 import type { Follower } from './influence';
@@ -298,6 +298,10 @@ export class HandleEditor implements HandleCommands {
 
   setKeepWithin(on: boolean): void {
     this.#guide.keepsWithin = on;
+  }
+
+  guide(): Promise<DrawnSurface | null> {
+    return this.#client.guide();
   }
 
   setSnapping(snapping: Snapping | null): void {

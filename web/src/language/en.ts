@@ -83,6 +83,7 @@ export const en = {
     share: (percent: string) => `Net: ${percent} % longer than L`,
     net: (range: string) => `Net: ${range}`,
     range: (low: string, high: string) => `${low} to ${high}`,
+    inUnits: (range: string, inUnits: string) => `${range} edges, ${inUnits} units`,
     upTo: (high: string) => `up to ${high}`,
     exact: 'exact',
     ends: 'Ends of the colours',

@@ -79,6 +79,7 @@ export const zh: Words = {
     share: (percent) => `当前网：${percent}% 的边长于 L`,
     net: (range) => `当前网：${range}`,
     range: (low, high) => `${low} 至 ${high}`,
+    inUnits: (range, inUnits) => `${range} 边长，${inUnits} 单位`,
     upTo: (high) => `不超过 ${high}`,
     exact: '精确',
     ends: '颜色的两端',

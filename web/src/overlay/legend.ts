@@ -80,7 +80,7 @@ export class Legend implements Panel {
     const width = Math.max(0.02, legendPosition(this.#scale, to) - left);
     this.#data.style.left = `${(100 * Math.min(left, 0.98)).toFixed(1)}%`;
     this.#data.style.width = `${(100 * width).toFixed(1)}%`;
-    setText(this.#words, field.summary(numbers));
+    setText(this.#words, field.summary(numbers, this.#frame, this.#net));
   }
 
   #draw(): void {

@@ -47,7 +47,8 @@ export class DragPanel implements Panel {
     this.#snap.setEdgeLength(info.meanLength);
   }
 
-  setDocument({ locality, influence }: ChebnetDocument): void {
+  setDocument({ locality, influence, guide }: ChebnetDocument): void {
+    this.#snap.setGuide(guide);
     this.#locality.update(locality);
     this.#influence.update(influence);
   }

@@ -52,6 +52,7 @@ export const dialogs = {
       genus: 'Handles (genus)',
       area: 'Area',
       curvature: 'Total curvature, + and −',
+      noise: 'Noise: curvature that cancels',
       bothSigns: (positive: string, negative: string) => `${positive}, ${negative}`,
     },
     polygons: (arity: number, number: number, count: string) => `${count} ${polygon(arity)}${number === 1 ? '' : 's'}`,
@@ -90,7 +91,13 @@ export const dialogs = {
     opening: 'Measuring the surface…',
     making: 'Making the net…',
     proposals: 'Good beginnings, the best first',
-    proposal: (number: number) => `Beginning ${number}`,
+    proposal: (number: number, how: readonly string[]) => `Beginning ${number}: ${how.join(', ')}`,
+    /** What comes of it, in lines below its picture. */
+    proposed: (covered: string, sheared: string, distance: string) => [
+      `${covered} covered`,
+      `${sheared} sheared`,
+      `${distance} edges off`,
+    ],
     picture: 'The surface and the net on it; arrow keys move the seed, or the singular vertex that is chosen',
     howTo: 'Drag the sphere to begin the net elsewhere, the ring beside it to turn the net.',
     surface: 'Surface',
@@ -121,6 +128,16 @@ export const dialogs = {
     tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
     direction: 'Direction',
     angle: 'Angle',
+    limit: 'Sharpest',
+    reach: 'Cells each way',
+    toBorder: 'to the border',
+    smoothing: 'Bumps',
+    smoothings: (smoothing: number) =>
+      smoothing === 0
+        ? 'all count'
+        : smoothing === 1
+          ? 'small ones smoothed away'
+          : `smoothed ${smoothing} times as far`,
     border: 'At the border',
     locked: 'Where it locks',
     leaves: (height: number) =>
@@ -143,6 +160,7 @@ export const dialogs = {
       too_curved: (has: string) =>
         `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
     },
+    numbers: 'The surface in numbers',
     coversLess: 'This one covers less: drag the seed, turn it, or take a proposal.',
     pieces: (sentence: string, pieces: number) =>
       `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,
@@ -206,12 +224,29 @@ export const dialogs = {
     meanDistance: 'Distance, mean',
     largestDistance: 'Distance, largest',
     lengths: (number: string) => `${number} edges`,
+    distance: (inLengths: string, inUnits: string) => `${inLengths} edges, ${inUnits} units`,
     smallestAngle: 'Sharpest corner',
     sheared: 'Cells sheared over 15°',
     muchSheared: 'Cells sheared over 30°',
-    gaps: 'Gaps: too sharp, met itself',
+    gaps: 'Gaps',
+    refused: 'Refused: too sharp, met itself',
     refusals: (locked: string, met: string) => `${locked}, ${met} places`,
+    time: 'Milliseconds',
+    /** Of what is done, by its name. */
+    times: {
+      lay: 'laying',
+      border: 'ways to end',
+      triangles: 'triangles',
+      field: 'directions',
+      grid: 'grid',
+      fit: 'fitting',
+      open: 'opening',
+      measure: 'measuring',
+    },
+    timeOf: (total: string, phases: readonly string[]) => `${total}: ${phases.join(', ')}`,
     none: 'none',
+    /** For scripts that ask how the net lies. */
+    noGuide: 'There is no surface beside the net.',
     size: 'Cells, vertices',
     cellsAndVertices: (cells: string, vertices: string) => `${cells}, ${vertices}`,
     rods: 'Rods, their length',

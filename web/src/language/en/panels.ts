@@ -186,6 +186,8 @@ export const panels = {
     units: { edges: 'edges', units: 'units' },
     toHandles: 'Snap to other handles',
     toHandlesHint: 'Level with them, along each axis. Hold Ctrl or ⌘ to drag freely',
+    toSurface: 'Snap to the surface',
+    toSurfaceHint: 'Onto the nearest point of the surface beside the net. Hold Ctrl or ⌘ to drag freely',
     /** `axes`: one or two. */
     along: (axes: string) => (axes.length === 1 ? `Along ${axes}` : `In the plane ${axes}`),
     /** A coordinate, and the handle that has it, too. */

@@ -238,6 +238,8 @@ export const panels: Widened<typeof en> = {
     units: { edges: '边长', units: '单位' },
     toHandles: '吸附到其他手柄',
     toHandlesHint: '沿各轴与它们对齐。按住 Ctrl 或 ⌘ 可自由拖动',
+    toSurface: '吸附到曲面',
+    toSurfaceHint: '吸附到网旁曲面上最近的点。按住 Ctrl 或 ⌘ 可自由拖动',
     along: (axes) => (axes.length === 1 ? `沿 ${axes} 轴` : `在 ${axes} 平面内`),
     level: (coordinate, handle) => `${coordinate}（${handle}）`,
   },

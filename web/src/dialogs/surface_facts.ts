@@ -1,0 +1,45 @@
+/** What a surface is like, in numbers, and what can be expected of a net on it. */
+import type { SurfaceReport } from '../../../wasm/chebnet';
+import { make } from '../elements/dom';
+import { dialogWords } from '../language/dialogs';
+import { count } from '../language/numbers';
+import { lengthWords } from './file_words';
+
+/** In a sentence, before anything is tried. */
+export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
+  const words = dialogWords.drape;
+  const sentence = words.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
+  return components > 1 ? words.pieces(sentence, components) : sentence;
+}
+
+export function makeSurfaceFacts(report: SurfaceReport): HTMLElement {
+  const { triangles, components, boundaryLoops, genus, area, smoothedCurvature } = report;
+  const terms = dialogWords.file.facts;
+  return makeFactList([
+    [terms.triangles, count(triangles)],
+    [terms.pieces, count(components)],
+    [terms.boundaryLoops, count(boundaryLoops)],
+    [terms.genus, count(genus)],
+    [terms.area, lengthWords(area)],
+    [terms.curvature, terms.bothSigns(inPi(smoothedCurvature.positive), inPi(-smoothedCurvature.negative))],
+    [terms.noise, inPi(noiseOf(report))],
+  ]);
+}
+
+/** What curvature of both signs smoothing takes away, since it cancels: of a scan often most of it. */
+function noiseOf({ curvature, smoothedCurvature }: SurfaceReport): number {
+  const sum = ({ positive, negative }: SurfaceReport['curvature']): number => positive - negative;
+  return Math.max(0, sum(curvature) - sum(smoothedCurvature));
+}
+
+function inPi(radians: number): string {
+  return `${(radians / Math.PI).toFixed(1)}\u00a0π`;
+}
+
+export function makeFactList(facts: readonly (readonly [string, string])[]): HTMLElement {
+  return make(
+    'dl',
+    { class: 'facts' },
+    ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
+  );
+}

@@ -1,0 +1,19 @@
+/** The scene of a net that has been taken from a dialog or a script, as it is seen beside what is open. */
+import { freshScene } from '../document/defaults';
+import type { ChebnetDocument, Scene } from '../document/document';
+import type { TakenNet } from './file_opener';
+
+export function takenScene(
+  { net, handles, guide, upAxis = 'z' }: TakenNet,
+  present: ChebnetDocument | undefined,
+): Scene {
+  const { camera: _, upAxis: __, ...view } = present?.view ?? freshScene(net).view;
+  return {
+    ...freshScene(net),
+    handles,
+    ...(guide && { guide }),
+    // What no handle holds stays as it was shown; a guide would draw it.
+    settled: handles.length === 0,
+    view: { ...view, ...(upAxis === 'y' && { upAxis }), camera: null },
+  };
+}

@@ -1,0 +1,152 @@
+/** The calls of `window.chebnet` about nets on surfaces, loaded with the first of them. Types are those of the core
+ *  (wasm/chebnet.d.ts); angles are in radians. */
+import type {
+  DrapeOptions,
+  DrapeReport,
+  Point,
+  RemeshOptions,
+  SurfaceReport,
+  WishedSingular,
+} from '../../wasm/chebnet';
+import type { App } from './app/app';
+import { takenScene } from './dialogs/taken_scene';
+import type { TakenNet } from './dialogs/file_opener';
+import type { GuideSource } from './document/document';
+import type { Untrusted } from './document/untrusted';
+import { AskedDraper } from './drape/asking';
+import { SUGGESTED_CELLS } from './drape/cells';
+import type { DrapedNet, SurfaceSource } from './drape/drape_protocol';
+import { proposedHandles } from './handles/proposal';
+import { Failure } from './failure';
+import { dialogWords } from './language/dialogs';
+import { guideOf, readSurface } from './script_arguments';
+
+/** Without a length, about so many cells would cover the surface; without a seed, the net begins where the best of several trials
+ *  does. */
+export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
+  seed?: Point;
+  direction?: Point;
+  cells?: number;
+};
+
+/** How the net that has been opened lies on its surface. */
+export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds'>;
+export type WholeReport = DrapeReport & { singularVertices: { valence: number; count: number }[] };
+
+export async function describe(given: Untrusted): Promise<SurfaceReport> {
+  return withSurface(surfaceOf(given), async (_, { report }) => report);
+}
+
+export async function drape(app: App, given: Untrusted, options: Untrusted): Promise<LaidReport> {
+  const guide = surfaceOf(given);
+  const { seed, direction, length, cells = SUGGESTED_CELLS, ...rest } = readDrape(options);
+  return withSurface(guide, async (draper, { report: { area } }) => {
+    const how = { ...rest, length: length ?? Math.sqrt(area / cells) };
+    const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, how);
+    const settings = { ...how, ...begun, ...(direction && { direction }), cuts: [] };
+    const draped = await draper.ask({ type: 'drape', settings }, 'draped');
+    const { locked, met, cutEnds } = draped;
+    const { report } = await draper.ask({ type: 'measure' }, 'measured');
+    await open(app, draped, guide, proposedHandles(draped.net));
+    return { ...report, locked, met, cutEnds };
+  });
+}
+
+export async function remesh(app: App, given: Untrusted, options: Untrusted): Promise<WholeReport> {
+  const guide = surfaceOf(given);
+  const wanted = readRemesh(options);
+  return withSurface(guide, async (draper) => {
+    const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed');
+    const { report } = await draper.ask({ type: 'measure' }, 'measured');
+    await open(app, made, guide, proposedHandles(made.net));
+    return { ...report, singularVertices: made.singularVertices };
+  });
+}
+
+/** Of the net that is open, on the surface beside it. */
+export async function report(app: App): Promise<DrapeReport> {
+  const { document: { guide } = {}, net, frame } = app.opening ?? {};
+  if (guide === undefined || net === undefined || frame === undefined)
+    throw new Failure('bad_option', dialogWords.drape.noGuide);
+  const { faceStart, faceVertices } = net;
+  const mesh = { positions: Float64Array.from(frame.positions), faceStart, faceVertices };
+  return withSurface(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
+}
+
+async function best(draper: AskedDraper, settings: Omit<ScriptDrape, 'cells'> & { length: number }) {
+  const { proposals } = await draper.ask({ type: 'propose', settings }, 'proposed');
+  const { seed, direction } = proposals[0]!;
+  return { seed, direction };
+}
+
+/** With a worker of its own, as long as that takes. */
+async function withSurface<T>(
+  guide: GuideSource,
+  doing: (draper: AskedDraper, surface: { report: SurfaceReport }) => Promise<T>,
+): Promise<T> {
+  const source: SurfaceSource = 'own' in guide ? guide : { mesh: guide.mesh };
+  const draper = new AskedDraper(new Worker(new URL('./drape/drape_worker.ts', import.meta.url), { type: 'module' }));
+  try {
+    const { surface } = await draper.ask({ type: 'open', source }, 'opened');
+    return await doing(draper, surface);
+  } finally {
+    draper.close();
+  }
+}
+
+async function open(app: App, { net }: Pick<DrapedNet, 'net'>, guide: GuideSource, handles: TakenNet['handles']) {
+  const { restPositions: positions, faceStart, faceVertices } = net;
+  const name = `${'own' in guide ? guide.own : guide.name}-net.obj`;
+  const taken = { net: { mesh: { positions, faceStart, faceVertices }, name }, handles, guide };
+  await app.openScene(takenScene(taken, app.opening?.document));
+}
+
+// ------------------------------------------------------------------------------------------------------------- arguments
+
+function surfaceOf(given: Untrusted): GuideSource {
+  return guideOf(readSurface(given));
+}
+
+function readDrape(options: Untrusted): ScriptDrape {
+  return given({
+    seed: options.at('seed').maybe((each) => each.point()),
+    direction: options.at('direction').maybe((each) => each.point()),
+    length: options.at('length').maybe((each) => each.positive()),
+    cells: options.at('cells').maybe((each) => each.positive()),
+    angle: options.at('angle').maybe((each) => each.positive()),
+    smallestAngle: options.at('smallestAngle').maybe((each) => each.positive()),
+    reach: options.at('reach').maybe((each) => each.index(2 ** 31)),
+    border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
+    leave: options.at('leave').maybe((each) => each.number()),
+  });
+}
+
+function readRemesh(options: Untrusted): RemeshOptions {
+  return given({
+    cells: options.at('cells').maybe((each) => each.index(2 ** 31)),
+    length: options.at('length').maybe((each) => each.positive()),
+    smallestAngle: options.at('smallestAngle').maybe((each) => each.number()),
+    smoothing: options.at('smoothing').maybe((each) => each.number()),
+    crease: options.at('crease').maybe((each) => each.number()),
+    border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),
+    only: options.at('only').maybe((each) => each.flag()),
+    singular: options.at('singular').maybe((list) =>
+      // Whether there can be such, the core says.
+      list.list().map((each) => ({
+        point: each.at('point').point(),
+        valence: each.at('valence').index(100) as WishedSingular['valence'],
+      })),
+    ),
+    forbidden: options
+      .at('forbidden')
+      .maybe((list) =>
+        list.list().map((each) => ({ centre: each.at('centre').point(), radius: each.at('radius').positive() })),
+      ),
+  });
+}
+
+/** Without what was not given. */
+function given<T extends object>(options: T): { [Key in keyof T]?: Exclude<T[Key], undefined> } {
+  const entries = Object.entries(options).filter(([, value]) => value !== undefined);
+  return Object.fromEntries(entries) as { [Key in keyof T]?: Exclude<T[Key], undefined> };
+}
