@@ -10,7 +10,7 @@
 #include "edit/editor.h"
 #include "edit/field.h"
 #include "edit/flip.h"
-#include "fabricate/edge_table.h"
+#include "edit/net_forces.h"
 #include "io/format.h"
 #include "io/obj.h"
 #include "mesh_border.h"
@@ -305,6 +305,14 @@ val flat_trace(const Trace& trace) {
     return copy_out(numbers);
 }
 
+val to_rest_out(const ToRest& left) {
+    val object = val::object();
+    object.set("gradientNorm", left.gradient_norm);
+    object.set("cornerLack", left.corner_lack);
+    object.set("motion", left.motion);
+    return object;
+}
+
 val solve(Session& session, int iterations, double milliseconds) {
     const SolveReport report = session.editor.solve({iterations, milliseconds});
     val result = val::object();
@@ -313,6 +321,7 @@ val solve(Session& session, int iterations, double milliseconds) {
     result.set("milliseconds", report.milliseconds);
     result.set("factorisationMs", report.factorisation_ms);
     result.set("iterations", report.iterations);
+    result.set("toRest", report.to_rest ? to_rest_out(*report.to_rest) : val::null());
     result.set("trace", flat_trace(report.trace));
     return result;
 }
@@ -348,9 +357,7 @@ std::string to_obj(const Session& session, int digits) {
     return write_obj(session.editor.positions(), session.editor.net().faces(), digits);
 }
 
-std::string edges_to_csv(const Session& session) {
-    return edge_table(session.editor.net(), session.editor.positions());
-}
+std::string edges_to_csv(const Session& session) { return edge_table(session.editor); }
 
 /// `name`: of a format; `ply_text` is the PLY that is text, another name for a way to write rather than for a format.
 val to_file(const Session& session, std::string name) {

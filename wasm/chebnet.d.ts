@@ -76,7 +76,7 @@ export interface CoreFields {
   deviation: Float32Array;
   /** At each vertex the corner angle farthest from a right angle, in radians. */
   angle: Float32Array;
-  /** Of every edge, what holds it at its length, in energy for a part of its length: above 0 it pulls, below it pushes.
+  /** Of every edge, what holds it at its length, as NetForces has it: above 0 it pulls, below it pushes.
    *  All 0 unless the method is `equilibrium`. */
   force: Float32Array;
   /** How far each vertex is above the guide, below it less than 0. All 0 without a guide. */
@@ -171,12 +171,37 @@ export interface TraceRow {
   totalMs: number;
 }
 
+/** What is left until a net is at rest; see core/solve/rest_state.h. */
+export interface ToRest {
+  /** Of the force that is left beside those of lengths and limit, in units of 1 / mean length. */
+  gradientNorm: number;
+  /** By how much a quad's diagonal is too short for the shear limit at most, in edge lengths. */
+  cornerLack: number;
+  /** About how far the vertex that moves most still goes, in edge lengths; Infinity: not known. */
+  motion: number;
+}
+
+/** What holds a net at rest, in the unit of the option `gravity`: an edge of mean length has that weight. See
+ *  core/edit/net_forces.h. */
+export interface NetForces {
+  /** How hard each edge pulls its ends together, or below 0 pushes them apart. */
+  edges: Float64Array;
+  /** What keeps the ends of a quad's diagonal apart where its corners are at the shear limit. */
+  corners: { vertexA: number; vertexB: number; push: number }[];
+  /** Of each of `handles()`, what it does to the net: the support of an exact one, the pull of a soft one. */
+  handles: [number, number, number][];
+  /** Of each term by its name: `bending`, `shear`, `gravity`, `closeness`, `pull`. */
+  energies: Record<string, number>;
+}
+
 export interface SolveReport {
   status: Status;
   maxDeviation: number;
   milliseconds: number;
   factorisationMs: number;
   iterations: number;
+  /** null: the method does not bring nets to rest, or has not come so far. */
+  toRest: ToRest | null;
   trace: TraceRow[];
 }
 
@@ -375,6 +400,10 @@ export interface Editor {
    *  "left_out" in a module that does without. */
   lengthAdapter(wanted?: readonly Handle[]): LengthAdapter;
 
+  /** Of the last solve; null where its method does not tell, and while handles are on their way. Throws "left_out" in a
+   *  module that does without. */
+  forces(): NetForces | null;
+
   /** A surface that draws the net, or null, as the options `guide_mode` and `guide_weight` of the method `equilibrium`
    *  say. It stays while other states are set, and may be disposed of. */
   setGuide(surface: Surface | null): void;
@@ -394,7 +423,7 @@ export interface Editor {
 
   /** The present positions as OBJ text; 17 digits return every coordinate exactly. */
   toObj(digits?: number): string;
-  /** The edges with their present lengths as CSV; see core/fabricate/edge_table.h. */
+  /** The edges with their present lengths, and their forces where `forces` knows them, as CSV; see core/fabricate/edge_table.h. */
   edgeTable(): string;
   /** The present positions as the bytes of a file. `format`: a name from `formats()`, or `ply_text`, where `ply` is binary. */
   toFile(format: string): Uint8Array<ArrayBuffer>;

@@ -16,6 +16,7 @@ import type {
   InitialisationInfo,
   Mesh,
   MethodInfo,
+  NetForces,
   NetInfo,
   OptionInfo,
   OwnSurfaceInfo,
@@ -30,6 +31,7 @@ import type {
   Status,
   SurfacePlace,
   SurfaceReport,
+  ToRest,
   UnreachablePair,
   VertexLists,
 } from '../../wasm/chebnet';
@@ -40,6 +42,7 @@ export interface CoreReport {
   milliseconds: number;
   factorisationMs: number;
   iterations: number;
+  toRest: ToRest | null;
   /** 12 numbers a row, in the order of TraceRow. */
   trace: Float64Array;
 }
@@ -181,6 +184,8 @@ export interface Core {
   ): CoreExactChange;
   equalizer(mesh: Mesh, options: CoreEqualizeOptions): CoreEqualizer;
   lengthAdapter(session: Session, vertices: Int32Array, targets: Float64Array): CoreLengthAdapter;
+  /** Of handles 3 numbers each. */
+  forces(session: Session): (Omit<NetForces, 'handles'> & { handles: Float64Array }) | null;
   guide(session: Session, surface: CoreSurface): void;
   unguide(session: Session): void;
   openSurface(mesh: Mesh): CoreSurface;

@@ -129,6 +129,12 @@ function option(name, value) {
   return [name, String(value)];
 }
 
+/** @param {Core} core */
+function wholeCore(core) {
+  if (!('forces' in core)) throw failure('left_out', 'chebnet_core can do this, chebnet_editor cannot');
+  return core;
+}
+
 /** @param {Budget} budget @returns {[number, number]} iterations and milliseconds */
 function limits({ iterations = LARGEST_INT, milliseconds = Infinity }) {
   if (typeof milliseconds !== 'number' || !(milliseconds >= 0)) {
@@ -340,13 +346,21 @@ class WasmEditor {
   /** @param {readonly Handle[]} [wanted] @returns {LengthAdapter} */
   lengthAdapter(wanted = []) {
     const { vertices, targets } = flatHandles(wanted);
-    if (!('lengthAdapter' in this.#core)) throw failure('left_out', 'chebnet_core can do this, chebnet_editor cannot');
-    const adapter = this.#core.lengthAdapter(this.#open, vertices, targets);
+    const adapter = wholeCore(this.#core).lengthAdapter(this.#open, vertices, targets);
     return {
       solve: (budget = {}) => adapter.solve(...limits(budget)),
       accept: () => adapter.accept(this.#open),
       dispose: () => adapter.delete(),
     };
+  }
+
+  forces() {
+    const forces = wholeCore(this.#core).forces(this.#open);
+    if (forces === null) return null;
+    const handles = Array.from({ length: forces.handles.length / 3 }, (_, i) =>
+      triple(Array.from(forces.handles.subarray(3 * i, 3 * i + 3)), 'a force'),
+    );
+    return { ...forces, handles };
   }
 
   get holdsBack() {

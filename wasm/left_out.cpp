@@ -9,7 +9,7 @@
 
 #include "edit/flip.h"
 #include "edit/locality.h"
-#include "fabricate/edge_table.h"
+#include "edit/net_forces.h"
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "shapes/smooth_figure.h"
@@ -39,7 +39,7 @@ Eigen::VectorXf mobility(const Net&, const Topology&, std::span<const int>, doub
 Positions flipped(const Net&, std::span<const Handle>, const Positions&) { leave_to_the_whole_core(); }
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
-std::string edge_table(const Net&, const Positions&) { leave_to_the_whole_core(); }
+std::string edge_table(const Editor&) { leave_to_the_whole_core(); }
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }

@@ -78,19 +78,22 @@ Json frame_list(const std::vector<SolveReport>& frames) {
                         {"status", to_string(frame.status)},
                         {"iterations", frame.iterations},
                         {"max_dL", frame.max_deviation},
+                        {"to_rest", to_rest_report(frame.to_rest)},
                         {"milliseconds", frame.milliseconds}});
     return list;
 }
 
-Json drag_report(const DragArguments& arguments, const Editor& editor, Status status,
+Json drag_report(const DragArguments& arguments, const Editor& editor, const SolveReport& end,
                  const std::vector<SolveReport>& frames) {
     const auto times = sorted_milliseconds(frames);
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
-                {"status", to_string(status)},
+                {"status", to_string(end.status)},
+                {"to_rest", to_rest_report(end.to_rest)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
     report.update(shape_report(editor));
+    report.update(forces_report(editor));
     report["frames"] = frame_list(frames);
     return report;
 }
@@ -99,12 +102,12 @@ int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
     const auto frames = drag(editor, goal, arguments.frames);
-    const Status status = adapt_lengths(arguments.solver, editor, frames.back().status);
+    const SolveReport end = with_lengths_adapted(arguments.solver, editor, frames.back());
     write_results(arguments.solver, editor, to_csv(frames));
-    print(drag_report(arguments, editor, status, frames));
+    print(drag_report(arguments, editor, end, frames));
     const auto is_net = [](const SolveReport& frame) { return keeps_lengths(frame.status); };
     const bool was_always = std::ranges::all_of(frames, is_net);
-    const bool is_adapted = arguments.solver.adapts_lengths && keeps_lengths(status);
+    const bool is_adapted = arguments.solver.adapts_lengths && keeps_lengths(end.status);
     return was_always || is_adapted ? k_success : k_not_converged;
 }
 

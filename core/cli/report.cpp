@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "edit/net_forces.h"
 #include "net/measures.h"
 #include "surface/guide.h"
 
@@ -15,6 +16,12 @@ Json distance_report(const Editor& editor) {
     const GuideDistance distance = distance_to(*editor.guide(), editor.net(), editor.positions());
     const double length = editor.net().mean_length();
     return {{"mean", distance.mean / length}, {"largest", distance.largest / length}};
+}
+
+Json force_report(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json edge_report(const Net& net, const Eigen::VectorXd& forces, int edge) {
+    return {{"edge", edge}, {"vertices", {net.edges()(0, edge), net.edges()(1, edge)}}, {"force", forces[edge]}};
 }
 
 }  // namespace
@@ -38,6 +45,32 @@ Json unreachable_report(const std::vector<UnreachablePair>& pairs) {
         list.push_back(
             {{"vertices", {pair.vertex_a, pair.vertex_b}}, {"distance", pair.distance}, {"reach", pair.reach}});
     return list;
+}
+
+Json to_rest_report(const std::optional<ToRest>& left) {
+    if (!left) return nullptr;
+    return {{"gradient_norm", left->gradient_norm},
+            {"corner_lack_in_lengths", left->corner_lack},
+            {"motion_in_lengths", left->motion}};
+}
+
+Json forces_report(const Editor& editor) {
+    const std::optional<NetForces> forces = net_forces(editor);
+    if (!forces) return Json::object();
+    Json energies = Json::object(), handles = Json::array(), corners = Json::array();
+    for (const auto& [name, energy] : forces->energies) energies[name] = energy;
+    for (std::size_t i = 0; i < editor.handles().size(); ++i)
+        handles.push_back({{"vertex", editor.handles()[i].vertex},
+                           {"force", force_report(forces->handles.col(static_cast<Eigen::Index>(i)))}});
+    for (const auto& [a, b, push] : forces->corners) corners.push_back({{"vertices", {a, b}}, {"push", push}});
+    int pulls_most = 0, pushes_most = 0;
+    forces->edges.maxCoeff(&pulls_most);
+    forces->edges.minCoeff(&pushes_most);
+    return {{"energies", energies},
+            {"handle_forces", handles},
+            {"corner_forces", corners},
+            {"edge_that_pulls_most", edge_report(editor.net(), forces->edges, pulls_most)},
+            {"edge_that_pushes_most", edge_report(editor.net(), forces->edges, pushes_most)}};
 }
 
 void print(const Json& report) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "edit/editor.h"
 
@@ -17,6 +18,13 @@ Json shape_report(const Editor& editor);
 
 /// Handle pairs that are out of reach, as a list.
 Json unreachable_report(const std::vector<UnreachablePair>& pairs);
+
+/// What is left to do until the net is at rest, null where the method does not tell.
+Json to_rest_report(const std::optional<ToRest>& left);
+
+/// What holds the net at rest: the energy of each term, the forces at handles and at corners, and the edges that pull
+/// and push most. Empty where the method does not tell.
+Json forces_report(const Editor& editor);
 
 /// Writes to standard output; numbers that are not finite become null. Throws Error file_access.
 void print(const Json& report);

@@ -17,26 +17,23 @@ Json iterations_by_stage(const Trace& trace) {
     return stages;
 }
 
-Json solve_report(const SolverArguments& arguments, const Editor& editor, Status status, const SolveReport& solved) {
-    Json report{{"net", arguments.net.name},
-                {"method", editor.method()},
-                {"status", to_string(status)},
-                {"iterations", solved.iterations},
-                {"iterations_by_stage", iterations_by_stage(solved.trace)},
-                {"milliseconds", solved.milliseconds},
-                {"factorisation_milliseconds", solved.factorisation_ms}};
+Json solve_report(const SolverArguments& arguments, const Editor& editor, const SolveReport& solved) {
+    Json report{{"net", arguments.net.name},           {"method", editor.method()},
+                {"status", to_string(solved.status)},  {"to_rest", to_rest_report(solved.to_rest)},
+                {"iterations", solved.iterations},     {"iterations_by_stage", iterations_by_stage(solved.trace)},
+                {"milliseconds", solved.milliseconds}, {"factorisation_milliseconds", solved.factorisation_ms}};
     report.update(shape_report(editor));
+    report.update(forces_report(editor));
     return report;
 }
 
 int run_solve(const SolverArguments& arguments) {
     Editor editor = open_editor(arguments);
     editor.set_handles(read_edit(arguments.edit, editor.net().vertex_count()));
-    const SolveReport solved = editor.solve();
-    const Status status = adapt_lengths(arguments, editor, solved.status);
+    const SolveReport solved = with_lengths_adapted(arguments, editor, editor.solve());
     write_results(arguments, editor, to_csv(solved.trace));
-    print(solve_report(arguments, editor, status, solved));
-    return keeps_lengths(status) ? k_success : k_not_converged;
+    print(solve_report(arguments, editor, solved));
+    return keeps_lengths(solved.status) ? k_success : k_not_converged;
 }
 
 }  // namespace

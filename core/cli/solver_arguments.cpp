@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "edit/length_adapter.h"
-#include "fabricate/edge_table.h"
+#include "edit/net_forces.h"
 #include "io/file.h"
 #include "surface/gallery.h"
 #include "surface/guide.h"
@@ -114,7 +114,9 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->type_name("KEY=VALUE");
     add_net_output(command, "-o,--output", arguments.output)->type_name("OUT");
     command.add_option("--trace", arguments.trace, "Write one line for each iteration, as CSV")->type_name("TRACE.csv");
-    command.add_option("--edges", arguments.edges, "Write one line for each edge with its length, as CSV")
+    command
+        .add_option("--edges", arguments.edges,
+                    "Write one line for each edge with its length, and with its force if the method knows it, as CSV")
         ->type_name("EDGES.csv");
     command.footer([] { return method_list() + '\n' + option_list(); });
 }
@@ -134,18 +136,20 @@ Editor open_editor(const SolverArguments& arguments) {
     return editor;
 }
 
-Status adapt_lengths(const SolverArguments& arguments, Editor& editor, Status solved) {
-    if (!arguments.adapts_lengths || keeps_lengths(solved)) return solved;
+SolveReport with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved) {
+    if (!arguments.adapts_lengths || keeps_lengths(solved.status)) return solved;
     LengthAdapter adapter(editor, {});
-    const Status status = adapter.solve().status;
-    if (status == Status::converged) editor.set_state(adapter.state());
-    return status;
+    solved.status = adapter.solve().status;
+    if (solved.status != Status::converged) return solved;
+    editor.set_state(adapter.state());
+    solved.to_rest = editor.solve().to_rest;
+    return solved;
 }
 
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv) {
     write_net(arguments.output, editor.positions(), editor.net().faces());
     if (!arguments.trace.empty()) write_file(arguments.trace, trace_csv);
-    if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(editor.net(), editor.positions()));
+    if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(editor));
 }
 
 }  // namespace chebnet

@@ -18,7 +18,7 @@ struct SolverArguments {
     std::string method;  ///< empty: usual_method()
     std::string initialisation{"naive"};
     std::string threshold, max_iterations, shear_limit, length_scale;  ///< empty: the default
-    bool adapts_lengths = false;                                       ///< see adapt_lengths()
+    bool adapts_lengths = false;                                       ///< see with_lengths_adapted()
     std::string guide, guide_mode;                                     ///< empty: no guide; the default
     std::vector<std::string> settings;                                 ///< each "key=value"
     NetOutput output;
@@ -36,8 +36,8 @@ std::string usual_methods();
 Editor open_editor(const SolverArguments& arguments);
 
 /// If that was asked for and the net does not keep its lengths: the smallest scale of them with which it meets the
-/// handles, see LengthAdapter. How that ended, or `solved`.
-Status adapt_lengths(const SolverArguments& arguments, Editor& editor, Status solved);
+/// handles, see LengthAdapter. What was solved, with how that ended.
+SolveReport with_lengths_adapted(const SolverArguments& arguments, Editor& editor, SolveReport solved);
 
 /// Writes the files that were asked for. Throws Error file_access, too_large.
 void write_results(const SolverArguments& arguments, const Editor& editor, std::string_view trace_csv);

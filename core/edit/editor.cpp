@@ -546,9 +546,8 @@ Status Editor::iterate(TraceRow& row) {
 }
 
 Eigen::VectorXd Editor::edge_forces() const {
-    const std::span<const double> forces = m_method->edge_forces();
-    if (forces.empty()) return Eigen::VectorXd::Zero(m_net->edge_count());
-    return Eigen::Map<const Eigen::VectorXd>(forces.data(), m_net->edge_count());
+    const std::optional<RestState> state = rest_state();
+    return state ? chebnet::edge_forces(*state) : Eigen::VectorXd::Zero(m_net->edge_count());
 }
 
 SolveReport Editor::solve(const Budget& budget) {
@@ -606,6 +605,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     }
     m_running = report.status == Status::running;
     store_positions();
+    if (const std::optional<RestState> state = rest_state()) report.to_rest = state->left;
     report.max_deviation = max_deviation(*m_net, m_positions);
     if (report.max_deviation < m_options.threshold) m_last_net = m_positions;
     if (keeps_lengths(report.status) && !(report.max_deviation < m_options.threshold))

@@ -63,7 +63,9 @@ public:
     std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }
-    /// E, Method::edge_forces() of the last solve; zeros where the method does not know them.
+    /// Method::rest_state() of the last solve, in the solver's unit; see net_forces().
+    std::optional<RestState> rest_state() const { return m_method->rest_state(); }
+    /// E, chebnet::edge_forces() of the last solve; zeros where the method does not know them.
     Eigen::VectorXd edge_forces() const;
     const std::string& initialisation() const { return m_initialisation.name(); }
     /// Null: none.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "net/topology.h"
 #include "solve/options.h"
 #include "solve/problem.h"
+#include "solve/rest_state.h"
 #include "solve/trace.h"
 
 namespace chebnet {
@@ -44,10 +46,8 @@ public:
     /// and total_ms).
     virtual Status iterate(Positions& positions, TraceRow& row) = 0;
 
-    /// E, what holds each edge at its length, where the method finds that: the energy gained for a part of the length
-    /// that the edge would give way. Positive where it pulls its ends together, negative where it pushes them apart;
-    /// over L_e it is a force. Empty if the method does not know. Valid until the next call.
-    virtual std::span<const double> edge_forces() const { return {}; }
+    /// How near the net is to rest and what holds it there, if the method brings nets to rest and has come so far.
+    virtual std::optional<RestState> rest_state() const { return std::nullopt; }
 };
 
 using NameList = std::span<const char* const>;

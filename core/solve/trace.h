@@ -1,8 +1,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "solve/rest_state.h"
 
 namespace chebnet {
 
@@ -45,7 +48,8 @@ struct SolveReport {
     double milliseconds = 0;                                         ///< of this call
     double factorisation_ms = 0;                                     ///< part of it
     int iterations = 0;                                              ///< of this call, by the method
-    Trace trace;  ///< a row for each iteration of this call, by the initialisation and by the method
+    std::optional<ToRest> to_rest;  ///< where a method that brings nets to rest has come so far
+    Trace trace;                    ///< a row for each iteration of this call, by the initialisation and by the method
 };
 
 }  // namespace chebnet

@@ -237,6 +237,34 @@ TEST_CASE("feet that slide on the ground come in when the middle of a sheet is r
     }
 }
 
+TEST_CASE("solve reports the forces that hold a heavy sheet, and writes those of its edges") {
+    const Sandbox box;
+    const json info = box.run("info sheet:vertices=100").json();
+    const double length = info.at("mean_length");
+    json edit{{"handles", json::array()}};
+    for (const int corner : {0, 9, 90, 99}) {
+        const Eigen::Vector3d rest = make_shape("sheet:vertices=100").net.rest_positions().col(corner);
+        edit["handles"].push_back(edit_entry(corner, 0.95 * rest + Eigen::Vector3d(0, 0, length)));
+    }
+    box.write("edit.json", edit.dump());
+    const std::string solve = "solve sheet:vertices=100 --edit edit.json --edges edges.csv --set gravity=0.01 ";
+    const json report = box.run(solve).json();
+    CHECK(report.at("to_rest").at("gradient_norm") < 1e-4);
+    CHECK(report.at("to_rest").at("corner_lack_in_lengths") < 1e-3);
+    double up = 0, energy = 0;
+    for (const json& handle : report.at("handle_forces")) up += handle.at("force")[2].get<double>();
+    CHECK(up == Approx(0.01 * info.at("edges").get<double>()).epsilon(1e-3));
+    for (const char* term : {"bending", "shear", "gravity"}) energy += report.at("energies").at(term).get<double>();
+    CHECK(energy != 0);
+    CHECK(report.at("edge_that_pulls_most").at("force") > report.at("edge_that_pushes_most").at("force"));
+    CHECK_THAT(box.read("edges.csv"), Contains("deviation,force\n"));
+
+    const json without = box.run(solve + "--method projection").json();
+    CHECK(without.at("to_rest").is_null());
+    CHECK_FALSE(without.contains("handle_forces"));
+    CHECK_THAT(box.read("edges.csv"), Contains("deviation\n"));
+}
+
 TEST_CASE("the shear limit is asked for by name") {
     const Sandbox box;
     // Ten quads between corners 17.5 edges apart: their diagonals leave corners of 57.7 degrees at most.

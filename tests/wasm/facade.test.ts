@@ -173,6 +173,28 @@ describe('an editor', () => {
     expect(editor.smallestAngle()).toBeLessThanOrEqual(Math.min(...editor.fields().angle) + 1e-6);
   });
 
+  test('says what is left until the net is at rest, and what holds it there', () => {
+    expect(editor.forces()).toBeNull();
+    editor.setOption('gravity', 0.001);
+    editor.setHandles(firstEdit(editor));
+    const { status, toRest } = editor.solve();
+    expect(status).toBe('converged');
+    expect(toRest!.gradientNorm).toBeLessThan(1e-4);
+    expect(toRest!.cornerLack).toBeLessThan(1e-3);
+    expect(toRest!.motion).toBeLessThan(0.01);
+    const { edges, corners, handles, energies } = editor.forces()!;
+    expect(edges).toHaveLength(editor.info.edges);
+    expect(corners.every(({ push }) => push > 0)).toBe(true);
+    expect(handles).toHaveLength(editor.handles().length);
+    const up = handles.reduce((sum, [, , z]) => sum + z, 0);
+    expect(up).toBeCloseTo(0.001 * editor.info.edges, 4);
+    expect(Object.keys(energies)).toEqual(['bending', 'shear', 'gravity']);
+
+    editor.setMethod('projection');
+    expect(editor.solve().toRest).toBeNull();
+    expect(editor.forces()).toBeNull();
+  });
+
   test('takes positions and goes back to rest', () => {
     const moved = editor.restPositions.map((coordinate) => 1.5 * coordinate);
     editor.setPositions(moved);

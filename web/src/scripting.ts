@@ -11,7 +11,7 @@
  * core/base/error.h, e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits
  * for the page to be ready.
  */
-import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport } from '../../wasm/chebnet';
+import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport, ToRest } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
 import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
@@ -49,6 +49,8 @@ export interface Stats {
   /** Pictures drawn in the last second; none is drawn while nothing moves. */
   framesPerSecond: number;
   method: string;
+  /** What is left until the net is at rest; null: the method does not bring it there, or has not come so far. */
+  toRest: ToRest | null;
 }
 
 export interface Scripting {
@@ -195,7 +197,9 @@ async function setOptions(app: App, given: ScriptOptions): Promise<void> {
 function stats(app: App): Stats {
   const { opening, framesPerSecond } = app;
   const { vertices = 0, edges = 0, faces = 0 } = opening?.net.info ?? {};
-  const { status = 'running', maxDeviation = 0, iterations = 0, milliseconds = 0, method = '' } = opening?.frame ?? {};
+  const { status = 'running', maxDeviation = 0, iterations = 0, milliseconds = 0 } = opening?.frame ?? {};
+  const { method = '', toRest = null } = opening?.frame ?? {};
   const handles = opening?.document.handles.length ?? 0;
-  return { vertices, edges, faces, handles, status, maxDeviation, iterations, milliseconds, framesPerSecond, method };
+  const solved = { status, maxDeviation, iterations, milliseconds, framesPerSecond, method, toRest };
+  return { vertices, edges, faces, handles, ...solved };
 }

@@ -61,7 +61,7 @@ public:
     bool knows_slides() const override { return true; }
     Status start(const Problem& problem, Positions& positions, const Options& options) override;
     Status iterate(Positions& positions, TraceRow& row) override;
-    std::span<const double> edge_forces() const override;
+    std::optional<RestState> rest_state() const override;
 
 private:
     enum Stage { net = 1, follow = 2, rest = 3, open = 4 };
@@ -96,6 +96,7 @@ private:
     bool linearise(const Positions& positions);
     void take_step(Positions& positions, TraceRow& row);
     double gradient_norm() const;
+    double motion_left() const;
     bool is_at_rest() const;
     void renew_factor(TraceRow& row);
     double find_move();
@@ -134,6 +135,8 @@ private:
     bool m_is_still = false;       // the last step was a whole one, and short
     bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
     double m_lack = 0;             // of the limit, at m_result
+    // Of the last step: the gradient's norm before, and how far it went in edge lengths.
+    double m_gradient_before = 0, m_moved = 0;
     PathExtrapolation m_path;      // of the descent in stage 3
     Positions m_result;            // where the method last left the net; empty: nowhere
     bool m_was_placed = false;     // the rest shape, in this solve: a walk has begun there
@@ -490,6 +493,7 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_is_still = m_is_linearised && gradient_norm() < k_no_force;
     m_is_careful = false;
     m_path.clear();
+    m_gradient_before = 0;
 }
 
 /// Per unit of length.
@@ -556,7 +560,7 @@ bool Equilibrium::follow_path(Positions& positions) {
 void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     ++m_steps;
     renew_factor(row);
-    row.gradient_norm = gradient_norm();
+    row.gradient_norm = m_gradient_before = gradient_norm();
     Stopwatch watch;
     m_origin = positions;
     const double slope = find_move_beside_corners(positions);
@@ -572,6 +576,7 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
     else if (was_cut)
         m_radius = std::min(2 * m_radius, k_most_move * L);
     m_is_still = !was_cut && moved < k_still * L;
+    m_moved = moved / L;
     m_max_deviation = max_deviation(*m_net, positions);
 }
 
@@ -652,10 +657,24 @@ bool Equilibrium::linearise(const Positions& positions) {
     return m_is_linearised;
 }
 
-std::span<const double> Equilibrium::edge_forces() const {
-    if (m_stage != rest || m_newton->multipliers().size() == 0) return {};
-    const Eigen::VectorXd& multipliers = m_newton->multipliers();
-    return {multipliers.data(), static_cast<std::size_t>(m_net->edge_count())};
+/// As far again as the last step went, by what it left of the gradient over what it took off.
+double Equilibrium::motion_left() const {
+    const double left = gradient_norm(), taken = m_gradient_before - left;
+    if (left < k_no_force) return 0;
+    return m_is_linearised && taken > 0 ? m_moved * left / taken : std::numeric_limits<double>::infinity();
+}
+
+std::optional<RestState> Equilibrium::rest_state() const {
+    if (m_stage < follow || !m_newton || m_newton->multipliers().size() == 0) return std::nullopt;
+    return RestState{{gradient_norm(), m_lack, motion_left()},
+                     m_is_linearised,
+                     *m_net,
+                     m_result,
+                     m_rest_energy,
+                     m_gradient,
+                     m_pulls,
+                     m_constraints->system(),
+                     m_newton->multipliers()};
 }
 
 std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }

@@ -40,6 +40,7 @@ public:
     /// side is left; `y` is the guess to begin with. False if it cannot be solved.
     bool solve(const Eigen::VectorXd& rhs, double tolerance, Eigen::VectorXd& y);
     LengthSystem& system() { return m_system; }
+    const LengthSystem& system() const { return m_system; }
 
 private:
     bool solve_from(const Eigen::VectorXd* guess, double tolerance);

@@ -30,6 +30,7 @@ public:
     bool project(Positions& positions, double threshold);
     /// The system for the edges and corners.
     LengthProjection& lengths() { return *m_lengths; }
+    const LengthSystem& system() const { return m_lengths->system(); }
 
     /// By how much a corner is too sharp at most, in edge lengths of its diagonal; 0 if none is.
     double lack(const Positions& positions) const { return m_limit.largest_lack(positions); }

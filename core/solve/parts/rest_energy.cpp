@@ -56,10 +56,11 @@ void RestEnergy::move_pulls(const Net& net, std::span<const Pull> pulls) {
     if (!pulls.empty()) m_terms.back() = std::make_unique<PullTerm>(net, pulls);
 }
 
-double RestEnergy::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) const {
+double RestEnergy::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) {
     gradient.setZero(3, x.cols());
+    m_values.clear();
     double energy = 0;
-    for (const auto& term : m_terms) energy += term->evaluate(x, gradient);
+    for (const auto& term : m_terms) energy += m_values.emplace_back(term->evaluate(x, gradient));
     return energy;
 }
 

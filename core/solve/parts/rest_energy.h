@@ -33,11 +33,14 @@ public:
     void forget() { m_terms.clear(); }
 
     /// At `x` (3×V), with its gradient there.
-    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) const;
+    double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient);
+    /// That of each term, at the last positions.
+    std::span<const double> values() const { return m_values; }
     std::span<const std::unique_ptr<Term>> terms() const { return m_terms; }
 
 private:
     std::vector<std::unique_ptr<Term>> m_terms;  // that of pulls, if there are any, is the last
+    std::vector<double> m_values;
 };
 
 }  // namespace chebnet

@@ -42,6 +42,7 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
     stage: 0,
     method: '',
     trace: [],
+    toRest: null,
     stepFrom: null,
     unreachable: [],
   };

@@ -43,6 +43,14 @@ export class LiveNumbers {
     setText(this.#cells.stage, solved ? stage : NOTHING);
     setText(this.#cells.iterations, solved ? count(frame.iterations) : NOTHING);
     setText(this.#cells.milliseconds, solved ? duration(frame.milliseconds) : NOTHING);
+    this.#setToRest(frame);
     setText(this.#cells.framesPerSecond, solving && framesPerSecond > 0 ? count(framesPerSecond) : NOTHING);
+  }
+
+  #setToRest({ toRest }: FrameData): void {
+    const edges = (length: number) => (Number.isFinite(length) ? `${small(length)} L` : NOTHING);
+    setText(this.#cells.forceLeft, toRest ? small(toRest.gradientNorm) : NOTHING);
+    setText(this.#cells.motionLeft, toRest ? edges(toRest.motion) : NOTHING);
+    setText(this.#cells.cornerLack, toRest ? edges(toRest.cornerLack) : NOTHING);
   }
 }

@@ -7,6 +7,7 @@ import type {
   NetInfo,
   PatternFault,
   Status,
+  ToRest,
   TraceRow,
   UnreachablePair,
 } from '../../../wasm/chebnet';
@@ -128,6 +129,8 @@ export interface FrameData {
   milliseconds: number;
   stage: number;
   method: string;
+  /** What is left until the net is at rest; null: not known. */
+  toRest: ToRest | null;
   /** Rows since the frame before; `iteration` 1 begins a new solve. */
   trace: TraceRow[];
   /** Where the net stood before the single step that led here; null if anything else did. */

@@ -7,6 +7,7 @@ import type {
   LengthAdapter,
   SolveReport,
   Surface,
+  ToRest,
   TraceRow,
 } from '../../../wasm/chebnet';
 import { numberingOf } from '../document/numbering';
@@ -79,6 +80,8 @@ export class Server {
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
+  /** Of the call that made that row. */
+  #toRest: ToRest | null = null;
   #unsentRows: TraceRow[] = [];
   #stepFrom: Float64Array | null = null;
   #frameSeen = true;
@@ -466,6 +469,7 @@ export class Server {
   #note(report: SolveReport): void {
     this.#status = report.status;
     this.#row = report.trace.at(-1) ?? this.#row;
+    this.#toRest = report.toRest;
     this.#unsentRows.push(...report.trace);
   }
 
@@ -515,6 +519,7 @@ export class Server {
       milliseconds: this.#row?.totalMs ?? 0,
       stage: this.#row?.stage ?? 0,
       method: editor.method,
+      toRest: this.#row && this.#toRest,
       trace,
       stepFrom,
       unreachable: editor.unreachablePairs(),

@@ -202,6 +202,9 @@ export const panels = {
     iterations: 'Iterations',
     milliseconds: 'Last solve',
     framesPerSecond: 'Frames a second',
+    forceLeft: 'Force left',
+    motionLeft: 'To move',
+    cornerLack: 'Too sharp',
     stage: 'Stage',
   },
   plot: {

@@ -252,6 +252,9 @@ export const panels: Widened<typeof en> = {
     iterations: '迭代次数',
     milliseconds: '上次求解',
     framesPerSecond: '每秒帧数',
+    forceLeft: '剩余的力',
+    motionLeft: '还要移动',
+    cornerLack: '角过尖',
     stage: '阶段',
   },
   plot: {
