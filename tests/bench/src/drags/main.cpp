@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Arguments {
     std::string nets, edits;
     std::vector<std::string> only;
     int frames = 60;
+    bool plans = false;
 };
 
 /// What is written of one edit by one method. Lengths in edge lengths, angles in degrees.
@@ -37,6 +39,7 @@ struct Row {
     double way_back = 0;                // RMS distance from where it began
     double path = 0;                    // RMS distance between slow drag and jump
     double rest_ms = 0, jump_ms = 0;    // from the last frame to rest; the jump as a whole
+    double cold_ms = 0;                 // the jump of a net for which nothing has been prepared
     int rest_iterations = 0;
     Status status = Status::running;  // of the slow drag, out
 };
@@ -85,6 +88,16 @@ private:
     Editor m_editor;
 };
 
+/// All handles at once at their targets.
+double cold_ms(const Edit& problem, const std::string& method) {
+    Editor editor(problem.net);
+    editor.set_method(method);
+    const Stopwatch watch;
+    editor.set_handles(problem.handles);
+    editor.solve();
+    return watch.milliseconds();
+}
+
 void drag_to(double from, double to, int frames, Drag& drag, Row& row) {
     for (int k = 1; k <= frames; ++k) {
         const Positions before = drag.positions();
@@ -100,6 +113,7 @@ void drag_to(double from, double to, int frames, Drag& drag, Row& row) {
 
 Row measure(const Edit& problem, const std::string& method, int frames) {
     Row row;
+    row.cold_ms = cold_ms(problem, method);
     Drag slow(problem, method);
     const Positions start = slow.positions();
     drag_to(0, 1, frames, slow, row);
@@ -128,18 +142,18 @@ Row measure(const Edit& problem, const std::string& method, int frames) {
 void print_head() {
     std::puts(
         "| edit | method | V | frame ms: median, 95 %, largest | dL in a frame, settled | angle in a frame, settled "
-        "| kick 95 % | return | path | bend | to rest: iterations, ms | jump ms | |");
-    std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        "| kick 95 % | return | path | bend | to rest: iterations, ms | jump ms | cold ms | |");
+    std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
 }
 
 void print(const std::string& edit, const std::string& method, int vertices, const Row& row) {
     std::printf(
         "| %s | %s | %d | %.1f, %.1f, %.1f | %.0e, %.0e | %.2f, %.2f | %.2f | %.4f | %.4f | %.4f | %d, %.0f | "
-        "%.0f | %s |\n",
+        "%.0f | %.0f | %s |\n",
         edit.c_str(), method.c_str(), vertices, median(row.frame_ms), quantile(row.frame_ms, 0.95),
         quantile(row.frame_ms, 1), row.frame_deviation, row.deviation, row.frame_angle, row.angle,
         quantile(row.kicks, 0.95), row.way_back, row.path, row.bend, row.rest_iterations, row.rest_ms, row.jump_ms,
-        to_string(row.status));
+        row.cold_ms, to_string(row.status));
     std::fflush(stdout);
 }
 
@@ -168,6 +182,20 @@ void measure_all(const Arguments& arguments) {
     }
 }
 
+/// What `drags_in_node.mjs` measures.
+void print_plan(const Arguments& arguments) {
+    using Json = nlohmann::json;
+    Json tasks = Json::array();
+    for (const EditCase& edit : wanted_cases(arguments)) {
+        Json handles = Json::array();
+        for (const Handle& handle : make_problem(edit).handles)
+            handles.push_back(
+                {{"vertex", handle.vertex}, {"target", {handle.target.x(), handle.target.y(), handle.target.z()}}});
+        tasks.push_back({{"edit", edit.name()}, {"net", edit.net}, {"handles", handles}});
+    }
+    std::puts(Json{{"methods", arguments.methods}, {"frames", arguments.frames}, {"tasks", tasks}}.dump().c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -182,9 +210,10 @@ int main(int argc, char** argv) {
     program.add_option("--frames", arguments.frames, "Frames of the slow drag, each way")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    program.add_flag("--plan", arguments.plans, "Print what would be measured, for the same in WebAssembly");
     CLI11_PARSE(program, argc, argv);
     try {
-        measure_all(arguments);
+        arguments.plans ? print_plan(arguments) : measure_all(arguments);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "drags: %s\n", error.what());
         return 2;
