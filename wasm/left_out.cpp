@@ -1,6 +1,6 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, handles that slide, localities, shapes that are relaxed, and surfaces. Called, they throw the
-// code "left_out".
+// nets pushed through, handles that slide, localities, shapes that are relaxed, surfaces, families of net lines and
+// rods that were bent beforehand. Called, they throw the code "left_out".
 
 #include <memory>
 #include <span>
@@ -12,10 +12,12 @@
 #include "edit/net_forces.h"
 #include "io/obj.h"
 #include "mesh_border.h"
+#include "net/families.h"
 #include "shapes/smooth_figure.h"
 #include "solve/parts/coordinate_metric.h"
 #include "solve/parts/length_system.h"
 #include "solve/parts/neighbour_system.h"
+#include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
 
 namespace chebnet {
@@ -44,6 +46,8 @@ std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, doub
     leave_to_the_whole_core();
 }
 Eigen::VectorXd heights_over(const Surface&, const SurfaceTree&, const Positions&) { leave_to_the_whole_core(); }
+std::optional<std::vector<int>> edge_families(const Net&) { leave_to_the_whole_core(); }
+void BendingTerm::bend_rest_lines(const Net&, const Positions&, double) { leave_to_the_whole_core(); }
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 // Never called where no handle has passed that check.
 void LengthSystem::set_slides(std::span<const Slide>) {}

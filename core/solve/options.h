@@ -35,6 +35,10 @@ struct Options {
     double bending_weight = 1;          ///< equilibrium: of BendingTerm
     double shear_weight = 0.05;         ///< equilibrium: of ShearTerm
     bool straight_rods = false;         ///< equilibrium: net lines want to be straight rather than as at rest
+    double rod_curvature = 0;           ///< equilibrium: to which net lines were bent beforehand, 1 / length; 0: not
+    double warp_stiffness = 1;          ///< equilibrium: factor of bending_weight for the first family of net lines,
+    double weft_stiffness = 1;          ///< and for the second; of no effect where there are not two (edge_families())
+    bool square_corners = false;        ///< equilibrium: quads want right angles rather than those at rest
     double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
     int guide_mode = 1;                 ///< equilibrium: a GuideMode, of no effect without a guide
     double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm

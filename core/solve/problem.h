@@ -22,7 +22,7 @@ struct Problem {
     bool reachable = true;                ///< false: no such positions exist, as far as the handles' distances tell
     const Positions* last_net = nullptr;  ///< the last positions in which every edge had its length; null: not known
     std::shared_ptr<const Guide> guide = nullptr;  ///< a surface for Options::guide_mode; null: none
-    double unit = 1;                               ///< of the net, in the guide's
+    double unit = 1;                               ///< of the net, in that of the guide and of the options' lengths
     bool only_nets = false;                        ///< see Method::start(); for methods that go from net to net
     std::span<const Slide> slides = {};            ///< of free vertices, distinct; for methods that know slides
 };

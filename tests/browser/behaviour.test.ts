@@ -202,6 +202,50 @@ test('a net that comes nearly closed is opened, which is said, and undone where 
   expect(await notice.innerText()).toBe('');
 });
 
+test('quads that want to be square become so, and undo takes that back', async () => {
+  await script.open({ obj: rhombi(6, 60), name: 'rhombi.obj' });
+  await script.settled();
+  await choose(/straight rods/);
+  const quads = Array.from({ length: 25 }, (_, q) => {
+    const corner = 6 * Math.floor(q / 5) + (q % 5);
+    return [corner, corner + 1, corner + 7, corner + 6];
+  });
+  const came = smallestAngle(quads, await script.positions());
+  expect(came).toBeCloseTo(60, 1);
+  const quadsWant = visit.page.locator('label', { hasText: /^Quads/ }).getByRole('combobox');
+  await quadsWant.selectOption({ label: 'square' });
+  await script.settled();
+  expect(smallestAngle(quads, await script.positions())).toBeGreaterThan(89);
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(await quadsWant.inputValue()).toBe('atRest');
+});
+
+test('warp and weft of a sheet are set against each other; a net without the two is not asked for them', async () => {
+  const balance = visit.page.getByRole('slider', { name: 'Warp : weft' });
+  await script.open({ recipe: 'sheet:vertices=121' });
+  await script.settled();
+  await balance.waitFor();
+  expect(await balance.getAttribute('aria-valuetext')).toBe('1 : 1');
+  await drag([0, -120]);
+  const alike = await script.positions();
+  await balance.focus();
+  await balance.press('ArrowRight');
+  await balance.blur();
+  await script.settled();
+  expect(await balance.getAttribute('aria-valuetext')).toBe('4 : 1');
+  expect(apart(await script.positions(), alike)).toBeGreaterThan(1e-3);
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-warp.png') });
+  await visit.page.keyboard.press('Control+z');
+  await script.settled();
+  expect(await balance.getAttribute('aria-valuetext')).toBe('1 : 1');
+  expect(apart(await script.positions(), alike)).toBeLessThan(1e-3);
+
+  await script.open({ recipe: 'jack:vertices=300' });
+  await script.settled();
+  await balance.waitFor({ state: 'hidden' });
+});
+
 /** A flat strip of squares along x. */
 function strip(long: number, wide: number): string {
   const places = Array.from({ length: long * wide }, (_, v) => [v % long, Math.floor(v / long)] as const);

@@ -10,6 +10,7 @@
 
 #include "edit/edit_state.h"
 #include "edit/locality.h"
+#include "net/families.h"
 #include "net/net.h"
 #include "net/topology.h"
 #include "solve/options.h"
@@ -53,10 +54,16 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
     const Topology topology(net);
     const Positions& from = shape != nullptr ? *shape : net.rest_positions();
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x.cols());
-    BendingTerm(net, topology, from, options.bending_weight,
-                options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest)
+    std::vector<double> stiffness;
+    for (const int family : edge_families(net).value_or(std::vector<int>()))
+        stiffness.push_back(family == 0 ? options.warp_stiffness : options.weft_stiffness);
+    const auto reference = options.rod_curvature != 0 ? BendingTerm::Reference::curved
+                           : options.straight_rods    ? BendingTerm::Reference::straight
+                                                      : BendingTerm::Reference::rest;
+    BendingTerm(net, topology, from, options.bending_weight, reference, stiffness, options.rod_curvature)
         .evaluate(x, gradient);
-    ShearTerm(net, from, options.shear_weight, ShearTerm::Reference::rest,
+    ShearTerm(net, from, options.shear_weight,
+              options.square_corners ? ShearTerm::Reference::right_angles : ShearTerm::Reference::rest,
               std::max(options.shear_limit, 15.0) * k_radians)
         .evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);

@@ -30,7 +30,7 @@ Editor pulled_patch(const Eigen::Vector3d& move, double gravity = 0) {
 Eigen::Matrix3Xd unbalanced(const Editor& editor, const NetForces& forces) {
     const Net& net = editor.net();
     const Positions& x = editor.positions();
-    Eigen::Matrix3Xd sum = -net.mean_length() * samples::gradient_of(net, editor.options(), x, nullptr);
+    Eigen::Matrix3Xd sum = -net.mean_length() * samples::gradient_of({net, {}, editor.options()}, x);
     const auto pull_together = [&](int a, int b, double force) {
         const Eigen::Vector3d pull = force * (x.col(b) - x.col(a)).normalized();
         sum.col(a) += pull;

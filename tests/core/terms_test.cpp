@@ -3,6 +3,7 @@
 #include <memory>
 #include <random>
 
+#include "net/families.h"
 #include "sample_nets.h"
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
@@ -54,6 +55,11 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
     std::vector<std::unique_ptr<Term>> terms;
     for (const auto reference : {BendingTerm::Reference::rest, BendingTerm::Reference::straight})
         terms.push_back(std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference));
+    std::vector<double> stiffness;
+    for (const int family : edge_families(net).value_or(std::vector<int>())) stiffness.push_back(family == 0 ? 2 : 0.3);
+    for (const auto reference : {BendingTerm::Reference::straight, BendingTerm::Reference::curved})
+        terms.push_back(
+            std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference, stiffness, 0.4));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
         terms.push_back(std::make_unique<ShearTerm>(net, net.rest_positions(), 0.3, reference, 0.3));
     terms.push_back(std::make_unique<PullTerm>(net, pulls));

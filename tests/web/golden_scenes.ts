@@ -234,6 +234,14 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
       scene: { ...freshScene({ recipe: 'steps:vertices=120' }), options: { threshold: 1e-10 } },
       drag: SCREW,
     },
+    material: {
+      scene: {
+        ...freshScene({ recipe: 'sheet:vertices=120' }),
+        method: 'equilibrium',
+        options: { rod_curvature: 0.125, warp_stiffness: 4, weft_stiffness: 0.25, square_corners: true },
+      },
+      drag: SCREW,
+    },
     'out-of-reach': { scene: freshScene({ recipe: 'jack:vertices=120' }), drag: [0, 0, 50] },
     'without-its-positions': { scene: freshScene({ recipe: 'dome:vertices=120' }), drag: SCREW, largest: 400 },
   };

@@ -69,7 +69,7 @@ private:
     Method& projection();
     Problem problem() const { return {*m_net, *m_topology, m_walk.held().vertices(), m_pulls, m_reachable}; }
     void take_pulls(std::span<const Pull> pulls);
-    bool take_guide(const Problem& problem);
+    bool take_guide(const Problem& problem, const Options& options);
     CornerLimit limit() const;
     void forget_rest_shape();
     bool begin_opening();
@@ -112,7 +112,7 @@ private:
     std::vector<Pull> m_pulls;
     bool m_pulls_changed = true, m_pulls_moved = true;  // in number, place or weight; in their targets
     std::shared_ptr<const Guide> m_guide;
-    double m_unit = 1;  // in the guide's
+    double m_unit = 1;  // in that of the guide and of the options' lengths
     const bool m_opens;
     std::unique_ptr<Equilibrium> m_opening;  // while it is under way
     int m_opening_steps = 0;
@@ -137,10 +137,10 @@ private:
     double m_lack = 0;             // of the limit, at m_result
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
     double m_gradient_before = 0, m_moved = 0;
-    PathExtrapolation m_path;      // of the descent in stage 3
-    Positions m_result;            // where the method last left the net; empty: nowhere
-    bool m_was_placed = false;     // the rest shape, in this solve: a walk has begun there
-    Positions m_stuck_at;          // where a walk before that ended early; empty: none did
+    PathExtrapolation m_path;   // of the descent in stage 3
+    Positions m_result;         // where the method last left the net; empty: nowhere
+    bool m_was_placed = false;  // the rest shape, in this solve: a walk has begun there
+    Positions m_stuck_at;       // where a walk before that ended early; empty: none did
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
     Eigen::Matrix3Xd m_gradient;
@@ -189,9 +189,10 @@ void Equilibrium::take_pulls(std::span<const Pull> pulls) {
     m_pulls.assign(pulls.begin(), pulls.end());
 }
 
-/// Whether it is the one of before.
-bool Equilibrium::take_guide(const Problem& problem) {
-    const bool same = m_guide == problem.guide && (m_unit == problem.unit || m_guide == nullptr);
+/// Whether it is the one of before, and in the same unit if that matters.
+bool Equilibrium::take_guide(const Problem& problem, const Options& options) {
+    const bool has_lengths = problem.guide != nullptr || options.rod_curvature != 0;
+    const bool same = m_guide == problem.guide && (m_unit == problem.unit || !has_lengths);
     m_guide = problem.guide;
     m_unit = problem.unit;
     return same;
@@ -199,7 +200,7 @@ bool Equilibrium::take_guide(const Problem& problem) {
 
 Status Equilibrium::start(const Problem& problem, Positions& positions, const Options& options) {
     take_pulls(problem.pulls);
-    const bool same_guide = take_guide(problem);
+    const bool same_guide = take_guide(problem, options);
     const bool same_energy =
         same_guide && m_rest_energy.is_chosen() && !m_pulls_changed && RestEnergy::is_the_same(m_options, options);
     if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
@@ -665,7 +666,8 @@ double Equilibrium::motion_left() const {
 }
 
 std::optional<RestState> Equilibrium::rest_state() const {
-    if (m_stage < follow || !m_newton || m_newton->multipliers().size() == 0) return std::nullopt;
+    const bool has_net = m_stage == follow || m_stage == rest;
+    if (!has_net || !m_newton || m_newton->multipliers().size() == 0) return std::nullopt;
     return RestState{{gradient_norm(), m_lack, motion_left()},
                      m_is_linearised,
                      *m_net,
@@ -682,8 +684,9 @@ std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibriu
 constexpr std::array k_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
 // The tolerances where a net is found by `projection`.
 constexpr auto k_options =
-    joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "straight_rods", "gravity",
-                                    "guide_mode", "guide_weight", "rest_tolerance"});
+    joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "straight_rods", "rod_curvature",
+                                    "warp_stiffness", "weft_stiffness", "square_corners", "gravity", "guide_mode",
+                                    "guide_weight", "rest_tolerance"});
 
 }  // namespace
 
@@ -692,7 +695,7 @@ constexpr auto k_options =
 /// of net lines (BendingTerm), shear (ShearTerm), soft handles (PullTerm) and weight (GravityTerm) decide it, so that
 /// an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one is kept that the
 /// present shape leads to. The energy counts from the net's rest shape; where that is no net within the limit, it is
-/// first made one, at rest without handles. In stages:
+/// first made one, at rest without handles. Rods may also be straight or bent when free, and corners square. In stages:
 ///
 ///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails from the
 ///      last net and from the rest shape;

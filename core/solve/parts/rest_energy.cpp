@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 
+#include "net/families.h"
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
@@ -19,6 +21,24 @@ constexpr double k_hold = 100;
 
 bool is_guided(const Options& options, const Guide* guide) { return guide != nullptr && options.guide_mode != 0; }
 
+BendingTerm::Reference bending_reference(const Options& options) {
+    if (options.rod_curvature != 0) return BendingTerm::Reference::curved;
+    return options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
+}
+
+ShearTerm::Reference shear_reference(const Options& options) {
+    return options.square_corners ? ShearTerm::Reference::right_angles : ShearTerm::Reference::rest;
+}
+
+/// E, or empty if all are alike. The weight of shear is one: the diagonals of a quad lie between both families.
+std::vector<double> stiffness_of_edges(const Net& net, const Options& options) {
+    if (options.warp_stiffness == 1 && options.weft_stiffness == 1) return {};
+    std::vector<double> stiffness;
+    for (const int family : edge_families(net).value_or(std::vector<int>()))
+        stiffness.push_back(family == 0 ? options.warp_stiffness : options.weft_stiffness);
+    return stiffness;
+}
+
 std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit, const Options& options) {
     const auto mode = static_cast<GuideMode>(options.guide_mode);
     const double weight = mode == GuideMode::near ? options.guide_weight : k_hold * options.guide_weight;
@@ -29,23 +49,28 @@ std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit,
 }  // namespace
 
 bool RestEnergy::is_the_same(const Options& a, const Options& b) {
-    return a.shear_limit == b.shear_limit && a.bending_weight == b.bending_weight && a.shear_weight == b.shear_weight &&
-           a.straight_rods == b.straight_rods && a.gravity == b.gravity && a.guide_mode == b.guide_mode &&
-           a.guide_weight == b.guide_weight;
+    const auto asked = [](const Options& o) {
+        return std::tuple(o.shear_limit, o.bending_weight, o.shear_weight, o.straight_rods, o.rod_curvature,
+                          o.warp_stiffness, o.weft_stiffness, o.square_corners, o.gravity, o.guide_mode,
+                          o.guide_weight);
+    };
+    return asked(a) == asked(b);
 }
 
 bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide) {
-    return pulls.empty() && !is_guided(options, guide) && options.gravity == 0 && !options.straight_rods;
+    return pulls.empty() && !is_guided(options, guide) && options.gravity == 0 && !options.straight_rods &&
+           options.rod_curvature == 0 && !options.square_corners;
 }
 
 void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
                         std::span<const Pull> pulls, const Guide* guide, double unit) {
-    const auto bending = options.straight_rods ? BendingTerm::Reference::straight : BendingTerm::Reference::rest;
     const double open_angle = std::max(options.shear_limit, k_least_open_angle) * std::numbers::pi / 180;
     m_terms.clear();
-    m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight, bending));
+    m_terms.push_back(std::make_unique<BendingTerm>(net, topology, rest_shape, options.bending_weight,
+                                                    bending_reference(options), stiffness_of_edges(net, options),
+                                                    options.rod_curvature * unit));
     m_terms.push_back(
-        std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, ShearTerm::Reference::rest, open_angle));
+        std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, shear_reference(options), open_angle));
     if (options.gravity > 0)
         m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ()));
     if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));

@@ -24,7 +24,8 @@ public:
     /// Whether the rest shape is where it is least if nothing deforms it, wherever and however turned it stands.
     static bool is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide);
 
-    /// Takes its terms anew. `guide`: null if there is none; `unit`: of the net, in the guide's. Keeps references.
+    /// Takes its terms anew. `guide`: null if there is none; `unit`: of the net, in that of the guide and of the
+    /// options' lengths. Keeps references.
     void choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
                 std::span<const Pull> pulls, const Guide* guide, double unit);
     /// The same pulls to other targets.

@@ -58,23 +58,25 @@ std::vector<int> find_partners(const Net& net, const Topology& topology, const s
 }  // namespace
 
 BendingTerm::BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight,
-                         Reference reference)
+                         Reference reference, std::span<const double> stiffness, double curvature)
     : m_weight(weight),
-      m_cell_weight(reference == Reference::rest ? k_cell_stiffness * weight : 0),
-      m_turns(reference == Reference::rest) {
+      m_cell_stiffness(reference == Reference::straight ? 0 : k_cell_stiffness),
+      m_turns(reference != Reference::straight) {
     m_start.push_back(0);
     for (int b = 0; b < net.vertex_count(); ++b) m_start.push_back(m_start.back() + topology.valence(b));
     const std::vector<int> partners = find_partners(net, topology, m_start);
     for (int b = 0; b < net.vertex_count(); ++b) {
         const std::span<const int> neighbours = topology.neighbours(b), edges = topology.incident_edges(b);
-        for (std::size_t k = 0; k < neighbours.size(); ++k)
-            m_spokes.push_back({neighbours[k], 1 / net.rest_lengths()[edges[k]], partners[m_spokes.size()]});
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            const double of_edge = stiffness.empty() ? weight : weight * stiffness[edges[k]];
+            m_spokes.push_back({neighbours[k], partners[m_spokes.size()], 1 / net.rest_lengths()[edges[k]], of_edge});
+        }
     }
     m_tangents.resize(3, static_cast<Eigen::Index>(m_spokes.size()));
-    if (m_turns) remember_rest_shape(rest);
+    if (m_turns) remember_rest_shape(net, rest, curvature);
 }
 
-void BendingTerm::remember_rest_shape(const Positions& rest) {
+void BendingTerm::remember_rest_shape(const Net& net, const Positions& rest, double curvature) {
     m_rest = m_rest_formed = m_levers = m_tangents;
     const auto cells = m_start.size() - 1;
     m_rest_compliance.resize(cells);
@@ -84,6 +86,7 @@ void BendingTerm::remember_rest_shape(const Positions& rest) {
     m_covariances.resize(cells);
     for (int b = 0; b < static_cast<int>(cells); ++b)
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) m_rest.col(i) = tangent(rest, b, i);
+    if (curvature != 0) bend_rest_lines(net, rest, curvature);
     for (int b = 0; b < static_cast<int>(cells); ++b) {
         Eigen::Matrix3d inertia = k_inertia * m_weight * Eigen::Matrix3d::Identity();
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
@@ -151,8 +154,8 @@ void BendingTerm::add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, 
         }
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
             const Spoke& spoke = m_spokes[i];
-            Eigen::Vector3d force = m_cell_weight * tangent(d, b, i);
-            if (spoke.partner >= 0) force += m_weight * (tangent(d, b, i) + tangent(d, b, spoke.partner));
+            Eigen::Vector3d force = m_cell_stiffness * spoke.weight * tangent(d, b, i);
+            if (spoke.partner >= 0) force += spoke.weight * (tangent(d, b, i) + tangent(d, b, spoke.partner));
             if (m_turns) force -= turn.cross(m_levers.col(i));
             force *= 2 * spoke.inverse_length;
             product.col(spoke.vertex) += force;
@@ -180,8 +183,8 @@ void BendingTerm::add_blocks(BlockForm& form) const {
             const Eigen::Matrix3d turned = m_turns ? Eigen::Matrix3d(cross(i) * compliance) : compliance;
             for (int j = m_start[b]; j < m_start[b + 1]; ++j) {
                 double entry = 0;  // M_ij
-                if (i == j) entry = m_cell_weight + (spoke.partner >= 0 ? m_weight : 0);
-                if (j == spoke.partner) entry = m_weight;
+                if (i == j) entry = m_cell_stiffness * spoke.weight + (spoke.partner >= 0 ? spoke.weight : 0);
+                if (j == spoke.partner) entry = spoke.weight;
                 if (!m_turns && entry == 0) continue;
                 Eigen::Matrix3d B = entry * Eigen::Matrix3d::Identity();
                 if (m_turns) B += turned * cross(j);
@@ -202,12 +205,12 @@ void BendingTerm::add_bound(QuadraticForm& form) const {
     const int cells = static_cast<int>(m_start.size()) - 1;
     for (int b = 0; b < cells; ++b)
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
-            const auto [vertex, alpha, partner] = m_spokes[i];
-            if (m_cell_weight > 0) form.add_link(vertex, b, 2 * m_cell_weight * alpha * alpha);
+            const auto [vertex, partner, alpha, weight] = m_spokes[i];
+            if (m_turns) form.add_link(vertex, b, 2 * weight * m_cell_stiffness * alpha * alpha);
             if (partner < 0) continue;
             const double beta = m_spokes[partner].inverse_length;
-            form.add_link(vertex, b, 2 * m_weight * (alpha * alpha + alpha * beta));
-            if (i < partner) form.add_link(vertex, m_spokes[partner].vertex, -2 * m_weight * alpha * beta);
+            form.add_link(vertex, b, 2 * weight * (alpha * alpha + alpha * beta));
+            if (i < partner) form.add_link(vertex, m_spokes[partner].vertex, -2 * weight * alpha * beta);
         }
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "net/net.h"
@@ -24,15 +25,20 @@ namespace chebnet {
 /// the border through those of valence 3, and through those of valence 4 where the border turns inwards. Lines end at
 /// other singular vertices, at corners, and at the border when they come from inside: nothing bends there but what k
 /// holds together.
+///
+/// Edges may be stiffer or softer than others, as those of the two families of a net are: w and k count so many times.
 class BendingTerm : public Term {
 public:
     enum class Reference {
         rest,      ///< as above
         straight,  ///< rods that are straight when free: E = w Σ ‖t_i + t_j‖²
+        curved,    ///< rods that were bent beforehand: as `rest`, with another t_i⁰, see bend_rest_lines()
     };
 
-    /// `rest`: 3×V, the shape of t_i⁰. `weight`: w. Keeps nothing of the arguments.
-    BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight, Reference reference);
+    /// `rest`: 3×V, the shape of t_i⁰. `weight`: w. `stiffness`: E, how many times it counts for each edge, alike for
+    /// the two of a pair; empty: once. `curvature`: of rods that are `curved`. Keeps nothing of the arguments.
+    BendingTerm(const Net& net, const Topology& topology, const Positions& rest, double weight, Reference reference,
+                std::span<const double> stiffness = {}, double curvature = 0);
 
     const char* name() const override { return "bending"; }
     double evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) override;
@@ -44,12 +50,17 @@ public:
 private:
     /// An edge as seen from one of its ends, its place in the lists of vertex b being from m_start[b] on.
     struct Spoke {
-        int vertex;  // the other end
-        double inverse_length;
+        int vertex;   // the other end
         int partner;  // the spoke by which the net line goes on; −1: it ends
+        double inverse_length;
+        double weight;  // w, of this edge
     };
 
-    void remember_rest_shape(const Positions& rest);
+    void remember_rest_shape(const Net& net, const Positions& rest, double curvature);
+    /// Net lines that go on through a vertex bend there, in the plane of their direction and the normal of the faces,
+    /// as edges do whose ends lie on a circle of this curvature: above 0 away from where faces show their front, as the
+    /// circles of a ball that is seen from outside. Not beyond a right angle.
+    void bend_rest_lines(const Net& net, const Positions& rest, double curvature);
     void turn_cells();
     void find_compliances();
     Eigen::Matrix3d turned_compliance(int b) const {
@@ -58,15 +69,16 @@ private:
     /// Σ_j M_ij v_j for spoke i, M the form of E in the tangents of one vertex.
     Eigen::Vector3d formed(const Eigen::Matrix3Xd& v, int i) const {
         const Eigen::Vector3d own = v.col(i);
-        return m_spokes[i].partner < 0
-                   ? Eigen::Vector3d(m_cell_weight * own)
-                   : Eigen::Vector3d(m_cell_weight * own + m_weight * (own + v.col(m_spokes[i].partner)));
+        const auto& [vertex, partner, inverse_length, weight] = m_spokes[i];
+        return partner < 0 ? Eigen::Vector3d(m_cell_stiffness * weight * own)
+                           : Eigen::Vector3d(m_cell_stiffness * weight * own + weight * (own + v.col(partner)));
     }
     Eigen::Vector3d tangent(const Eigen::Matrix3Xd& x, int b, int i) const {
         return m_spokes[i].inverse_length * (x.col(m_spokes[i].vertex) - x.col(b));
     }
 
-    double m_weight, m_cell_weight;
+    double m_weight;
+    double m_cell_stiffness;   // k / w
     bool m_turns;              // whether there are rotations
     std::vector<int> m_start;  // V + 1, into the spokes
     std::vector<Spoke> m_spokes;

@@ -17,6 +17,7 @@ import { FlipControl } from './flip_control';
 import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
 import { LearnPanel } from './learn_panel';
+import { RodControls } from './rod_controls';
 import type { SidebarServices } from './sections';
 import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
@@ -31,10 +32,12 @@ export interface LateSections {
   tools: HTMLElement[];
 }
 
-/** @param experiments exists already, since its note is placed elsewhere. */
+/** @param experiments exists already, since its note is placed elsewhere.
+ *  @param behaviour the section to which more controls are added. */
 export function createLateSections(
   { events, say, failed, fold }: SidebarServices,
   experiments: HTMLElement,
+  behaviour: HTMLElement,
 ): LateSections {
   const comparison = new ComparisonForm((request) => {
     fold();
@@ -42,6 +45,8 @@ export function createLateSections(
   });
   const [drag, flip] = [new DragPanel(events.handles), new FlipControl(events)];
   drag.element.append(flip.element);
+  const rods = new RodControls(events);
+  behaviour.append(rods.element);
   const usual = [
     new HandleList(events),
     drag,
@@ -62,7 +67,7 @@ export function createLateSections(
   const tools = [new SelectionBar(events), new PartNotice(events), new RunNotice(events)];
   const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
-    panels: [...usual, flip, convergence, solver, step, comparison, ...tools, ...notices],
+    panels: [...usual, rods, flip, convergence, solver, step, comparison, ...tools, ...notices],
     notices: notices.map(({ element }) => element),
     tools: tools.map(({ element }) => element),
     elements: [...usual.map(({ element }) => element), research],

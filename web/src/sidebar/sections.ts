@@ -1,6 +1,6 @@
 /** The sections of the sidebar. Another panel is a row here or in late_sections.ts, its own file, and its title in both
  *  languages. */
-import type { Panel, PanelEvents } from '../panels';
+import type { PanelEvents } from '../panels';
 import { BehaviourPanel } from './behaviour_panel';
 import { ShapePanel } from './shape_panel';
 
@@ -15,6 +15,6 @@ export interface SidebarServices {
 }
 
 /** From top to bottom, those that the first visitor looks at; the others follow (late_sections.ts). */
-export function createSections({ events }: SidebarServices): Panel[] {
+export function createSections({ events }: SidebarServices): [ShapePanel, BehaviourPanel] {
   return [new ShapePanel(events), new BehaviourPanel(events)];
 }

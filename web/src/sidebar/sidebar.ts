@@ -58,6 +58,7 @@ class Sidebar implements Panels {
   readonly #panels: PanelList;
   readonly #services: SidebarServices;
   readonly #experiments: ExperimentsPlace;
+  readonly #behaviour: Panel;
   #lateAreWanted = false;
   #pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
   #timer = 0;
@@ -82,6 +83,7 @@ class Sidebar implements Panels {
       fold: () => this.#unfold(false),
     };
     const sections = createSections(this.#services);
+    [, this.#behaviour] = sections;
     this.#panels = new PanelList([...over, results, status, ...sections, this.#experiments]);
 
     this.#sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
@@ -160,7 +162,11 @@ class Sidebar implements Panels {
 
   async #addLateSections(): Promise<void> {
     const { createLateSections } = await loadLateSections();
-    const { panels, elements, notices, tools } = createLateSections(this.#services, this.#experiments.element);
+    const { panels, elements, notices, tools } = createLateSections(
+      this.#services,
+      this.#experiments.element,
+      this.#behaviour.element,
+    );
     this.#panels.join(panels);
     this.#sections.append(...elements);
     this.#messages.element.before(...tools);

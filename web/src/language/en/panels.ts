@@ -113,6 +113,12 @@ export const panels = {
     letGo: 'Take it away',
     elsewhere: 'It acts on nets that come to rest; this one keeps its lengths alone.',
   },
+  material: {
+    quads: 'Quads',
+    choices: { atRest: 'as they were', square: 'square' },
+    balance: 'Warp : weft',
+    balanceHint: 'How stiff one family of net lines is beside the other',
+  },
   flip: {
     label: 'Flip through',
     hint: 'Pushes the net through between its handles, to look for the other shape in which it rests',

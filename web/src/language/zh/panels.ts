@@ -60,6 +60,10 @@ export const OPTIONS: Record<string, string> = {
   bending_weight: '平衡方法中网线抵抗弯曲的程度。',
   shear_weight: '平衡方法中四边形抵抗剪切的程度。',
   straight_rods: '平衡方法中网线趋于伸直，而非保持初始的弯曲。',
+  rod_curvature: '平衡方法中网线预先弯成的圆的曲率（半径的倒数），从外侧看球面时为正；0 表示不预弯。',
+  warp_stiffness: '平衡方法中两族网线的第一族（经线）抗弯增大的倍数。',
+  weft_stiffness: '平衡方法中两族网线的第二族（纬线）抗弯增大的倍数。',
+  square_corners: '平衡方法中四边形的角趋于直角，而非初始的角度。',
   gravity: '平衡方法中一条边的重量，沿 z 轴向下。',
   guide_mode: '平衡方法中参考曲面的作用：0 无，1 使网靠近，2 使网贴住，3 使网留在外侧。',
   guide_weight: '平衡方法中参考曲面的作用强度。',
@@ -166,6 +170,12 @@ export const panels: Widened<typeof en> = {
     putHandlesOn: '手柄移到曲面上',
     letGo: '移除曲面',
     elsewhere: '曲面只作用于趋于静止的网；此网只保持边长。',
+  },
+  material: {
+    quads: '四边形',
+    choices: { atRest: '趋于原来的形状', square: '趋于直角' },
+    balance: '经 : 纬',
+    balanceHint: '两族网线的刚度之比',
   },
   flip: {
     label: '翻转到另一侧',

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "net/net.h"
+
+namespace chebnet {
+
+/// The two families of net lines, as warp and weft of a cloth: opposite edges of a quad are of one family, adjacent
+/// ones of both. E, 0 for the family of a piece's first edge, 1 for the other. None where a face is no quad, or where
+/// that contradicts itself, as around an inner vertex at which an odd number of edges meets.
+std::optional<std::vector<int>> edge_families(const Net& net);
+
+}  // namespace chebnet
