@@ -1,6 +1,6 @@
 /** Which cells are to blame. */
 import { expect, test } from 'vitest';
-import { badCells } from '../../web/src/net/bad_cells';
+import { badCells } from '../../web/src/overlay/bad_cells';
 import { describe as describeNet } from '../../web/src/worker/opened_net';
 import type { FrameData } from '../../web/src/worker/protocol';
 import { load } from '../wasm/load';

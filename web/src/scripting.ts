@@ -16,21 +16,12 @@ import type { App, AppEvent } from './app/app';
 import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
 import { linking } from './projects/linking';
-import {
-  guideOf,
-  readEvent,
-  readGuide,
-  readHandles,
-  readLocality,
-  readNet,
-  readOptions,
-  readVertex,
-} from './script_arguments';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
 import { Failure } from './failure';
 import { lazy } from './lazy';
 import type { LaidReport, ScriptDrape, WholeReport } from './surface_script';
 
+const reading = lazy(() => import('./script_arguments'));
 const surfaces = lazy(() => import('./surface_script'));
 
 export interface Stats {
@@ -105,26 +96,27 @@ declare global {
 export function createScripting(app: App, ready: Promise<void>): Scripting {
   return {
     open: async (net) => {
-      const given = readNet(argument('net', net));
+      const given = (await reading()).readNet(argument('net', net));
       await ready;
       await app.openNet('recipe' in given ? given : { name: 'net.obj', ...given });
     },
     setHandles: async (handles) => {
-      const given = readHandles(argument('handles', handles));
+      const given = (await reading()).readHandles(argument('handles', handles));
       await ready;
       await app.handles.set(given.map((handle) => handleOf(app, handle)));
     },
     move: async (vertex, target) => {
-      const given = { vertex: readVertex(argument('vertex', vertex)), target: argument('target', target).point() };
+      const given = { vertex: readVertex(vertex), target: argument('target', target).point() };
       await ready;
       await app.handles.move([given], `move ${vertex}`);
     },
     setLocality: async (radius) => {
-      const given = readLocality(argument('radius', radius));
+      const given = (await reading()).readLocality(argument('radius', radius));
       await ready;
       app.handles.setLocality(given ?? undefined);
     },
     setGuide: async (surface) => {
+      const { guideOf, readGuide } = await reading();
       const given = readGuide(argument('surface', surface));
       await ready;
       await app.setGuide(given === null ? undefined : guideOf(given));
@@ -151,15 +143,17 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     handles: () => structuredClone(app.opening?.document.handles ?? []),
     stats: () => stats(app),
     setOptions: async (options) => {
-      const given = readOptions(argument('options', options));
+      const given = (await reading()).readOptions(argument('options', options));
       await ready;
       await setOptions(app, given);
     },
     on: (event: AppEvent, listener: (error: ChebnetError) => void) => {
       const call = argument('listener', listener).function<typeof listener>();
-      return app.on(readEvent(argument('event', event)), (error) => call(error as ChebnetError));
+      return app.on(argument('event', event).oneOf(['frame', 'settled', 'error']), (error) =>
+        call(error as ChebnetError),
+      );
     },
-    screenPosition: (vertex) => app.screenPosition(readVertex(argument('vertex', vertex))),
+    screenPosition: (vertex) => app.screenPosition(readVertex(vertex)),
     link: async () => {
       await ready;
       const { hashOf } = await linking();
@@ -173,6 +167,11 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
 /** What a script gave as the argument that messages call `name`. */
 function argument(name: string, value: unknown): Untrusted {
   return new Untrusted(value, name, 'bad_arguments');
+}
+
+/** Whether the net has it, the core says. */
+function readVertex(vertex: unknown): number {
+  return argument('vertex', vertex).index(2 ** 31);
 }
 
 function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slides }: ScriptHandle): HandleData {

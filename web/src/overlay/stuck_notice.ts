@@ -8,7 +8,7 @@ import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
-import { type BadCells, badCells } from '../net/bad_cells';
+import { type BadCells, badCells } from './bad_cells';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';

@@ -38,7 +38,7 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
   dome: {
     title: '穹顶',
-    sentence: '球面的一部分，用圆规从在顶点相交的两道拱出发织成网。',
+    sentence: '球面的一部分，从相交于顶点的两道拱织成网。',
     parameters: { vertices: VERTICES, reach: '两道主拱从顶点向下延伸的角度，以度为单位。' },
   },
   tube: {
@@ -78,12 +78,12 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
   rabbit: {
     title: '兔子',
-    sentence: '坐着的兔子，处处光滑，只在汇集三条、五条或六条边之处成锥。',
+    sentence: '坐着的兔子，光滑如玩具熊。',
     parameters: { vertices: VERTICES },
   },
   horse: {
     title: '木马',
-    sentence: '立在滑轨上的马，处处光滑，只在汇集三条、五条或六条边之处成锥。身下有两个洞。',
+    sentence: '立在滑轨上的马，身下有两个洞。',
     parameters: { vertices: VERTICES },
   },
   jug: {
@@ -199,7 +199,7 @@ const WORKER_ERRORS: Record<string, string> = {
   no_net: '没有打开的网',
   not_loaded: '求解器的其余部分无法加载',
   bad_link: '此链接中的位置数据已损坏，或属于另一张网',
-  other_numbering: '此网的编号与保存时不同，其形状和手柄会对应到错误的顶点',
+  other_numbering: '此网的编号与保存时不同，形状和手柄会对应到错误的顶点',
 };
 
 export const core = {

@@ -1,7 +1,7 @@
 /** The cells of a net that is not as it should be. */
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import { deviation, edgeLength, KEPT_DEVIATION } from './edge_lengths';
-import { sharpQuads } from './fold';
+import { deviation, edgeLength, KEPT_DEVIATION } from '../net/edge_lengths';
+import { sharpQuads } from '../net/fold';
 
 /** Edges are told apart from the worst one when their error is below this part of it. */
 const PART_OF_WORST = 0.01;
