@@ -26,7 +26,8 @@ export class DrapeProposals {
     this.element.replaceChildren(
       ...proposals.map((proposal, i) => {
         const how = wordsOf(proposal);
-        const caption = make('small', {}, ...how.map((line) => make('span', {}, line)));
+        // Apart by spaces, as in the name of the button: who speaks what they read is understood.
+        const caption = make('small', {}, ...how.flatMap((line) => [make('span', {}, line), ' ']));
         const picture = make('span', {}, canvases[i]!, caption);
         return makeButton(picture, () => this.#chosen(proposal), { 'aria-label': TEXT.proposal(i + 1, how) });
       }),

@@ -91,7 +91,7 @@ export const dialogs = {
     opening: 'Measuring the surface…',
     making: 'Making the net…',
     proposals: 'Good beginnings, the best first',
-    proposal: (number: number, how: readonly string[]) => `Beginning ${number}: ${how.join(', ')}`,
+    proposal: (number: number, how: readonly string[]) => `Beginning ${number}: ${how.join(' ')}`,
     /** What comes of it, in lines below its picture. */
     proposed: (covered: string, sheared: string, distance: string) => [
       `${covered} covered`,

@@ -109,7 +109,7 @@ export const dialogs: Widened<typeof en> = {
     opening: '正在测量曲面…',
     making: '正在铺网…',
     proposals: '较好的起点，最好的在前',
-    proposal: (number, how) => `起点 ${number}：${how.join('，')}`,
+    proposal: (number, how) => `起点 ${number}：${how.join(' ')}`,
     proposed: (covered, sheared, distance) => [`覆盖 ${covered}`, `剪切 ${sheared}`, `离面 ${distance} 边长`],
     picture: '曲面及其上的网；方向键移动起点，或选中的奇异顶点',
     howTo: '拖动圆球，网便从别处开始；拖动旁边的圆环可转动网。',
