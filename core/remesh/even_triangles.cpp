@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/error.h"
+
 namespace chebnet {
 
 namespace {
@@ -22,6 +24,8 @@ constexpr double k_least_area = 1e-6;
 // An edge of the boundary is collapsed where the boundary turns by less: a cosine.
 constexpr double k_straight_boundary = 0.9;
 constexpr int k_inner_valence = 6, k_boundary_valence = 4;
+// A surface long and thin enough to need more has hardly any area: cells are so small beside its edges.
+constexpr std::size_t k_most_added_points = 500'000;
 
 /// Triangles that are edited. Sides are numbered as in Surface; a triangle that is gone has vertices −1.
 class Triangles {
@@ -39,6 +43,7 @@ public:
             m_guess[m_from[s]] = Surface::face_of(s);
         }
         for (int v = 0; v < surface.vertex_count(); ++v) m_points.emplace_back(surface.positions().col(v));
+        m_most_points = m_points.size() + k_most_added_points;
     }
 
     /// The longest first: shorter ones of thin triangles, split before, would leave edges as long as they were.
@@ -194,6 +199,9 @@ private:
     }
 
     void split(int side) {
+        if (m_points.size() == m_most_points)
+            throw Error(ErrorCode::bad_option,
+                        "the surface is long and so thin that cells of this size would be too many along it");
         const int m = static_cast<int>(m_points.size());
         const Eigen::Vector3d middle = (m_points[m_from[side]] + m_points[to(side)]) / 2;
         const bool is_inside = m_opposite[side] >= 0;
@@ -319,6 +327,7 @@ private:
 
     const SurfaceTree& m_tree;
     double m_length;
+    std::size_t m_most_points;
     std::vector<Eigen::Vector3d> m_points;
     std::vector<int> m_from, m_opposite;  // of each side
     std::vector<bool> m_is_crease;        // of each side

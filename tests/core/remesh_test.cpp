@@ -596,6 +596,13 @@ TEST_CASE("Integers are rounded together") {
     CHECK(nearest_integers(A, Eigen::Vector2d(-2.008, 2)) == Eigen::Vector2i(1, 0));
 }
 
+TEST_CASE("A surface thousands of times as long as wide is refused, and soon") {
+    // Fourteen triangles of hardly any area, whose edges are a million cells long.
+    const Surface thread(
+        samples::quads(8, 2, false, false, [](int i, int j) { return Eigen::Vector3d(i, 1e-12 * j, 0); }));
+    CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(thread), of_cells(100)), Contains("thin"));
+}
+
 TEST_CASE("Numbers out of range are refused") {
     const Guide surface(make_own_surface("hypar"));
     const auto refusal = [&](auto change) {
