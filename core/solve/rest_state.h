@@ -17,8 +17,8 @@ struct ToRest {
     /// ‖∇E + Jᵀλ‖ over what may move, in units of 1 / mean length: what force is left beside the multipliers of lengths
     /// and limit. While handles are on their way, that before the last step.
     double gradient_norm = 0;
-    double corner_lack =
-        0;  ///< by how much a quad's diagonal is too short for the shear limit at most, in edge lengths
+    /// By how much a quad's diagonal is too short for the shear limit at most, in edge lengths.
+    double corner_lack = 0;
     /// About how far the vertex that moves most still goes, in edge lengths: as the last step went, if the gradient
     /// goes on falling as it did on it. Infinite: not known.
     double motion = std::numeric_limits<double>::infinity();
@@ -28,8 +28,8 @@ struct ToRest {
 /// what the method has, valid until it goes on.
 struct RestState {
     ToRest left;
-    bool
-        is_balanced;  ///< whether the multipliers are of these positions; while handles are on their way they are older
+    /// Whether the multipliers are of these positions; while handles are on their way they are older.
+    bool is_balanced;
     const Net& net;
     const Positions& positions;
     const RestEnergy& energy;          ///< last evaluated there
