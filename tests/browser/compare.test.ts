@@ -182,6 +182,7 @@ test('what plots is loaded when a plot is seen; if it cannot be, that is said in
   await openForResearch(page, 'Step');
   await page.locator('.plot').getByText('This part of the page could not be loaded').waitFor();
   await dragBy(script, dragged, [-10, -10]);
+  await script.settled();
   expect((await script.stats()).status).toBe('converged');
 });
 

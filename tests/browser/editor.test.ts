@@ -149,8 +149,8 @@ test('standard views and parallel projection, by keys and buttons: a hand drags 
       );
     });
   await expect.poll(async () => Math.max(...(await scales())) - Math.min(...(await scales()))).toBeLessThan(0.01);
-  const [scale = 0] = await scales();
   await page.screenshot({ path: join(OUTPUT, 'top-parallel.png') });
+  const [scale = 0] = await scales();
 
   const [x, , z] = await script.position(dragged);
   await dragBy(script, dragged, [30, 0]);

@@ -1,11 +1,11 @@
-/** The page itself never holds up the visitor for more than 50 ms, on a net of 15,000 vertices. */
+/** The page itself never holds up the visitor for longer than a small piece of fixed work, on a net of 15,000 vertices. */
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy } from './geometry';
 import { MOVING, OUTPUT, visits } from './page';
-import { mainThreadTasks } from './tasks';
+import { mainThreadTasks, yardstick } from './tasks';
 
 const { arrive, browser } = visits();
 
@@ -51,5 +51,5 @@ test.each(['vault:vertices=4000', 'vault:vertices=15000'])('%s', async (recipe) 
 
   expect(own.length).toBeGreaterThan(100);
   expect(unmeasured).toBeLessThan(10);
-  expect(figures.longestTaskMs).toBeLessThan(50);
+  expect(figures.longestTaskMs).toBeLessThan(0.5 * yardstick());
 });
