@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "arbitrary.h"
+#include "change/change.h"
 #include "core/sample_nets.h"
+#include "core/sample_surfaces.h"
+#include "edit/exact_change.h"
 #include "edit/flip.h"
+#include "edit/length_adapter.h"
 #include "require.h"
 #include "soak/invariants.h"
+#include "soak/rest_judge.h"
 
 using namespace chebnet;
 
@@ -18,10 +24,12 @@ namespace {
 
 Net net_of(Mesh mesh) { return Net(std::move(mesh.positions), std::move(mesh.faces)); }
 
+constexpr int k_net_kinds = 7;
+
 /// Small nets of many kinds: open, closed, with singular vertices, in pieces, with edges of different lengths, of any
 /// scale, or of places that no mesher would choose.
-Net any_net(FuzzedDataProvider& input) {
-    switch (input.ConsumeIntegralInRange(0, 6)) {
+Net any_net(int kind, FuzzedDataProvider& input) {
+    switch (kind) {
         case 0:
             return samples::cube();
         case 1:
@@ -41,6 +49,9 @@ Net any_net(FuzzedDataProvider& input) {
     }
 }
 
+/// Nets do not grow beyond this many vertices.
+constexpr int k_most_vertices = 200;
+
 /// An editor in any hands: every call, in any order, with any arguments. What is to hold is asked after each.
 class Hands {
 public:
@@ -48,6 +59,15 @@ public:
 
     void make_calls() {
         for (int calls = 0; calls < 40 && m_input.remaining_bytes() > 0; ++calls) make_call();
+    }
+
+    /// Those as well that act on an editor from outside, or need more than a vertex and a number.
+    void make_calls_of_all_kinds() {
+        for (int calls = 0; calls < 40 && m_input.remaining_bytes() > 0; ++calls)
+            if (m_input.ConsumeBool())
+                make_call();
+            else
+                make_larger_call();
     }
 
 private:
@@ -83,6 +103,26 @@ private:
         }
     }
 
+    void make_larger_call() {
+        switch (m_input.ConsumeIntegralInRange(0, 5)) {
+            case 0:
+                return attempt("set_guide", [&] { m_editor.set_guide(any_guide()); });
+            case 1:
+                return attempt("set_state", [&] { go_to_any_state(); });
+            case 2:
+                return attempt("drag_handle along axes",
+                               [&] { drag_any_handle(m_input.ConsumeIntegralInRange(-1, 8)); });
+            case 3:
+                return attempt("adapt lengths", [&] { adapt_lengths(); });
+            case 4:
+                return attempt("flip", [&] {
+                    m_editor.set_positions(flipped(m_editor.net(), m_editor.handles(), m_editor.positions()));
+                });
+            default:
+                return attempt("change", [&] { change_net(); });
+        }
+    }
+
     /// A call other than solve().
     template <class Call>
     void attempt(const char* name, Call call) {
@@ -105,6 +145,7 @@ private:
         const SolveReport report = m_editor.solve(budget);
         note(std::string("  ") + to_string(report.status) + " after " + std::to_string(report.iterations));
         judge(invariants::of_solve(m_editor, report, budget, before));
+        judge(m_rest.of_solve(m_editor, report));
     }
 
     void ask() {
@@ -117,6 +158,87 @@ private:
             fuzz::require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
         for (const Ball& ball : m_editor.reach(any_vertex()))
             fuzz::require(ball.centre.allFinite() && ball.radius >= 0, "an odd ball");
+    }
+
+    /// To one of before, or the present one, with something changed. What it says is then the state.
+    void go_to_any_state() {
+        m_states.push_back(m_editor.state());
+        EditState state = m_states[m_input.ConsumeIntegralInRange<std::size_t>(0, m_states.size() - 1)];
+        change_any_part_of(state);
+        m_editor.set_state(std::move(state));
+        const EditState now = m_editor.state();
+        m_editor.set_state(now);
+        fuzz::require(m_editor.state() == now, "a state that an editor is set to is not its state");
+    }
+
+    void change_any_part_of(EditState& state) {
+        switch (m_input.ConsumeIntegralInRange(0, 7)) {
+            case 0:
+                state.handles = any_handles();
+                break;
+            case 1:
+                state.method = any_method();
+                break;
+            case 2:
+                state.initialisation = any_initialisation();
+                break;
+            case 3:
+                state.options.length_scale = fuzz::any_number(m_input);
+                break;
+            case 4:
+                state.locality = {fuzz::any_number(m_input), any_vertices(),
+                                  m_input.ConsumeBool() ? any_positions() : Positions()};
+                break;
+            case 5:
+                state.guide = any_guide();
+                break;
+            case 6:
+                state.positions = any_positions();
+                break;
+            default:
+                break;
+        }
+    }
+
+    /// Lets edges grow until some of the handles are met.
+    void adapt_lengths() {
+        std::vector<Handle> wanted;
+        for (const Handle& handle : m_editor.handles())
+            if (m_input.ConsumeBool()) wanted.push_back({handle.vertex, any_target(handle.vertex)});
+        LengthAdapter adapter(m_editor, wanted);
+        AdaptReport report;
+        for (int calls = 0; calls < 4 && report.status == Status::running; ++calls)
+            report = adapter.solve({m_input.ConsumeIntegralInRange(1, 20)});
+        note(std::string("  ") + to_string(report.status) + " at " + std::to_string(report.scale));
+        fuzz::require(std::isfinite(report.scale) && report.scale > 0, "an odd scale");
+        m_editor.set_state(adapter.state());  // refused unless it has converged
+        fuzz::require(invariants::reckoned_deviation(m_editor.net(), m_editor.positions()) < 1e-6,
+                      "edges that have grown have not their length");
+        for (const Handle& handle : wanted)
+            fuzz::require(m_editor.positions().col(handle.vertex) == handle.target,
+                          "a handle that was wanted is not met");
+    }
+
+    /// Goes on with a net that has other faces, as exact as the one before.
+    void change_net() {
+        const std::vector<ChangeInfo>& table = change_table();
+        const ChangeInfo& info = table[m_input.ConsumeIntegralInRange<std::size_t>(0, table.size() - 1)];
+        note(info.name);
+        const ChangePlace place{any_vertices(), any_edges()};
+        ChangedMesh changed = info.make(m_editor.net(), place);
+        const Faces faces = changed.mesh.faces;
+        ExactChangeOptions options;
+        if (m_input.ConsumeBool()) options.length = m_editor.net().mean_length();
+        options.held = any_vertices();
+        ExactChange exact(std::move(changed), std::move(options));
+        ExactChangeReport report;
+        for (int calls = 0; calls < 4 && report.status == Status::running; ++calls)
+            report = exact.solve({m_input.ConsumeIntegralInRange(1, 20)});
+        fuzz::require(exact.positions().allFinite(), "a changed net is not finite");
+        if (report.status != Status::converged || exact.positions().cols() > k_most_vertices) return;
+        m_editor = Editor(Net(exact.positions(), faces));
+        m_rest = {};
+        m_states.clear();
     }
 
     // ------------------------------------------------------------------------------------------------------ arguments
@@ -133,6 +255,30 @@ private:
         std::vector<int> vertices;
         for (int count = m_input.ConsumeIntegralInRange(0, 3); count > 0; --count) vertices.push_back(any_vertex());
         return vertices;
+    }
+
+    std::vector<int> any_edges() {
+        std::vector<int> edges;
+        for (int count = m_input.ConsumeIntegralInRange(0, 8); count > 0; --count)
+            edges.push_back(m_input.ConsumeIntegralInRange(-1, m_editor.net().edge_count()));
+        return edges;
+    }
+
+    /// None, the one of before, the net's own faces as they rest, a plane, or one that no surface should be.
+    std::shared_ptr<const Guide> any_guide() {
+        const Net& net = m_editor.net();
+        switch (m_input.ConsumeIntegralInRange(0, 4)) {
+            case 0:
+                return nullptr;
+            case 1:
+                return m_editor.guide();
+            case 2:
+                return std::make_shared<const Guide>(Surface({net.rest_positions(), net.faces()}));
+            case 3:
+                return std::make_shared<const Guide>(Surface(samples::plane(3, 5 * net.mean_length())));
+            default:
+                return std::make_shared<const Guide>(Surface(fuzz::any_patch(m_input)));
+        }
     }
 
     /// At rest, not far from it, or anywhere.
@@ -174,9 +320,9 @@ private:
         m_editor.move_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)));
     }
 
-    void drag_any_handle() {
+    void drag_any_handle(Axes along = k_all_axes) {
         const int vertex = any_vertex();
-        m_editor.drag_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)));
+        m_editor.drag_handle(vertex, any_target(std::clamp(vertex, 0, m_editor.net().vertex_count() - 1)), along);
     }
 
     void set_any_option() {
@@ -221,6 +367,8 @@ private:
 
     FuzzedDataProvider& m_input;
     Editor m_editor;
+    invariants::RestJudge m_rest;
+    std::vector<EditState> m_states;   // of the net, in which it once was
     std::vector<std::string> m_story;  // told when something is violated
 };
 
@@ -229,12 +377,18 @@ private:
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     FuzzedDataProvider input(data, size);
     std::optional<Net> net;
+    // Inputs that were kept before there were larger calls go on meaning what they did.
+    const int choice = input.ConsumeIntegralInRange(0, 2 * k_net_kinds - 1);
     try {
-        net = any_net(input);
+        net = any_net(choice % k_net_kinds, input);
     } catch (const Error& error) {
         fuzz::require_readable(error);
         return 0;
     }
-    Hands(std::move(*net), input).make_calls();
+    Hands hands(std::move(*net), input);
+    if (choice >= k_net_kinds)
+        hands.make_calls_of_all_kinds();
+    else
+        hands.make_calls();
     return 0;
 }
