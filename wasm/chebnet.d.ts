@@ -468,6 +468,9 @@ export interface EqualizeOptions {
   method?: 'equilibrium' | 'projection';
   /** For `equilibrium`: no corner of a quad is sharper, in radians; 0: no limit; 30° unless said otherwise. */
   shearLimit?: number;
+  /** For `equilibrium`, which is then the usual method: the net comes near this surface and not near that of the mesh. It
+   *  may be disposed of. */
+  guide?: Surface;
 }
 
 export interface EqualizeReport {
@@ -484,7 +487,7 @@ export interface EqualizeReport {
   milliseconds: number;
   before: EqualizeSpread;
   after: EqualizeSpread;
-  /** From the surface of the mesh, in edge lengths; null if its faces are no surface. */
+  /** From the guide or else the surface of the mesh, in edge lengths; null if its faces are no surface. */
   distance: { mean: number; largest: number } | null;
   /** Of corners, in radians. */
   smallestAngle: number;
@@ -501,10 +504,10 @@ export interface EqualizeReport {
 export interface Equalizer {
   /** Goes on until it ends or the budget runs out (`running`). */
   solve(budget?: Budget): EqualizeReport;
-  /** Those held now; of the original, bit for bit, if its edges have the length already. */
+  /** Those held now; of the original, bit for bit, if its edges have the length already and it has no guide. */
   positions(): Float64Array;
   /** Where the vertices of the surface lie that the net is near: the mesh's own, or scaled as the net is by a length that
-   *  is given. Null if its faces are no surface. */
+   *  is given. Null if its faces are no surface, or the net is near a guide. */
   surfacePositions(): Float64Array | null;
   /** Frees the memory on the other side; the equalizer must not be used again. */
   dispose(): void;

@@ -122,6 +122,7 @@ export interface CoreEqualizeOptions {
   /** Empty: the usual one. */
   method: string;
   shearLimit: number;
+  guide: CoreSurface | null;
 }
 
 export interface CoreEqualizer {

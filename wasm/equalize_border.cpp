@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "edit/equalize.h"
 #include "mesh_border.h"
+#include "open_surface.h"
 
 namespace chebnet {
 namespace {
@@ -19,7 +20,8 @@ EqualLength equal_length_named(const std::string& name) {
     throw Error(ErrorCode::bad_option, "a length is mean, fitting or a number, not " + quoted(name));
 }
 
-/// `options`: an object of `choice`, `length`, `handles` (an Int32Array), `method` and `shearLimit`.
+/// `options`: an object of `choice`, `length`, `handles` (an Int32Array), `method`, `shearLimit` and `guide`
+/// (a surface or null).
 Equalizer* equalizer(val mesh, val given) {
     Mesh original = mesh_in(mesh);
     EqualizeOptions options;
@@ -28,6 +30,8 @@ Equalizer* equalizer(val mesh, val given) {
     options.handles = emscripten::convertJSArrayToNumberVector<int>(given["handles"]);
     options.method = given["method"].as<std::string>();
     options.shear_limit = given["shearLimit"].as<double>();
+    if (!given["guide"].isNull())
+        options.guide = given["guide"].as<OpenSurface*>(emscripten::allow_raw_pointers())->guide;
     return new Equalizer(Net(std::move(original.positions), std::move(original.faces), RestLengths::own),
                          std::move(options));
 }

@@ -380,8 +380,7 @@ class WasmEditor {
   /** @param {Surface | null} surface */
   setGuide(surface) {
     if (surface === null) return this.#core.unguide?.(this.#open);
-    if (!(surface instanceof WasmSurface)) throw failure('bad_option', `a guide must be a surface or null, not ${shown(surface)}`);
-    surface.guide(this.#core, this.#open);
+    this.#core.guide(this.#open, coreGuide(surface));
   }
 
   positions() {
@@ -503,7 +502,7 @@ function numbersOf(numbers, what) {
 }
 
 /** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
-function newEqualizer(core, original, { length = 'mean', handles = [], method, shearLimit = Math.PI / 6 }) {
+function newEqualizer(core, original, { length = 'mean', handles = [], method, shearLimit = Math.PI / 6, guide }) {
   const vertices = numbersOf(handles, 'handles');
   const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
   return new WasmEqualizer(
@@ -513,6 +512,7 @@ function newEqualizer(core, original, { length = 'mean', handles = [], method, s
       handles: vertices,
       method: method === undefined ? '' : text(method, 'a method', 'bad_option'),
       shearLimit: size(shearLimit, 'the shear limit'),
+      guide: guide === undefined ? null : coreGuide(guide),
     }),
   );
 }
@@ -564,6 +564,10 @@ class WasmSurface {
     this.positions = surface.positions();
     this.normals = surface.normals();
     this.triangles = surface.triangles();
+  }
+
+  get core() {
+    return this.#open;
   }
 
   get #open() {
@@ -625,11 +629,6 @@ class WasmSurface {
     return this.#open.proposeCuts(allDrapeOptions(options), integer(most, 'a number of cuts', 1, 100));
   }
 
-  /** @param {Core} core @param {Session} session */
-  guide(core, session) {
-    core.guide(session, this.#open);
-  }
-
   /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
   remesh(
     { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, crease = 0, border = 'fitting', singular = [], forbidden = [], only = false } = {},
@@ -664,6 +663,12 @@ class WasmSurface {
     this.#surface?.delete();
     this.#surface = null;
   }
+}
+
+/** @param {unknown} surface */
+function coreGuide(surface) {
+  if (surface instanceof WasmSurface) return surface.core;
+  throw failure('bad_option', `a guide must be a surface or null, not ${shown(surface)}`);
 }
 
 /** Of the two modules one has none. @param {Core} core @returns {Core} */

@@ -15,26 +15,16 @@
 #include "drape/proposals.h"
 #include "mesh_border.h"
 #include "net/topology.h"
+#include "open_surface.h"
 #include "remesh/remesh.h"
 #include "session.h"
 #include "surface/curvature.h"
 #include "surface/gallery.h"
-#include "surface/guide.h"
 #include "surface/shortest_cut.h"
 #include "surface/surface_cut.h"
 
 namespace chebnet {
 namespace {
-
-/// What one JavaScript surface owns; editors that it guides share it.
-struct OpenSurface {
-    explicit OpenSurface(Surface opened)
-        : guide(std::make_shared<const Guide>(std::move(opened))), surface(guide->surface()), tree(guide->tree()) {}
-
-    std::shared_ptr<const Guide> guide;
-    const Surface& surface;
-    const SurfaceTree& tree;
-};
 
 OpenSurface* open_surface(val mesh) { return new OpenSurface(Surface(mesh_in(mesh))); }
 OpenSurface* own_surface(std::string name) { return new OpenSurface(make_own_surface(name)); }

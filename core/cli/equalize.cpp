@@ -11,6 +11,7 @@
 #include "net_output.h"
 #include "report.h"
 #include "solver_arguments.h"
+#include "surface_argument.h"
 
 namespace chebnet {
 namespace {
@@ -22,6 +23,7 @@ struct EqualizeArguments {
     std::vector<int> handles;
     std::string method;
     double shear_limit = 30;
+    std::string guide;
 };
 
 EqualizeOptions options_of(const EqualizeArguments& arguments) {
@@ -29,6 +31,7 @@ EqualizeOptions options_of(const EqualizeArguments& arguments) {
     options.handles = arguments.handles;
     options.method = arguments.method;
     options.shear_limit = arguments.shear_limit * k_degree;
+    if (!arguments.guide.empty()) options.guide = load_guide(arguments.guide, arguments.net.repair);
     if (arguments.length == "mean") return options;
     options.choice = arguments.length == "fit" ? EqualLength::fitting : EqualLength::given;
     if (options.choice == EqualLength::fitting) return options;
@@ -98,7 +101,8 @@ Command add_equalize(CLI::App& program) {
     command.add_option("--hold", arguments->handles, "Vertices that stay where they are, from 0")->type_name("VERTEX");
     command
         .add_option("--method", arguments->method,
-                    "equilibrium: near the mesh's surface and fair, within the limit; projection: lengths alone; " +
+                    "equilibrium: near the mesh's surface and fair, within the limit; projection: lengths alone; with "
+                    "--guide the first, without it " +
                         usual_methods())
         ->type_name("METHOD");
     command
@@ -106,6 +110,11 @@ Command add_equalize(CLI::App& program) {
                     "With equilibrium no corner of a quad is sharper, degrees; 0: none")
         ->type_name("NUMBER")
         ->capture_default_str();
+    command
+        .add_option("--guide", arguments->guide,
+                    "With equilibrium the net comes near this surface and not near the mesh's own: a file, or the name "
+                    "of one of ours (see drape)")
+        ->type_name("SURFACE");
     add_net_output(command, "-o,--output", arguments->output)->type_name("OUT");
     return {&command, [arguments] { return run_equalize(*arguments); }};
 }

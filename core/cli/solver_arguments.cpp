@@ -6,8 +6,7 @@
 #include "edit/length_adapter.h"
 #include "edit/net_forces.h"
 #include "io/file.h"
-#include "surface/gallery.h"
-#include "surface/guide.h"
+#include "surface_argument.h"
 #include "text_table.h"
 
 namespace chebnet {
@@ -64,12 +63,6 @@ void set_option(Editor& editor, const std::string& setting) {
 std::string guide_mode_number(const std::string& name) {
     const std::vector<std::string> names{"off", "near", "on", "outside"};
     return std::to_string(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-std::shared_ptr<const Guide> load_guide(const std::string& name) {
-    const auto is_own = [&](const OwnSurface& own) { return own.name == name; };
-    const bool own = std::ranges::any_of(own_surfaces(), is_own);
-    return std::make_shared<const Guide>(own ? make_own_surface(name) : load_surface(name, false));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "surface_argument.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "base/error.h"
@@ -36,6 +37,12 @@ Surface load_surface(const SurfaceArgument& argument) {
     if (argument.file.empty() == argument.own.empty())
         throw Error(ErrorCode::bad_option, "a net is laid on the surface of a file or on one of ours, by --surface");
     return argument.own.empty() ? load_surface(argument.file, argument.repair) : make_own_surface(argument.own);
+}
+
+std::shared_ptr<const Guide> load_guide(const std::string& name, bool repair) {
+    const auto is_own = [&](const OwnSurface& own) { return own.name == name; };
+    const bool own = std::ranges::any_of(own_surfaces(), is_own);
+    return std::make_shared<const Guide>(own ? make_own_surface(name) : load_surface(name, repair));
 }
 
 std::string name_of(const SurfaceArgument& argument) { return argument.own.empty() ? argument.file : argument.own; }

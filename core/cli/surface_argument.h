@@ -1,11 +1,13 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <memory>
 #include <string>
 
 #include "drape/drape.h"
 #include "report.h"
 #include "surface/curvature.h"
+#include "surface/guide.h"
 #include "surface/surface.h"
 
 namespace chebnet {
@@ -21,6 +23,9 @@ void add_surface_argument(CLI::App& command, SurfaceArgument& argument);
 
 /// Throws Error, also if both or none are given; what concerns a file begins with its path.
 Surface load_surface(const SurfaceArgument& argument);
+
+/// A surface beside a net: one of our own if it is called so, else that of a file. Throws Error.
+std::shared_ptr<const Guide> load_guide(const std::string& name, bool repair = false);
 
 std::string name_of(const SurfaceArgument& argument);
 

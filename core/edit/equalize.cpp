@@ -15,6 +15,7 @@
 #include "edit/resting_near.h"
 #include "net/measures.h"
 #include "solve/parts/nearest_rotation.h"
+#include "surface/height.h"
 
 namespace chebnet {
 
@@ -48,12 +49,27 @@ Net with_mean_length_one(const Net& net) {
 }
 
 /// None if the faces of the net are no surface, as where it has one side only.
-std::shared_ptr<const Guide> surface_of(const Net& net, double unit) {
+std::shared_ptr<const Guide> surface_of(const Net& net) {
     try {
-        return std::make_shared<const Guide>(Surface({net.rest_positions() / unit, net.faces()}));
+        return std::make_shared<const Guide>(Surface({net.rest_positions(), net.faces()}));
     } catch (const Error&) {
         return nullptr;
     }
+}
+
+std::shared_ptr<const Guide> in_unit(double unit, const std::shared_ptr<const Guide>& guide) {
+    return unit == 1 ? guide : std::make_shared<const Guide>(scaled(guide->surface(), 1 / unit));
+}
+
+/// Moved onto the surface, or what goes on beyond its border.
+Positions moved_onto(const Guide& guide, Positions x) {
+    int face = 0;
+    for (auto point : x.colwise()) {
+        const Height height = height_of(guide.surface(), guide.tree(), point, face);
+        point -= height.height * height.normal;
+        face = height.at.face;
+    }
+    return x;
 }
 
 Eigen::VectorXd lengths_of_edges(const Net& net, const Positions& positions) {
@@ -110,13 +126,14 @@ Equalizer::Equalizer(Net original, EqualizeOptions options)
       m_length(chosen_length(m_original, m_options)),
       m_fitting_length(m_length),
       m_editor(with_mean_length_one(m_original)),
-      m_surface(surface_of(m_editor.net(), 1)),
+      m_surface(m_options.guide ? in_unit(m_original.mean_length(), m_options.guide) : surface_of(m_editor.net())),
       m_best_deviation(std::numeric_limits<double>::infinity()),
       m_positions(m_original.rest_positions()) {
-    if (m_options.method.empty()) m_options.method = usual_method(m_original.vertex_count());
+    if (m_options.method.empty())
+        m_options.method = m_options.guide ? "equilibrium" : usual_method(m_original.vertex_count());
     check_options();
     begin_lengths();
-    if (deviation_from_length() < k_equal_deviation)
+    if (!comes_near_guide() && deviation_from_length() < k_equal_deviation)
         m_status = Status::converged;
     else if (m_options.method == "equilibrium" && begin_fair())
         take_near_surface(m_fair->positions());
@@ -189,7 +206,7 @@ void Equalizer::iterate() {
 /// False where there is nothing to be near to, or the handles are out of reach.
 bool Equalizer::begin_fair() {
     if (!m_surface || !m_editor.unreachable_pairs().empty()) return false;
-    m_unit = m_options.handles.empty() ? 1 : m_length / m_original.mean_length();
+    m_unit = keeps_size() ? m_length / m_original.mean_length() : 1;
     const Net& net = m_editor.net();
     try {
         m_fair =
@@ -206,7 +223,8 @@ bool Equalizer::begin_fair() {
 
 /// In the unit of the net near the surface.
 std::vector<Pull> Equalizer::anchors() const {
-    const Positions original = m_editor.net().rest_positions() / m_unit;
+    const Positions& x = m_editor.net().rest_positions();
+    const Positions original = (m_options.guide ? moved_onto(*m_surface, x) : x) / m_unit;
     const std::vector<bool> is_free = free_vertices(m_original.vertex_count(), m_options.handles);
     std::vector<Pull> pulls;
     for (int v = 0; v < m_original.vertex_count(); ++v)
@@ -227,10 +245,9 @@ void Equalizer::make_fair() {
 }
 
 void Equalizer::begin_rest() {
-    const Net& net = m_editor.net();
-    m_at_rest = std::make_unique<Editor>(resting_near(Net(m_fair->positions(), net.faces(), RestLengths::equal),
-                                                      m_unit == 1 ? m_surface : surface_of(net, m_unit),
-                                                      m_options.shear_limit));
+    Net exact(m_fair->positions(), m_original.faces(), RestLengths::equal);
+    m_at_rest =
+        std::make_unique<Editor>(resting_near(std::move(exact), in_unit(m_unit, m_surface), m_options.shear_limit));
     std::vector<Handle> handles;
     for (int v : m_options.handles) handles.push_back({v, m_fair->positions().col(v)});
     for (const Pull& pull : anchors()) handles.push_back({pull.vertex, pull.target, pull.weight});
@@ -336,7 +353,7 @@ Equalizer::Placement Equalizer::nearest_placement(const std::vector<int>& piece,
 }
 
 std::optional<Positions> Equalizer::surface_positions() const {
-    if (!m_surface) return std::nullopt;
+    if (!m_surface || m_options.guide) return std::nullopt;
     const Positions& x = m_original.rest_positions();
     if (keeps_size()) return x;
     return Positions(((m_length / m_original.mean_length()) * (x.colwise() - centre())).colwise() + centre());

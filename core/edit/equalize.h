@@ -33,6 +33,9 @@ struct EqualizeOptions {
     /// lengths asked for; empty: the usual one for a net of this size.
     std::string method{};
     double shear_limit = std::numbers::pi / 6;  ///< for `equilibrium`: no corner of a quad is sharper, radians; 0: none
+    /// For `equilibrium`, which is then the usual method: the net comes near this surface, where that is, and not near
+    /// the original's own; null: near that.
+    std::shared_ptr<const Guide> guide = nullptr;
 };
 
 /// How edge lengths differ, as parts of their mean.
@@ -49,8 +52,8 @@ struct EqualizeReport {
     double milliseconds = 0;   ///< likewise
     LengthSpread before, after;
     std::string method;  ///< that has made it: `projection` also where `equilibrium` found no such net
-    /// From the surface of the original, of vertices and middles of edges, in units of L; none if its triangles are no
-    /// surface. A given length without handles scales that surface too.
+    /// From the guide or else the surface of the original, of vertices and middles of edges, in units of L; none if its
+    /// triangles are no surface. A given length without handles scales that surface too, but no guide.
     std::optional<GuideDistance> distance;
     double smallest_angle = 0;           ///< of corners, radians
     double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
@@ -64,7 +67,8 @@ struct EqualizeReport {
 /// Turns a mesh with unequal edges into a Chebyshev net near it: quad meshes as modellers and remeshers leave them,
 /// open or closed, of any valences. In stages:
 ///
-///   fair     near the surface of the original, its lines bend least, while edges and corners are drawn towards what
+///   fair     near the surface of the original, or a guide, its lines bend least, while edges and corners are drawn
+///   towards what
 ///            they are to be (FairStart); then all lengths are exact;
 ///   rest     `equilibrium` with that surface as its guide, straight rods and the limit of corners;
 ///   lengths  where that is not asked for or finds no net, and beyond k_most_vertices_at_rest: `projection`, from the
@@ -79,7 +83,7 @@ public:
     /// Only positions and faces of the original count, not its rest lengths.
     /// Throws Error bad_option (a given length not within a factor 1e6 of the mean; fitting with handles;
     /// another method; a limit out of range),
-    /// index_out_of_range and repeated_vertex (handles).
+    /// index_out_of_range and repeated_vertex (handles), bad_scale (a guide much larger or smaller than the net).
     explicit Equalizer(Net original, EqualizeOptions options = {});
 
     const Net& original() const { return m_original; }
@@ -92,11 +96,12 @@ public:
     ///   unreachable                           no such net exists: handles stand too far apart
     EqualizeReport solve(const Budget& budget = {});
 
-    /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already.
+    /// 3×V, the positions held now. The original's, bit for bit, if that is a net with edges of length L already and
+    /// has no guide to come near to.
     const Positions& positions() const { return m_positions; }
 
     /// 3×V, where the vertices of the surface lie that the net is near: the original's own, or scaled as the net is by
-    /// a given length. None if the faces are no surface.
+    /// a given length. None if the faces are no surface, or the net is near a guide.
     std::optional<Positions> surface_positions() const;
 
 private:
@@ -110,6 +115,7 @@ private:
     };
 
     void check_options() const;
+    bool comes_near_guide() const { return m_options.guide && m_options.method == "equilibrium"; }
     bool begin_fair();
     void begin_rest();
     void begin_lengths();
@@ -118,7 +124,9 @@ private:
     void come_to_rest();
     void take_near_surface(const Positions& x);
     Eigen::Vector3d centre() const { return m_original.rest_positions().rowwise().mean(); }
-    bool keeps_size() const { return m_options.choice != EqualLength::given || !m_options.handles.empty(); }
+    bool keeps_size() const {
+        return m_options.choice != EqualLength::given || !m_options.handles.empty() || m_options.guide;
+    }
     void hold_handles();
     void find_free_pieces();
     void iterate();
@@ -139,7 +147,7 @@ private:
     double m_length;                         // L
     double m_fitting_length;                 // in any case
     Editor m_editor;                         // of the original scaled to mean edges of length 1
-    std::shared_ptr<const Guide> m_surface;  // of the same; null: it has none
+    std::shared_ptr<const Guide> m_surface;  // of the same, or the guide in its unit; null: it has none
     std::unique_ptr<FairStart> m_fair;
     std::unique_ptr<Editor> m_at_rest;
     double m_unit = 1;                                   // of the net near the surface, in mean edges

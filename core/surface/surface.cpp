@@ -208,6 +208,12 @@ Eigen::Vector3d Surface::normal_at(const SurfacePoint& point) const {
                         point.weights[2] * m_vertex_normals.col(t[2]));
 }
 
+Surface scaled(const Surface& surface, double factor) {
+    Faces faces;
+    for (const auto& t : surface.triangles().colwise()) faces.add({t[0], t[1], t[2]});
+    return Surface({factor * surface.positions(), std::move(faces)});
+}
+
 RepairedSurface repaired_surface(Mesh mesh, const std::vector<Defect>& chosen) {
     RepairedMesh repaired = repair(std::move(mesh), chosen);
     return {Surface(repaired.mesh), std::move(repaired.findings)};

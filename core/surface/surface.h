@@ -83,6 +83,9 @@ private:
     double m_area = 0;
 };
 
+/// The same in another unit: all lengths times `factor`. Throws Error bad_scale.
+Surface scaled(const Surface& surface, double factor);
+
 /// A surface from a file's mesh, and what was repaired for it.
 struct RepairedSurface {
     Surface surface;

@@ -142,6 +142,53 @@ test('the net that is open is equalised where it stands, and keeps its handles',
     expect(largestError(Float64Array.from(target), sheet.restPositions.subarray(3 * vertex, 3 * vertex + 3))).toBe(0);
 });
 
+test('beside a surface the net is equalised near that, unless told otherwise', async () => {
+  await script.open({ obj: SHEET, name: 'sheet.obj' });
+  await script.setHandles([]);
+  // Free of it by itself, and off by about an edge: near one is not near the other.
+  await visit.page.evaluate(() => window.chebnet.setOptions({ guide_mode: 0 }));
+  const positions = sheet.restPositions.map((x, i) => (i % 3 === 2 ? x + mean : x));
+  const mesh = { positions, faceStart: sheet.faceStart, faceVertices: sheet.faceVertices };
+  const surface = chebnet.openSurface(mesh);
+  const vertices = Array.from({ length: positions.length / 3 }, (_, v) => [...positions.subarray(3 * v, 3 * v + 3)]);
+  const faces = Array.from({ length: sheet.faceStart.length - 1 }, (_, f) => [
+    ...sheet.faceVertices.subarray(sheet.faceStart[f], sheet.faceStart[f + 1]),
+  ]);
+  await visit.page.evaluate((given) => window.chebnet.setGuide({ ...given, name: 'roof' } as never), {
+    vertices,
+    faces,
+  });
+  const near = equalizer().getByRole('checkbox', { name: 'Near the surface, fair, no corner below 30°' });
+  const guided = equalizer().getByRole('checkbox', { name: 'Near the surface beside it, roof' });
+  /** Of the net as it is opened then, from the roof. */
+  const distanceOnce = async (isGuided: boolean) => {
+    await visit.page.getByRole('button', { name: 'Equalise…' }).click();
+    expect([await near.isChecked(), await guided.isChecked()]).toEqual([true, true]);
+    if (!isGuided) await guided.click();
+    await press('Equalise');
+    await equalizer()
+      .getByText(/^Every edge has the length/)
+      .waitFor();
+    const facts = await equalizer().locator('.facts').innerText();
+    expect(Number(/Smallest corner\s+([\d.]+)/.exec(facts)![1])).toBeGreaterThan(29.9);
+    await visit.page.screenshot({ path: join(OUTPUT, `equalise-guide-${isGuided}.png`) });
+    await press('Open the equalised net');
+    await expect.poll(async () => (await measured()).deviation).toBeLessThan(1e-9);
+    const { positions: after, length } = await measured();
+    return surface.measure({ ...mesh, positions: after }).meanDistance / length;
+  };
+  const own = await distanceOnce(false);
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(async () => (await measured()).deviation).toBeGreaterThan(1e-3);
+  expect(await distanceOnce(true)).toBeLessThan(own / 5);
+  await visit.page.getByRole('group', { name: 'Surface: roof' }).waitFor();
+
+  await visit.page.getByRole('button', { name: 'Equalise…' }).click();
+  await near.click();
+  expect(await guided.isDisabled()).toBe(true);
+  surface.dispose();
+});
+
 test('equalising a large mesh can be stopped at once', async () => {
   const large = chebnet.openRecipe('vault:vertices=100000');
   large.setPositions(large.restPositions.map((x, i) => x + 0.2 * large.info.meanLength * Math.sin(7 * i)));

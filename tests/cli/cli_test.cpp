@@ -9,6 +9,7 @@
 #include "shapes/shapes.h"
 #include "solve/method.h"
 #include "solve/options.h"
+#include "surface/guide.h"
 
 using namespace chebnet;
 using Catch::Matchers::Contains;
@@ -454,6 +455,32 @@ TEST_CASE("equalize takes a length, and vertices to hold") {
     const Positions before = read_obj(box.read("raw.obj"), "").positions;
     const Positions after = read_obj(box.read("held.obj"), "").positions;
     for (const int vertex : {0, 200}) CHECK(after.col(vertex) == before.col(vertex));
+}
+
+TEST_CASE("equalize comes near a guide, which is a file or one of ours") {
+    const Sandbox box;
+    write_stretched_vault(box, "raw.obj");
+    const Net net = make_shape(k_recipe).net;
+    const Positions lifted =
+        (Eigen::Vector3d(1, 2, 2.7).asDiagonal() * net.rest_positions()).colwise() + Eigen::Vector3d(0, 0, 0.4);
+    box.write("guide.obj", write_obj(lifted, net.faces()));
+    CHECK(box.run("equalize raw.obj -o own.obj").exit_code == 0);
+    const Run run = box.run("equalize raw.obj --guide guide.obj -o guided.obj");
+    INFO(run.err);
+    CHECK(run.exit_code == 0);
+    const json report = run.json();
+    CHECK(report.at("method") == "equilibrium");
+    CHECK(report.at("max_dL") < 1e-9);
+    CHECK(report.at("smallest_corner_angle_degrees") > 29.99);
+    const Guide guide(Surface({lifted, net.faces()}));
+    const auto distance = [&](const char* file) {
+        return distance_to(guide, net, read_obj(box.read(file), "").positions).mean / report.at("length").get<double>();
+    };
+    CHECK(report.at("mean_distance_in_lengths").get<double>() == Approx(distance("guided.obj")).epsilon(1e-6));
+    CHECK(distance("guided.obj") < distance("own.obj") / 2);
+
+    CHECK(box.run("equalize raw.obj --guide hypar").json().contains("mean_distance_in_lengths"));
+    check_refused(box.run("equalize raw.obj --guide nothing.obj"), "nothing.obj");
 }
 
 TEST_CASE("equalize says what stands in the way") {

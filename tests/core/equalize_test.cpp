@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <span>
 #include <string>
@@ -42,6 +43,22 @@ Net noisy_patch() {
     std::mt19937 random(3);
     const Net patch = samples::patch(20, 15);
     return Net(samples::shaken(patch.rest_positions(), 0.2, random), patch.faces());
+}
+
+/// Waves above a patch, and somewhat beyond its border.
+Surface waves_over(const Net& patch) {
+    const Eigen::Vector3d low = patch.rest_positions().rowwise().minCoeff();
+    const Eigen::Vector3d high = patch.rest_positions().rowwise().maxCoeff();
+    const int columns = static_cast<int>(high.x() - low.x()) + 5, rows = static_cast<int>(high.y() - low.y()) + 5;
+    Mesh mesh{Positions(3, columns * rows), {}};
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const double x = low.x() + i - 2, y = low.y() + j - 2, middle = (low.z() + high.z()) / 2;
+            mesh.positions.col(j * columns + i) << x, y, middle + 1 + std::sin(0.4 * x) + std::cos(0.3 * y);
+            const int a = j * columns + i;
+            if (i + 1 < columns && j + 1 < rows) mesh.faces.add({a, a + 1, a + columns + 1, a + columns});
+        }
+    return Surface(mesh);
 }
 
 /// Every quad cut along a diagonal and every triangle into three quads: valences 3, 4 and 6 side by side.
@@ -158,6 +175,51 @@ TEST_CASE("Quads become a net near the surface of their mesh, fair and with no c
     double sum = 0;
     for (int v = 0; v < mesh.vertex_count(); ++v) sum += surface.tree().nearest(near.positions().col(v)).distance;
     CHECK(sum / mesh.vertex_count() < 2 * report.distance->mean * report.length);
+}
+
+TEST_CASE("With a guide the net comes near that and not near its own surface, of the size and where it is") {
+    const Net mesh = noisy_patch();
+    const auto guide = std::make_shared<const Guide>(waves_over(mesh));
+    EqualizeOptions options;
+    options.choice = GENERATE(EqualLength::mean, EqualLength::fitting, EqualLength::given);
+    options.length = 1.05 * mesh.mean_length();
+    Equalizer own(mesh, options);
+    own.solve();
+    options.guide = guide;
+    if (options.choice != EqualLength::fitting) options.handles = GENERATE(std::vector<int>{}, std::vector<int>{150});
+    Equalizer guided(mesh, options);
+    const EqualizeReport report = guided.solve();
+    const auto distance = [&](const Equalizer& equalizer) {
+        return distance_to(*guide, mesh, equalizer.positions()).mean / report.length;
+    };
+    CHECK(report.status == Status::converged);
+    CHECK(report.method == "equilibrium");
+    CHECK(largest_deviation(mesh, guided.positions(), report.length) < 1.1e-9);
+    CHECK(report.smallest_angle > 29.99 * EIGEN_PI / 180);
+    if (options.choice == EqualLength::given) CHECK(report.length == options.length);
+    for (const int v : options.handles) CHECK(guided.positions().col(v) == mesh.rest_positions().col(v));
+    CHECK(distance(guided) < 0.1);
+    CHECK(distance(guided) < distance(own) / 5);
+    REQUIRE(report.distance);
+    CHECK(report.distance->mean == Approx(distance(guided)));
+    CHECK(!guided.surface_positions());
+}
+
+TEST_CASE("A net that is exact already still comes near a guide, which alone makes large ones do so") {
+    const Net exact = samples::patch(15, 12);
+    EqualizeOptions options;
+    options.guide = std::make_shared<const Guide>(waves_over(exact));
+    Equalizer guided(exact, options);
+    const EqualizeReport report = guided.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.iterations > 0);
+    REQUIRE(report.distance);
+    CHECK(report.distance->mean < distance_to(*options.guide, exact, exact.rest_positions()).mean / 5);
+
+    Equalizer large(samples::patch(120, 101), options);
+    CHECK(large.solve({1, 0}).method == "equilibrium");
+    options.method = "projection";
+    CHECK(Equalizer(exact, options).positions() == exact.rest_positions());
 }
 
 TEST_CASE("The limit of corners is the user's") {

@@ -119,6 +119,23 @@ describe.each(cases)('with %s', (_, recipe, options, native) => {
   });
 });
 
+test('with a guide it comes near that, and the guide may be disposed of', () => {
+  const mesh = unevenMesh('vault:vertices=600');
+  const positions = mesh.positions.map((x, i) => (i % 3 === 2 ? 0.9 * x + 0.4 : x));
+  const guide = chebnet.openSurface({ ...mesh, positions });
+  const own = equalizeHere(mesh);
+  const equalizer = chebnet.equalizer(mesh, { guide });
+  const far = guide.measure({ ...mesh, positions: own.positions }).meanDistance;
+  guide.dispose();
+  const report = equalizer.solve();
+  expect(report).toMatchObject({ status: 'converged', method: 'equilibrium' });
+  expect(report.maxDeviation).toBeLessThan(1e-9);
+  expect(report.distance!.mean * report.length).toBeLessThan(far / 2);
+  expect(equalizer.surfacePositions()).toBeNull();
+  equalizer.dispose();
+  expect(failure(() => chebnet.equalizer(mesh, { guide })).code).toBe('disposed');
+});
+
 describe('what cannot be is refused', () => {
   test('with the best that was found, as natively', () => {
     const { report } = equalizeHere(FIVE);
@@ -150,6 +167,7 @@ describe('what cannot be is refused', () => {
     ['half a handle', 'index_out_of_range', () => chebnet.equalizer(FIVE, { handles: [0.5] })],
     ['another method', 'bad_option', () => chebnet.equalizer(FIVE, { method: 'arap' as never })],
     ['a limit that is none', 'bad_option', () => chebnet.equalizer(FIVE, { shearLimit: 2 })],
+    ['a guide that is none', 'bad_option', () => chebnet.equalizer(FIVE, { guide: 'hypar' as never })],
     ['a handle too far', 'index_out_of_range', () => chebnet.equalizer(FIVE, { handles: [5] })],
     ['a handle twice', 'repeated_vertex', () => chebnet.equalizer(FIVE, { handles: [1, 1] })],
     ['handles that are none', 'bad_option', () => chebnet.equalizer(FIVE, { handles: 3 as never })],

@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import type { EqualizeOptions, Mesh } from '../../wasm/chebnet';
 import { between, meanLength, stillFrame } from '../../web/src/equalize/before_after';
-import type { EqualizeResponse } from '../../web/src/equalize/equalize_protocol';
+import type { EqualizeRequest, EqualizeResponse } from '../../web/src/equalize/equalize_protocol';
 import { equalize } from '../../web/src/equalize/equalize';
 import { Equalizing } from '../../web/src/equalize/equalizing';
 import { equalizedScene, subjectOfNet } from '../../web/src/equalize/subject';
@@ -14,9 +14,9 @@ const core = await load();
 /** A Möbius strip of five vertices. */
 const FIVE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 
-function answersTo(mesh: Mesh, options: EqualizeOptions = {}): EqualizeResponse[] {
+function answersTo(mesh: Mesh, options: EqualizeOptions = {}, guide?: EqualizeRequest['guide']): EqualizeResponse[] {
   const answers: EqualizeResponse[] = [];
-  equalize(core, { mesh, options }, (answer) => answers.push(answer));
+  equalize(core, { mesh, options, guide }, (answer) => answers.push(answer));
   return answers;
 }
 
@@ -44,6 +44,25 @@ describe('the worker', () => {
     const twice = surfaceOf(uneven(8, 6), { length: 2 * mean.report.length })!;
     expect(width(twice) / width(positions)).toBeCloseTo(2, 9);
     expect(surfaceOf(FIVE)).toBeNull();
+  });
+
+  test('brings the net near a guide', () => {
+    const mesh = core.readMesh(new TextEncoder().encode(uneven(8, 6)), 'uneven.obj');
+    const guide = {
+      name: 'lifted',
+      mesh: { ...mesh, positions: mesh.positions.map((x, i) => (i % 3 === 2 ? x + 1 : x)) },
+    };
+    const surface = core.openSurface(guide.mesh);
+    const meanDistance = (to: EqualizeRequest['guide']) => {
+      const end = answersTo(mesh, {}, to).at(-1)!;
+      if (end.type !== 'ended') return expect.fail(`it ended with ${JSON.stringify(end)}`);
+      expect(end.report.status).toBe('converged');
+      expect(end.surfacePositions === null).toBe(to !== undefined);
+      return surface.measure({ ...mesh, positions: end.positions }).meanDistance;
+    };
+    expect(meanDistance(guide)).toBeLessThan(meanDistance(undefined) / 2);
+    surface.dispose();
+    expect(answersTo(mesh, {}, { own: 'nothing' })).toMatchObject([{ type: 'error', code: 'bad_option' }]);
   });
 
   test('says so if they did not become equal', () => {
@@ -111,6 +130,7 @@ test('handles of the net that was open stay at their vertices', () => {
     settled: true,
     options: { p: 4 },
   };
+  expect(subjectOfNet({ ...document, guide: { own: 'hypar' } }, {} as never, []).guide).toEqual({ own: 'hypar' });
   expect(subjectOfNet(document, {} as never, [])).toMatchObject({
     name: 'dome.obj',
     positions: document.positions,

@@ -7,6 +7,7 @@ import type { EqualizeEnd, EqualizeNews } from '../equalize/equalize_protocol';
 import { Equalizing } from '../equalize/equalizing';
 import type { EqualizeWorkerLike } from '../equalize/equalizing';
 import type { Equalized, Subject } from '../equalize/subject';
+import { guideTitle } from '../document/changes';
 import { MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { ViewState } from '../document/document';
 import type { EqualizerLike } from './file_opener';
@@ -63,11 +64,12 @@ export class EqualizeDialog implements EqualizerLike {
   constructor(root: HTMLElement, subject: Subject, parts: EqualizeDialogParts) {
     this.#subject = subject;
     this.#parts = parts;
-    const { net, positions, name, handles } = subject;
+    const { net, positions, name, handles, guide } = subject;
     this.#before = { positions, length: meanLength(positions, net) };
     // Larger nets take minutes to come near a surface.
     const isNear = positions.length / 3 <= MOST_VERTICES_AT_REST;
-    this.#form = new EqualizeForm(this.#before.length, handles.length, isNear, () => this.#forget());
+    const surface = guide ? guideTitle(guide) : null;
+    this.#form = new EqualizeForm(this.#before.length, handles.length, isNear, surface, () => this.#forget());
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'equalize-title' }, TEXT.title(name));
     const figure = make('figure', {}, picture, make('figcaption', {}, this.#sliderRow, this.#caption));
@@ -128,8 +130,9 @@ export class EqualizeDialog implements EqualizerLike {
     this.#stop.focus();
     try {
       const mesh = this.#meshAt(this.#subject.positions);
-      const end = await this.#equalizing.run({ mesh, options }, (news) => this.#onProgress(news));
-      this.#onEnd(end, typeof options.length === 'number' && !options.handles?.length);
+      const guide = this.#form.usesGuide ? this.#subject.guide : undefined;
+      const end = await this.#equalizing.run({ mesh, options, guide }, (news) => this.#onProgress(news));
+      this.#onEnd(end, typeof options.length === 'number' && !options.handles?.length && !guide);
     } catch (error) {
       this.#results.renderFault(messageOf(error));
       this.#arrange('waiting');

@@ -13,14 +13,19 @@ export class EqualizeForm {
   readonly #radios: Record<Choice, HTMLInputElement>;
   readonly #fitting = make('span', {}, TEXT.fitting);
   readonly #number: HTMLInputElement;
-  readonly #near = makeSwitch(TEXT.near, () => this.#changed());
+  readonly #near = makeSwitch(TEXT.near, () => this.#nearChanged());
+  readonly #guide = makeSwitch('', () => this.#changed());
   readonly #hold = makeSwitch('', () => this.#holdChanged());
   readonly #changed: () => void;
 
   /** @param isNear whether the surface counts as long as the user does not say otherwise.
+   *  @param guide the name of a surface beside the net; null: there is none.
    *  @param changed is called after every change of the options. */
-  constructor(mean: number, handleCount: number, isNear: boolean, changed: () => void) {
-    this.#near.box.checked = isNear;
+  constructor(mean: number, handleCount: number, isNear: boolean, guide: string | null, changed: () => void) {
+    this.#near.box.checked = isNear || guide !== null;
+    this.#guide.box.checked = guide !== null;
+    this.#guide.row.hidden = guide === null;
+    setText(this.#guide.row.querySelector('span')!, TEXT.guide(guide ?? ''));
     this.#changed = changed;
     this.#number = make('input', {
       type: 'number',
@@ -47,12 +52,17 @@ export class EqualizeForm {
       make('label', {}, this.#radios.fitting, this.#fitting),
       make('div', { class: 'given' }, make('label', {}, this.#radios.given, TEXT.given), this.#number),
       this.#near.row,
+      this.#guide.row,
       this.#hold.row,
     );
   }
 
   get method(): 'equilibrium' | 'projection' {
     return this.#near.box.checked ? 'equilibrium' : 'projection';
+  }
+
+  get usesGuide(): boolean {
+    return this.#near.box.checked && this.#guide.box.checked;
   }
 
   /** null: the number is invalid, as the browser shows. */
@@ -76,6 +86,11 @@ export class EqualizeForm {
     this.#choice = choice;
     this.#radios[choice].checked = true;
     this.#number.setCustomValidity('');
+    this.#changed();
+  }
+
+  #nearChanged(): void {
+    this.#guide.box.disabled = !this.#near.box.checked;
     this.#changed();
   }
 

@@ -33,7 +33,7 @@ export interface NamedChange {
 }
 
 /** Of a surface beside the net. */
-export function guideTitle(guide: GuideSource): Term {
+export function guideTitle(guide: GuideSource): string {
   return 'own' in guide ? guide.own : guide.name;
 }
 

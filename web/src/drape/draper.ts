@@ -2,7 +2,7 @@
 import type { Chebnet, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
-import { describe } from '../worker/opened_net';
+import { describe, openSurface } from '../worker/opened_net';
 import type {
   DrapeRequest,
   DrapeResponse,
@@ -63,7 +63,7 @@ export class Draper {
   }
 
   #open(source: SurfaceSource): DrapeResponse {
-    const surface = 'own' in source ? this.#core.ownSurface(source.own) : this.#core.openSurface(source.mesh);
+    const surface = openSurface(this.#core, source);
     this.#surface?.dispose();
     this.#opened?.surface.dispose();
     this.#opened = null;

@@ -2,17 +2,20 @@
 import type { Chebnet, Equalizer } from '../../../wasm/chebnet';
 import type { EqualizeRequest, EqualizeResponse } from './equalize_protocol';
 import { codeOf, messageOf } from '../failure';
+import { openSurface } from '../worker/opened_net';
 
 /** Milliseconds between two pieces of news; one iteration is the least. */
 const SLICE = 80;
 
 export function equalize(
   core: Chebnet,
-  { mesh, options }: EqualizeRequest,
+  { mesh, options, guide }: EqualizeRequest,
   post: (response: EqualizeResponse) => void,
 ): void {
   try {
-    const equalizer = core.equalizer(mesh, options);
+    const surface = guide && openSurface(core, guide);
+    const equalizer = core.equalizer(mesh, surface ? { ...options, guide: surface } : options);
+    surface?.dispose();
     post(solveToTheEnd(equalizer, post));
     equalizer.dispose();
   } catch (error) {

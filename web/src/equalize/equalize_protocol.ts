@@ -1,9 +1,12 @@
 /** Messages between page and equalizing worker: one request, then news until the end. To cancel is to terminate the worker. */
 import type { EqualizeOptions, EqualizeReport, Mesh } from '../../../wasm/chebnet';
+import type { GuideSource } from '../document/document';
 
 export interface EqualizeRequest {
   mesh: Mesh;
   options: EqualizeOptions;
+  /** Near which it is to come; without one, near the mesh's own surface. */
+  guide?: GuideSource | undefined;
 }
 
 /** Progress, and the present net. */

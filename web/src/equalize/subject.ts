@@ -1,6 +1,6 @@
 /** The net to be equalised, and the scene with the result. */
 import type { FormatInfo, Mesh } from '../../../wasm/chebnet';
-import type { ChebnetDocument, Scene } from '../document/document';
+import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { OpenedNet } from '../worker/protocol';
 
@@ -11,12 +11,14 @@ export interface Subject {
   positions: Float64Array;
   /** Vertices that the user may want to fix. */
   handles: number[];
+  /** A surface beside it. */
+  guide?: GuideSource | undefined;
 }
 
 /** What becomes of it. */
 export interface Equalized {
   mesh: Mesh;
-  /** Of the original, as large as the net; null if its faces are no surface. */
+  /** Of the original, as large as the net; null if its faces are no surface, or the net is near the one beside it. */
   surface: Mesh | null;
   /** Whether the net was given another size. */
   isResized: boolean;
@@ -29,6 +31,7 @@ export function subjectOfNet(document: ChebnetDocument, net: OpenedNet, formats:
     positions: document.positions ?? net.restPositions,
     // Soft handles fix nothing.
     handles: document.handles.filter(({ weight }) => !weight).map(({ vertex }) => vertex),
+    guide: document.guide,
   };
 }
 

@@ -14,7 +14,7 @@ import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
-import { describe } from './opened_net';
+import { describe, openNet, openSurface } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
@@ -337,7 +337,7 @@ export class Server {
     if (source === undefined) editor.setGuide(null);
     else if (this.#guide !== null && isSameGuide(this.#guide.source, source)) editor.setGuide(this.#guide.surface);
     else {
-      const surface = 'own' in source ? this.#core.ownSurface(source.own) : this.#core.openSurface(source.mesh);
+      const surface = openSurface(this.#core, source);
       editor.setGuide(surface);
       this.#guide?.surface.dispose();
       this.#guide = { source, surface };
@@ -542,13 +542,6 @@ export class Server {
   #refuse(id: number, error: unknown): void {
     this.#post({ id, type: 'error', code: codeOf(error, CRASHED), message: messageOf(error) });
   }
-}
-
-/** Only traps of the module have no code; see wasm/chebnet.d.ts. */
-function openNet(core: Editors, net: OpenScene['net']): Editor {
-  if ('recipe' in net) return core.openRecipe(net.recipe);
-  if ('obj' in net) return core.openObj(net.obj, net.name, net.restLengths);
-  return core.openMesh(net.mesh, net.restLengths);
 }
 
 function checkNumbering(editor: Editor, { numbering }: OpenScene): void {

@@ -324,6 +324,7 @@ export const dialogs = {
     edgesNow: 'Edges of the best attempt',
     spreadBefore: 'Standard deviation before',
     near: 'Near the surface, fair, no corner below 30°',
+    guide: (surface: string) => `Near the surface beside it, ${surface}`,
     lengthsAlone:
       'No such net was found near the surface: this one has equal edges and nothing more, and its corners may be sharp.',
     meanDistance: 'Average distance from the surface',

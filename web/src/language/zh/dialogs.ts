@@ -304,6 +304,7 @@ export const dialogs: Widened<typeof en> = {
     edgesNow: '最佳结果的边长',
     spreadBefore: '原来的标准差',
     near: '贴近曲面、平顺，角不小于 30°',
+    guide: (surface) => `贴近旁边的曲面：${surface}`,
     lengthsAlone: '在曲面附近没有找到这样的网：此网只是边长相等，角可能很尖。',
     meanDistance: '到曲面的平均距离',
     largestDistance: '到曲面的最大距离',
