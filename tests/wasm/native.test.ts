@@ -136,23 +136,27 @@ function mirrorImages({ restPositions, info }: Editor, positions: Float64Array):
   });
 }
 
+/** The same of `equilibrium`, with up to 1000 vertices. Measured: 1.7e-5. */
+const TOLERANCE_AT_REST = 1e-3;
+/** Its lines are taut between the handles: lengths are exact, but no rest is found, and where the net ends is not promised. */
+const TAUT = 'steps';
+const RESTING = [200, 1000].flatMap((size) => chebnet.shapes().map(({ name }) => `${name}:vertices=${size}`));
+
 // Single digits decide how many inner iterations a step of it has, it stops as soon as steps are short, and to which side
 // buckles what is symmetric: of two mirror images either may come.
-test.each(chebnet.shapes().map(({ name }) => `${name}:vertices=200`))(
-  '%s comes to rest where the native program has it at rest, or in its mirror image',
-  (recipe) => {
-    const editor = chebnet.openRecipe(recipe);
-    editor.setMethod('equilibrium');
-    const here = solveHere(editor);
-    const native = solveNatively(recipe, editor, '--method', 'equilibrium');
-    expect(here.status).toBe(native.status);
-    const distances = [native.positions, ...mirrorImages(editor, native.positions)].map((positions) =>
-      largestDistance(here.positions, positions),
-    );
-    expect(Math.min(...distances)).toBeLessThan(1e-3 * editor.info.meanLength);
-    editor.dispose();
-  },
-);
+test.each(RESTING)('%s comes to rest where the native program has it at rest, or in its mirror image', (recipe) => {
+  const editor = chebnet.openRecipe(recipe);
+  editor.setMethod('equilibrium');
+  const here = solveHere(editor);
+  const native = solveNatively(recipe, editor, '--method', 'equilibrium');
+  const isTaut = recipe.startsWith(TAUT);
+  for (const { status } of [here, native]) expect(status).toBe(isTaut ? 'exact' : 'converged');
+  const distances = [native.positions, ...mirrorImages(editor, native.positions)].map((positions) =>
+    largestDistance(here.positions, positions),
+  );
+  if (!isTaut) expect(Math.min(...distances)).toBeLessThan(TOLERANCE_AT_REST * editor.info.meanLength);
+  editor.dispose();
+});
 
 test('a solve in slices ends like one in a piece', () => {
   const recipe = `${chebnet.shapes()[0]!.name}:vertices=500`;
