@@ -6,9 +6,15 @@
 #include <tuple>
 #include <utility>
 
+#include "base/error.h"
+
 namespace chebnet {
 
 namespace {
+
+// Sides are about as long as a cell. Where a map has them so much longer it follows nothing, and the cells would fill
+// all memory there is.
+constexpr std::int64_t k_most_lines_of_axis = 50;
 
 /// A line of the grid: the coordinate of that axis has this value on it, the middle of a cell.
 struct Line {
@@ -84,6 +90,10 @@ private:
         std::vector<std::tuple<double, Line>> lines;
         for (int axis = 0; axis < 2; ++axis) {
             const std::int64_t low = std::min(from[axis], to[axis]), high = std::max(from[axis], to[axis]);
+            if (high - low > k_most_lines_of_axis * k_cell)
+                throw Error(ErrorCode::bad_option,
+                            "the grid would be stretched beyond measure where the surface has "
+                            "hardly any area, or an edge far longer than others");
             std::int64_t cell = low / k_cell - 2;
             while (cell * k_cell + k_cell / 2 < low) ++cell;
             for (std::int64_t level = cell * k_cell + k_cell / 2; level < high; level += k_cell)

@@ -603,6 +603,18 @@ TEST_CASE("A surface thousands of times as long as wide is refused, and soon") {
     CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(thread), of_cells(100)), Contains("thin"));
 }
 
+TEST_CASE("Where the grid is stretched beyond measure no lines are counted, of which there would be billions") {
+    // A ring as thin as a thread, of which one point has been pulled to the middle, and another to its plane.
+    Mesh ring = samples::torus(8, 4, 1, 3.7435515245435452e-11);
+    ring.positions.col(0).setZero();
+    ring.positions(2, 13) = 0;
+    RemeshOptions options = of_cells(56);
+    options.smoothing = 10;
+    options.smallest_angle = 0;
+    options.border = RemeshOptions::Border::always;
+    CHECK_THROWS_WITH(remesh(std::make_shared<const Guide>(Surface(ring)), options), Contains("stretched"));
+}
+
 TEST_CASE("Numbers out of range are refused") {
     const Guide surface(make_own_surface("hypar"));
     const auto refusal = [&](auto change) {

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <vector>
 
+#include "core/sample_surfaces.h"
 #include "net/mesh.h"
 
 /// Values for the targets that are given numbers, meshes and calls rather than text.
@@ -58,6 +60,12 @@ inline Mesh any_mesh(FuzzedDataProvider& input) {
     return mesh;
 }
 
+inline void replace_some_coordinates(Mesh& mesh, FuzzedDataProvider& input) {
+    for (int changes = input.ConsumeIntegralInRange(0, 8); changes > 0; --changes)
+        mesh.positions.reshaped()[input.ConsumeIntegralInRange<Eigen::Index>(0, mesh.positions.size() - 1)] =
+            finite_number(input);
+}
+
 /// A patch of quads, up to 6 × 6 vertices, with some of its coordinates replaced.
 inline Mesh any_patch(FuzzedDataProvider& input) {
     const int columns = input.ConsumeIntegralInRange(2, 6), rows = input.ConsumeIntegralInRange(2, 6);
@@ -68,9 +76,22 @@ inline Mesh any_patch(FuzzedDataProvider& input) {
             mesh.positions.col(v) << i, j, 0.1 * (i + j) * (i - j);
             if (i > 0 && j > 0) mesh.faces.add({v - columns - 1, v - columns, v, v - 1});
         }
-    for (int changes = input.ConsumeIntegralInRange(0, 8); changes > 0; --changes)
-        mesh.positions.reshaped()[input.ConsumeIntegralInRange<Eigen::Index>(0, mesh.positions.size() - 1)] =
-            finite_number(input);
+    replace_some_coordinates(mesh, input);
+    return mesh;
+}
+
+/// A tube that may narrow, or a ring, of up to 8 × 6 vertices, with some of its coordinates replaced.
+inline Mesh any_tube(FuzzedDataProvider& input) {
+    const int around = input.ConsumeIntegralInRange(3, 8), along = input.ConsumeIntegralInRange(3, 6);
+    const bool is_ring = input.ConsumeBool();
+    const double thickness = input.ConsumeFloatingPointInRange(0.0, 1.0);
+    Mesh mesh = samples::quads(around, along, true, is_ring, [&](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / along;
+        const double radius = is_ring ? 1 + thickness * std::cos(v) : 1 - thickness * j / along;
+        const double height = is_ring ? thickness * std::sin(v) : 2. * j / along - 1;
+        return Eigen::Vector3d(radius * std::cos(u), radius * std::sin(u), height);
+    });
+    replace_some_coordinates(mesh, input);
     return mesh;
 }
 

@@ -1,0 +1,108 @@
+#include "surface/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "arbitrary.h"
+#include "drape/bridged_drape.h"
+#include "drape/drape.h"
+#include "remesh/remesh.h"
+#include "require.h"
+#include "soak/surface_invariants.h"
+#include "surface/curvature.h"
+#include "surface/guide.h"
+
+using namespace chebnet;
+using fuzz::require;
+
+namespace {
+
+// A net of more vertices, or a measure of more samples, takes longer than an input may.
+constexpr int k_farthest_reach = 10, k_most_cells = 400;
+
+/// Anything that a file may hold, or something near a surface that a person would bring.
+std::shared_ptr<const Guide> any_surface(FuzzedDataProvider& input) {
+    const int kind = input.ConsumeIntegralInRange(0, 2);
+    Mesh mesh = kind == 0 ? fuzz::any_mesh(input) : kind == 1 ? fuzz::any_patch(input) : fuzz::any_tube(input);
+    if (input.ConsumeBool()) return std::make_shared<const Guide>(Surface(mesh));
+    return std::make_shared<const Guide>(repaired_surface(std::move(mesh), k_all_defects).surface);
+}
+
+void require_description(const Surface& surface) {
+    const SurfaceReport report = describe(surface);
+    require(!report.sentence.empty() && report.components >= 1 && report.genus >= 0, "a description of nothing");
+    require(report.triangles == surface.face_count(), "a description of other triangles");
+}
+
+double any_angle(FuzzedDataProvider& input) {
+    return input.ConsumeBool() ? input.ConsumeFloatingPointInRange(0.0, std::numbers::pi) : fuzz::any_number(input);
+}
+
+DrapeOptions any_drape(FuzzedDataProvider& input, const Guide& guide) {
+    DrapeOptions options = suggested_drape(guide.surface(), guide.tree(), input.ConsumeIntegralInRange(1, 200));
+    if (input.ConsumeBool()) options.seed = guide.surface().positions().col(0);
+    if (input.ConsumeBool())
+        for (double& coordinate : options.direction) coordinate = fuzz::any_number(input);
+    if (input.ConsumeIntegralInRange(0, 7) == 0) options.length = fuzz::any_number(input);
+    if (input.ConsumeIntegralInRange(0, 3) == 0) options.angle = any_angle(input);
+    if (input.ConsumeIntegralInRange(0, 3) == 0) options.smallest_angle = any_angle(input);
+    options.reach = input.ConsumeIntegralInRange(0, k_farthest_reach);
+    options.border =
+        input.PickValueInArray({DrapeOptions::Border::inside, DrapeOptions::Border::beyond, DrapeOptions::Border::cut});
+    options.slits = input.ConsumeBool();
+    return options;
+}
+
+RemeshOptions any_remesh(FuzzedDataProvider& input) {
+    RemeshOptions options;
+    options.cells = input.ConsumeIntegralInRange(15, 80);
+    options.smoothing = input.PickValueInArray({1., 0., 10.});
+    if (input.ConsumeBool()) options.smallest_angle = any_angle(input);
+    if (input.ConsumeBool()) options.crease = any_angle(input);
+    options.border = input.PickValueInArray({RemeshOptions::Border::always, RemeshOptions::Border::across,
+                                             RemeshOptions::Border::never, RemeshOptions::Border::fitting});
+    return options;
+}
+
+/// Where it can be measured in the time there is: samples of the surface are as many as the cells that would cover it.
+void require_net(const Guide& guide, const Net& net, const invariants::Asked& asked) {
+    const double length = net.rest_lengths().maxCoeff();
+    if (!(guide.surface().area() < k_most_cells * length * length)) return;
+    const DrapeReport report = measure_drape(guide.surface(), guide.tree(), net);
+    for (const std::string& violation : invariants::of_net_on_surface(guide.surface(), net, report, asked))
+        require(false, violation);
+}
+
+template <class Make>
+void try_to(Make make) {
+    try {
+        make();
+    } catch (const Error& error) {
+        fuzz::require_readable(error);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    FuzzedDataProvider input(data, size);
+    try_to([&] {
+        const auto guide = any_surface(input);
+        require_description(guide->surface());
+        if (input.ConsumeBool())
+            try_to([&] {
+                const RemeshOptions options = any_remesh(input);
+                require_net(*guide, remesh(guide, options).net, {.smallest_angle = options.smallest_angle});
+            });
+        const DrapeOptions options = any_drape(input, *guide);
+        const invariants::Asked asked{options.smallest_angle, options.border == DrapeOptions::Border::cut};
+        try_to([&] { require_net(*guide, drape(guide->surface(), guide->tree(), options).net, asked); });
+        const double leave = input.ConsumeBool() ? 1 : fuzz::any_number(input);
+        try_to([&] { require_net(*guide, bridged_drape(guide, options, leave).net, asked); });
+    });
+    return 0;
+}
