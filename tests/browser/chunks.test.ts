@@ -56,6 +56,7 @@ test("no file imports from a worker's entry: WebKit would evaluate the entry a s
     'equalize_worker',
     'export_worker',
     'file_worker',
+    'new_net_worker',
     'thumbnail_worker',
     'worker',
   ]);

@@ -153,6 +153,50 @@ test('figure 17: competitors with other energies end above the threshold, or aft
   expect(ahead).toEqual([]);
 });
 
+test('figure 3: new nets are made of three bodies, beside edits, and can be stopped', {
+  timeout: 300_000,
+}, async () => {
+  const { page } = await arrive('#experiment=new-net');
+  const trial = noteOf(page).getByRole('region', { name: 'An edit and a new net' });
+  const begin = trial.getByRole('button', { name: 'Make new nets' });
+  const bodies = trial.locator('tbody');
+  await begin.click();
+  await trial.getByText('Rabbit 3,462: making a new net').waitFor({ timeout: 60_000 });
+  await expect
+    .poll(() => trial.locator('progress').evaluate((bar: HTMLProgressElement) => bar.value))
+    .toBeGreaterThan(0.1);
+  await trial.getByRole('button', { name: 'Stop' }).click();
+  expect(await trial.locator('progress').isVisible()).toBe(false);
+
+  await begin.click();
+  await trial.getByText(/^A new net took /).waitFor({ timeout: 120_000 });
+  expect(await bodies.count()).toBeGreaterThan(0);
+  await begin.waitFor({ timeout: 240_000 });
+  await page.screenshot({ path: join(OUTPUT, 'experiment-new-net.png') });
+  const rows = await bodies.evaluateAll((all) =>
+    all.map((body) =>
+      [...body.querySelectorAll('tr')].map(({ children }) => [...children].map((cell) => cell.textContent ?? '')),
+    ),
+  );
+  expect(rows.map(([head]) => head?.[0])).toEqual(['Rabbit 3,462', 'Teddy 3,462', 'Horse 1,488']);
+  for (const [, paper, ours, made] of rows) {
+    const seconds = ([, time = '']: string[] = []) => parseFloat(time) / (time.endsWith('ms') ? 1000 : 1);
+    expect(seconds(made)).toBeGreaterThan(seconds(paper));
+    expect(seconds(made)).toBeGreaterThan(5 * seconds(ours));
+    expect(paper![2]).toBe(ours![2]);
+    expect(Number(made![2])).toBeGreaterThanOrEqual(8);
+    expect(Number(made![3])).toBeLessThan(Number(ours![3]));
+  }
+  expect(await trial.getByRole('status').innerText()).toMatch(/A new net took \d[\d,.]* to \d[\d,.]* times as long/);
+
+  // What was found out is still there after another figure.
+  await page.evaluate(() => (location.hash = '#experiment=shear'));
+  await noteOf(page).getByText('Figure 4').waitFor();
+  await page.evaluate(() => (location.hash = '#experiment=new-net'));
+  await noteOf(page).getByText('Figure 3').waitFor();
+  expect(await bodies.count()).toBe(3);
+});
+
 /** By a few steps at a time; the part of the edges longer than L after each few. */
 function stepToEnd(page: Page): Promise<number[]> {
   return page.evaluate(async () => {

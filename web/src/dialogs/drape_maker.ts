@@ -1,18 +1,10 @@
 /** A net over a whole surface takes a while: the buttons that begin and stop it, and how far it is. */
 import type { RemeshPhase } from '../../../wasm/chebnet';
+import { partDone } from '../drape/phases';
 import { make, makeButton, setText } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
 
 const TEXT = dialogWords.drape;
-/** In their order, with about how long each takes beside the others. */
-const PHASES: readonly (readonly [RemeshPhase, number])[] = [
-  ['border', 4],
-  ['triangles', 1],
-  ['field', 1],
-  ['grid', 1],
-  ['fit', 8],
-];
-const ALL = PHASES.reduce((sum, [, weight]) => sum + weight, 0);
 
 export interface MakerEvents {
   begun(): void;
@@ -23,7 +15,7 @@ export class DrapeMaker {
   readonly #make: HTMLButtonElement;
   readonly #stop: HTMLButtonElement;
   readonly #words = make('label', { for: 'remesh-progress' });
-  readonly #progress = make('progress', { id: 'remesh-progress', max: ALL });
+  readonly #progress = make('progress', { id: 'remesh-progress', max: 1 });
   readonly #row = make('p', { class: 'progress', role: 'status', hidden: true }, this.#words, this.#progress);
   readonly element: HTMLElement;
 
@@ -48,14 +40,7 @@ export class DrapeMaker {
 
   setProgress(phase: RemeshPhase, done: number): void {
     setText(this.#words, TEXT.phases[phase]);
-    let way = 0;
-    for (const [each, weight] of PHASES) {
-      if (each === phase) {
-        // What is tried again does not take it back.
-        this.#progress.value = Math.max(this.#progress.value, way + done * weight);
-        return;
-      }
-      way += weight;
-    }
+    // What is tried again does not take it back.
+    this.#progress.value = Math.max(this.#progress.value, partDone(phase, done));
   }
 }

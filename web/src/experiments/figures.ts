@@ -24,6 +24,8 @@ export interface Variant extends Partial<SolverSettings> {
   edit?: string;
   /** One of our own methods, not in the paper. */
   ours?: true;
+  /** What comes of it is a surface, over which a new net is made. */
+  remeshes?: true;
 }
 
 export interface Claim {

@@ -18,6 +18,7 @@ import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, makeButton } from '../elements/dom';
 import { makeClaims, makePicture } from './experiment_claims';
+import { hasNewNet, NewNetTrial } from './new_net_trial';
 import type { PanelEvents } from '../panels';
 import { count } from '../language/numbers';
 import './experiment_guide.css';
@@ -37,6 +38,8 @@ export class ExperimentGuide {
   readonly content: HTMLElement[];
   readonly #listed = FIGURES.map(offerFigure);
   #offered: Offer[] = [];
+  /** Of the figure that has one, with what was found out, also while another figure is open. */
+  #trial: NewNetTrial | null = null;
   #shown: Figure | undefined;
   #document: ChebnetDocument | null = null;
   readonly #note: HTMLElement;
@@ -72,6 +75,7 @@ export class ExperimentGuide {
   #describe(figure: Figure | undefined): void {
     this.#shown = figure;
     this.#offered = [];
+    this.#trial?.stop();
     if (figure === undefined) return this.#note.replaceChildren();
     const edits = figure.edits.map((edit, place) => offerEdit(figure, edit, place));
     const variants = figure.variants.map((variant, place) => offerVariant(figure, variant, place));
@@ -88,6 +92,7 @@ export class ExperimentGuide {
         make('summary', {}, texts.heading(texts.figure(figure.figure), textOf(figure.title))),
         make('p', {}, textOf(figure.look)),
         ...makePicture(figure),
+        ...this.#trialOf(figure),
         makeClaims(figure),
         make('p', { class: 'quiet' }, makeCitation()),
       ),
@@ -101,6 +106,12 @@ export class ExperimentGuide {
       ),
       make('div', { class: 'buttons' }, ...buttons),
     );
+  }
+
+  #trialOf(figure: Figure): HTMLElement[] {
+    if (!hasNewNet(figure)) return [];
+    this.#trial ??= new NewNetTrial(figure, titleOf, this.#failed);
+    return [this.#trial.element];
   }
 
   #runAll(figure: Figure): void {

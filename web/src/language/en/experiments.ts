@@ -1,3 +1,11 @@
+export interface NewNetVerdict {
+  slower: string;
+  kept: string[];
+  made: string[];
+  edited: string;
+  near: string;
+}
+
 /** The experiments, apart from what figures.json says of each. */
 export const experiments = {
   label: 'Experiment',
@@ -29,6 +37,25 @@ export const experiments = {
   value: (label: string, value: string) => `${label}: ${value}`,
   runAll: 'Run all',
   runAllHint: 'Runs all variants from rest, and shows curves and numbers',
+  newNet: {
+    label: 'An edit and a new net',
+    about:
+      'On all three bodies: the net is edited; then its surface alone is deformed, and a new net made over that. It takes up to a minute, in the background.',
+    start: 'Make new nets',
+    stop: 'Stop',
+    starting: 'Starting',
+    editing: (body: string) => `${body}: editing`,
+    making: (body: string) => `${body}: making a new net`,
+    way: 'Way',
+    anew: 'A new net',
+    time: 'Time',
+    singular: 'Singular vertices',
+    distance: 'Distance, L',
+    range: (least: string, most: string) => `${least} to ${most}`,
+    /** `slower` times than the fastest edit; `kept` and `made`: singular vertices of each net. */
+    verdict: ({ slower, kept, made, edited, near }: NewNetVerdict) =>
+      `A new net took ${slower} times as long as the faster edit. An edit leaves all singular vertices where they were put (${kept.join(', ')}); the new nets have ${made.join(', ')}, where the surface asks for them. Their mean distance from the deformed surface is ${near} L, that of the edited nets ${edited} L.`,
+  },
   edits: 'Edits',
   edit: (shape: string, vertices: string) => `${shape.charAt(0).toUpperCase()}${shape.slice(1)} ${vertices}`.trim(),
   meshes: { hexagons: 'Hexagons', mixed: 'Squares and triangles', triangles: 'Triangles' },
