@@ -79,6 +79,47 @@ TEST_CASE("A million vertices: the method of the page goes to work, one that can
     CHECK(editor.handle_error() == 0);
 }
 
+TEST_CASE("A million vertices: a frame of a hand by equilibrium is a net, after one iteration", "[large]") {
+    Editor editor(samples::patch(1000, 1000, 0));
+    editor.set_method("equilibrium");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 999, 999'000, 999'999}));
+    editor.drag_handle(999'999, editor.positions().col(999'999) + Eigen::Vector3d(-1, -1, 1));
+    const SolveReport report = editor.solve({.iterations = 1});
+    CHECK(report.iterations == 1);
+    CHECK(report.max_deviation < editor.options().threshold);
+    CHECK(editor.handle_error() == 0);
+}
+
+TEST_CASE("A net too large for equilibrium to be usual may be left at any iteration, and is a net then", "[large]") {
+    Editor editor(samples::patch(121, 121));
+    REQUIRE(editor.net().vertex_count() > k_most_vertices_at_rest);
+    const int last = editor.net().vertex_count() - 1;
+    editor.set_method("equilibrium");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {0, 120, last - 120, last}));
+    const auto deviation = [&](const Positions& x) { return max_deviation(editor.net(), x); };
+    REQUIRE(editor.solve().status == Status::converged);
+
+    // Of a hand that drags every frame is a net.
+    const Eigen::Vector3d from = editor.positions().col(last), way(-8, -8, 8);
+    for (int frame = 1; frame <= 4; ++frame) {
+        editor.drag_handle(last, from + frame / 4. * way);
+        const SolveReport report = editor.solve({.milliseconds = 0});
+        CHECK(report.status == Status::running);
+        CHECK(report.iterations == 1);
+        CHECK(deviation(editor.positions()) < editor.options().threshold);
+    }
+
+    // Of handles that jump the last net is kept until they are there.
+    editor.move_handle(last, from - way);
+    for (int iterations = 0; iterations < 6; ++iterations) {
+        const SolveReport report = editor.solve({.milliseconds = 0});
+        CHECK(report.iterations <= 1);
+        CHECK(editor.positions().allFinite());
+        CHECK(editor.handle_error() == 0);
+        CHECK(deviation(editor.last_net()) < editor.options().threshold);
+    }
+}
+
 TEST_CASE("Where tens of thousands of edges meet, every step stays bounded", "[large]") {
     const int valence = GENERATE(2'000, 20'000, 60'000);
     CAPTURE(valence);
