@@ -12,7 +12,7 @@ const tests = (folder: string, timeout: number) => ({
     testTimeout: timeout,
     hookTimeout: timeout,
     // What is waited for comes late on a machine that others use too.
-    expect: { poll: { timeout: timeout / 6 } },
+    expect: { poll: { timeout: timeout / 3 } },
   },
 });
 

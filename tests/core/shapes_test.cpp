@@ -291,6 +291,21 @@ TEST_CASE("The saddle curves up along one direction and down along the other, an
     CHECK(corner_angle_range(saddle, p).smallest > 60 * std::numbers::pi / 180);
 }
 
+TEST_CASE("The canopy rises from a foot to its crest, falls, and ends level, higher than it began") {
+    const Net canopy = make_shape("canopy:vertices=961,aspect=1").net;
+    const Positions& p = canopy.rest_positions();
+    const auto height = [&](int column, int row) { return p(2, row * 31 + column); };
+    REQUIRE(canopy.vertex_count() == 961);
+    const auto slope = [&](int row) { return (height(15, row + 1) - height(15, row)) / canopy.mean_length(); };
+    CHECK(slope(0) == Approx(std::sin(40 * std::numbers::pi / 180)).epsilon(0.01));
+    CHECK(std::abs(slope(13)) < 0.05);
+    CHECK(slope(21) < -0.3);
+    CHECK(std::abs(slope(29)) < 0.05);
+    CHECK(height(15, 30) > height(15, 0) + 0.2);
+    for (const int row : {0, 13, 30}) CHECK(height(15, row) > height(0, row) + 1);  // an arch across
+    CHECK(corner_angle_range(canopy, p).smallest > 60 * std::numbers::pi / 180);
+}
+
 TEST_CASE("The torus is closed, of genus one and without singular vertices") {
     const Net torus = make_shape("torus").net;
     CHECK(is_closed_manifold(torus));

@@ -22,6 +22,7 @@ import type {
 import { objText } from '../../web/src/document/obj_text';
 import { acceptOf } from '../../web/src/files/pick_file';
 import { en } from '../../web/src/language/en';
+import { panels as panelsInEnglish } from '../../web/src/language/en/panels';
 import { zh } from '../../web/src/language/zh';
 import {
   faceWords,
@@ -75,7 +76,7 @@ describe("the core's table of formats says", () => {
   });
 
   test("what can be saved, with the page's own formats among them", () => {
-    const { hints } = en.save;
+    const { hints } = panelsInEnglish.exports;
     const meshes = kindsFor('meshes', formats, hints);
     expect(meshes.map(({ kind }) => kind).join()).toMatch(/^obj,3dm,ply,off,stl,glb/);
     expect(kindsFor('meshes', [...formats, dxf], hints)).toEqual([

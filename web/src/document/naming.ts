@@ -12,7 +12,7 @@ export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 const KINDS = {
   shape: words.core.shape,
   method: words.core.method,
-  option: words.core.name,
+  option: panelWords.solver.optionName,
   /** By its name, or its vertex. */
   handle: panelWords.changes.one,
   handles: (count: string) => panelWords.changes.several(Number(count)),

@@ -45,7 +45,9 @@ export class Menu {
     this.setContent(content);
     // Opened by key, the menu has the focus on its first entry. Set only then: while a page in a frame of another site
     // loads, browsers complain of autofocus.
-    this.menu.addEventListener('beforetoggle', () => (this.menu.querySelector('button')!.autofocus = true));
+    this.menu.addEventListener('beforetoggle', () =>
+      this.menu.querySelector('button')?.toggleAttribute('autofocus', true),
+    );
     this.menu.addEventListener('toggle', () => this.#place());
     // Escape closes the menu and does nothing else.
     this.menu.addEventListener('keydown', (event) => {
@@ -57,6 +59,7 @@ export class Menu {
     this.menu.replaceChildren(
       ...content.map((each) => ('items' in each ? this.#makeGroup(each) : this.#makeLine(each))),
     );
+    if (this.menu.matches(':popover-open')) this.#place();
   }
 
   #makeGroup({ title, items }: MenuGroup): HTMLElement {

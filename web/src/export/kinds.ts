@@ -13,7 +13,7 @@ const OWN = [
   { name: 'png', mediaType: 'image/png', purpose: 'pictures' },
 ] as const satisfies readonly { name: string; mediaType: string; purpose: Purpose; after?: string }[];
 
-/** Each has a hint in `words.save.hints`. */
+/** Each has a hint in `panelWords.exports.hints`. */
 export type OwnKind = (typeof OWN)[number]['name'];
 /** Those that the export worker makes; the view gives `png`, the solver's worker the others. */
 export type MadeKind = '3dm' | 'glb' | 'svg';

@@ -57,7 +57,7 @@ export const en = {
     select: { label: 'Select', hint: 'Select several handles: click each, or draw around them (L)' },
     frame: { label: 'Show all', hint: 'See the whole net (Home)' },
     link: { label: 'Share', hint: 'A link to what you see, also as QR code or to embed' },
-    export: { label: 'Export', hint: 'The net as a mesh, for making, or as a picture' },
+    export: { label: 'Export', hint: 'The net as a mesh, for making, or as a picture', title: 'Export as' },
   },
   messages: { dismiss: 'Dismiss' },
   embed: { activate: 'Click to drag the net', open: 'Open in chebnet' },
@@ -228,26 +228,6 @@ export const en = {
     states: (most: number) => `a list of 1 to ${most} states`,
     positions: 'the base64 of 64-bit floats, three finite ones a vertex',
     oneOf: (choices: readonly string[]) => `one of ${choices.join(', ')}`,
-  },
-  save: {
-    as: 'Export as',
-    meshes: 'Mesh',
-    making: 'For making',
-    pictures: 'Picture',
-    hints: {
-      '3dm': 'Rhino: quads and net lines',
-      glb: 'triangles in colour, for slides and the web',
-      svg: 'flat pattern, an edge is',
-      csv: 'edges and their lengths',
-      png: 'without background',
-    },
-    edgeLength: 'Length of an edge on the pattern in millimetres',
-    magnification: 'Size of the picture',
-  },
-  recording: {
-    kind: 'Video',
-    hint: 'record a drag, up to a minute',
-    impossible: 'this browser records no video',
   },
 };
 

@@ -1,48 +1,43 @@
-/** The menu of file kinds to export the net as, with their settings. */
-import type { FormatInfo } from '../../../wasm/chebnet';
+/** What the menu of exports offers: kinds of files, with their settings. Loaded after the first picture. */
 import { kindsFor } from '../export/kinds';
 import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
 import { filmType } from '../export/film_type';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { make } from '../elements/dom';
-import { Menu } from '../elements/menu';
-import type { MenuItem } from '../elements/menu';
-import type { PanelEvents } from '../panels';
+import type { Menu, MenuItem } from '../elements/menu';
+import type { Tables } from '../net/tables';
+import type { Panel, PanelEvents } from '../panels';
 
-const LOOK = {
-  id: 'export-menu',
-  icon: 'M8 2.5v8M4.8 7.5 8 10.7l3.2-3.2M2.5 13.5h11',
-  ...words.toolbar.export,
-  title: words.save.as,
-};
+const words = panelWords.exports;
 const MAGNIFICATIONS = [1, 2, 4];
 const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
 
-export class ExportMenu extends Menu {
+export class ExportLines implements Panel {
+  readonly element: HTMLElement;
   readonly #edge = makeEdgeInput();
   readonly #size = makeSizeSelect();
+  readonly #menu: Menu;
   readonly #events: PanelEvents;
 
-  constructor(events: PanelEvents) {
-    super(LOOK, []);
+  constructor(menu: Menu, events: PanelEvents) {
+    this.element = menu.menu;
+    this.#menu = menu;
     this.#events = events;
-    this.setFormats([]);
   }
 
-  /** @param formats the core's; until they are known, the menu has the page's own only. */
-  setFormats(formats: readonly FormatInfo[]): void {
+  setTables({ formats }: Tables): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
       svg: [this.#edge, make('span', {}, 'mm')],
       png: [this.#size],
     };
     const items = (purpose: Purpose): MenuItem[] =>
-      kindsFor(purpose, formats, words.save.hints).map(({ kind, title, hint }) => {
+      kindsFor(purpose, formats, words.hints).map(({ kind, title, hint }) => {
         return { title, hint, choose: () => this.#events.save(this.#request(kind)), beside: beside[kind] };
       });
-    this.setContent([
-      { title: words.save.meshes, items: items('meshes') },
-      { title: words.save.making, items: items('making') },
-      { title: words.save.pictures, items: [...items('pictures'), recordItem(() => this.#events.record())] },
+    this.#menu.setContent([
+      { title: words.meshes, items: items('meshes') },
+      { title: words.making, items: items('making') },
+      { title: words.pictures, items: [...items('pictures'), recordItem(() => this.#events.record())] },
     ]);
   }
 
@@ -61,17 +56,17 @@ function makeEdgeInput(): HTMLInputElement {
     min: smallest,
     max: largest,
     step: 'any',
-    'aria-label': words.save.edgeLength,
+    'aria-label': words.edgeLength,
   });
 }
 
 function makeSizeSelect(): HTMLSelectElement {
   const sizes = MAGNIFICATIONS.map((factor) => make('option', { value: factor }, `${factor}×`));
-  return make('select', { 'aria-label': words.save.magnification }, ...sizes);
+  return make('select', { 'aria-label': words.magnification }, ...sizes);
 }
 
 function recordItem(record: () => void): MenuItem {
-  const { kind: title, hint, impossible } = words.recording;
+  const { title, hint, impossible } = words.video;
   return filmType() === null
     ? { title, hint: impossible, choose: record, disabled: true }
     : { title, hint, choose: record };

@@ -3,9 +3,8 @@ import type { HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
-import type { Tables } from '../net/tables';
 import { make, makeButton, makeIcon } from '../elements/dom';
-import { ExportMenu } from './export_menu';
+import { Menu } from '../elements/menu';
 import type { Panel, PanelEvents } from '../panels';
 import { createProjectMenu } from './project_menu';
 import './toolbar.css';
@@ -19,12 +18,14 @@ const ICONS = {
   frame: 'M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3',
   link: 'M6.5 9.5l3-3M7.5 5l1.7-1.7a2.5 2.5 0 0 1 3.5 3.5L11 8.5M8.5 11l-1.7 1.7a2.5 2.5 0 0 1-3.5-3.5L5 7.5',
 };
+const EXPORT_ICON = 'M8 2.5v8M4.8 7.5 8 10.7l3.2-3.2M2.5 13.5h11';
 
 export class Toolbar implements Panel {
   readonly element: HTMLElement;
   /** To be placed outside the toolbar element. */
   readonly menus: HTMLElement[];
-  readonly #exports: ExportMenu;
+  /** Of what the net can be exported as; its lines come after the first picture. */
+  readonly exports: Menu;
   readonly #undo: HTMLButtonElement;
   readonly #redo: HTMLButtonElement;
   readonly #select: HTMLButtonElement;
@@ -36,9 +37,9 @@ export class Toolbar implements Panel {
       button.append(make('span', {}, label));
       return button;
     };
-    this.#exports = new ExportMenu(events);
-    const projects = createProjectMenu(events, () => this.#exports.menu.showPopover());
-    this.menus = [projects.menu, this.#exports.menu];
+    this.exports = new Menu({ id: 'export-menu', icon: EXPORT_ICON, ...words.toolbar.export }, []);
+    const projects = createProjectMenu(events, () => this.exports.menu.showPopover());
+    this.menus = [projects.menu, this.exports.menu];
     this.#undo = tool('undo', () => events.undo());
     this.#redo = tool('redo', () => events.redo());
     this.#select = tool('select', () => events.handles.toggleSelecting());
@@ -52,12 +53,8 @@ export class Toolbar implements Panel {
       this.#select,
       tool('frame', () => events.frameAll()),
       tool('link', () => events.share()),
-      this.#exports.button,
+      this.exports.button,
     );
-  }
-
-  setTables({ formats }: Tables): void {
-    this.#exports.setFormats(formats);
   }
 
   setHandles(_handles: readonly HandleData[], { selecting }: Choice): void {

@@ -1,8 +1,10 @@
 /** The sections of the sidebar that come after the first picture, in the order of what people do. */
 import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
+import type { Menu } from '../elements/menu';
 import { panelWords } from '../language/panels';
 import { Narrator } from './narrator';
+import { ExportLines } from '../overlay/export_menu';
 import { PartNotice } from '../overlay/part_notice';
 import { RunNotice } from '../overlay/run_notice';
 import { SelectionBar } from '../overlay/selection_bar';
@@ -33,11 +35,12 @@ export interface LateSections {
 }
 
 /** @param experiments exists already, since its note is placed elsewhere.
- *  @param behaviour the section to which more controls are added. */
+ *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. */
 export function createLateSections(
   { events, say, failed, fold }: SidebarServices,
   experiments: HTMLElement,
   behaviour: HTMLElement,
+  exports: Menu,
 ): LateSections {
   const comparison = new ComparisonForm((request) => {
     fold();
@@ -67,7 +70,18 @@ export function createLateSections(
   const tools = [new SelectionBar(events), new PartNotice(events), new RunNotice(events)];
   const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
   return {
-    panels: [...usual, rods, flip, convergence, solver, step, comparison, ...tools, ...notices],
+    panels: [
+      ...usual,
+      rods,
+      flip,
+      new ExportLines(exports, events),
+      convergence,
+      solver,
+      step,
+      comparison,
+      ...tools,
+      ...notices,
+    ],
     notices: notices.map(({ element }) => element),
     tools: tools.map(({ element }) => element),
     elements: [...usual.map(({ element }) => element), research],

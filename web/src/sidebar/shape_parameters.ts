@@ -51,6 +51,6 @@ export class ShapeParameters {
       const values = { ...recipe.values, [parameter.name]: fromSlider(parameter, input.valueAsNumber) };
       this.#open(formatRecipe({ name: recipe.name, values }, shape));
     });
-    return make('label', { class: 'slider' }, make('span', {}, words.core.name(parameter.name)), input, output);
+    return make('label', { class: 'slider' }, make('span', {}, words.core.parameter(parameter.name)), input, output);
   }
 }

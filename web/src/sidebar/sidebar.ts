@@ -41,6 +41,7 @@ export function createPanels(root: HTMLElement, events: PanelEvents): Panels {
 
 class Sidebar implements Panels {
   readonly #messages = new Messages();
+  readonly #toolbar: Toolbar;
   readonly #fold = makeButton(words.page.controls, () => this.#unfold(!this.#sections.classList.contains('open')));
   readonly #narrow = makeButton(
     makeIcon(CHEVRONS),
@@ -66,10 +67,10 @@ class Sidebar implements Panels {
   constructor(root: HTMLElement, events: PanelEvents) {
     const failed = (error: unknown): void => this.say(messageOf(error), 'error');
     this.#experiments = new ExperimentsPlace(events, failed);
-    const toolbar = new Toolbar(events);
+    this.#toolbar = new Toolbar(events);
     const over: Panel[] = [
       new Title(events, this.#experiments.note),
-      toolbar,
+      this.#toolbar,
       new Legend(events),
       this.#messages,
       new OpeningNotice(() => events.cancelOpening()),
@@ -99,7 +100,7 @@ class Sidebar implements Panels {
       makeLanguageChoice((language) => events.chooseLanguage(language)),
     );
     root.append(
-      make('section', { class: 'over', 'aria-label': words.page.over }, ...elementsOf(over), ...toolbar.menus),
+      make('section', { class: 'over', 'aria-label': words.page.over }, ...elementsOf(over), ...this.#toolbar.menus),
       results.element,
       this.#element,
     );
@@ -166,6 +167,7 @@ class Sidebar implements Panels {
       this.#services,
       this.#experiments.element,
       this.#behaviour.element,
+      this.#toolbar.exports,
     );
     this.#panels.join(panels);
     this.#sections.append(...elements);

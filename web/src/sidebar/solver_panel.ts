@@ -90,7 +90,7 @@ export class SolverPanel implements Panel {
 
   #makeSetting(option: OptionInfo): Setting {
     if (option.kind === 'flag') {
-      const { row, box } = makeSwitch(words.core.name(option.name), (on) => this.#change(option, on));
+      const { row, box } = makeSwitch(panelWords.solver.optionName(option.name), (on) => this.#change(option, on));
       row.title = panelWords.solver.option(option);
       return { option, input: box, row };
     }
@@ -103,7 +103,7 @@ export class SolverPanel implements Panel {
     const row = make(
       'label',
       { class: 'row', title: panelWords.solver.option(option) },
-      make('span', {}, words.core.name(option.name)),
+      make('span', {}, panelWords.solver.optionName(option.name)),
       input,
     );
     return { option, input, row };

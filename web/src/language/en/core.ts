@@ -17,8 +17,8 @@ const METHODS: Record<string, string> = {
 export const core = {
   /** With titles and sentences for people. */
   tables: (tables: Tables) => tables,
-  /** A parameter or an option. */
-  name: (name: string) => readable(name),
+  /** A parameter of a shape. */
+  parameter: (name: string) => readable(name),
   /** A shape within a sentence. */
   shape: (name: string) => name.replaceAll('_', ' '),
   /** A method or an initialisation. */

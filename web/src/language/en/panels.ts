@@ -1,5 +1,6 @@
 /** What the panels say that come after the first picture. */
 import type { InitialisationInfo, MethodInfo, OptionInfo } from '../../../../wasm/chebnet';
+import { readable } from './readable';
 
 export const panels = {
   /** Heads the sections about methods. */
@@ -225,7 +226,27 @@ export const panels = {
     start: 'Start',
     named: (name: string) => name,
   },
+  exports: {
+    meshes: 'Mesh',
+    making: 'For making',
+    pictures: 'Picture',
+    hints: {
+      '3dm': 'Rhino: quads and net lines',
+      glb: 'triangles in colour, for slides and the web',
+      svg: 'flat pattern, an edge is',
+      csv: 'edges and their lengths',
+      png: 'without background',
+    },
+    edgeLength: 'Length of an edge on the pattern in millimetres',
+    magnification: 'Size of the picture',
+    video: {
+      title: 'Video',
+      hint: 'record a drag, up to a minute',
+      impossible: 'this browser records no video',
+    },
+  },
   solver: {
+    optionName: (name: string) => readable(name),
     /** What it is for. */
     option: ({ sentence }: OptionInfo) => sentence,
     aboutMethod: ({ sentence }: MethodInfo) => sentence,

@@ -31,6 +31,16 @@ export const SHAPES: Record<string, ShapeWords> = {
       aspect: '下垂弧与拱的长度之比。',
     },
   },
+  canopy: {
+    title: '雨棚',
+    sentence: '自由曲面薄壳：一道拱沿曲线移动，从落脚处升起，末端挑出成檐。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '拱高与拱宽之比。',
+      aspect: '雨棚长度与拱的弧长之比。',
+      slope: '从落脚处升起的坡度，以度为单位。',
+    },
+  },
   sheet: {
     title: '平网',
     sentence: '方格的平网，如刚从卷上展开的金属丝网。',
@@ -126,8 +136,8 @@ export const FORMATS: Record<string, string> = {
   stl: '三角形，用于 3D 打印',
 };
 
-/** Parameters of shapes, options. */
-export const NAMES: Record<string, string> = {
+/** Parameters of shapes. */
+export const PARAMETERS: Record<string, string> = {
   vertices: '顶点数',
   rise: '拱高',
   aspect: '长宽比',
@@ -142,33 +152,6 @@ export const NAMES: Record<string, string> = {
   legs: '腿长',
   trunk: '鼻长',
   smooth: '光滑',
-  threshold: '阈值',
-  energy_tolerance: '能量容差',
-  gradient_tolerance: '梯度容差',
-  max_iterations: '最大迭代次数',
-  p_start: '起始 p',
-  p_end: '最终 p',
-  adaptive_p: '自适应 p',
-  switch_deviation: '切换偏差',
-  adaptive_reduction: '自适应减少变量',
-  reduction_deviation: '减少变量的偏差',
-  active_fraction: '活动比例',
-  active_rings: '活动环数',
-  reduce_once: '只选一次',
-  direct_energy: '直接能量',
-  shear_limit: '剪切限制',
-  bending_weight: '弯曲权重',
-  shear_weight: '剪切权重',
-  straight_rods: '直杆',
-  rod_curvature: '预弯曲率',
-  warp_stiffness: '经线刚度',
-  weft_stiffness: '纬线刚度',
-  square_corners: '直角',
-  gravity: '重力',
-  guide_mode: '参考曲面的作用',
-  guide_weight: '参考曲面的强度',
-  rest_tolerance: '静止容差',
-  length_scale: '边长倍数',
 };
 
 /** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */
@@ -212,7 +195,7 @@ export const core = {
     formats: formats.map((each) => ({ ...each, sentence: FORMATS[each.name] ?? each.sentence })),
     ...more,
   }),
-  name: (name: string) => NAMES[name] ?? name,
+  parameter: (name: string) => PARAMETERS[name] ?? name,
   shape: (name: string) => SHAPES[name]?.title ?? name,
   method: (name: string) => METHODS[name] ?? INITIALISATIONS[name] ?? name,
   failure: (code: string, message: string) => {

@@ -71,6 +71,36 @@ export const OPTIONS: Record<string, string> = {
   length_scale: '每条边的长度是网最初时的这么多倍。',
 };
 
+export const OPTION_NAMES: Record<string, string> = {
+  threshold: '阈值',
+  energy_tolerance: '能量容差',
+  gradient_tolerance: '梯度容差',
+  max_iterations: '最大迭代次数',
+  p_start: '起始 p',
+  p_end: '最终 p',
+  adaptive_p: '自适应 p',
+  switch_deviation: '切换偏差',
+  adaptive_reduction: '自适应减少变量',
+  reduction_deviation: '减少变量的偏差',
+  active_fraction: '活动比例',
+  active_rings: '活动环数',
+  reduce_once: '只选一次',
+  direct_energy: '直接能量',
+  shear_limit: '剪切限制',
+  bending_weight: '弯曲权重',
+  shear_weight: '剪切权重',
+  straight_rods: '直杆',
+  rod_curvature: '预弯曲率',
+  warp_stiffness: '经线刚度',
+  weft_stiffness: '纬线刚度',
+  square_corners: '直角',
+  gravity: '重力',
+  guide_mode: '参考曲面的作用',
+  guide_weight: '参考曲面的强度',
+  rest_tolerance: '静止容差',
+  length_scale: '边长倍数',
+};
+
 export const panels: Widened<typeof en> = {
   /** Heads the sections about methods. */
   research: '研究',
@@ -278,7 +308,27 @@ export const panels: Widened<typeof en> = {
     start: '起始',
     named: (name) => STAGES[name] ?? name,
   },
+  exports: {
+    meshes: '网格',
+    making: '用于制作',
+    pictures: '图像',
+    hints: {
+      '3dm': 'Rhino：四边形与网线',
+      glb: '彩色三角形，用于幻灯片和网页',
+      svg: '展开图，边长',
+      csv: '各边及其长度',
+      png: '透明背景',
+    },
+    edgeLength: '展开图上的边长（毫米）',
+    magnification: '图片大小',
+    video: {
+      title: '视频',
+      hint: '录制拖动过程，最长一分钟',
+      impossible: '此浏览器不支持录制视频',
+    },
+  },
   solver: {
+    optionName: (name) => OPTION_NAMES[name] ?? name,
     option: ({ name, sentence }: OptionInfo) => OPTIONS[name] ?? sentence,
     aboutMethod: ({ name, sentence }: MethodInfo) => METHODS[name] ?? sentence,
     aboutInitialisation: ({ name, sentence }: InitialisationInfo) => INITIALISATIONS[name] ?? sentence,
