@@ -1,5 +1,7 @@
 // The editor and its tables, seen from JavaScript. wasm/facade.js gives them the shape of wasm/chebnet.d.ts.
 
+#include <emscripten/heap.h>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -366,12 +368,16 @@ val to_file(const Session& session, std::string name) {
     return bytes_out(write(session.editor.positions(), session.editor.net().faces()));
 }
 
+/// As a number that JavaScript has, above 2 GB too.
+double memory() { return static_cast<double>(emscripten_get_heap_size()); }
+
 EMSCRIPTEN_BINDINGS(chebnet) {
     emscripten::function("shapes", guarded<&shapes>);
     emscripten::function("methods", guarded<&methods>);
     emscripten::function("initialisations", guarded<&initialisations>);
     emscripten::function("formats", guarded<&formats>);
     emscripten::function("defaultOptions", guarded<&default_options>);
+    emscripten::function("memory", guarded<&memory>);
     emscripten::function("openRecipe", guarded<&open_recipe>, emscripten::allow_raw_pointers());
     emscripten::function("openObj", guarded<&open_obj>, emscripten::allow_raw_pointers());
     emscripten::function("openMesh", guarded<&open_mesh>, emscripten::allow_raw_pointers());

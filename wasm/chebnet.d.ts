@@ -763,6 +763,8 @@ export interface Editors {
   initialisations(): InitialisationInfo[];
   formats(): FormatInfo[];
   options(): OptionInfo[];
+  /** Bytes that the module has taken for all that it holds; it takes more when it needs them and gives none back. */
+  memory(): number;
   openRecipe(recipe: string): Editor;
   /** `name` is what messages call the text; `restLengths` are `automatic` unless said otherwise. */
   openObj(text: string, name?: string, restLengths?: RestLengths): Editor;

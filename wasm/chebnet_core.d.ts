@@ -172,6 +172,7 @@ export interface Core {
   initialisations(): InitialisationInfo[];
   formats(): FormatInfo[];
   defaultOptions(): OptionInfo[];
+  memory(): number;
   openRecipe(recipe: string): Session;
   openObj(text: string, name: string, restLengths: string): Session;
   openMesh(mesh: Mesh, restLengths: string): Session;

@@ -685,6 +685,7 @@ function facade(core) {
     initialisations: () => core.initialisations(),
     formats: () => core.formats(),
     options: () => core.defaultOptions(),
+    memory: () => core.memory(),
     openRecipe: (recipe) => new WasmEditor(core, core.openRecipe(text(recipe, 'a recipe', 'bad_syntax'))),
     openObj: (obj, name = 'OBJ', lengths = 'automatic') =>
       new WasmEditor(

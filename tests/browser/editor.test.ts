@@ -246,6 +246,7 @@ describe('on a vault', () => {
     expect(stats.maxDeviation).toBeLessThan(1e-6);
     expect(stats.milliseconds).toBeGreaterThan(0);
     expect(stats.framesPerSecond).toBeGreaterThan(0);
+    expect(stats.memory).toBeGreaterThan(1e6);
     expect(stats.method).toBe('equilibrium');
     expect(largestDeviation(positions, edges, meanLength)).toBeLessThan(1.001e-6);
     expect(distance(await script.position(dragged), before)).toBeGreaterThan(meanLength);

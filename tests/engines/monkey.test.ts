@@ -22,6 +22,8 @@ const ROUND = MINUTES === undefined ? ACTS / 3 : Math.min(30, MINUTES * 20);
  *  a whole, with pictures. Firefox's main process, where no page can free anything, has been seen to grow beyond what bounds
  *  the others. */
 const LARGEST_GROWTH = { pages: 250e6, all: ENGINE === 'firefox' ? 1000e6 : 400e6 };
+/** What the solver's WebAssembly may take, which gives none back. Seen: 29e6, in 300 acts; large nets take more. */
+const LARGEST_MODULE = 256e6;
 const SMALL = 'vault:vertices=600';
 
 const { arrive } = visitors();
@@ -58,6 +60,7 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
   const visitor = await arrive();
   const monkey = new Monkey(visitor, printedSeed(`Monkey in ${ENGINE}`, SEED));
   const memory: ReturnType<typeof browserMemory>[] = [];
+  const modules: number[] = [];
   const begin = Date.now();
   const passed = () => (MINUTES === undefined ? monkey.count : (Date.now() - begin) / 1000);
   const enough = MINUTES === undefined ? ACTS : 60 * MINUTES;
@@ -68,6 +71,7 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
       await expectResponsive(visitor);
       expect(await visitor.driver.complaints()).toEqual([]);
       memory.push(browserMemory());
+      modules.push((await visitor.stats()).memory);
     }
   } catch (error) {
     console.log(`What the monkey did last:\n${monkey.story}`);
@@ -80,4 +84,7 @@ test('under a monkey nothing breaks, memory stays bounded, and in the end the ne
     console.log(`Monkey in ${ENGINE}: ${monkey.count} acts; memory in MB, ${part}: ${list}`);
     expect(bytes.at(-1)! - bytes[0]!).toBeLessThan(LARGEST_GROWTH[part]);
   }
+  console.log(`Monkey in ${ENGINE}: WebAssembly in MB: ${modules.map((each) => Math.round(each / 1e6)).join(' ')}`);
+  expect(Math.min(...modules)).toBeGreaterThan(0);
+  expect(Math.max(...modules)).toBeLessThan(LARGEST_MODULE);
 });

@@ -313,6 +313,7 @@ test('memory does not grow with editors disposed', () => {
   openAndDispose(200);
   expect(memories).toHaveLength(1);
   expect(bytes()).toBe(before);
+  expect(chebnet.memory()).toBe(before);
 });
 
 function handle(vertex: number, target: Handle['target'] = [0, 0, 0]): Handle {

@@ -42,6 +42,8 @@ export interface Stats {
   method: string;
   /** What is left until the net is at rest; null: the method does not bring it there, or has not come so far. */
   toRest: ToRest | null;
+  /** Bytes that the solver's WebAssembly has taken; it gives none back while the page is open. */
+  memory: number;
 }
 
 export interface Scripting {
@@ -197,8 +199,8 @@ function stats(app: App): Stats {
   const { opening, framesPerSecond } = app;
   const { vertices = 0, edges = 0, faces = 0 } = opening?.net.info ?? {};
   const { status = 'running', maxDeviation = 0, iterations = 0, milliseconds = 0 } = opening?.frame ?? {};
-  const { method = '', toRest = null } = opening?.frame ?? {};
+  const { method = '', toRest = null, memory = 0 } = opening?.frame ?? {};
   const handles = opening?.document.handles.length ?? 0;
-  const solved = { status, maxDeviation, iterations, milliseconds, framesPerSecond, method, toRest };
+  const solved = { status, maxDeviation, iterations, milliseconds, framesPerSecond, method, toRest, memory };
   return { vertices, edges, faces, handles, ...solved };
 }

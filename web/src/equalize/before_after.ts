@@ -45,5 +45,6 @@ export function stillFrame({ positions, length }: Shape, { edges }: Pick<OpenedN
     toRest: null,
     stepFrom: null,
     unreachable: [],
+    memory: 0,
   };
 }

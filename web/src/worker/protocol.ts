@@ -136,6 +136,8 @@ export interface FrameData {
   /** Where the net stood before the single step that led here; null if anything else did. */
   stepFrom: Float64Array | null;
   unreachable: UnreachablePair[];
+  /** Bytes that the core has taken, see Editors.memory(). */
+  memory: number;
 }
 
 /**

@@ -523,6 +523,7 @@ export class Server {
       trace,
       stepFrom,
       unreachable: editor.unreachablePairs(),
+      memory: this.#core.memory(),
     };
   }
 
