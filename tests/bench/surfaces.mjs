@@ -179,34 +179,23 @@ function surfaces() {
   return [...own, ...files].filter(({ name }) => name.includes(values.only));
 }
 
-/** What a program reports, and for which part of its time it had a processor: others may want that, too. */
 function json(name, args) {
-  const command = ['-c', 'TIMEFORMAT="%U %S"; time "$@"', 'bash', program(name), ...args];
-  const start = performance.now();
-  const { status, stdout, stderr } = spawnSync('bash', command, { encoding: 'utf8', maxBuffer: 2 ** 26 });
-  const elapsed = performance.now() - start;
-  const lines = stderr.trim().split('\n');
-  const [user, system] = lines.pop().split(' ').map(Number);
-  if (status !== 0 && status !== 1) throw new Error(lines.join(' '));
-  return { report: JSON.parse(stdout), share: Math.min(1, (1000 * (user + system)) / elapsed) };
+  const { status, stdout, stderr } = spawnSync(program(name), args, { encoding: 'utf8', maxBuffer: 2 ** 26 });
+  if (status !== 0 && status !== 1) throw new Error(stderr.trim());
+  return JSON.parse(stdout);
 }
 
 /** Without the tree, which both build beforehand. */
 function natively(way, surface) {
-  const { report, share } = json('chebnet', [...way.args, ...surface.args, '--cells', String(cells)]);
-  const { net, milliseconds } = report;
-  const phases = Object.entries(milliseconds)
-    .filter(([phase, ms]) => phase !== 'tree' && ms > 0)
-    .map(([phase, ms]) => [phase, share * ms]);
+  const { net, milliseconds } = json('chebnet', [...way.args, ...surface.args, '--cells', String(cells)]);
+  const phases = Object.entries(milliseconds).filter(([phase, ms]) => phase !== 'tree' && ms > 0);
   return { net, phases, native: phases.reduce((sum, [, ms]) => sum + ms, 0) };
 }
 
-/** Milliseconds, likewise without those in which it had to wait. */
 function timed(run) {
-  const [start, before] = [performance.now(), process.cpuUsage()];
+  const start = performance.now();
   run();
-  const { user, system } = process.cpuUsage(before);
-  return Math.min(performance.now() - start, (user + system) / 1000);
+  return performance.now() - start;
 }
 
 /** Engines compile code as it runs. */
@@ -253,8 +242,8 @@ function besideOthers(surface, rows) {
   const ours = rows.find(isLaid);
   const own = ours ? [{ surface: surface.name, name: 'ours', net: ours.net, ms: ours.native }] : [];
   try {
-    const { report, share } = json('chebnet_surface_rivals', [surface.rival, String(cells)]);
-    const others = Object.entries(report).map(([name, net]) => ({ name, net, ms: share * net.milliseconds }));
+    const report = json('chebnet_surface_rivals', [surface.rival, String(cells)]);
+    const others = Object.entries(report).map(([name, net]) => ({ name, net, ms: net.milliseconds }));
     return [...own, ...others.map((each) => ({ surface: surface.name, ...each }))];
   } catch (error) {
     failures.push(`${surface.name}, others: ${error.message}`);
@@ -317,9 +306,9 @@ if (values.record) {
   const introduction = `# Nets on surfaces
 
 Written by \`tests/bench/surfaces --record\` for about ${cells} cells: of our own surfaces, and of the files of a folder that was
-given. Times are processor time of one thread, on a machine of ${cpus().length} cores (${cpus()[0].model.trim()}) on which
-${load()} processes ran on the average: the more beside the cores, the longer also this takes. L is the edge length; "plain
-compass" and "local-global" are in \`src/surfaces/main.cpp\`.
+given. Times are of one thread, by the clock, on a machine of ${cpus().length} cores (${cpus()[0].model.trim()}) on which
+${load()} processes ran on the average: with more than there are cores they are several times too long, and only what is
+no time can be relied on. L is the edge length; "plain compass" and "local-global" are in \`src/surfaces/main.cpp\`.
 `;
   writeFileSync(new URL('SURFACES.md', import.meta.url), `${introduction}\n${text}`);
 }
