@@ -67,9 +67,8 @@ struct EqualizeReport {
 /// Turns a mesh with unequal edges into a Chebyshev net near it: quad meshes as modellers and remeshers leave them,
 /// open or closed, of any valences. In stages:
 ///
-///   fair     near the surface of the original, or a guide, its lines bend least, while edges and corners are drawn
-///   towards what
-///            they are to be (FairStart); then all lengths are exact;
+///   fair     near the surface of the original, or the guide, its lines bend least, while edges and corners are drawn
+///            towards what they are to be (FairStart); then all lengths are exact;
 ///   rest     `equilibrium` with that surface as its guide, straight rods and the limit of corners;
 ///   lengths  where that is not asked for or finds no net, and beyond k_most_vertices_at_rest: `projection`, from the
 ///            original scaled so that its mean edge has the length L, about the centre of the handles if there are any.
