@@ -403,11 +403,11 @@ test.runIf(process.env['CHEBNET_SCREENSHOT'])('the picture for the README', asyn
   await script.settled();
   await visit.page.mouse.move(5, 5);
   const drawings = visit.page.locator('.gallery canvas');
-  const isDrawn = (canvas: HTMLCanvasElement) =>
-    canvas
-      .getContext('2d')!
-      .getImageData(0, 0, canvas.width, canvas.height)
-      .data.some((value) => value > 0);
+  const isDrawn = (canvas: HTMLCanvasElement) => {
+    const blank = document.createElement('canvas');
+    [blank.width, blank.height] = [canvas.width, canvas.height];
+    return canvas.toDataURL() !== blank.toDataURL();
+  };
   for (const drawing of await drawings.all()) await expect.poll(() => drawing.evaluate(isDrawn)).toBe(true);
   await visit.page.waitForTimeout(1000);
   await visit.page.screenshot({ path: README_PICTURE });
