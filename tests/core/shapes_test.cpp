@@ -495,12 +495,13 @@ TEST_CASE("The gallery is complete") {
 
 TEST_CASE("A recipe that makes no shape is refused with what is wrong and what is known") {
     const std::string form = "; a recipe is NAME or NAME:key=value,key=value";
+    const std::string known =
+        "; known are dome, saddle, canopy, vault, sheet, tube, shirt, teddy, rabbit, horse, jug, steps, elephant, "
+        "jack, "
+        "torus";
     CHECK(refusal("") == "bad_syntax: the recipe names no shape" + form);
     CHECK(refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
-    CHECK(refusal("ball") ==
-          "bad_option: there is no shape \"ball\"; known are dome, saddle, vault, sheet, tube, shirt, teddy, rabbit, "
-          "horse, "
-          "jug, steps, elephant, jack, torus");
+    CHECK(refusal("ball") == "bad_option: there is no shape \"ball\"" + known);
     CHECK(refusal("Dome").rfind("bad_option: there is no shape \"Dome\"", 0) == 0);
     CHECK(refusal("dome:rise=1") == "bad_option: dome has no parameter \"rise\"; known are vertices, reach");
     CHECK(refusal("dome:vertices=99") == "bad_option: vertices is \"99\", but goes from 100 to 100000");
@@ -519,7 +520,5 @@ TEST_CASE("A recipe that makes no shape is refused with what is wrong and what i
     CHECK(refusal("dome:reach=50=60") == "bad_syntax: \"reach=50=60\" is not key=value" + form);
     CHECK(refusal("dome:reach=50,reach=60") == "bad_syntax: reach is given twice" + form);
     CHECK(refusal(std::string(100000, 'x')) == "bad_syntax: the recipe is longer than 1000 characters" + form);
-    CHECK(refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"; known are " +
-                                      std::string("dome, saddle, vault, sheet, tube, shirt, teddy, rabbit, horse, "
-                                                  "jug, steps, elephant, jack, torus"));
+    CHECK(refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"" + known);
 }
