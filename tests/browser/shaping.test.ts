@@ -1,6 +1,7 @@
 /** Soft handles, locality and reach under real hands. */
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
+import { distance } from './geometry';
 import { OUTPUT, type Script, type Visit, visits } from './page';
 
 const site = visits();
@@ -60,13 +61,21 @@ test('a drag stops where the net can follow no farther, unless it is told not to
   expect((await script.stats()).status).toBe('unreachable');
 });
 
-test('with a locality only what is near the hand moves; undo takes the choice back; a link carries it', async () => {
+/** So many edges from the hand, by keys. */
+async function chooseLocality(): Promise<number> {
   await visit.page.getByText('Dragging', { exact: true }).click();
   const slider = visit.page.getByLabel('Locality');
   await slider.focus();
   await slider.press('End');
   for (let i = 0; i < 14; i++) await slider.press('ArrowLeft');
-  const edges = Number.parseInt((await slider.getAttribute('aria-valuetext'))!, 10);
+  return Number.parseInt((await slider.getAttribute('aria-valuetext'))!, 10);
+}
+
+const localityIs = (words: string) =>
+  visit.page.waitForFunction((each) => document.querySelector('.locality output')?.textContent === each, words);
+
+test('with a locality only what is near the hand moves; undo takes the choice back; a link carries it', async () => {
+  const edges = await chooseLocality();
   expect(edges).toBeGreaterThan(3);
   await visit.page.screenshot({ path: join(OUTPUT, 'locality.png') });
   const link = await visit.page.evaluate(() => window.chebnet.link());
@@ -83,10 +92,34 @@ test('with a locality only what is near the hand moves; undo takes the choice ba
   await script.settled();
   expect(movedVertices(before, await script.positions())).toBe(0);
   await visit.page.keyboard.press('Control+z');
-  await visit.page.waitForFunction(() => document.querySelector('.locality output')?.textContent === 'everything');
+  await localityIs('everything');
 
   const other = await site.arrive(link);
   expect(await other.page.getByLabel('Locality').getAttribute('aria-valuetext')).toBe(`${edges} edges`);
+});
+
+test('where the part that may move is too small for a handle, one button lets the whole net move, and it gets there', async () => {
+  // Towards the one other handle there is, which the whole net can do.
+  const [held, vertex] = await visit.page.evaluate(async () => {
+    const both = [window.chebnet.handles()[0]!, window.chebnet.handles().at(-1)!] as const;
+    await window.chebnet.setHandles([...both]);
+    return [both[0].vertex, both[1].vertex];
+  });
+  await chooseLocality();
+  const [from, towards] = [await script.position(vertex), await script.position(held)];
+  const way = 0.4;
+  const there = from.map((each, axis) => each + way * (towards[axis]! - each)) as [number, number, number];
+  await script.move(vertex, there);
+  await script.settled();
+  const widen = visit.page.getByRole('button', { name: 'Let the whole net move' });
+  await widen.waitFor();
+  expect((await script.stats()).status).not.toBe('converged');
+  await widen.click();
+  await localityIs('everything');
+  await widen.waitFor({ state: 'hidden' });
+  await script.settled();
+  expect((await script.stats()).status).toBe('converged');
+  expect(distance(await script.position(vertex), there)).toBeLessThan(1e-6);
 });
 
 test('a soft handle follows its target as far as its weight pulls, and every edge keeps its length', async () => {

@@ -10,7 +10,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
 /** What C++ gives to JavaScript and nothing makes fail. */
 const SAFE = [
-  ...['shapes', 'methods', 'initialisations', 'formats', 'defaultOptions', 'defects'],
+  ...['shapes', 'methods', 'initialisations', 'formats', 'defaultOptions', 'defects', 'memory'],
   ...[
     'info',
     'edges',

@@ -259,6 +259,8 @@ export class HandleEditor implements HandleCommands {
   setLocality(locality: number | undefined): void {
     const name: ChangeName = locality === undefined ? ['noLocality'] : ['locality', { number: String(locality) }];
     this.#changeDocument({ locality }, name, 'locality');
+    // The next drag brings another locality to the solver; that there is none counts at once, also for a net that is stuck.
+    if (locality === undefined) this.#host.attempt(this.#guide.limit([], null));
   }
 
   /** Previews the locality around the selection, or around the handle likely to be dragged. */
