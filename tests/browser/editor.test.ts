@@ -294,6 +294,9 @@ describe('on a vault', () => {
     const place = await script.screenPosition(freeVertex());
     const handle = await script.screenPosition(dragged);
     const count = suggestedHandles.length;
+    const cursor = () => visit.page.locator('#view canvas').evaluate((canvas) => canvas.style.cursor);
+    await mouse.move(place.x, place.y);
+    await expect.poll(cursor).toBe('crosshair'); // what adds a handle is promised
     await mouse.click(place.x, place.y);
     await expectHandles(count + 1);
     await keyboard.press('Delete');
