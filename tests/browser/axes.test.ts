@@ -10,11 +10,11 @@ const net = (await load()).openRecipe(SHAPE);
 const crown = net.suggestedHandles.at(-1)!;
 const edge = net.info.meanLength;
 
-const { arrive } = visits();
+const { share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
   await script.open({ recipe: SHAPE });
   await script.settled();

@@ -15,11 +15,11 @@ const mean = meanLength(sheet.restPositions, sheet);
 /** All ten pairs of five vertices joined: space has no five points at one distance from each other. */
 const FIVE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
 });
 

@@ -13,10 +13,10 @@ const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=300');
 const { edges, faceVertices, info } = reference;
 
-const { arrive, address } = visits();
+const { share, address } = visits();
 let visit: Visit;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
 });
 
 const press = (name: string | RegExp) => visit.page.getByRole('button', { name, exact: true }).click();

@@ -20,11 +20,11 @@ const BROKEN = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1.5 0 0\nv 1.5 1 0\nv 9 9 
 const TURNED = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 3 6 5 2\n';
 const UNEQUAL = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
 });
 

@@ -3,9 +3,11 @@ import { mkdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, expect } from 'vitest';
+import { asAtFirst, type First, putAway } from './put_away';
 import { DIST, launch, newVisit, serve } from './site';
 import type { Visit } from './site';
 
+export { dropFile } from './drop_file';
 export { DIST, MOVING, Script } from './site';
 export type { Visit } from './site';
 export const README_PICTURE = fileURLToPath(new URL('../../web/screenshot.png', import.meta.url));
@@ -13,19 +15,24 @@ export const OUTPUT = fileURLToPath(new URL('../output', import.meta.url));
 mkdirSync(OUTPUT, { recursive: true });
 
 /** For one file of tests: a browser and the site while they run. After each test its visits end, and none may have
- *  complained. */
+ *  complained; one that is to be shared stays, if the test passed. */
 export function visits(root = () => DIST) {
   let browser: Browser;
   let site: Awaited<ReturnType<typeof serve>>;
   const going: Visit[] = [];
+  /** The visit that tests share, by what it was asked for. */
+  let shared: { visit: Visit; options: string; first: First } | null = null;
 
   beforeAll(async () => {
     [browser, site] = await Promise.all([launch(), serve(root)]);
   });
-  afterEach(async () => {
+  afterEach(async ({ task }) => {
     const ended = going.splice(0);
-    await Promise.all(ended.map(({ page }) => page.context().close()));
-    for (const { complaints } of ended) expect(complaints).toEqual([]);
+    const complaints = ended.flatMap((visit) => visit.complaints);
+    const stays = task.result?.state !== 'fail' && complaints.length === 0 ? shared?.visit : undefined;
+    await Promise.all(ended.filter((visit) => visit !== stays).map(({ page }) => page.context().close()));
+    if (stays === undefined) shared = null;
+    expect(complaints).toEqual([]);
   });
   afterAll(async () => {
     await browser.close();
@@ -52,10 +59,24 @@ export function visits(root = () => DIST) {
     return visit;
   }
 
+  /** The page as `arrive` shows it, without a link, for tests that need not be the first thing a visitor does: one visit for
+   *  all, as long as what each has done can be put away. Loading takes longer than most of them. */
+  async function share(options: BrowserContextOptions = {}): Promise<Visit> {
+    const wanted = JSON.stringify(options);
+    if (shared?.options === wanted && (await putAway(shared.visit.page, shared.first))) {
+      going.push(shared.visit);
+      return shared.visit;
+    }
+    await shared?.visit.page.context().close();
+    const visit = await arrive('', options);
+    shared = { visit, options: wanted, first: await asAtFirst(visit.page) };
+    return visit;
+  }
+
   /** The files that visitors have got so far. */
   const served = (): string[] => [...site.served];
 
-  return { browser: () => browser, address: () => site.address, served, open, arrive };
+  return { browser: () => browser, address: () => site.address, served, open, arrive, share };
 }
 
 /** Unfolds a section among those for research. */
@@ -67,20 +88,4 @@ export async function openForResearch(page: Page, section: string): Promise<void
 /** Resolves when what was asked for has been drawn: one frame lays the page out, the next draws what follows from that. */
 export function drawn(page: Page): Promise<unknown> {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-}
-
-/** Drops a file on the picture. */
-export function dropFile(page: Page, name: string, content: Uint8Array | string): Promise<void> {
-  const bytes = Buffer.from(content).toString('base64');
-  return page.evaluate(
-    ([fileName, base64]) => {
-      const file = new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], fileName);
-      const dataTransfer = new DataTransfer();
-      dataTransfer.items.add(file);
-      document
-        .getElementById('view')
-        ?.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-    },
-    [name, bytes] as const,
-  );
 }
