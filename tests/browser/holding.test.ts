@@ -12,12 +12,12 @@ const core = await load();
 const net = core.openRecipe(SHAPE);
 const { meanLength } = net.info;
 
-const { arrive } = visits();
+const { share } = visits();
 let visit: Visit;
 let script: Script;
 
 async function open(options = {}) {
-  visit = await arrive('', options);
+  visit = await share(options);
   ({ script } = visit);
   await script.open({ recipe: SHAPE });
   await script.settled();

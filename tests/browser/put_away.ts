@@ -21,7 +21,7 @@ interface PageState {
 
 /** Once all sections of the sidebar are there. */
 export async function asAtFirst(page: Page): Promise<First> {
-  await page.locator('summary', { hasText: /^For research$/ }).waitFor();
+  await page.locator('summary', { hasText: /^For research$/ }).waitFor({ state: 'attached' });
   await page.evaluate(() => window.chebnet.settled());
   const download = page.waitForEvent('download');
   await page.keyboard.press('Control+s');

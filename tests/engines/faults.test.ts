@@ -2,6 +2,7 @@
 import { availableParallelism, loadavg } from 'node:os';
 import { afterAll, beforeEach, expect, test, vi } from 'vitest';
 import { distance, largestError } from '../browser/geometry';
+import { hashWithZeros } from '../web/hash_with_zeros';
 import { ENGINE } from './engines';
 import { preparedBy } from './prepared';
 import { PATIENCE, visitors } from './visitor';
@@ -317,4 +318,38 @@ test('a browser that keeps nothing: it is said, the net can be saved, and anothe
   expect(largestError(await visitor.positions(), before)).toBeLessThan(1e-3);
   await visitor.drag(vertex, [30, 30]);
   expect(largestError(await visitor.positions(), before)).toBeGreaterThan(0.01);
+});
+
+/** Runs in the page. */
+function dropHugeFile(name: string): void {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File(Array<Uint8Array<ArrayBuffer>>(300).fill(new Uint8Array(1e6)), name));
+  document
+    .getElementById('view')!
+    .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+}
+
+test('an archive and a drawing with the name of a mesh, and a file of 300 MB, are refused in one sentence, and the net stays', async () => {
+  const visitor = await arrive();
+  const before = await visitor.positions();
+  await visitor.dropFile('net.obj', 'PK\x03\x04\x14\0\0\0');
+  await visitor.read('net.obj: this is a ZIP archive', '[role=alert]');
+  await visitor.dropFile('drawing.obj', '<svg xmlns="http://www.w3.org/2000/svg"/>');
+  await visitor.read('drawing.obj: this is an SVG drawing', '[role=alert]');
+  await visitor.run(dropHugeFile, 'scan.obj');
+  await visitor.read('scan.obj has 300 MB', '[role=alert]');
+  expect(await visitor.run(() => document.querySelector('dialog') === null)).toBe(true);
+  expect(largestError(await visitor.positions(), before)).toBe(0);
+});
+
+/** Firefox takes no address that is long enough for a gigabyte, and seconds for one of a megabyte. */
+const INFLATED = 2e8;
+
+test('a link that would inflate to 200 MB is refused, and shows the first net, which can be dragged', async () => {
+  const visitor = await arrive(hashWithZeros({}, INFLATED));
+  await visitor.read(/link/i, '[role=alert]');
+  const vertex = (await visitor.handles()).at(-1)!;
+  const before = await placeOf(visitor, vertex);
+  await visitor.drag(vertex, [-60, -40]);
+  expect(distance(await placeOf(visitor, vertex), before)).toBeGreaterThan(0.01);
 });
