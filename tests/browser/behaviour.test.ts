@@ -16,7 +16,7 @@ beforeAll(async () => {
   chebnet = await load();
 });
 beforeEach(async () => {
-  visit = await site.arrive();
+  visit = await site.share();
   ({ script } = visit);
 });
 

@@ -17,12 +17,12 @@ const { meanLength } = net.info;
 const dragged = net.suggestedHandles.at(-1)!;
 const corner = net.suggestedHandles[0]!;
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 
 async function open(options = {}) {
-  visit = await arrive('', options);
+  visit = await share(options);
   ({ script } = visit);
   await script.open({ recipe: SHAPE });
   await script.settled();
