@@ -558,6 +558,10 @@ export interface SurfacePlace {
   normal: Point;
 }
 
+/** Ways of the arms of a net: straight on; bent so that cells are sheared less, where that makes a better net; those of the
+ *  first family along a curve. */
+export type DrapeArms = 'geodesic' | 'least_shear' | 'curve';
+
 /** How a net is laid on a surface; see core/drape/drape.h. */
 export interface DrapeOptions {
   /** The net begins at the nearest point of the surface. */
@@ -575,6 +579,11 @@ export interface DrapeOptions {
   /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it; `cut`,
    *  these are cut at the boundary curve, with edges as long as what is left. */
   border?: 'inside' | 'beyond' | 'cut';
+  /** How the net lines through the seed run; `geodesic` unless said otherwise. */
+  arms?: DrapeArms;
+  /** For `curve`: points near the surface, at least two, joined by shortest ways; the last may be the first again. The seed
+   *  goes to the nearest point of the curve, from which the first family runs as it was drawn, whatever the direction. */
+  along?: readonly Readonly<Point>[];
   /** Where the net would lock it leaves the surface by up to this, in edge lengths, which takes longer; 0, unless said
    *  otherwise: a gap stays. See core/drape/bridged_drape.h. Proposals pass over it. */
   leave?: number;
@@ -600,6 +609,8 @@ export interface Drape {
   places: Int32Array;
   /** Ends of rods that were cut. */
   cutEnds: number;
+  /** `geodesic` also where `least_shear` would not have made a better net. */
+  arms: DrapeArms;
   /** How many vertices were refused, since corners would have been too sharp, or since the net would have met itself. */
   locked: number;
   met: number;

@@ -144,6 +144,9 @@ export interface CoreLengthAdapter {
   delete(): void;
 }
 
+/** `along`: 3 numbers a point. */
+export type CoreDrapeOptions = Required<Omit<DrapeOptions, 'along'>> & { along: Float64Array };
+
 export interface CoreSurface {
   positions(): Float64Array;
   normals(): Float64Array;
@@ -153,14 +156,14 @@ export interface CoreSurface {
   /** Origin and direction. */
   hit(ray: Float64Array): SurfacePlace | null;
   suggest(cells: number): { seed: Point; direction: Point; length: number };
-  propose(options: Required<DrapeOptions>): DrapeProposal[];
-  drape(options: Required<DrapeOptions>): Drape;
+  propose(options: CoreDrapeOptions): DrapeProposal[];
+  drape(options: CoreDrapeOptions): Drape;
   /** 3 numbers a point, as for `cut`. */
   cutPath(points: Float64Array): Float64Array;
   shortestCut(from: Point | null): Point[];
   cut(cuts: Float64Array[]): CoreSurface;
-  drapePieces(options: Required<DrapeOptions>): PiecesDrape;
-  proposeCuts(options: Required<DrapeOptions>, most: number): CutProposals;
+  drapePieces(options: CoreDrapeOptions): PiecesDrape;
+  proposeCuts(options: CoreDrapeOptions, most: number): CutProposals;
   remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   delete(): void;

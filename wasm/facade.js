@@ -2,8 +2,8 @@
 // a number that is no integer becomes one and a missing coordinate becomes 0.
 
 /**
- * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
- * @import { Core, CoreEqualizer, CoreExactChange, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
+ * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -528,8 +528,19 @@ function changedMesh({ mesh: given, origins, lengthFactor, keepsEdges }) {
   };
 }
 
-/** @param {DrapeOptions} options @returns {Required<DrapeOptions>} */
-function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6, reach, border, leave = 0 }) {
+/** @param {DrapeOptions} options @returns {CoreDrapeOptions} */
+function allDrapeOptions({
+  seed,
+  direction,
+  length,
+  angle = Math.PI / 2,
+  smallestAngle = Math.PI / 6,
+  reach,
+  border,
+  arms,
+  along = [],
+  leave = 0,
+}) {
   return {
     seed: triple(seed, 'the seed'),
     direction: triple(direction, 'the direction'),
@@ -538,6 +549,8 @@ function allDrapeOptions({ seed, direction, length, angle = Math.PI / 2, smalles
     smallestAngle: size(smallestAngle, 'the shear limit'),
     reach: integer(reach ?? LARGEST_INT, 'the reach', 1, LARGEST_INT),
     border: /** @type {'inside' | 'beyond' | 'cut'} */ (text(border ?? 'beyond', 'what happens at the border', 'bad_option')),
+    arms: /** @type {DrapeArms} */ (text(arms ?? 'geodesic', 'the way of the arms', 'bad_option')),
+    along: curvePoints(along, 'the curve'),
     leave: size(leave, 'how far the net may leave the surface'),
   };
 }
@@ -548,9 +561,9 @@ function list(value, what) {
   return /** @type {readonly T[]} */ (value);
 }
 
-/** @param {readonly Readonly<Point>[]} points */
-function cutPoints(points) {
-  return Float64Array.from(points.flatMap((point) => finite(point, 'a point of a cut')));
+/** @param {readonly Readonly<Point>[]} points @param {string} what */
+function curvePoints(points, what) {
+  return Float64Array.from(list(points, what).flatMap((point) => finite(point, `a point of ${what}`)));
 }
 
 /** @implements {Surface} */
@@ -606,12 +619,12 @@ class WasmSurface {
 
   /** @param {readonly (readonly Readonly<Point>[])[]} cuts */
   cut(cuts) {
-    return new WasmSurface(this.#open.cut(cuts.map(cutPoints)));
+    return new WasmSurface(this.#open.cut(cuts.map((points) => curvePoints(points, 'a cut'))));
   }
 
   /** @param {readonly Readonly<Point>[]} points */
   cutPath(points) {
-    return this.#open.cutPath(cutPoints(points));
+    return this.#open.cutPath(curvePoints(points, 'a cut'));
   }
 
   /** @param {Readonly<Point> | null} from */

@@ -113,6 +113,21 @@ Eigen::Vector3d vector_in(const val& list) {
     return {list[0].as<double>(), list[1].as<double>(), list[2].as<double>()};
 }
 
+const Names<DrapeOptions::Arms> k_arms = {{"geodesic", DrapeOptions::Arms::geodesic},
+                                          {"least_shear", DrapeOptions::Arms::least_shear},
+                                          {"curve", DrapeOptions::Arms::curve}};
+
+val arms_out(DrapeOptions::Arms arms) {
+    const auto row = std::find_if(k_arms.begin(), k_arms.end(), [&](const auto& each) { return each.second == arms; });
+    return val(std::string(row->first));
+}
+
+/// `points`: a Float64Array.
+Positions points_in(const val& points) {
+    const auto numbers = emscripten::convertJSArrayToNumberVector<double>(points);
+    return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
+}
+
 DrapeOptions options_in(const val& object) {
     DrapeOptions options;
     options.seed = vector_in(object["seed"]);
@@ -125,6 +140,8 @@ DrapeOptions options_in(const val& object) {
                                                   {"beyond", DrapeOptions::Border::beyond},
                                                   {"cut", DrapeOptions::Border::cut}},
                                                  object["border"].as<std::string>(), "border");
+    options.arms = named<DrapeOptions::Arms>(k_arms, object["arms"].as<std::string>(), "way of the arms");
+    options.along = points_in(object["along"]);
     return options;
 }
 
@@ -162,6 +179,7 @@ val drape_surface(const OpenSurface& open, val options) {
     object.set("locked", draped.locked);
     object.set("met", draped.met);
     object.set("cutEnds", draped.cut_ends);
+    object.set("arms", arms_out(draped.arms));
     return object;
 }
 
@@ -247,8 +265,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
 
 /// `points`: a Float64Array.
 CutLine line_in(const OpenSurface& open, const val& points) {
-    const auto numbers = emscripten::convertJSArrayToNumberVector<double>(points);
-    return cut_line(open.surface, open.tree, Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3));
+    return cut_line(open.surface, open.tree, points_in(points));
 }
 
 val cut_path_on(const OpenSurface& open, val points) { return copy_out(cut_path(open.surface, line_in(open, points))); }
@@ -281,11 +298,13 @@ val drape_all_pieces(const OpenSurface& open, val options) {
     wanted.first_seed = true;
     const DrapedPieces made = drape_pieces(open.surface, wanted);
     int locked = 0, met = 0, cut_ends = 0, first = 0;
+    DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;
     Eigen::Matrix2Xi places(2, made.net.vertex_count());
     for (const DrapedPiece& piece : made.draped) {
         locked += piece.drape.locked;
         met += piece.drape.met;
         cut_ends += piece.drape.cut_ends;
+        if (piece.drape.arms != DrapeOptions::Arms::geodesic) arms = piece.drape.arms;
         places.middleCols(first, piece.drape.places.cols()) = piece.drape.places;
         first += static_cast<int>(piece.drape.places.cols());
     }
@@ -295,6 +314,7 @@ val drape_all_pieces(const OpenSurface& open, val options) {
     object.set("locked", locked);
     object.set("met", met);
     object.set("cutEnds", cut_ends);
+    object.set("arms", arms_out(arms));
     object.set("pieces", static_cast<int>(made.draped.size()));
     object.set("bare", static_cast<int>(made.bare.size()));
     return object;

@@ -1,5 +1,6 @@
 #include "drape/drape.h"
 
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -28,6 +29,10 @@ namespace {
 
 constexpr int k_most_seeds = 1000, k_most_cuts = 10;
 
+const std::map<std::string, DrapeOptions::Arms> k_arms = {{"geodesic", DrapeOptions::Arms::geodesic},
+                                                          {"least-shear", DrapeOptions::Arms::least_shear},
+                                                          {"curve", DrapeOptions::Arms::curve}};
+
 struct DrapeArguments {
     SurfaceArgument surface;
     NetOutput output;
@@ -38,6 +43,7 @@ struct DrapeArguments {
     double angle = 90, smallest_angle = 30, leave = 0;
     int reach = DrapeOptions().reach;
     bool inside = false, cut = false;
+    std::string arms, along;
     std::vector<std::string> cuts, cuts_to_border;
     int cuts_between_borders = 0;
     bool pieces = false;
@@ -45,36 +51,6 @@ struct DrapeArguments {
 
     bool has_cuts() const { return !cuts.empty() || !cuts_to_border.empty() || cuts_between_borders > 0; }
 };
-
-/// But for where and how it begins.
-DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
-    DrapeOptions options = suggested_drape(surface, tree, arguments.cells);
-    if (arguments.has_length) options.length = arguments.length;
-    options.angle = arguments.angle * k_degree;
-    options.smallest_angle = arguments.smallest_angle * k_degree;
-    options.reach = arguments.reach;
-    if (arguments.inside) options.border = DrapeOptions::Border::inside;
-    if (arguments.cut) options.border = DrapeOptions::Border::cut;
-    return options;
-}
-
-DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
-    DrapeOptions options = shared_options(arguments, surface, tree);
-    if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
-    if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
-    if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
-    return options;
-}
-
-Json drape_report(const Drape& draped, const DrapeReport& measured) {
-    Json report = net_on_surface_report(draped.net, measured);
-    report["refused_by_the_shear_limit"] = draped.locked;
-    report["refused_where_the_net_meets_itself"] = draped.met;
-    report["rod_ends_cut_at_the_border"] = draped.cut_ends;
-    return report;
-}
-
-// ---------------------------------------------------------------------------------------------------- cuts and pieces
 
 /// "x,y,z x,y,z ..."
 Positions points_in(const std::string& text, const std::string& option) {
@@ -97,6 +73,43 @@ Positions points_in(const std::string& text, const std::string& option) {
     }
     return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
 }
+
+/// But for where and how it begins.
+DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    DrapeOptions options = suggested_drape(surface, tree, arguments.cells);
+    if (arguments.has_length) options.length = arguments.length;
+    options.angle = arguments.angle * k_degree;
+    options.smallest_angle = arguments.smallest_angle * k_degree;
+    options.reach = arguments.reach;
+    if (arguments.inside) options.border = DrapeOptions::Border::inside;
+    if (arguments.cut) options.border = DrapeOptions::Border::cut;
+    const std::string usual = arguments.along.empty() ? "geodesic" : "curve";
+    options.arms = k_arms.at(arguments.arms.empty() ? usual : arguments.arms);
+    if (!arguments.along.empty() && options.arms != DrapeOptions::Arms::curve)
+        throw Error(ErrorCode::bad_option, "--along is for --arms curve");
+    options.along = points_in(arguments.along, "--along");
+    return options;
+}
+
+DrapeOptions options_of(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {
+    DrapeOptions options = shared_options(arguments, surface, tree);
+    if (arguments.best) options = propose_drapes(surface, tree, options).front().options;
+    if (!arguments.seed.empty()) options.seed = Eigen::Vector3d::Map(arguments.seed.data());
+    if (!arguments.direction.empty()) options.direction = Eigen::Vector3d::Map(arguments.direction.data());
+    return options;
+}
+
+Json drape_report(const Drape& draped, const DrapeReport& measured) {
+    Json report = net_on_surface_report(draped.net, measured);
+    report["refused_by_the_shear_limit"] = draped.locked;
+    report["refused_where_the_net_meets_itself"] = draped.met;
+    report["rod_ends_cut_at_the_border"] = draped.cut_ends;
+    for (const auto& [name, arms] : k_arms)
+        if (arms == draped.arms) report["arms"] = name;
+    return report;
+}
+
+// ---------------------------------------------------------------------------------------------------- cuts and pieces
 
 Json point_report(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -256,6 +269,18 @@ Command add_drape(CLI::App& program) {
         .add_option("--reach", arguments->reach,
                     "Cells from the seed along each family; as far as it goes if not given")
         ->type_name("CELLS");
+    command
+        .add_option("--arms", arguments->arms,
+                    "How the net lines through the seed run: geodesic; least-shear, bent so that cells are sheared "
+                    "less, where that makes a better net; curve, the first family's along a curve")
+        ->check(CLI::IsMember(k_arms))
+        ->default_str("geodesic, or curve where one is given");
+    command
+        .add_option(
+            "--along", arguments->along,
+            "That curve: shortest ways between points on the surface, \"x,y,z x,y,z ...\". The seed goes to its "
+            "nearest point, and the direction is its own")
+        ->type_name("POINTS");
     command.add_flag("--best", arguments->best, "Begin where the best of several trials does");
     command
         .add_option(

@@ -77,6 +77,7 @@ std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& option
     Drape opened = draped_net(vertices, laid.places, left);
     opened.locked = laid.locked;
     opened.met = laid.met;
+    opened.arms = laid.arms;
     return opened;
 }
 

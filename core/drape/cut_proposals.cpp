@@ -33,6 +33,7 @@ double size_of(const Surface& surface) {
 DrapedPieces laid(const Surface& surface, const std::vector<CutLine>& cuts, DrapeOptions drape, double length) {
     PiecesOptions options;
     drape.length = length;
+    drape.arms = DrapeOptions::Arms::geodesic;
     options.drape = drape;
     options.first_seed = true;
     return drape_pieces(cut_open(surface, cuts), options);

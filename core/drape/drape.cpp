@@ -14,9 +14,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "drape/bent_arms.h"
 #include "drape/border_cut.h"
 #include "drape/compass.h"
 #include "drape/draped_net.h"
+#include "drape/drawn_curve.h"
+#include "drape/least_shear.h"
 #include "drape/slits.h"
 
 namespace chebnet {
@@ -101,13 +104,16 @@ Eigen::Vector3d centre_of_mass(const Surface& surface) {
 
 class Draper {
 public:
-    Draper(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options)
+    Draper(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options, const BentArms& bent)
         : m_options(options),
+          m_bent(bent),
+          m_curve(curve_of(surface, tree, options)),
           m_slits(slits_of(surface, tree, options)),
           m_compass(surface, tree, options.length, m_slits ? &*m_slits : nullptr),
           m_surroundings(options.length),
           m_largest_cosine(std::cos(options.smallest_angle)) {
-        const SurfaceTree::Nearest seed = tree.nearest(options.seed);
+        const SurfaceTree::Nearest seed =
+            tree.nearest(m_curve ? m_curve->nearest(options.seed).position : options.seed);
         add({0, 0}, m_compass.vertex_at(seed.position, seed.at.face));
     }
 
@@ -121,23 +127,62 @@ public:
 private:
     void run_arms() {
         const Eigen::Vector3d normal = m_vertices[0].normal;
-        const Eigen::Vector3d laid = m_options.direction - m_options.direction.dot(normal) * normal;
-        if (!(laid.norm() > 1e-9 * m_options.direction.norm()))
+        const Eigen::Vector3d first = m_curve ? follow_curve() : m_options.direction;
+        const Eigen::Vector3d laid = first - first.dot(normal) * normal;
+        if (!(laid.norm() > 1e-9 * first.norm()))
             throw Error(ErrorCode::bad_option, "the direction stands upright on the surface at the seed");
         const Eigen::Vector3d u = laid.normalized();
         const Eigen::Vector3d v = std::cos(m_options.angle) * u + std::sin(m_options.angle) * normal.cross(u);
-        const Eigen::Vector3d directions[] = {u, v, -u, -v};
-        for (int k = 0; k < 4; ++k) run_arm(k_steps[k], directions[k]);
+        const std::array<Eigen::Vector3d, k_arms> directions = {u, v, -u, -v};
+        for (int arm = 0; arm < k_arms; ++arm)
+            if (!m_curve || k_steps[arm].j != 0) run_arm(arm, directions[arm]);
     }
 
-    void run_arm(const Place& step, Eigen::Vector3d direction) {
-        int last = 0;
+    void run_arm(int arm, Eigen::Vector3d direction, int last = 0) {
         while (is_on_surface(m_vertices[last])) {
+            bend(arm, last, direction);
             const auto vertex = m_compass.straight_on(m_vertices[last], direction);
-            const Place place = m_places[last] + step;
+            const Place place = m_places[last] + k_steps[arm];
             if (!vertex || !is_allowed(place, *vertex)) return;
             last = add(place, *vertex);
         }
+    }
+
+    /// At a vertex of an arm, towards the next.
+    void bend(int arm, int at, Eigen::Vector3d& direction) const {
+        const double way = m_places[at].steps() * m_options.length, half = m_options.length / 2;
+        const double turn = m_bent.at(arm, way + half) - m_bent.at(arm, way - half);
+        if (turn == 0) return;
+        direction = std::cos(turn) * direction + std::sin(turn) * m_vertices[at].normal.cross(direction);
+    }
+
+    /// Sets the arms of the first family along the curve, and straight on behind its ends. Gives its direction at the
+    /// seed.
+    Eigen::Vector3d follow_curve() {
+        std::array<int, 2> ends{};
+        for (const bool forwards : {true, false}) ends[forwards] = follow_curve(forwards);
+        const auto at = [&](int i) -> Eigen::Vector3d { return m_vertices[std::max(0, find({i, 0}))].position; };
+        Eigen::Vector3d direction = at(1) - at(-1);
+        if (direction.isZero(0)) throw Error(ErrorCode::bad_option, "the drawn curve is shorter than an edge");
+        for (const bool forwards : {true, false}) {
+            const int last = ends[forwards], i = m_places[last].i, step = forwards ? 1 : -1;
+            if (last >= 0) run_arm(forwards ? 0 : 2, at(i) - at(i - step), last);
+        }
+        return direction;
+    }
+
+    /// The last vertex on the curve; −1 if a further one was refused.
+    int follow_curve(bool forwards) {
+        DrawnCurve::Place here = m_curve->nearest(m_options.seed);
+        int last = 0;
+        while (const auto next = m_curve->after(here, m_options.length, forwards)) {
+            const DrapedVertex vertex = m_compass.vertex_at(next->position, m_vertices[last].at.face);
+            const Place place = m_places[last] + k_steps[forwards ? 0 : 2];
+            if (!is_allowed(place, vertex)) return -1;
+            last = add(place, vertex);
+            here = *next;
+        }
+        return last;
     }
 
     /// Sets every vertex that has three of a cell's before it.
@@ -367,6 +412,12 @@ private:
             vertex = m_other_at[vertex];
         return vertex;
     }
+    static std::optional<DrawnCurve> curve_of(const Surface& surface, const SurfaceTree& tree,
+                                              const DrapeOptions& options) {
+        std::optional<DrawnCurve> curve;
+        if (options.arms == DrapeOptions::Arms::curve) curve.emplace(surface, tree, options.along);
+        return curve;
+    }
     static std::optional<Slits> slits_of(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
         std::optional<Slits> slits;
         if (options.slits) slits.emplace(surface, tree, options.length);
@@ -387,7 +438,9 @@ private:
     using Queue = std::priority_queue<T, std::vector<T>, std::greater<>>;
 
     const DrapeOptions& m_options;
-    std::optional<Slits> m_slits;  // if there are any to keep to
+    const BentArms& m_bent;
+    std::optional<DrawnCurve> m_curve;  // if the arms of the first family are along one
+    std::optional<Slits> m_slits;       // if there are any to keep to
     Compass m_compass;
     std::vector<DrapedVertex> m_vertices;
     std::vector<Place> m_places;
@@ -405,8 +458,8 @@ private:
 
 void check_drape(const Surface& surface, const DrapeOptions& options) {
     const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
-    if (!options.seed.allFinite() || !options.direction.allFinite())
-        throw Error(ErrorCode::non_finite, "the seed or the direction has a coordinate that is not finite");
+    if (!options.seed.allFinite() || !options.direction.allFinite() || !options.along.allFinite())
+        throw Error(ErrorCode::non_finite, "the seed, the direction or the curve has a coordinate that is not finite");
     const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
     if (!(options.length > 1e-6 * size && options.length <= size))
         refuse("the edge length must be between a millionth of the surface's size and that size");
@@ -414,6 +467,8 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
         refuse("the shear limit must be an angle above 0 and below 90 degrees");
     if (!(options.angle >= options.smallest_angle && options.angle <= std::numbers::pi - options.smallest_angle))
         refuse("the angle at the seed must keep within the shear limit");
+    if (options.arms == DrapeOptions::Arms::curve && options.along.cols() < 2)
+        refuse("a curve for the arms to run along needs at least two points");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
 }
 
@@ -430,7 +485,14 @@ DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, in
 
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options) {
     check_drape(surface, options);
-    return Draper(surface, tree, options).run();
+    if (options.arms == DrapeOptions::Arms::least_shear) return least_shear_drape(surface, tree, options);
+    return drape_with(surface, tree, options, {});
+}
+
+Drape drape_with(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options, const BentArms& bent) {
+    Drape drape = Draper(surface, tree, options, bent).run();
+    if (options.arms == DrapeOptions::Arms::curve) drape.arms = options.arms;
+    return drape;
 }
 
 }  // namespace chebnet

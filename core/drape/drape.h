@@ -18,6 +18,12 @@ struct DrapeOptions {
         beyond,  ///< cells go over it that have a vertex on the surface; there it goes on as flat as it is there
         cut,     ///< likewise, and then rods are cut at the boundary curve (see cut_at_border)
     };
+    /// How the net lines through the seed run, from which all others follow.
+    enum class Arms {
+        geodesic,
+        least_shear,  ///< bent so that cells are sheared less (see least_shear_arms), where that makes a better net
+        curve,  ///< of the first family along a drawn curve, and straight on behind its ends; of the other geodesic
+    };
 
     Eigen::Vector3d seed = Eigen::Vector3d::Zero();        ///< the vertex to begin with is the nearest point to it
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of the first family of net lines there
@@ -26,6 +32,10 @@ struct DrapeOptions {
     double smallest_angle = std::numbers::pi / 6;          ///< no corner is sharper, nor blunter than π less it
     int reach = std::numeric_limits<int>::max();           ///< cells from the seed along either family
     Border border = Border::beyond;
+    Arms arms = Arms::geodesic;
+    /// Of Arms::curve, 3×N points near the surface, joined by shortest paths; the last may be the first again. The seed
+    /// goes to the nearest point of the curve, from which the first family runs as it was drawn, whatever `direction`.
+    Positions along{};
     /// Where boundary runs along boundary, as along a cut, no edge goes across. Else what is near enough is joined.
     bool slits = false;
 };
@@ -42,12 +52,14 @@ struct Drape {
     int locked = 0;    ///< its corners would have been too sharp or too blunt, or no such point exists
     int met = 0;       ///< it would have stood on the net, or not one edge away from all its neighbours
     int cut_ends = 0;  ///< of rods at the boundary curve, each behind a shorter edge
+    DrapeOptions::Arms arms = DrapeOptions::Arms::geodesic;  ///< those it has: geodesic ones also where others that
+                                                             ///< were to shear less would not have made a better net
 };
 
 /// One patch of a net from a seed, each vertex on the surface and each edge of length L up to rounding. From the seed
-/// four arms run along straightest geodesics; each further vertex is the point of the surface one edge away from two
-/// known ones, across from a third (Compass), those nearest to the seed first. Where no such vertex is left, net lines
-/// at the rim go straight on, once for each bay.
+/// four arms run along straightest geodesics, or as `arms` says; each further vertex is the point of the surface one
+/// edge away from two known ones, across from a third (Compass), those nearest to the seed first. Where no such vertex
+/// is left, net lines at the rim go straight on, once for each bay.
 ///
 /// Where the net locks or a corner would break the limit, and where the net comes round to itself, no vertex is set: a
 /// gap stays, and what hangs on the patch by a corner is taken off. The result is the same natively and in WebAssembly
@@ -55,8 +67,8 @@ struct Drape {
 ///
 /// Where rods were cut, each edge keeps a length of its own: L but for those at the border.
 ///
-/// Throws Error bad_option (a length or angles out of range, a direction upright on the surface, no cell fits there),
-/// non_finite, too_large (more than k_most_draped_vertices).
+/// Throws Error bad_option (a length or angles out of range, a direction upright on the surface, no cell fits there, a
+/// curve that is not on the surface or shorter than an edge), non_finite, too_large (more than k_most_draped_vertices).
 Drape drape(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
 /// Throws Error bad_option or non_finite where drape() would for the numbers alone.
@@ -69,6 +81,10 @@ inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::num
 
 /// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
 double part_sheared(const Net& net, double shear);
+
+/// The part of a surface's area that is within half an edge of a net, by the middles of some of its triangles, of two
+/// thousand at the least if there are so many: a fast guess at the coverage of DrapeReport.
+double sampled_coverage(const Surface& surface, const Net& net);
 
 /// How well a net lies on a surface. Its whole cells are those that no border has cut: quads with edges of length L.
 struct DrapeReport {

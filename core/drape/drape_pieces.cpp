@@ -40,6 +40,8 @@ std::map<int, Eigen::Vector3d> seeds_by_piece(const Surface& surface, const std:
 
 // In edge lengths: nearer to a border or a slit a net would hardly begin.
 constexpr double k_clear_of_border = 2;
+// In edge lengths: how far off a curve may be that lies on a piece.
+constexpr double k_on_piece = 1e-6;
 // A cosine: the x axis is no direction where the normal is nearer to it.
 constexpr double k_along_x = 0.9;
 
@@ -79,8 +81,23 @@ DrapeOptions options_on(const Guide& piece, const PiecesOptions& options, const 
     return own;
 }
 
+/// The points of a surface that are nearest to some others.
+Positions laid_onto(const Surface& surface, const Positions& points) {
+    const SurfaceTree tree(surface);
+    Positions laid(3, points.cols());
+    for (Eigen::Index k = 0; k < points.cols(); ++k) laid.col(k) = tree.nearest(points.col(k)).position;
+    return laid;
+}
+
+bool is_on(const Guide& piece, const Positions& points, double tolerance) {
+    return std::all_of(points.colwise().begin(), points.colwise().end(),
+                       [&](const Eigen::Vector3d& point) { return piece.tree().nearest(point).distance <= tolerance; });
+}
+
 DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, DrapeOptions own, double leave) {
     own.slits = true;
+    const bool has_curve = own.arms == DrapeOptions::Arms::curve;
+    if (has_curve && !is_on(*piece, own.along, k_on_piece * own.length)) own.arms = DrapeOptions::Arms::geodesic;
     Drape draped = leave > 0 ? bridged_drape(piece, own, leave) : drape(piece->surface(), piece->tree(), own);
     const DrapeReport report = measure_drape(piece->surface(), piece->tree(), draped.net);
     return {number, piece->surface().area(), own, std::move(draped), report};
@@ -112,8 +129,11 @@ Net side_by_side(const std::vector<DrapedPiece>& pieces) {
     return Net(std::move(positions), std::move(faces));
 }
 
-DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& options) {
-    check_drape(surface, options.drape);
+DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
+    check_drape(surface, wanted.drape);
+    PiecesOptions options = wanted;
+    const bool wants_curve = wanted.drape.arms == DrapeOptions::Arms::curve;
+    if (wants_curve) options.drape.along = laid_onto(surface, wanted.drape.along);
     const std::map<int, Eigen::Vector3d> seeds = seeds_by_piece(surface, options.seeds);
     std::vector<Surface> pieces = pieces_of(surface);
     const int first = options.first_seed ? piece_of(surface, options.drape.seed) : -1;
@@ -137,7 +157,11 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& options) 
             bare.push_back({number, area, error.what()});
         }
     }
-    if (draped.empty()) throw *refused;
+    const bool has_curve = std::any_of(draped.begin(), draped.end(), [&](const DrapedPiece& piece) {
+        return piece.options.arms == DrapeOptions::Arms::curve;
+    });
+    if (draped.empty() || (wants_curve && !has_curve))
+        throw refused ? *refused : Error(ErrorCode::bad_option, "no piece has all of the curve");
     std::stable_partition(draped.begin(), draped.end(), [&](const DrapedPiece& piece) { return piece.piece == first; });
     Net net = side_by_side(draped);
     const DrapeReport report = measure_drape(surface, SurfaceTree(surface), net);

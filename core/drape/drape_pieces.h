@@ -10,7 +10,8 @@ namespace chebnet {
 
 /// How nets are laid on the pieces of a surface.
 struct PiecesOptions {
-    DrapeOptions drape;          ///< of each; seed and direction are chosen anew
+    DrapeOptions drape;          ///< of each; seed and direction are chosen anew, and arms are geodesic on pieces on
+                                 ///< which not all of the curve is that they were to run along
     bool best = false;           ///< each begins where the best of several trials does (see propose_drapes)
     double leave = 0;            ///< above 0: how far each may leave the surface (see bridged_drape), in edge lengths
     bool has_direction = false;  ///< all have the direction of `drape`
@@ -44,8 +45,8 @@ struct DrapedPieces {
 
 /// A net on each piece of a surface that may have been cut open (see cut_open), all with edges of one length: each lies
 /// on its piece alone, and no edge goes across a slit. Throws Error bad_option where two seeds are on one piece, and as
-/// drape() does if not one piece takes a net.
-DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& options);
+/// drape() does if not one piece takes a net, or that of the curve does not.
+DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted);
 
 /// Nets as one, with no vertex in common.
 Net side_by_side(const std::vector<DrapedPiece>& pieces);

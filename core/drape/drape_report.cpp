@@ -22,6 +22,7 @@ namespace {
 constexpr double k_sample = 0.25;
 // A part of L: cells with edges nearer to it are whole. Those of a net whose dL is below 1e-9 are, by some 3e-5.
 constexpr double k_whole = 1e-4;
+constexpr int k_samples = 2000;  // for a guess
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 // In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
 constexpr double k_beside_border = 1.5;
@@ -60,16 +61,30 @@ Surface loose_triangles(const Net& net) {
     return Surface(mesh);
 }
 
+/// What is within half an edge of a net.
+class Cover {
+public:
+    Cover(const Net& net, double length) : m_triangles(loose_triangles(net)), m_tree(m_triangles), m_length(length) {}
+
+    bool covers(const Eigen::Vector3d& point) {
+        SurfaceTree::Nearest near = m_tree.nearest_in(m_guess, point);  // which answers most
+        if (near.distance > m_length / 2) near = m_tree.nearest(point, m_guess);
+        m_guess = near.at.face;
+        return near.distance <= m_length / 2;
+    }
+
+private:
+    Surface m_triangles;
+    SurfaceTree m_tree;
+    double m_length;
+    int m_guess = 0;
+};
+
 double coverage(const Surface& surface, const Net& net, double length) {
-    const Surface cover = loose_triangles(net);
-    const SurfaceTree tree(cover);
+    Cover cover(net, length);
     double covered = 0;
-    int guess = 0;
     for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
-        SurfaceTree::Nearest near = tree.nearest_in(guess, point);  // which answers most
-        if (near.distance > length / 2) near = tree.nearest(point, guess);
-        guess = near.at.face;
-        if (near.distance <= length / 2) covered += area;
+        if (cover.covers(point)) covered += area;
     });
     return covered / surface.area();
 }
@@ -177,6 +192,17 @@ double part_sheared(const std::vector<AngleRange>& cells, double shear) {
 }
 
 }  // namespace
+
+double sampled_coverage(const Surface& surface, const Net& net) {
+    Cover cover(net, length_of_most(net));
+    const int stride = std::max(1, surface.face_count() / k_samples);
+    double covered = 0, area = 0;
+    for (int f = 0; f < surface.face_count(); f += stride) {
+        area += surface.areas()[f];
+        if (cover.covers(surface.position_at({f, Eigen::Vector3d::Constant(1. / 3)}))) covered += surface.areas()[f];
+    }
+    return area > 0 ? covered / area : 0;
+}
 
 double part_sheared(const Net& net, double shear) { return part_sheared(whole_cells(net), shear); }
 

@@ -103,6 +103,7 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
     DrapeOptions trial = options;
     trial.length = length;
     trial.border = DrapeOptions::Border::inside;
+    trial.arms = DrapeOptions::Arms::geodesic;
     try {
         const Net net = drape(surface, tree, trial).net;
         const double distance = distance_to(surface, tree, net, net.rest_positions()).mean / length;

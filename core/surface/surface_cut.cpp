@@ -369,16 +369,16 @@ SurfacePoint nearest_on_border(const Surface& surface, const Eigen::Vector3d& po
 
 }  // namespace
 
-CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points) {
+CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points, const std::string& name) {
     const double size = (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
     CutLine line;
     for (Eigen::Index k = 0; k < points.cols(); ++k) {
-        const std::string name = "point " + std::to_string(k + 1) + " of a cut";
+        const std::string point = "point " + std::to_string(k + 1) + " of " + name;
         if (!points.col(k).allFinite())
-            throw Error(ErrorCode::non_finite, name + " has a coordinate that is not finite");
+            throw Error(ErrorCode::non_finite, point + " has a coordinate that is not finite");
         const SurfaceTree::Nearest nearest = tree.nearest(points.col(k));
         if (nearest.distance > k_far * size)
-            refuse(name + " is " + std::to_string(nearest.distance) + " away from the surface");
+            refuse(point + " is " + std::to_string(nearest.distance) + " away from the surface");
         line.push_back(nearest.at);
         if (k > 0 && k + 1 < points.cols()) continue;
         const SurfacePoint border = nearest_on_border(surface, nearest.position);
@@ -388,9 +388,9 @@ CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Position
     return line;
 }
 
-Positions cut_path(const Surface& surface, const CutLine& line) {
-    check_points(surface, line, "the cut");
-    const SurfacePath path = path_of(surface, line, "the cut");
+Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name) {
+    check_points(surface, line, name);
+    const SurfacePath path = path_of(surface, line, name);
     Positions points(3, std::ssize(path.points));
     for (Eigen::Index k = 0; k < points.cols(); ++k)
         points.col(k) = surface.position_at(path.points[static_cast<std::size_t>(k)]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "surface/surface.h"
@@ -14,11 +15,12 @@ using CutLine = std::vector<SurfacePoint>;
 
 /// The points of a surface nearest to some points in space (3×N); the first and the last go on to the border where that
 /// is nearer than a hundredth of the surface's size: a hand does not meet it. Throws Error bad_option naming the first
-/// that is farther from it than a twentieth of the surface's size, non_finite.
-CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points);
+/// that is farther from it than a twentieth of the surface's size, non_finite; in their words it is called `name`.
+CutLine cut_line(const Surface& surface, const SurfaceTree& tree, const Positions& points,
+                 const std::string& name = "a cut");
 
 /// How a cut runs over a surface, to be drawn: 3×N. Throws Error as cut_open does.
-Positions cut_path(const Surface& surface, const CutLine& line);
+Positions cut_path(const Surface& surface, const CutLine& line, const std::string& name = "the cut");
 
 /// The surface, cut open: triangles that a cut crosses are split along it, and the vertices on it doubled, so that both
 /// sides are boundary. A cut that ends inside leaves a slit; one from border to border, or closed, may separate pieces.

@@ -362,6 +362,121 @@ test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are
   expect(edges.length / 2).toBeGreaterThan(positions.length / 3);
 });
 
+test('lines through the seed bend to shear less, or follow a curve that is drawn, by hand and by keys', async () => {
+  const { vertices: first } = await script.stats();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  for (let step = 0; step < 12; step++) await draper().getByRole('slider', { name: 'Cells' }).press('ArrowLeft');
+  await measured();
+  const button = (name: string) => draper().getByRole('button', { name, exact: true });
+  const through = draper().getByRole('combobox', { name: 'Through the seed' });
+  const sharpest = async () => Number(/Sharpest corner\s+(\d+)°/.exec(await results())?.[1]);
+
+  // Begun at the side, the net is sheared less with bent lines, and where they do not help, that is said.
+  const begun = await places();
+  await drag(begun.seed, 2 * (await towardsMiddle(begun.seed)), 30);
+  await measured();
+  const straight = { figures: await figures(), sharpest: await sharpest() };
+  await through.selectOption('lines bend to shear least');
+  await expect.poll(figures).not.toBe(straight.figures);
+  await measured();
+  expect(await sharpest()).toBeGreaterThan(straight.sharpest);
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Hypar');
+  await draper()
+    .getByText(/^Bent lines would not make a better net here/)
+    .waitFor();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Free-form shell');
+  await draper()
+    .getByText(/^Bent lines would not/)
+    .waitFor({ state: 'hidden' });
+  await through.selectOption('lines run straight on');
+  await measured();
+
+  // By hand: the net follows once the curve is ended; then the seed slides along it.
+  const uncurved = await places();
+  await through.selectOption('one follows a curve');
+  await draper()
+    .getByText(/^Click points of the curve/)
+    .waitFor();
+  await clickPicture([0.3, 0.45], [0.02, 0.02], [0.5, 0.6], [0.7, 0.45]);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve-drawing.png') });
+  await press('Undo the point');
+  await clickPicture([0.68, 0.5]);
+  await press('End the curve');
+  await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
+  await measured();
+  expect(await direction().isDisabled()).toBe(true);
+  const onCurve = await places();
+  expect(onCurve).not.toEqual(uncurved);
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve.png') });
+  // Across the curve a hand goes alone.
+  const inwards = await towardsMiddle(onCurve.seed);
+  await drag(onCurve.seed, inwards, 30);
+  await expect.poll(places).not.toEqual(onCurve);
+  await measured();
+  const slid = await places();
+  const [dx, dy] = [slid.seed.x - onCurve.seed.x, slid.seed.y - onCurve.seed.y];
+  expect(Math.hypot(dx - inwards, dy - 30)).toBeGreaterThan(5);
+
+  // A cut and a curve are not drawn at once.
+  await press('Draw the curve');
+  await draper()
+    .getByText(/^Click points of the curve/)
+    .waitFor();
+  await press('Draw a cut');
+  await draper().getByText('No curve is drawn yet: lines run straight on.').waitFor();
+  await press('Draw a cut');
+  expect(await direction().isDisabled()).toBe(false);
+
+  // By keys, from the seed on.
+  await press('Draw the curve');
+  const canvas = draper().getByRole('application');
+  await canvas.press(' ');
+  const start = await places();
+  await canvas.press('Shift+ArrowLeft');
+  await expect.poll(async () => Math.round(start.seed.x - (await places()).seed.x)).toBe(30);
+  await canvas.press('Shift+ArrowLeft');
+  await expect.poll(async () => Math.round(start.seed.x - (await places()).seed.x)).toBe(60);
+  await canvas.press(' ');
+  await button('End the curve').waitFor();
+  await canvas.press('Enter');
+  await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
+  await measured();
+  await openExactNet(first);
+});
+
+test('on a phone a curve is drawn by touch', async () => {
+  visit = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await visit.page.getByRole('button', { name: 'Controls', exact: true }).tap();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).tap();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Through the seed' }).selectOption('one follows a curve');
+  await draper()
+    .getByText(/^Click points of the curve/)
+    .waitFor();
+  const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
+  for (const [across, down] of [
+    [0.3, 0.45],
+    [0.65, 0.6],
+  ] as const)
+    await visit.page.touchscreen.tap(x + across * width, y + down * height);
+  await draper().getByRole('button', { name: 'End the curve' }).tap();
+  await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve-phone.png') });
+  expect(await direction().isDisabled()).toBe(true);
+});
+
+test('a script has lines bend to shear least, and says so', async () => {
+  const how = { cells: 600, seed: [1.5, -0.8, 1] as [number, number, number] };
+  const straight = await visit.page.evaluate((options) => window.chebnet.drape({ own: 'shell' }, options), how);
+  const bent = await visit.page.evaluate(
+    (options) => window.chebnet.drape({ own: 'shell' }, { ...options, arms: 'least_shear' }),
+    how,
+  );
+  expect([straight.arms, bent.arms]).toEqual(['geodesic', 'least_shear']);
+  expect(bent.smallestAngle).toBeGreaterThan(straight.smallestAngle);
+});
+
 test('a cut goes the shortest way between borders, and from the seed or from what was drawn to the border', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

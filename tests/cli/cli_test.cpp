@@ -560,6 +560,7 @@ TEST_CASE("drape lays a net on a surface, reports and writes") {
     CHECK(box.run(drape + "--reach 2").json().at("net").at("cells") == 16);
     const json slanted = box.run(drape + "--angle 60").json();
     CHECK(slanted.at("net").at("smallest_corner_angle_degrees") < 60.5);
+    CHECK(net.at("arms") == "geodesic");
     const json strict = box.run(drape + "--shear-limit 80").json();
     CHECK(strict.at("net").at("smallest_corner_angle_degrees") >= 80 - 1e-6);
     CHECK(strict.at("net").at("refused_by_the_shear_limit") > 0);
@@ -613,6 +614,29 @@ TEST_CASE("drape cuts a surface, lays a net on each piece, and reports of each a
     check_refused(box.run(drape + "--cut-along \"0,0,0\""), "cut 1 needs at least two points");
     check_refused(box.run(drape + "--cut-along \"0,0,0 0,0,3\""), "away from the surface");
     check_refused(box.run(drape + "--cut-along \"-1,0,0 1,0,0\" --seed 0 0.5 0 --seed 0.1 0.5 0"), "seed 2");
+}
+
+TEST_CASE("drape lets arms bend, or run along a curve, and says what came of it") {
+    const Sandbox box;
+    const std::string shell = "drape --surface shell --seed 1.5 -0.8 1 --cells 1500 ";
+    const json straight = box.run(shell).json().at("net"),
+               bent = box.run(shell + "--arms least-shear").json().at("net");
+    CHECK(bent.at("arms") == "least-shear");
+    CHECK(bent.at("cells_sheared_over_15_degrees") < 0.5 * straight.at("cells_sheared_over_15_degrees").get<double>());
+    CHECK(bent.at("smallest_corner_angle_degrees") > straight.at("smallest_corner_angle_degrees"));
+    CHECK(bent.at("max_dL") < 1e-12);
+    CHECK(box.run("drape --surface hypar --seed 0 0 0 --cells 300 --arms least-shear").json().at("net").at("arms") ==
+          "geodesic");
+
+    write_saddle(box, "saddle.obj", 31);
+    const std::string along = "drape saddle.obj --edge 0.1 --along \"-0.8,-0.3,0 0,0.1,0 0.8,-0.3,0\" ";
+    CHECK(box.run(along).json().at("net").at("arms") == "curve");
+    CHECK(box.run(along + "--arms curve --pieces").json().at("pieces")[0].at("net").at("arms") == "curve");
+    check_refused(box.run(along + "--arms geodesic"), "--along is for --arms curve");
+    check_refused(box.run("drape saddle.obj --edge 0.1 --arms curve"), "needs at least two points");
+    check_refused(box.run("drape saddle.obj --edge 0.1 --arms bent"), "--arms");
+    check_refused(box.run("drape saddle.obj --edge 0.1 --along \"0,0,0 0.01,0,0\""), "shorter than an edge");
+    check_refused(box.run("drape saddle.obj --edge 0.1 --along \"0,0,0 0,0,4\""), "point 2 of the curve");
 }
 
 TEST_CASE("drape takes surfaces of our own, and begins in the middle") {

@@ -30,6 +30,16 @@ const SQUARE: Mesh = {
   faceVertices: Int32Array.of(0, 1, 2, 0, 2, 3),
 };
 
+/** Of segment k of a chain of points. */
+function fromSegment(point: Float64Array, chain: Float64Array, k: number): number {
+  const [a, b] = [chain.subarray(3 * k, 3 * k + 3), chain.subarray(3 * k + 3, 3 * k + 6)];
+  const along = b.map((x, i) => x - a[i]!);
+  const length = along.reduce((sum, x) => sum + x * x, 0);
+  const part = along.reduce((sum, x, i) => sum + x * (point[i]! - a[i]!), 0) / length;
+  const clamped = length > 0 ? Math.min(1, Math.max(0, part)) : 0;
+  return Math.hypot(...point.map((x, i) => x - a[i]! - clamped * along[i]!));
+}
+
 const triangles = ({ positions, triangles: faceVertices }: Surface): Mesh => ({
   positions,
   faceStart: Int32Array.from({ length: faceVertices.length / 3 + 1 }, (_, f) => 3 * f),
@@ -98,6 +108,39 @@ describe('a net on it', () => {
       editor.dispose();
       expect(report.maxDeviation).toBeLessThan(1e-12);
       expect(report.smallestAngle).toBeGreaterThan(Math.PI / 6 - 1e-9);
+    });
+  });
+
+  test('has arms that bend to shear least, or follow a curve', () => {
+    withSurface(chebnet.ownSurface('shell'), (shell) => {
+      const options = { ...shell.suggest(1500), seed: [1.5, -0.8, 1] as Point };
+      const [straight, bent] = [shell.drape(options), shell.drape({ ...options, arms: 'least_shear' })];
+      expect([straight.arms, bent.arms]).toEqual(['geodesic', 'least_shear']);
+      const [before, now] = [shell.measure(straight.mesh), shell.measure(bent.mesh)];
+      expect(now.sheared).toBeLessThan(before.sheared / 2);
+      expect(now.smallestAngle).toBeGreaterThan(before.smallestAngle);
+      expect(now.maxDeviation).toBeLessThan(1e-12);
+
+      const ends: Point[] = [
+        [-1.5, -0.5, 1],
+        [1.5, 0.5, 1],
+      ];
+      const along = ends.map((end) => shell.nearest(end).position);
+      const drawn = shell.drape({ ...options, arms: 'curve', along });
+      expect(drawn.arms).toBe('curve');
+      expect(shell.measure(drawn.mesh).maxDeviation).toBeLessThan(1e-12);
+      const path = shell.cutPath(along);
+      const begin = drawn.places.findIndex((_, k, all) => k % 2 === 0 && all[k] === 0 && all[k + 1] === 0) / 2;
+      const seed = drawn.mesh.positions.subarray(3 * begin, 3 * begin + 3);
+      const distances = Array.from({ length: path.length / 3 - 1 }, (_, k) => fromSegment(seed, path, k));
+      expect(Math.min(...distances)).toBeLessThan(1e-9);
+      expect(shell.drapePieces({ ...options, arms: 'curve', along }).arms).toBe('curve');
+
+      const refused = (change: object) => failure(() => shell.drape({ ...options, arms: 'curve', along, ...change }));
+      expect(refused({ arms: 'bent' })).toMatchObject({ code: 'bad_option' });
+      expect(refused({ along: [] })).toMatchObject({ code: 'bad_option' });
+      expect(refused({ along: 5 })).toMatchObject({ code: 'bad_option' });
+      expect(refused({ along: [[0, 0]] }).message).toContain('a point of the curve');
     });
   });
 

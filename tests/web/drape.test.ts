@@ -49,6 +49,25 @@ describe('the worker', () => {
     expect(measured.milliseconds).toBeGreaterThan(0);
   });
 
+  test('begins on a curve nearest to the seed that is wanted, and has its direction', () => {
+    const along: Point[] = [
+      [-2, 0, 0],
+      [2, 0, 0],
+    ];
+    const settings = { ...SETTINGS, seed: [0.7, 0.4, 0] as Point, arms: 'curve' as const, along };
+    for (const cuts of [[], [[[-3, 2, -1.2] as Point, [3, 2, 1.2] as Point]]]) {
+      const [, draped] = answers(OPEN, { type: 'drape', settings: { ...settings, cuts } });
+      if (draped?.type !== 'draped') return expect.fail();
+      expect(draped.arms).toBe('curve');
+      const { position, direction } = draped.seed;
+      // The x axis lies on the hypar.
+      expect(Math.hypot(position[1], position[2])).toBeLessThan(1e-9);
+      expect(direction[0]).toBeCloseTo(1, 3);
+    }
+    const [, refused] = answers(OPEN, { type: 'drape', settings: { ...settings, along: [along[0]!] } });
+    expect(refused).toMatchObject({ type: 'error', code: 'bad_option' });
+  });
+
   test('proposes where to begin, with a picture of each', () => {
     const [, proposed, draped] = answers(
       OPEN,

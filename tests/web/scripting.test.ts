@@ -61,6 +61,8 @@ test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   ['describe', [null], 'surface must be a record with named fields'],
   ['drape', [{ own: 'hypar' }, { seed: [0, 0] }], 'options.seed must be a point: three numbers'],
   ['drape', [{ own: 'hypar' }, { border: 'fitting' }], 'options.border must be one of inside, beyond, cut'],
+  ['drape', [{ own: 'hypar' }, { arms: 'bent' }], 'options.arms must be one of geodesic, least_shear, curve'],
+  ['drape', [{ own: 'hypar' }, { along: [[0, 0]] }], 'options.along[0] must be a point: three numbers'],
   ['drape', [{ own: 'hypar' }, { length: 0 }], 'options.length must be a number above 0'],
   ['remesh', [{ own: 'hypar' }, { cells: 1.5 }], 'options.cells must be a whole number from 0 to 2147483647'],
   ['remesh', [{ own: 'hypar' }, { singular: [{ valence: 3 }] }], 'options.singular[0].point must be a list'],

@@ -30,7 +30,7 @@ export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
 };
 
 /** How the net that has been opened lies on its surface. */
-export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds'>;
+export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms'>;
 export type WholeReport = DrapeReport & { singularVertices: { valence: number; count: number }[] };
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
@@ -45,10 +45,10 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
     const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, how);
     const settings = { ...how, ...begun, ...(direction && { direction }), cuts: [] };
     const draped = await draper.ask({ type: 'drape', settings }, 'draped');
-    const { locked, met, cutEnds } = draped;
+    const { locked, met, cutEnds, arms } = draped;
     const { report } = await draper.ask({ type: 'measure' }, 'measured');
     await open(app, draped, guide, proposedHandles(draped.net));
-    return { ...report, locked, met, cutEnds };
+    return { ...report, locked, met, cutEnds, arms };
   });
 }
 
@@ -117,6 +117,8 @@ function readDrape(options: Untrusted): ScriptDrape {
     smallestAngle: options.at('smallestAngle').maybe((each) => each.positive()),
     reach: options.at('reach').maybe((each) => each.index(2 ** 31)),
     border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
+    arms: options.at('arms').maybe((each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const)),
+    along: options.at('along').maybe((list) => list.list().map((each) => each.point())),
     leave: options.at('leave').maybe((each) => each.number()),
   });
 }

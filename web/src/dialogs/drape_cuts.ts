@@ -1,6 +1,7 @@
 /** Cuts along which the surface is opened before nets are laid on its pieces: drawn point by point, or proposed. */
 import type { Point } from '../../../wasm/chebnet';
 import type { Cut, Ray } from '../drape/drape_protocol';
+import { DrawnLine } from '../drape/drawn_line';
 import { make, makeButton, setText } from '../elements/dom';
 import { dialogWords } from '../language/dialogs';
 import { percentWords } from './file_words';
@@ -25,9 +26,9 @@ export interface CutEvents {
 
 export class DrapeCuts {
   readonly #events: CutEvents;
-  readonly #draw = makeButton(TEXT.draw, () => this.#setCutting(!this.#isCutting), { 'aria-pressed': 'false' });
+  readonly #draw = makeButton(TEXT.draw, () => this.setCutting(!this.#isCutting), { 'aria-pressed': 'false' });
   readonly #end = makeButton(TEXT.end, () => this.end(), { hidden: true });
-  readonly #toBorder = makeButton(TEXT.toBorder, () => this.#wantShortest(this.#last ?? this.#events.seed()));
+  readonly #toBorder = makeButton(TEXT.toBorder, () => this.#wantShortest(this.#lastPoint ?? this.#events.seed()));
   readonly #between = makeButton(TEXT.between, () => this.#wantShortest(null));
   readonly #undo = makeButton(TEXT.undo, () => this.undo(), { hidden: true });
   readonly #clear = makeButton(TEXT.clear, () => this.#change([]), { hidden: true });
@@ -46,21 +47,20 @@ export class DrapeCuts {
     this.#propose,
     this.#words,
   );
+  /** The cut that is being drawn. */
+  readonly #line: DrawnLine;
   #cuts: readonly Cut[] = [];
-  /** Points of the cut that is being drawn; those not yet found on the surface are rays. */
-  #points: (Point | Ray)[] = [];
-  /** Counts how often they have become others. */
-  #revision = 0;
-  /** That cut, as far as it is known. */
-  #open: Cut | null = null;
   #isCutting = false;
   /** Of the surface, uncut. */
   #borders = 0;
-  /** The cut ends once all of its points are known. */
-  #isEnding = false;
 
   constructor(events: CutEvents) {
     this.#events = events;
+    this.#line = new DrawnLine({
+      traceWanted: (points, revision) => events.traceWanted(points, revision),
+      changed: () => this.#show(),
+      ended: (cut) => this.#change([...this.#cuts, cut]),
+    });
   }
 
   /** For the nets: the cuts that have been ended. */
@@ -69,23 +69,19 @@ export class DrapeCuts {
   }
 
   add(point: Point | Ray): void {
-    this.#setPoints([...this.#points, point]);
+    this.#line.add(point);
   }
 
-  /** @param revision of the points through which it runs; others may have come, or been given up. */
   setTraced(cut: Cut, revision: number): void {
-    if (revision !== this.#revision) return;
-    this.#points = cut.points;
-    this.#open = cut.points.length > 0 ? cut : null;
-    if (this.#isEnding) this.end();
-    else this.#show();
+    this.#line.setTraced(cut, revision);
   }
 
   /** Ends the cut that is being drawn, if that is where it begins.
    *  @param revision likewise. */
   setFound(cut: Cut, revision: number): void {
-    if (revision !== this.#revision) return;
-    this.#change([...this.#cuts, this.#open === null ? cut : joined(this.#open, cut)]);
+    if (revision !== this.#line.revision) return;
+    const open = this.#line.known;
+    this.#change([...this.#cuts, open === null ? cut : joined(open, cut)]);
   }
 
   setProposed(cuts: readonly Cut[], coverage: readonly number[]): void {
@@ -98,8 +94,7 @@ export class DrapeCuts {
   /** The core has refused something. */
   giveUp(): void {
     this.#propose.disabled = false;
-    this.#isEnding = false;
-    this.#points = this.#open?.points ?? [];
+    this.#line.giveUp();
     setText(this.#words, this.#isCutting ? TEXT.howTo : '');
   }
 
@@ -107,62 +102,21 @@ export class DrapeCuts {
   reset(borders: number): void {
     this.#borders = borders;
     this.#cuts = [];
-    this.#open = null;
+    this.#line.clear();
     this.giveUp();
-    this.#setCutting(false);
+    this.setCutting(false);
   }
 
-  /** Of a cut with one point nothing is left. */
   end(): void {
-    this.#isEnding = !this.#isKnown;
-    if (this.#isEnding || this.#open === null) return;
-    this.#change(this.#open.points.length < 2 ? this.#cuts : [...this.#cuts, this.#open]);
+    this.#line.end();
   }
 
   /** Takes back the last point, or the last cut. */
   undo(): void {
-    if (this.#points.length > 0) this.#setPoints(this.#points.slice(0, -1));
-    else if (this.#cuts.length > 0) this.#change(this.#cuts.slice(0, -1));
+    if (!this.#line.takeBack() && this.#cuts.length > 0) this.#change(this.#cuts.slice(0, -1));
   }
 
-  /** Point of the cut that is being drawn. */
-  get #last(): Point | undefined {
-    return this.#open?.points.at(-1);
-  }
-
-  get #isKnown(): boolean {
-    return (
-      this.#points.every((point) => !('origin' in point)) && this.#points.length === (this.#open?.points.length ?? 0)
-    );
-  }
-
-  #setPoints(points: (Point | Ray)[]): void {
-    this.#points = points;
-    this.#revision++;
-    this.#events.traceWanted(points, this.#revision);
-  }
-
-  #change(cuts: readonly Cut[]): void {
-    this.#cuts = cuts;
-    this.#points = [];
-    this.#revision++;
-    this.#open = null;
-    this.#isEnding = false;
-    this.#show();
-    this.#events.changed();
-  }
-
-  #wantShortest(from: Point | null): void {
-    this.#events.shortestWanted(from, this.read(), this.#revision);
-  }
-
-  #wantProposals(): void {
-    this.#propose.disabled = true;
-    setText(this.#words, TEXT.proposing);
-    this.#events.proposalsWanted();
-  }
-
-  #setCutting(cutting: boolean): void {
+  setCutting(cutting: boolean): void {
     if (!cutting) this.end();
     this.#isCutting = cutting;
     this.#draw.setAttribute('aria-pressed', String(cutting));
@@ -171,13 +125,35 @@ export class DrapeCuts {
     this.#show();
   }
 
+  get #lastPoint(): Point | undefined {
+    return this.#line.known?.points.at(-1);
+  }
+
+  #change(cuts: readonly Cut[]): void {
+    this.#cuts = cuts;
+    this.#line.clear();
+    this.#show();
+    this.#events.changed();
+  }
+
+  #wantShortest(from: Point | null): void {
+    this.#events.shortestWanted(from, this.read(), this.#line.revision);
+  }
+
+  #wantProposals(): void {
+    this.#propose.disabled = true;
+    setText(this.#words, TEXT.proposing);
+    this.#events.proposalsWanted();
+  }
+
   #show(): void {
-    this.#end.hidden = this.#open === null;
+    const open = this.#line.known;
+    this.#end.hidden = open === null;
     this.#toBorder.hidden = this.#borders + this.#cuts.length === 0;
-    this.#between.hidden = this.#borders < 2 || this.#open !== null;
-    this.#undo.hidden = this.#open === null && this.#cuts.length === 0;
+    this.#between.hidden = this.#borders < 2 || open !== null;
+    this.#undo.hidden = open === null && this.#cuts.length === 0;
     this.#clear.hidden = this.#cuts.length === 0;
-    this.#events.shown([...this.#cuts, ...(this.#open === null ? [] : [this.#open])], this.#open?.points ?? []);
+    this.#events.shown([...this.#cuts, ...(open === null ? [] : [open])], open?.points ?? []);
   }
 }
 

@@ -20,6 +20,7 @@ import { proposedHandles } from '../handles/proposal';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
+import { DrapeArms } from './drape_arms';
 import { DrapeCuts } from './drape_cuts';
 import { DrapeForm } from './drape_form';
 import { DrapeMaker } from './drape_maker';
@@ -58,8 +59,20 @@ export class DrapeDialog implements DraperLike {
   readonly #results = new DrapeResults();
   readonly #proposals = new DrapeProposals((proposal) => this.#begin(proposal));
   readonly #maker = new DrapeMaker({ begun: () => this.#remesh(), stopped: () => this.#stop() });
+  readonly #arms = new DrapeArms({
+    drawingChanged: (drawing) => {
+      if (drawing) this.#cuts.setCutting(false);
+      this.#picture.setCutting(drawing);
+    },
+    shown: (curve, points) => this.#picture.setCurve(curve, points),
+    traceWanted: (points, revision) => this.#draping.trace(points, revision),
+    changed: () => this.#drape(),
+  });
   readonly #cuts = new DrapeCuts({
-    cuttingChanged: (cutting) => this.#picture.setCutting(cutting),
+    cuttingChanged: (cutting) => {
+      if (cutting) this.#arms.stopDrawing();
+      this.#picture.setCutting(cutting);
+    },
     shown: (cuts, points) => this.#picture.setCuts(cuts, points),
     traceWanted: (points, revision) => this.#draping.trace(points, revision),
     shortestWanted: (from, cuts, revision) => this.#draping.findShortestCut(from, cuts, revision),
@@ -95,7 +108,7 @@ export class DrapeDialog implements DraperLike {
     this.#name = given?.name ?? FIRST;
     const picture = make('div', { class: 'picture' });
     const heading = make('h2', { id: 'drape-title' }, TEXT.title);
-    this.#form = new DrapeForm(given?.name ?? null, {
+    this.#form = new DrapeForm(given?.name ?? null, this.#arms.element, {
       surfaceChosen: (own) => this.#open(own),
       kindChanged: () => this.#changeKind(),
       changed: () => this.#drape(),
@@ -132,9 +145,9 @@ export class DrapeDialog implements DraperLike {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
-      pointed: (at) => (this.#form.isWhole ? this.#singular.point(at) : this.#cuts.add(at)),
-      cutEnded: () => this.#cuts.end(),
-      cutUndone: () => (this.#form.isWhole ? this.#singular.undo() : this.#cuts.undo()),
+      pointed: (at) => (this.#form.isWhole ? this.#singular.point(at) : this.#drawn.add(at)),
+      cutEnded: () => this.#drawn.end(),
+      cutUndone: () => (this.#form.isWhole ? this.#singular.undo() : this.#drawn.undo()),
       markChosen: (mark) => this.#singular.choose(mark),
       markTaken: () => this.#singular.begin(),
       markMoved: (mark, at) => this.#singular.move(mark, at),
@@ -145,7 +158,10 @@ export class DrapeDialog implements DraperLike {
     this.#draping = new Draping(() => parts.spawnWorker(), {
       opened: (surface, length) => this.#onOpened(surface, length),
       proposed: (proposals) => this.#onProposed(proposals),
-      traced: (cut, revision) => this.#cuts.setTraced(cut, revision),
+      traced: (line, revision) => {
+        this.#cuts.setTraced(line, revision);
+        this.#arms.setTraced(line, revision);
+      },
       cutFound: (cut, revision) => this.#cuts.setFound(cut, revision),
       placed: (place, mark) => this.#singular.setPlace(place, mark),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
@@ -162,6 +178,11 @@ export class DrapeDialog implements DraperLike {
 
   close(): void {
     this.#finish(null);
+  }
+
+  /** What is drawn by points. */
+  get #drawn(): DrapeArms | DrapeCuts {
+    return this.#arms.isDrawing ? this.#arms : this.#cuts;
   }
 
   async #untilFinished(): Promise<TakenNet | null> {
@@ -190,6 +211,7 @@ export class DrapeDialog implements DraperLike {
 
   #onOpened(surface: ShownSurface, length: number): void {
     this.#picture.setSurface(surface);
+    this.#arms.reset();
     this.#cuts.reset(surface.report.boundaryLoops);
     this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
@@ -206,6 +228,7 @@ export class DrapeDialog implements DraperLike {
 
   #onRefused(message: string): void {
     this.#setMaking(false);
+    this.#arms.giveUp();
     this.#cuts.giveUp();
     this.#results.setFault(words.core.sentence(message));
   }
@@ -215,6 +238,7 @@ export class DrapeDialog implements DraperLike {
   #changeKind(): void {
     const { isWhole } = this.#form;
     if (this.#isMaking) this.#stop();
+    if (isWhole) this.#arms.stopDrawing();
     this.#maker.show(isWhole);
     this.#proposals.element.hidden = isWhole;
     this.#cuts.element.hidden = isWhole;
@@ -266,6 +290,8 @@ export class DrapeDialog implements DraperLike {
     this.#picture.setNet(net, net.seed);
     this.#results.setNet(net);
     this.#form.setSeed(net.seed);
+    this.#form.setTurnable(net.arms !== 'curve');
+    this.#arms.setShown(net.arms);
     this.#seed = net.seed.position;
   }
 
@@ -297,7 +323,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #settings(): DrapeSettings {
-    return { ...this.#form.read(), seed: this.#seed, cuts: this.#cuts.read() };
+    return { ...this.#form.read(), ...this.#arms.read(), seed: this.#seed, cuts: this.#cuts.read() };
   }
 
   #taken(): TakenNet | null {

@@ -87,8 +87,9 @@ export class DrapeForm {
   #seed: Seed | null = null;
   #direction: Point = [1, 0, 0];
 
-  /** @param name of the visitor's surface; null: there is only our own. */
-  constructor(name: string | null, events: FormEvents) {
+  /** @param name of the visitor's surface; null: there is only our own.
+   *  @param arms what is set of a piece beside its angle. */
+  constructor(name: string | null, arms: HTMLElement, events: FormEvents) {
     this.#events = events;
     const choices = Object.entries(TEXT.own).map(([value, text]) => ({ value, text }));
     const all = [...(name === null ? [] : [{ value: '', text: name }]), ...choices];
@@ -106,7 +107,7 @@ export class DrapeForm {
     this.#shear.box.checked = true;
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
     const reach = make('label', { class: 'row' }, make('span', {}, TEXT.reach), this.#reach);
-    this.#pieceRows = [this.#turn.row, this.#angle.row, reach, this.#border.row, this.#leave.row];
+    this.#pieceRows = [this.#turn.row, this.#angle.row, arms, reach, this.#border.row, this.#leave.row];
     this.#wholeRows = [this.#line.row, this.#crease.row, this.#smoothing.row];
     this.#showRows();
     this.element = make(
@@ -156,6 +157,11 @@ export class DrapeForm {
     this.#direction = seed.direction;
     setValue(this.#turn.input, String(Math.round(turnOf(seed.direction, seed.normal) / DEGREE) % 180));
     this.#show(false);
+  }
+
+  /** Whether the direction can be chosen: along a curve it cannot. */
+  setTurnable(turnable: boolean): void {
+    this.#turn.input.disabled = !turnable;
   }
 
   setDirection(direction: Point): void {

@@ -30,7 +30,7 @@ export interface PictureEvents {
   turned(direction: Point): void;
   /** A drag was given up: back to where it began. */
   seedBack(seed: Seed): void;
-  /** While cuts are drawn: the next point, where a ray meets the surface, or the seed. */
+  /** While a line is drawn: the next point, where a ray meets the surface, or the seed. */
   pointed(at: Ray | Point): void;
   cutEnded(): void;
   cutUndone(): void;
@@ -57,10 +57,12 @@ export interface Picture {
   focus(): void;
   /** Whether cells are coloured by their shear. */
   setShear(shown: boolean): void;
-  /** Whether what is clicked on the surface is a point of a cut. */
+  /** Whether what is clicked on the surface is a point of a line. */
   setCutting(cutting: boolean): void;
   /** @param points of the cut that is being drawn. */
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void;
+  /** @param points of the curve for the arms, while it is being drawn. */
+  setCurve(curve: Cut | null, points: readonly Point[]): void;
   setMarks(marks: SingularMarks): void;
   dispose(): void;
 }
@@ -84,6 +86,7 @@ export function createPicture(
     setShear() {},
     setCutting() {},
     setCuts() {},
+    setCurve() {},
     setMarks() {},
     dispose: () => notice.remove(),
   };
@@ -129,6 +132,7 @@ class DrapePicture implements Picture {
   readonly #markers = new HandleMarkers();
   readonly #ring = new SeedRing();
   readonly #cuts = new CutLines();
+  readonly #curve = new CutLines();
   readonly #dots = new SingularDots();
   readonly #size = new Vector2(1, 1);
   readonly #listeners = new AbortController();
@@ -151,6 +155,7 @@ class DrapePicture implements Picture {
   #frame = 0;
   #isCutting = false;
   #cutPoints: readonly Point[] = [];
+  #curvePoints: readonly Point[] = [];
   /** Where a pointer went down that may be a click. */
   #pressed: Place | null = null;
 
@@ -172,7 +177,8 @@ class DrapePicture implements Picture {
     canvas.setAttribute('aria-label', label);
     container.append(canvas, this.#ring.element, this.#dots.element);
     this.#rig = new CameraRig(canvas, { moved: () => this.#requestDraw(), rested: () => {} });
-    for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#markers]) this.#scene.add(part.object);
+    for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#curve, this.#markers])
+      this.#scene.add(part.object);
     this.#addLights();
     this.#listen(canvas);
     this.#readTheme();
@@ -244,6 +250,13 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
+  setCurve(curve: Cut | null, points: readonly Point[]): void {
+    if (!this.#space) return;
+    this.#curvePoints = points;
+    this.#curve.set(curve === null ? [] : [curve.path], this.#space);
+    this.#requestDraw();
+  }
+
   setMarks(marks: SingularMarks): void {
     this.#dots.set(marks);
     this.#requestDraw();
@@ -256,7 +269,7 @@ class DrapePicture implements Picture {
     this.#stopThemes();
     this.#forgetNet();
     const net = [this.#lines, this.#faces, this.#colours];
-    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#markers, this.#renderer];
+    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#curve, this.#markers, this.#renderer];
     for (const part of parts) part.dispose();
     this.#renderer.domElement.remove();
     this.#ring.element.remove();
@@ -480,6 +493,7 @@ class DrapePicture implements Picture {
     const theme = readTheme(this.#container);
     for (const part of [this.#shade, this.#lines, this.#faces, this.#markers]) part.setTheme(theme);
     this.#cuts.setColour(theme.anchor);
+    this.#curve.setColour(theme.accent);
     this.#colours.setScale(scaleOf({ field: 'shear', colourMap: 'paper' }, theme), 'vertex');
     this.setShear(this.#showsShear);
   }
@@ -536,7 +550,10 @@ class DrapePicture implements Picture {
     const radius = (RING * pixel) / this.#space.scale;
     const knob = combined(1, position, radius, direction);
     const marker = (vertex: number, target: Point) => ({ vertex, target, anchor: false });
-    const ends = this.#cutPoints.map((point, i) => ({ ...marker(KNOB + 1 + i, point), anchor: true }));
+    const ends = [...this.#cutPoints, ...this.#curvePoints].map((point, i) => ({
+      ...marker(KNOB + 1 + i, point),
+      anchor: true,
+    }));
     this.#markers.update([marker(SEED, position), { ...marker(KNOB, knob), weight: 1 }, ...ends], this.#space, [], []);
     const across = cross(normal, direction);
     const projection = this.#projection();

@@ -1,6 +1,7 @@
 /** Messages between page and draping worker; one request at a time. To cancel is to terminate the worker. */
 import type {
   CoreFields,
+  DrapeArms,
   DrapeOptions,
   DrapeProposal,
   DrapeReport,
@@ -75,6 +76,7 @@ export interface DrapedNet extends ShownNet {
   locked: number;
   met: number;
   cutEnds: number;
+  arms: DrapeArms;
   /** Of the surface, with a net and without one. */
   pieces: number;
   bare: number;

@@ -1,5 +1,5 @@
 /** Answers the requests of draping.ts, in the worker: lays nets on one surface. */
-import type { Chebnet, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
+import type { Chebnet, Drape, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe, openSurface } from '../worker/opened_net';
@@ -10,11 +10,12 @@ import type {
   PhaseTimes,
   ProposalSettings,
   Ray,
+  Seed,
   ShownNet,
   SurfaceSource,
 } from './drape_protocol';
 import { SUGGESTED_CELLS } from './cells';
-import { laidInto } from './seed';
+import { combined, laidInto } from './seed';
 
 const MOST_PROPOSALS = 4;
 /** Proposed at a time: looking for each takes seconds. */
@@ -103,7 +104,8 @@ export class Draper {
         : this.#cutOpen(surface, settings.cuts).drapePieces(options);
     const lay = performance.now() - start;
     const { mesh, ...rest } = drape;
-    return { type: 'draped', seed: { ...place, direction }, ...rest, ...this.#shown(mesh, { lay }) };
+    const seed = drape.arms === 'curve' ? begunOn(surface, drape) : { ...place, direction };
+    return { type: 'draped', seed, ...rest, ...this.#shown(mesh, { lay }) };
   }
 
   /** While the seed is dragged the cuts stay. */
@@ -159,6 +161,18 @@ function trace(surface: Surface, wanted: readonly (Point | Ray)[], revision: num
   const points = places.flatMap((place) => (place === null ? [] : [place.position]));
   const path = points.length < 2 ? Float64Array.from(points.flat()) : surface.cutPath(points);
   return { type: 'traced', cut: { points, path }, revision };
+}
+
+/** Where a net on a curve begins, and which way it runs there: that is not what was asked for. */
+function begunOn(surface: Surface, { mesh: { positions }, places }: Drape): Seed {
+  const at = (i: number): Point | undefined => {
+    for (let k = 0; k < places.length; k += 2)
+      if (places[k] === i && places[k + 1] === 0) return [...positions.subarray(1.5 * k, 1.5 * k + 3)] as Point;
+    return undefined;
+  };
+  const begin = at(0)!;
+  const place = surface.nearest(begin);
+  return { ...place, direction: laidInto(combined(1, at(1) ?? begin, -1, at(-1) ?? begin), place.normal) };
 }
 
 function placeOf(surface: Surface, seed: DrapeSettings['seed']): SurfacePlace | null {

@@ -128,6 +128,23 @@ export const dialogs = {
     tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
     direction: 'Direction',
     angle: 'Angle',
+    arms: {
+      title: 'Through the seed',
+      ways: {
+        geodesic: 'lines run straight on',
+        least_shear: 'lines bend to shear least',
+        curve: 'one follows a curve',
+      },
+      curve: 'The curve',
+      draw: 'Draw the curve',
+      end: 'End the curve',
+      undo: 'Undo the point',
+      howTo:
+        'Click points of the curve on the surface; then end it. By keys: arrows move the seed, Space sets a point there, Enter ends the curve, Backspace takes a point back.',
+      noCurve: 'No curve is drawn yet: lines run straight on.',
+      along: 'The curve gives the direction, and the seed slides along it.',
+      noBetter: 'Bent lines would not make a better net here: they run straight on.',
+    },
     limit: 'Sharpest',
     reach: 'Cells each way',
     toBorder: 'to the border',

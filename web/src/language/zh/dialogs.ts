@@ -140,6 +140,23 @@ export const dialogs: Widened<typeof en> = {
     tooShort: (least) => `至少 ${least}：更细的网跟不上手的拖动。`,
     direction: '方向',
     angle: '夹角',
+    arms: {
+      title: '过起点的网线',
+      ways: {
+        geodesic: '笔直延伸',
+        least_shear: '弯曲以减小剪切',
+        curve: '其一沿画出的曲线',
+      },
+      curve: '曲线',
+      draw: '画曲线',
+      end: '结束曲线',
+      undo: '撤回一点',
+      howTo:
+        '在曲面上逐点点出曲线，然后结束。用键盘：方向键移动起点，空格键在起点处加一点，回车键结束曲线，退格键撤回一点。',
+      noCurve: '尚未画曲线：网线笔直延伸。',
+      along: '方向由曲线决定，起点沿曲线滑动。',
+      noBetter: '在这里弯曲并不能使网更好：网线笔直延伸。',
+    },
     limit: '最尖角',
     reach: '各向格数',
     toBorder: '直到边界',
