@@ -43,11 +43,11 @@ function distanceFromShell(positions: Float64Array): number {
   return (3 * sum) / positions.length;
 }
 
-const { arrive } = visits();
+const { share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
 });
 
