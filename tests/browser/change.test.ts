@@ -3,12 +3,12 @@ import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import { OUTPUT, type Script, type Visit, visits } from './page';
 
-const { arrive } = visits();
+const { share } = visits();
 let visit: Visit;
 let script: Script;
 
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
   await script.open({ recipe: 'vault:vertices=300' });
   await script.settled();

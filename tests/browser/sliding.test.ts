@@ -9,11 +9,11 @@ const SHEET = 'sheet:vertices=121';
 /** Of 11 by 11 vertices. */
 const [CROWN, FOOT, OTHER_FOOT] = [60, 55, 65];
 
-const { arrive } = visits();
+const { share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
   await script.open({ recipe: SHEET });
   await visit.page.evaluate((crown) => window.chebnet.setHandles([{ vertex: crown, anchor: false }]), CROWN);
