@@ -48,6 +48,7 @@ val shapes() {
         set_text(row, "title", shape.title);
         set_text(row, "sentence", shape.sentence);
         row.set("parameters", parameters);
+        set_text(row, "offered", shape.offered != nullptr ? shape.offered : shape.name);
         table.call<void>("push", row);
     }
     return table;

@@ -28,6 +28,8 @@ export interface ShapeInfo {
   title: string;
   sentence: string;
   parameters: ShapeParameter[];
+  /** The recipe that a gallery opens: with what a shape has got since its name alone began to stand for what it was. */
+  offered: string;
 }
 
 export interface MethodInfo {

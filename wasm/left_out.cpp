@@ -30,7 +30,7 @@ namespace {
 
 }  // namespace
 
-Shape make_smooth_figure(std::span<const Box>, double, std::span<const Eigen::Vector3d>, std::span<const Box>) {
+Shape make_smooth_figure(std::span<const Box>, double, double, std::span<const Eigen::Vector3d>, std::span<const Box>) {
     leave_to_the_whole_core();
 }
 

@@ -35,7 +35,7 @@ Shape make(const Values& values) {
 
     const Eigen::Vector3d handles[] = {
         {1.25, -3.25, 0}, {-1.25, -3.25, 0}, {1.25, 1.75, 0}, {-1.25, 1.75, 0}, {0, 6.5, belly + trunk_end + 0.5}};
-    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], handles);
+    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], 0, handles);
     return make_box_figure(boxes, values["vertices"], handles);
 }
 

@@ -48,6 +48,10 @@ constexpr ShapeParameter vertices_parameter(double value) {
 constexpr ShapeParameter smooth_parameter() {
     return {"smooth", 0, 0, 1, "1: smooth but for cones at the corners; 0: of blocks."};
 }
+/// The parameter of smooth figures whose cones can be rounded: as they were before that, unless it is given.
+constexpr ShapeParameter rounding_parameter() {
+    return {"rounding", 0, 0, 1, "How far cones are rounded, where three, five or six edges meet; 1: no sharp fold."};
+}
 constexpr bool is_on(double value) { return value >= 0.5; }
 
 /// The net of `surface`, whose edges all have one length, 10 units across, centred over the origin and standing on the

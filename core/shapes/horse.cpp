@@ -7,6 +7,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(4000),
+    rounding_parameter(),
 };
 
 Shape make(const Values& values) {
@@ -21,7 +22,7 @@ Shape make(const Values& values) {
     boxes.add_pair(0.25, 1, -3, -2, 13, 14);      // ears
 
     const Eigen::Vector3d handles[] = {{1.75, -6, 0}, {-1.75, -6, 0}, {1.75, 6, 0}, {-1.75, 6, 0}, {0, -6.25, 12}};
-    return make_smooth_figure(boxes, values["vertices"], handles);
+    return make_smooth_figure(boxes, values["vertices"], values["rounding"], handles);
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ Shape make(const Values& values) {
 constinit const Family k_horse = {
     {"horse", "Horse",
      "A rocking horse, smooth but for cones where three, five or six edges meet. Two holes go through it.",
-     k_parameters},
+     k_parameters, "horse:rounding=1"},
     make};
 
 }  // namespace chebnet

@@ -23,7 +23,7 @@ Shape make(const Values& values) {
         boxes[axis] = {-corner, corner};
         tips.insert(tips.end(), {-tip, tip});
     }
-    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], tips);
+    if (is_on(values["smooth"])) return make_smooth_figure(boxes, values["vertices"], 0, tips);
     return make_box_figure(boxes, values["vertices"], tips);
 }
 

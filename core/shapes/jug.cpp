@@ -7,6 +7,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2500),
+    rounding_parameter(),
 };
 
 Shape make(const Values& values) {
@@ -19,7 +20,7 @@ Shape make(const Values& values) {
     boxes.add(2.5, 4.5, -0.5, 0.5, 1.5, 2.5);
 
     const Eigen::Vector3d handles[] = {{2, -2, 0}, {-2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {-1.25, 0, 8.5}};
-    return make_smooth_figure(boxes, values["vertices"], handles, openings);
+    return make_smooth_figure(boxes, values["vertices"], values["rounding"], handles, openings);
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ Shape make(const Values& values) {
 constinit const Family k_jug = {
     {"jug", "Jug",
      "A jug with a handle, smooth but for cones where three or five edges meet instead of four. It is open at the top.",
-     k_parameters},
+     k_parameters, "jug:rounding=1"},
     make};
 
 }  // namespace chebnet

@@ -7,6 +7,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(4000),
+    rounding_parameter(),
 };
 
 Shape make(const Values& values) {
@@ -19,14 +20,14 @@ Shape make(const Values& values) {
     boxes.add(-0.75, 0.75, 2.75, 4, 0.75, 2.25);        // tail
 
     const Eigen::Vector3d handles[] = {{1.75, -3, 0}, {-1.75, -3, 0}, {1.5, 2, 0}, {-1.5, 2, 0}, {0, -3, 6.5}};
-    return make_smooth_figure(boxes, values["vertices"], handles);
+    return make_smooth_figure(boxes, values["vertices"], values["rounding"], handles);
 }
 
 }  // namespace
 
 constinit const Family k_rabbit = {
     {"rabbit", "Rabbit", "A sitting rabbit, smooth but for cones where three, five or six edges meet instead of four.",
-     k_parameters},
+     k_parameters, "rabbit:rounding=1"},
     make};
 
 }  // namespace chebnet

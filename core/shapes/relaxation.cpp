@@ -22,7 +22,6 @@ constexpr int k_first_iterations = 20;  // without multipliers: from afar these 
 // more, it takes longer until they are straight.
 constexpr double k_stiffness = 20;
 constexpr double k_diagonal_stiffness = 0.3;  // relative to that of edges
-constexpr double k_largest_cosine = 0.5;      // of a corner
 // Keeps the system definite in single precision; only slows a motion of the whole.
 constexpr double k_shift = 1e-3;
 
@@ -33,9 +32,27 @@ double length(const Eigen::Vector3d& v) { return std::sqrt(v.x() * v.x() + v.y()
 struct Bar {
     int a, b;
     double weight, shortest, longest;
+    bool is_strict = true;                                 // else drawn towards the range, as far as the rest gives way
     Eigen::Vector3d multiplier = Eigen::Vector3d::Zero();  // divided by ρ
     Eigen::Vector3d vector = Eigen::Vector3d::Zero();      // chosen for x_a − x_b, less the multiplier
 };
+
+/// What corners may be, by their cosines.
+struct CornerRange {
+    double sharpest, bluntest;
+};
+constexpr CornerRange k_corners{0.5, -0.5};
+
+// With rounded cones: corners at inner vertices of these valences; so much more of the sum of all directions there;
+// stiffer diagonals; and, as bars of this stiffness, how sharply rods turn, by the cosine, which the thinnest limbs
+// cannot keep.
+struct TipCorners {
+    int valence;
+    CornerRange range;
+};
+constexpr TipCorners k_tip_corners[] = {{3, {-0.438, -0.574}}, {5, {0.5, 0}}, {6, {0.5, 0.174}}};
+constexpr double k_tip_weight = 3, k_rounded_diagonal_stiffness = 0.7;
+constexpr double k_turn_cosine = 0.809, k_turn_stiffness = 1.5;
 
 /// κ at a vertex: Σ_i (x_i − x_centre) / length_i.
 struct Bend {
@@ -56,10 +73,11 @@ struct Entry {
 
 class Gridshell {
 public:
-    Gridshell(const Mesh& blocks, const Loads& loads)
+    Gridshell(const Mesh& blocks, const Loads& loads, double rounding)
         : m_net(blocks.positions, blocks.faces, RestLengths::own),
           m_topology(m_net),
           m_loads(loads),
+          m_rounding(rounding),
           m_area(static_cast<std::size_t>(m_net.vertex_count()), 0.0) {
         measure_faces();
         add_bends();
@@ -69,7 +87,7 @@ public:
     void relax(int iterations, Positions& x) {
         Eigen::Matrix3Xd force(3, m_net.vertex_count());
         for (int k = 0; k < iterations; ++k) {
-            for (Bar& bar : m_bars) choose_vector(bar, x, k > k_first_iterations);
+            for (Bar& bar : m_bars) choose_vector(bar, x, k > k_first_iterations && bar.is_strict);
             collect_forces(x, force);
             m_system->solve_in_place(force);
             x += force;
@@ -91,15 +109,34 @@ private:
                 m_area[q[k]] += u * v / 4;
                 width[edge_between(q[k], q[(k + 1) % 4])] += (k % 2 == 0 ? v : u) / 2;
             }
-            const double square = u * u + v * v, range = 2 * k_largest_cosine * u * v;
-            for (int k = 0; k < 2; ++k)
-                m_bars.push_back({q[k], q[k + 2], k_stiffness * k_diagonal_stiffness, std::sqrt(square - range),
-                                  std::sqrt(square + range)});
+            for (int k = 0; k < 2; ++k) {
+                const auto [sharpest, bluntest] = corners_beside(q[k + 1], q[(k + 3) % 4]);
+                m_bars.push_back({q[k], q[k + 2],
+                                  k_stiffness * rounded(k_diagonal_stiffness, k_rounded_diagonal_stiffness),
+                                  side_opposite(u, v, sharpest), side_opposite(u, v, bluntest)});
+            }
         }
         for (int e = 0; e < m_net.edge_count(); ++e) {
             const double rest = m_net.rest_lengths()[e];
             m_bars.push_back({m_net.edges()(0, e), m_net.edges()(1, e), k_stiffness * width[e] / rest, rest, rest});
         }
+    }
+
+    /// A number that is one thing with sharp cones and another with rounded ones.
+    double rounded(double sharp, double round) const { return sharp + m_rounding * (round - sharp); }
+
+    /// For the two corners of a quad beside one of its diagonals, which are as blunt as each other.
+    CornerRange corners_beside(int a, int b) const {
+        for (const int v : {a, b})
+            for (const auto& [valence, range] : k_tip_corners)
+                if (!m_topology.is_boundary(v) && m_topology.valence(v) == valence)
+                    return {rounded(k_corners.sharpest, range.sharpest), rounded(k_corners.bluntest, range.bluntest)};
+        return k_corners;
+    }
+
+    /// Of the triangle with sides u and v and this cosine between them.
+    static double side_opposite(double u, double v, double cosine) {
+        return std::sqrt(u * u + v * v - 2 * u * v * cosine);
     }
 
     int edge_between(int a, int b) const {
@@ -110,18 +147,27 @@ private:
 
     void add_bends() {
         for (const std::vector<int>& line : m_topology.net_lines()) {
-            for (std::size_t i = 1; i + 1 < line.size(); ++i) add_bend(line[i], std::array{line[i - 1], line[i + 1]});
-            if (line.front() == line.back() && !ends_lines(line[0]))
-                add_bend(line[0], std::array{line[line.size() - 2], line[1]});
+            for (std::size_t i = 1; i + 1 < line.size(); ++i) add_turn(line[i - 1], line[i], line[i + 1]);
+            if (line.front() == line.back() && !ends_lines(line[0])) add_turn(line[line.size() - 2], line[0], line[1]);
         }
         for (int v = 0; v < m_net.vertex_count(); ++v)
-            if (!m_topology.is_boundary(v) && ends_lines(v)) add_bend(v, m_topology.neighbours(v));
+            if (!m_topology.is_boundary(v) && ends_lines(v))
+                add_bend(v, m_topology.neighbours(v), rounded(1, k_tip_weight));
     }
 
     bool ends_lines(int v) const { return m_topology.valence(v) != (m_topology.is_boundary(v) ? 3 : 4); }
 
-    void add_bend(int centre, std::span<const int> ends) {
-        Bend bend{centre, {}, m_area[centre], 0};
+    /// Of a net line.
+    void add_turn(int before, int centre, int after) {
+        add_bend(centre, std::array{before, after}, 1);
+        if (m_rounding == 0) return;
+        const double u = rest_length(before, centre), v = rest_length(centre, after);
+        m_bars.push_back({before, after, k_stiffness * k_turn_stiffness,
+                          side_opposite(u, v, -rounded(-1, k_turn_cosine)), u + v, false});
+    }
+
+    void add_bend(int centre, std::span<const int> ends, double weight) {
+        Bend bend{centre, {}, weight * m_area[centre], 0};
         for (const int end : ends) {
             bend.ends.push_back({end, 1 / rest_length(centre, end)});
             bend.per_length += bend.ends.back().per_length;
@@ -195,6 +241,7 @@ private:
     const Net m_net;
     const Topology m_topology;
     const Loads m_loads;
+    const double m_rounding;
     std::vector<double> m_area;
     std::vector<Bar> m_bars;
     std::vector<Bend> m_bends;
@@ -203,8 +250,8 @@ private:
 
 }  // namespace
 
-void relax(const Mesh& blocks, const Loads& loads, int iterations, Positions& positions) {
-    Gridshell(blocks, loads).relax(iterations, positions);
+void relax(const Mesh& blocks, const Loads& loads, double rounding, int iterations, Positions& positions) {
+    Gridshell(blocks, loads, rounding).relax(iterations, positions);
 }
 
 void restore_lengths(const Mesh& blocks, Positions& positions) {

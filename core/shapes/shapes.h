@@ -28,6 +28,7 @@ struct ShapeInfo {
     const char* title = "";     ///< for people
     const char* sentence = "";  ///< what it is
     std::span<const ShapeParameter> parameters;
+    const char* offered = nullptr;  ///< the recipe that a gallery opens; null: the name
 };
 std::span<const ShapeInfo> shape_table();
 

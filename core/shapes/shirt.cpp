@@ -17,7 +17,7 @@ Shape make(const Values& values) {
     openings.add_pair(3, 3, -1.5, 1.5, 4.5, 7.5);  // arms
 
     const Eigen::Vector3d handles[] = {{3, 0, 0}, {-3, 0, 0}, {0, -1.5, 0}, {0, 1.5, 0}, {0, -1.5, 6}};
-    return make_smooth_figure(boxes, values["vertices"], handles, openings);
+    return make_smooth_figure(boxes, values["vertices"], 0, handles, openings);
 }
 
 }  // namespace

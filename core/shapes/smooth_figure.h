@@ -13,7 +13,8 @@ namespace chebnet {
 /// boxes in faces of the blocks, are left open. Arguments as for make_box_figure.
 ///
 /// It is relaxed from few oblong faces to many squares, so that the shape is the same at every number of vertices.
-Shape make_smooth_figure(std::span<const Box> boxes, double vertices, std::span<const Eigen::Vector3d> handles,
-                         std::span<const Box> openings = {});
+/// `rounding`: as of relax().
+Shape make_smooth_figure(std::span<const Box> boxes, double vertices, double rounding,
+                         std::span<const Eigen::Vector3d> handles, std::span<const Box> openings = {});
 
 }  // namespace chebnet

@@ -7,6 +7,7 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(4000),
+    rounding_parameter(),
 };
 
 Shape make(const Values& values) {
@@ -19,14 +20,15 @@ Shape make(const Values& values) {
     boxes.add_pair(0.5, 2.5, -4.75, -2, 0, 1.75);      // legs
 
     const Eigen::Vector3d handles[] = {{1.25, -4, 0}, {-1.25, -4, 0}, {1.5, 1, 0}, {-1.5, 1, 0}, {0, 0, 9.5}};
-    return make_smooth_figure(boxes, values["vertices"], handles);
+    return make_smooth_figure(boxes, values["vertices"], values["rounding"], handles);
 }
 
 }  // namespace
 
 constinit const Family k_teddy = {
     {"teddy", "Teddy",
-     "A sitting teddy bear, smooth but for cones where three, five or six edges meet instead of four.", k_parameters},
+     "A sitting teddy bear, smooth but for cones where three, five or six edges meet instead of four.", k_parameters,
+     "teddy:rounding=1"},
     make};
 
 }  // namespace chebnet

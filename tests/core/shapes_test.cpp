@@ -123,6 +123,22 @@ Turns turns(const Net& net) {
     return turns;
 }
 
+/// Between the normals of faces that share an edge, degrees.
+double largest_fold_of(const Net& net) {
+    std::map<std::pair<int, int>, int> seen;
+    double least_cosine = 1;
+    for (int f = 0; f < net.face_count(); ++f) {
+        const auto face = net.faces()[f];
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const auto [first, is_new] = seen.insert({std::minmax(face[k], face[(k + 1) % face.size()]), f});
+            if (!is_new)
+                least_cosine = std::min(
+                    least_cosine, face_normal(net, f).normalized().dot(face_normal(net, first->second).normalized()));
+        }
+    }
+    return std::acos(least_cosine) * 180 / std::numbers::pi;
+}
+
 std::string recipe_text(const std::string& name, const std::vector<std::pair<std::string, double>>& values) {
     std::ostringstream text;
     text.precision(17);
@@ -369,6 +385,24 @@ TEST_CASE("The smooth bodies have the handles and openings that they show") {
         CHECK(Topology(net).component_count() == 1);
         CHECK(Topology(net).boundary_loops().size() == static_cast<std::size_t>(openings));
         CHECK(euler_characteristic(net) == 2 - 2 * handles - openings);
+    }
+}
+
+TEST_CASE("Rounded bodies have the faces of those with sharp cones, and softer folds") {
+    struct Case {
+        std::string name;
+        double largest_fold;  // rounded, degrees; of the horse, whose limbs are thin, more
+    };
+    for (const auto& [name, largest_fold] :
+         {Case{"teddy", 70}, Case{"rabbit", 70}, Case{"jug", 65}, Case{"horse", 76}}) {
+        const Net sharp = make_shape(name).net, round = make_shape(name + ":rounding=1").net;
+        INFO(name << ": " << largest_fold_of(sharp) << ", " << largest_fold_of(round));
+        CHECK(sharp.faces().vertices == round.faces().vertices);
+        CHECK(edge_length_spread(round) < 1e-12);
+        CHECK(largest_fold_of(sharp) > 80);
+        CHECK(largest_fold_of(round) < largest_fold);
+        CHECK(corner_angle_range(round, round.rest_positions()).smallest > 50 * std::numbers::pi / 180);
+        CHECK(make_shape(name + ":rounding=0").net.rest_positions() == sharp.rest_positions());
     }
 }
 

@@ -26,7 +26,13 @@ const parameter = (name: string, value: number, smallest: number, largest: numbe
 const VERTICES = parameter('vertices', 2000, 100, 100000);
 const RISE = parameter('rise', 0.3, 0.02, 0.6);
 const STEPS = parameter('steps', 4, 2, 10);
-const VAULT: ShapeInfo = { name: 'vault', title: 'Vault', sentence: '', parameters: [VERTICES, RISE, STEPS] };
+const VAULT: ShapeInfo = {
+  name: 'vault',
+  title: 'Vault',
+  sentence: '',
+  parameters: [VERTICES, RISE, STEPS],
+  offered: 'vault',
+};
 
 describe('recipes', () => {
   test('are read', () => {

@@ -4,6 +4,7 @@ import { words } from '../language/language';
 import { make, makeButton, makeIcon } from '../elements/dom';
 import type { Tables } from '../net/tables';
 import { sleep, type Idle } from './idle';
+import { formatRecipe, parseRecipe } from './recipe';
 import { drawThumbnail, type Wireframe } from '../elements/thumbnail';
 import { MODEL_FORMATS } from '../files/model_formats';
 import './gallery.css';
@@ -68,7 +69,10 @@ export class Gallery {
 
   #makeItem(shape: ShapeInfo): Item {
     const canvas = make('canvas', { 'aria-hidden': 'true' });
-    const button = makeButton(canvas, () => this.#open(shape.name), { title: shape.sentence, 'aria-pressed': 'false' });
+    const button = makeButton(canvas, () => this.#open(shape.offered), {
+      title: shape.sentence,
+      'aria-pressed': 'false',
+    });
     button.append(make('span', {}, shape.title));
     return { shape, button, canvas, net: null };
   }
@@ -101,7 +105,9 @@ export class Gallery {
 
   async #draw(item: Item): Promise<void> {
     try {
-      item.net = await this.#thumbnail(`${item.shape.name}:vertices=${THUMBNAIL_VERTICES}`);
+      const recipe = parseRecipe(item.shape.offered);
+      recipe.values['vertices'] = THUMBNAIL_VERTICES;
+      item.net = await this.#thumbnail(formatRecipe(recipe, item.shape));
       drawThumbnail(item.canvas, item.net);
     } catch {
       // Without a picture the name still opens the shape.

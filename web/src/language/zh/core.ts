@@ -9,6 +9,7 @@ interface ShapeWords {
 
 const VERTICES = '网的大致顶点数。';
 const SMOOTH = '1：光滑，只在角上成锥；0：方块。';
+const ROUNDING = '汇集三条、五条或六条边之处的锥磨圆多少；1：没有锐利的折痕。';
 
 export const SHAPES: Record<string, ShapeWords> = {
   vault: {
@@ -84,22 +85,22 @@ export const SHAPES: Record<string, ShapeWords> = {
   teddy: {
     title: '玩具熊',
     sentence: '坐着的玩具熊，处处光滑，只在汇集三条、五条或六条边之处成锥。',
-    parameters: { vertices: VERTICES },
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   rabbit: {
     title: '兔子',
     sentence: '坐着的兔子，光滑如玩具熊。',
-    parameters: { vertices: VERTICES },
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   horse: {
     title: '木马',
     sentence: '立在滑轨上的马，身下有两个洞。',
-    parameters: { vertices: VERTICES },
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   jug: {
     title: '水罐',
     sentence: '带把手的水罐，处处光滑，只在汇集三条或五条边之处成锥。罐口敞开。',
-    parameters: { vertices: VERTICES },
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   shirt: {
     title: '背心',
@@ -152,6 +153,7 @@ export const PARAMETERS: Record<string, string> = {
   legs: '腿长',
   trunk: '鼻长',
   smooth: '光滑',
+  rounding: '圆润',
 };
 
 /** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */
