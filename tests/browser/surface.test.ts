@@ -43,7 +43,7 @@ function distanceFromShell(positions: Float64Array): number {
   return (3 * sum) / positions.length;
 }
 
-const { share } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
