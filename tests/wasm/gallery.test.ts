@@ -29,7 +29,7 @@ const NETS: Record<string, number> = {
   shirt: 60,
   teddy: 80,
   rabbit: 80,
-  jug: 85,
+  jug: 90,
 };
 const offered = new Map(chebnet.shapes().map((shape) => [shape.name, shape.offered]));
 

@@ -8,54 +8,54 @@ interface ShapeWords {
 }
 
 const VERTICES = '网的大致顶点数。';
-const SMOOTH = '1：光滑，只在角上成锥；0：方块。';
-const ROUNDING = '汇集三条、五条或六条边之处的锥磨圆多少；1：没有锐利的折痕。';
+const SMOOTH = '1：光滑；0：方块。';
+const ROUNDING = '锥磨圆多少；1：无锐折。';
 
 export const SHAPES: Record<string, ShapeWords> = {
   vault: {
     title: '拱顶',
-    sentence: '矩形上方的拱顶：一道拱沿波浪线移动而成。',
+    sentence: '一道拱沿波浪线移动而成。',
     parameters: {
       vertices: VERTICES,
       rise: '拱高与拱宽之比。',
-      aspect: '拱顶长度与拱的弧长之比。',
-      waves: '拱顶沿长度方向起伏的次数。',
-      slope: '波浪的陡峭程度，以度为单位。',
+      aspect: '长度与拱的弧长之比。',
+      waves: '沿长度起伏的次数。',
+      slope: '波浪的坡度，度。',
     },
   },
   saddle: {
     title: '马鞍面',
-    sentence: '矩形上方的马鞍面：一道拱沿下垂的弧线移动而成。',
+    sentence: '一道拱沿下垂的弧线移动而成。',
     parameters: {
       vertices: VERTICES,
-      rise: '每道弧的高度与宽度之比。',
+      rise: '拱高与拱宽之比。',
       aspect: '下垂弧与拱的长度之比。',
     },
   },
   canopy: {
     title: '雨棚',
-    sentence: '自由曲面薄壳：一道拱沿曲线移动，从落脚处升起，末端挑出成檐。',
+    sentence: '自由曲面薄壳，从落脚处升起，末端挑出成檐。',
     parameters: {
       vertices: VERTICES,
       rise: '拱高与拱宽之比。',
-      aspect: '雨棚长度与拱的弧长之比。',
-      slope: '从落脚处升起的坡度，以度为单位。',
+      aspect: '长度与拱的弧长之比。',
+      slope: '升起的坡度，度。',
     },
   },
   sheet: {
     title: '平网',
-    sentence: '方格的平网，如刚从卷上展开的金属丝网。',
+    sentence: '方格的平网，如展开的金属丝网。',
     parameters: { vertices: VERTICES, aspect: '平网的长宽之比。' },
   },
   dome: {
     title: '穹顶',
     sentence: '球面的一部分，从相交于顶点的两道拱织成网。',
-    parameters: { vertices: VERTICES, reach: '两道主拱从顶点向下延伸的角度，以度为单位。' },
+    parameters: { vertices: VERTICES, reach: '两道主拱向下延伸的角度，度。' },
   },
   tube: {
     title: '管',
     sentence: '倾斜的管，两端开口。',
-    parameters: { vertices: VERTICES, aspect: '管长与管周长之比。', bend: '管向两侧倾斜的角度，以度为单位。' },
+    parameters: { vertices: VERTICES, aspect: '管长与管周长之比。', bend: '管向两侧倾斜的角度，度。' },
   },
   torus: {
     title: '环面',
@@ -64,17 +64,17 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
   jack: {
     title: '六臂体',
-    sentence: '立方体伸出六条方形臂。角上汇集三条或六条边，而非四条。',
+    sentence: '立方体伸出六条方形臂。',
     parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。', smooth: SMOOTH },
   },
   steps: {
     title: '阶梯',
-    sentence: '阶梯金字塔。角上汇集三条或五条边，而非四条。',
+    sentence: '阶梯金字塔。',
     parameters: { vertices: VERTICES, steps: '通往顶部的级数。', height: '每级台阶的高度与深度之比。' },
   },
   elephant: {
     title: '大象',
-    sentence: '由方块搭成的大象。角上汇集三条、五条或六条边，而非四条。',
+    sentence: '由方块搭成的大象。',
     parameters: {
       vertices: VERTICES,
       legs: '腿的长度（躯干高度为 4）。',
@@ -84,12 +84,12 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
   teddy: {
     title: '玩具熊',
-    sentence: '坐着的玩具熊，处处光滑，只在汇集三条、五条或六条边之处成锥。',
+    sentence: '坐着的玩具熊，处处光滑。',
     parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   rabbit: {
     title: '兔子',
-    sentence: '坐着的兔子，光滑如玩具熊。',
+    sentence: '坐着的兔子，处处光滑。',
     parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   horse: {
@@ -99,7 +99,7 @@ export const SHAPES: Record<string, ShapeWords> = {
   },
   jug: {
     title: '水罐',
-    sentence: '带把手的水罐，处处光滑，只在汇集三条或五条边之处成锥。罐口敞开。',
+    sentence: '带把手的水罐，罐口敞开。',
     parameters: { vertices: VERTICES, rounding: ROUNDING },
   },
   shirt: {
