@@ -165,8 +165,9 @@ private:
         Eigen::Vector3d direction = at(1) - at(-1);
         if (direction.isZero(0)) throw Error(ErrorCode::bad_option, "the drawn curve is shorter than an edge");
         for (const bool forwards : {true, false}) {
+            if (ends[forwards] < 0) continue;
             const int last = ends[forwards], i = m_places[last].i, step = forwards ? 1 : -1;
-            if (last >= 0) run_arm(forwards ? 0 : 2, at(i) - at(i - step), last);
+            run_arm(forwards ? 0 : 2, at(i) - at(i - step), last);
         }
         return direction;
     }
