@@ -46,9 +46,20 @@ function linksOf(chunk: string): { imports: string[]; workers: string[] } {
   return { imports: named(imports), workers: named(workers) };
 }
 
+const chunks = readdirSync(ASSETS).filter((name) => name.endsWith('.js'));
+const links = chunks.map((chunk) => ({ chunk, ...linksOf(chunk) }));
+
+test('nothing imports the page or the lesson, and the lesson loads nothing of the page but what both need', () => {
+  const entryOf = (page: string) =>
+    /<script type="module"[^>]*assets\/([^"]*)"/.exec(readFileSync(join(DIST, page), 'utf8'))![1]!;
+  const [page, lesson] = [entryOf('index.html'), entryOf('lesson.html')];
+  const importedBy = (entry: string) => links.find(({ chunk }) => chunk === entry)!.imports;
+  expect(links.filter(({ imports }) => imports.includes(page) || imports.includes(lesson))).toEqual([]);
+  expect(importedBy(page)).toContainEqual(expect.stringMatching(/^first-/));
+  expect(importedBy(lesson).filter((name) => !/^(common|lesson)-/.test(name))).toEqual([]);
+});
+
 test("no file imports from a worker's entry: WebKit would evaluate the entry a second time", () => {
-  const chunks = readdirSync(ASSETS).filter((name) => name.endsWith('.js'));
-  const links = chunks.map((chunk) => ({ chunk, ...linksOf(chunk) }));
   const workers = links.flatMap(({ workers }) => workers);
   expect([...new Set(workers)].map((name) => name.replace(/-.{8}\.js$/, '')).sort()).toEqual([
     'change_worker',

@@ -79,6 +79,35 @@ test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file
     .waitFor();
 });
 
+/** Runs in the page, before anything else: what the section of shapes says at any time without a Chinese word. */
+function collectForeign(): void {
+  const foreign = new Set<string>();
+  Object.assign(window, { foreign });
+  const look = () => {
+    for (const each of document.querySelectorAll<HTMLElement>('.gallery button, .parameters label, .parameters input'))
+      for (const text of [each.textContent, each.title])
+        if (/[A-Za-z]/.test(text) && !/\p{Script=Han}/u.test(text)) foreign.add(text);
+  };
+  new MutationObserver(look).observe(document, { subtree: true, childList: true, attributes: true });
+}
+
+test('shapes and their parameters are named in Chinese from the first picture on, and then explained', async () => {
+  const { page } = await open('', CHINESE);
+  await page.addInitScript(collectForeign);
+  await page.reload();
+  const titles = (controls: string) =>
+    page.locator(controls).evaluateAll((all) => all.map((each) => (each as HTMLElement).title));
+  const explained = (texts: string[]) => texts.length > 0 && texts.every((text) => /\p{Script=Han}.*。$/u.test(text));
+  await page.getByRole('button', { name: '拱顶' }).waitFor();
+  expect(await page.locator('.parameters label > span').allInnerTexts()).toEqual(['顶点数', '延伸角']);
+  await expect.poll(() => titles('.gallery button[aria-pressed]')).toSatisfy(explained);
+  expect(await titles('.parameters input')).toSatisfy(explained);
+  await page.getByRole('button', { name: '大象' }).click();
+  await page.getByRole('slider', { name: '鼻长' }).waitFor();
+  expect(await titles('.parameters input')).toSatisfy(explained);
+  expect(await page.evaluate(() => [...(window as unknown as { foreign: Set<string> }).foreign])).toEqual([]);
+});
+
 test('in an experiment, its steps and its comparison too, and on a phone nothing runs over the edge', async () => {
   const { page, script } = await arrive('#experiment=long-edges', CHINESE);
   await script.settled();

@@ -10,7 +10,7 @@ const root = fileURLToPath(ROOT);
 /** How the example of a recipe is named in sources, as a whole word or in some form of it. */
 const NAMED: Record<string, RegExp> = {
   'A method': /\b(k_)?gradient_descent\b/,
-  'A shape': /\bk_saddle\b|^ {2}saddle: \{$/m,
+  'A shape': /\bk_saddle\b|^ {2}saddle: ['{]/m,
   'A file format': /\bk_off\b|"io\/off\.h"|^ {2}off: '/m,
   'A colour field': /\{"angle", |^ {2}angle: Float32Array;$|^ {2}angle: \{$|^ {4}angle: \{ choice/m,
   'A panel of the sidebar': /\bDragPanel\b|^ {4}drag: '/m,

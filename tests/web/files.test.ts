@@ -76,15 +76,15 @@ describe("the core's table of formats says", () => {
   });
 
   test("what can be saved, with the page's own formats among them", () => {
-    const { hints } = panelsInEnglish.exports;
-    const meshes = kindsFor('meshes', formats, hints);
+    const words = panelsInEnglish.exports;
+    const meshes = kindsFor('meshes', formats, words);
     expect(meshes.map(({ kind }) => kind).join()).toMatch(/^obj,3dm,ply,off,stl,glb/);
-    expect(kindsFor('meshes', [...formats, dxf], hints)).toEqual([
+    expect(kindsFor('meshes', [...formats, dxf], words)).toEqual([
       ...meshes,
       { kind: 'dxf', title: 'DXF', hint: 'for drawings' },
     ]);
-    const offered = (['meshes', 'making', 'pictures'] as const).flatMap((purpose) => kindsFor(purpose, formats, hints));
-    for (const name of Object.keys(hints)) expect(offered.map(({ kind }) => kind)).toContain(name);
+    const offered = (['meshes', 'making', 'pictures'] as const).flatMap((purpose) => kindsFor(purpose, formats, words));
+    for (const name of Object.keys(words.hints)) expect(offered.map(({ kind }) => kind)).toContain(name);
     for (const { kind } of offered) expect(typeOf(kind, formats)).toMatch(/^[a-z]+\/[\w.+-]+$/);
   });
 

@@ -16,8 +16,8 @@ import { lesson as lessonInChinese } from '../../web/src/language/zh/lesson';
 import * as ZH_PANELS from '../../web/src/language/zh/panels';
 import { load, ROOT } from '../wasm/load';
 
-const { CORE_ERRORS, FORMATS, PARAMETERS, SHAPES } = ZH_CORE;
-const { panels: panelsInChinese } = ZH_PANELS;
+const { CORE_ERRORS, PARAMETERS } = ZH_CORE;
+const { FORMATS, panels: panelsInChinese, SHAPES } = ZH_PANELS;
 
 /** Every text and every function, by the names that lead to it. */
 function leaves(words: object, path = ''): Map<string, unknown> {
@@ -78,12 +78,18 @@ describe('what the core says has Chinese words:', () => {
       formats: core.formats(),
       options: core.options(),
     };
-    const { shapes, formats } = zh.core.tables(tables);
+    const { about, aboutParameter } = panelsInChinese.shape;
+    const shapes = zh.core.tables(tables).shapes.map((shape) => ({
+      ...shape,
+      sentence: about(shape),
+      parameters: shape.parameters.map((each) => ({ ...each, sentence: aboutParameter(shape.name, each) })),
+    }));
+    const formats = tables.formats.map((each) => ({ ...each, sentence: panelsInChinese.exports.about(each) }));
     const { option, aboutMethod, aboutInitialisation } = panelsInChinese.solver;
     const methods = tables.methods.map((each) => ({ ...each, sentence: aboutMethod(each) }));
     const initialisations = tables.initialisations.map((each) => ({ ...each, sentence: aboutInitialisation(each) }));
     const options = tables.options.map((each) => ({ ...each, sentence: option(each) }));
-    expect(names(SHAPES)).toEqual(byName(shapes));
+    for (const { SHAPES: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(shapes));
     for (const { name, parameters } of shapes) expect(names(SHAPES[name]!.parameters)).toEqual(byName(parameters));
     for (const { METHODS: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(methods));
     for (const { INITIALISATIONS: rows } of [ZH_CORE, ZH_PANELS]) expect(names(rows)).toEqual(byName(initialisations));

@@ -36,22 +36,22 @@ export interface ExportKind {
   hint: string;
 }
 
-/** @param formats the core's table. @param hints of the page's own. */
+/** @param formats the core's table. @param words `about` those, and `hints` of the page's own. */
 export function kindsFor(
   purpose: Purpose,
   formats: readonly FormatInfo[],
-  hints: Record<OwnKind, string>,
+  words: { about: (format: FormatInfo) => string; hints: Record<OwnKind, string> },
 ): ExportKind[] {
   const own = OWN.filter((each) => each.purpose === purpose);
   const line = ({ name }: (typeof OWN)[number]): ExportKind => ({
     kind: name,
     title: name.toUpperCase(),
-    hint: hints[name],
+    hint: words.hints[name],
   });
   if (purpose !== 'meshes') return own.map(line);
-  return formats.flatMap(({ name, title, sentence }) => [
-    { kind: name, title, hint: sentence },
-    ...own.filter((each) => 'after' in each && each.after === name).map(line),
+  return formats.flatMap((format) => [
+    { kind: format.name, title: format.title, hint: words.about(format) },
+    ...own.filter((each) => 'after' in each && each.after === format.name).map(line),
   ]);
 }
 

@@ -31,7 +31,7 @@ export class ExportLines implements Panel {
       png: [this.#size],
     };
     const items = (purpose: Purpose): MenuItem[] =>
-      kindsFor(purpose, formats, words.hints).map(({ kind, title, hint }) => {
+      kindsFor(purpose, formats, words).map(({ kind, title, hint }) => {
         return { title, hint, choose: () => this.#events.save(this.#request(kind)), beside: beside[kind] };
       });
     this.#menu.setContent([

@@ -70,8 +70,8 @@ export class Gallery {
   #makeItem(shape: ShapeInfo): Item {
     const canvas = make('canvas', { 'aria-hidden': 'true' });
     const button = makeButton(canvas, () => this.#open(shape.offered), {
-      title: shape.sentence,
       'aria-pressed': 'false',
+      'data-shape': shape.name,
     });
     button.append(make('span', {}, shape.title));
     return { shape, button, canvas, net: null };

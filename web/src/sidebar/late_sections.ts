@@ -21,6 +21,7 @@ import { HistoryPanel } from './history_panel';
 import { LearnPanel } from './learn_panel';
 import { RodControls } from './rod_controls';
 import type { SidebarServices } from './sections';
+import { ShapeHints } from './shape_hints';
 import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
 
@@ -34,11 +35,12 @@ export interface LateSections {
   tools: HTMLElement[];
 }
 
-/** @param experiments exists already, since its note is placed elsewhere.
+/** @param experiments exists already, since its note is placed elsewhere. @param shape the section that gets its hints.
  *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. */
 export function createLateSections(
   { events, say, failed, fold }: SidebarServices,
   experiments: HTMLElement,
+  shape: HTMLElement,
   behaviour: HTMLElement,
   exports: Menu,
 ): LateSections {
@@ -72,6 +74,7 @@ export function createLateSections(
   return {
     panels: [
       ...usual,
+      new ShapeHints(shape),
       rods,
       flip,
       new ExportLines(exports, events),

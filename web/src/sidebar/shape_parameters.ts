@@ -37,7 +37,6 @@ export class ShapeParameters {
       min: 0,
       max: SLIDER_STEPS,
       value: toSlider(parameter, value),
-      title: parameter.sentence,
       'data-parameter': parameter.name,
       'aria-valuetext': count(value),
     });

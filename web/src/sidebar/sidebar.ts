@@ -59,6 +59,7 @@ class Sidebar implements Panels {
   readonly #panels: PanelList;
   readonly #services: SidebarServices;
   readonly #experiments: ExperimentsPlace;
+  readonly #shape: Panel;
   readonly #behaviour: Panel;
   #lateAreWanted = false;
   #pending: { frame: FrameData; framesPerSecond: number; solving: boolean } | null = null;
@@ -84,7 +85,7 @@ class Sidebar implements Panels {
       fold: () => this.#unfold(false),
     };
     const sections = createSections(this.#services);
-    [, this.#behaviour] = sections;
+    [this.#shape, this.#behaviour] = sections;
     this.#panels = new PanelList([...over, results, status, ...sections, this.#experiments]);
 
     this.#sections = make('div', { class: 'sections', id: 'sections' }, ...elementsOf(sections));
@@ -166,6 +167,7 @@ class Sidebar implements Panels {
     const { panels, elements, notices, tools } = createLateSections(
       this.#services,
       this.#experiments.element,
+      this.#shape.element,
       this.#behaviour.element,
       this.#toolbar.exports,
     );

@@ -15,7 +15,7 @@ const METHODS: Record<string, string> = {
 };
 
 export const core = {
-  /** With titles and sentences for people. */
+  /** With titles for people. */
   tables: (tables: Tables) => tables,
   /** A parameter of a shape. */
   parameter: (name: string) => readable(name),

@@ -1,10 +1,22 @@
 /** What the panels say that come after the first picture. */
-import type { InitialisationInfo, MethodInfo, OptionInfo } from '../../../../wasm/chebnet';
+import type {
+  FormatInfo,
+  InitialisationInfo,
+  MethodInfo,
+  OptionInfo,
+  ShapeInfo,
+  ShapeParameter,
+} from '../../../../wasm/chebnet';
 import { readable } from './readable';
 
 export const panels = {
   /** Heads the sections about methods. */
   research: 'For research',
+  shape: {
+    /** What it is. */
+    about: ({ sentence }: ShapeInfo) => sentence,
+    aboutParameter: (_shape: string, { sentence }: ShapeParameter) => sentence,
+  },
   appearance: {
     colourBy: 'Colour by',
     colours: 'Colours',
@@ -230,6 +242,9 @@ export const panels = {
     meshes: 'Mesh',
     making: 'For making',
     pictures: 'Picture',
+    /** Of a format of the core, what it is good for. */
+    about: ({ sentence }: FormatInfo) => sentence,
+    /** Of the page's own. */
     hints: {
       '3dm': 'Rhino: quads and net lines',
       glb: 'triangles in colour, for slides and the web',

@@ -1,112 +1,22 @@
 /** What the core says, by the names in its tables and the codes of its errors. */
 import type { Tables } from '../../net/tables';
 
-interface ShapeWords {
-  title: string;
-  sentence: string;
-  parameters: Record<string, string>;
-}
-
-const VERTICES = '网的大致顶点数。';
-const SMOOTH = '1：光滑；0：方块。';
-const ROUNDING = '锥磨圆多少；1：无锐折。';
-
-export const SHAPES: Record<string, ShapeWords> = {
-  vault: {
-    title: '拱顶',
-    sentence: '一道拱沿波浪线移动而成。',
-    parameters: {
-      vertices: VERTICES,
-      rise: '拱高与拱宽之比。',
-      aspect: '长度与拱的弧长之比。',
-      waves: '沿长度起伏的次数。',
-      slope: '波浪的坡度，度。',
-    },
-  },
-  saddle: {
-    title: '马鞍面',
-    sentence: '一道拱沿下垂的弧线移动而成。',
-    parameters: {
-      vertices: VERTICES,
-      rise: '拱高与拱宽之比。',
-      aspect: '下垂弧与拱的长度之比。',
-    },
-  },
-  canopy: {
-    title: '雨棚',
-    sentence: '自由曲面薄壳，从落脚处升起，末端挑出成檐。',
-    parameters: {
-      vertices: VERTICES,
-      rise: '拱高与拱宽之比。',
-      aspect: '长度与拱的弧长之比。',
-      slope: '升起的坡度，度。',
-    },
-  },
-  sheet: {
-    title: '平网',
-    sentence: '方格的平网，如展开的金属丝网。',
-    parameters: { vertices: VERTICES, aspect: '平网的长宽之比。' },
-  },
-  dome: {
-    title: '穹顶',
-    sentence: '球面的一部分，从相交于顶点的两道拱织成网。',
-    parameters: { vertices: VERTICES, reach: '两道主拱向下延伸的角度，度。' },
-  },
-  tube: {
-    title: '管',
-    sentence: '倾斜的管，两端开口。',
-    parameters: { vertices: VERTICES, aspect: '管长与管周长之比。', bend: '管向两侧倾斜的角度，度。' },
-  },
-  torus: {
-    title: '环面',
-    sentence: '竖立的小环沿平放的大环移动而成。',
-    parameters: { vertices: VERTICES, thickness: '竖环周长与平环周长之比。' },
-  },
-  jack: {
-    title: '六臂体',
-    sentence: '立方体伸出六条方形臂。',
-    parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。', smooth: SMOOTH },
-  },
-  steps: {
-    title: '阶梯',
-    sentence: '阶梯金字塔。',
-    parameters: { vertices: VERTICES, steps: '通往顶部的级数。', height: '每级台阶的高度与深度之比。' },
-  },
-  elephant: {
-    title: '大象',
-    sentence: '由方块搭成的大象。',
-    parameters: {
-      vertices: VERTICES,
-      legs: '腿的长度（躯干高度为 4）。',
-      trunk: '象鼻的长度（躯干高度为 4）。',
-      smooth: SMOOTH,
-    },
-  },
-  teddy: {
-    title: '玩具熊',
-    sentence: '坐着的玩具熊，处处光滑。',
-    parameters: { vertices: VERTICES, rounding: ROUNDING },
-  },
-  rabbit: {
-    title: '兔子',
-    sentence: '坐着的兔子，处处光滑。',
-    parameters: { vertices: VERTICES, rounding: ROUNDING },
-  },
-  horse: {
-    title: '木马',
-    sentence: '立在滑轨上的马，身下有两个洞。',
-    parameters: { vertices: VERTICES, rounding: ROUNDING },
-  },
-  jug: {
-    title: '水罐',
-    sentence: '带把手的水罐，罐口敞开。',
-    parameters: { vertices: VERTICES, rounding: ROUNDING },
-  },
-  shirt: {
-    title: '背心',
-    sentence: '无袖衫，下摆、领口和袖口敞开。',
-    parameters: { vertices: VERTICES },
-  },
+export const SHAPES: Record<string, string> = {
+  vault: '拱顶',
+  saddle: '马鞍面',
+  canopy: '雨棚',
+  sheet: '平网',
+  dome: '穹顶',
+  tube: '管',
+  torus: '环面',
+  jack: '六臂体',
+  steps: '阶梯',
+  elephant: '大象',
+  teddy: '玩具熊',
+  rabbit: '兔子',
+  horse: '木马',
+  jug: '水罐',
+  shirt: '背心',
 };
 
 export const METHODS: Record<string, string> = {
@@ -128,13 +38,6 @@ export const INITIALISATIONS: Record<string, string> = {
   naive: '直接',
   arap: 'ARAP',
   local_global: '局部–全局法',
-};
-
-export const FORMATS: Record<string, string> = {
-  obj: '用于 Rhino 和 Blender',
-  ply: '二进制，保留全部精度',
-  off: '纯文本',
-  stl: '三角形，用于 3D 打印',
 };
 
 /** Parameters of shapes. */
@@ -188,17 +91,12 @@ const WORKER_ERRORS: Record<string, string> = {
 };
 
 export const core = {
-  tables: ({ shapes, formats, ...more }: Tables): Tables => ({
-    shapes: shapes.map((shape) => {
-      const { title, sentence, parameters } = SHAPES[shape.name] ?? { ...shape, parameters: {} };
-      const own = shape.parameters.map((each) => ({ ...each, sentence: parameters[each.name] ?? each.sentence }));
-      return { ...shape, title, sentence, parameters: own };
-    }),
-    formats: formats.map((each) => ({ ...each, sentence: FORMATS[each.name] ?? each.sentence })),
+  tables: ({ shapes, ...more }: Tables): Tables => ({
+    shapes: shapes.map((shape) => ({ ...shape, title: SHAPES[shape.name] ?? shape.title })),
     ...more,
   }),
   parameter: (name: string) => PARAMETERS[name] ?? name,
-  shape: (name: string) => SHAPES[name]?.title ?? name,
+  shape: (name: string) => SHAPES[name] ?? name,
   method: (name: string) => METHODS[name] ?? INITIALISATIONS[name] ?? name,
   failure: (code: string, message: string) => {
     const said = CORE_ERRORS[code];

@@ -1,7 +1,114 @@
-import type { InitialisationInfo, MethodInfo, OptionInfo } from '../../../../wasm/chebnet';
+import type {
+  FormatInfo,
+  InitialisationInfo,
+  MethodInfo,
+  OptionInfo,
+  ShapeInfo,
+  ShapeParameter,
+} from '../../../../wasm/chebnet';
 import type { panels as en } from '../en/panels';
 import type { Widened } from '../words';
 import { spaced } from './spaced';
+
+interface ShapeWords {
+  sentence: string;
+  parameters: Record<string, string>;
+}
+
+const VERTICES = '网的大致顶点数。';
+const SMOOTH = '1：光滑，只在角上成锥；0：方块。';
+const ROUNDING = '汇集三条、五条或六条边之处的锥磨圆多少；1：没有锐利的折痕。';
+
+/** What shapes and their parameters are. */
+export const SHAPES: Record<string, ShapeWords> = {
+  vault: {
+    sentence: '矩形上方的拱顶：一道拱沿波浪线移动而成。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '拱高与拱宽之比。',
+      aspect: '拱顶长度与拱的弧长之比。',
+      waves: '拱顶沿长度方向起伏的次数。',
+      slope: '波浪的陡峭程度，以度为单位。',
+    },
+  },
+  saddle: {
+    sentence: '矩形上方的马鞍面：一道拱沿下垂的弧线移动而成。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '每道弧的高度与宽度之比。',
+      aspect: '下垂弧与拱的长度之比。',
+    },
+  },
+  canopy: {
+    sentence: '自由曲面薄壳：一道拱沿曲线移动，从落脚处升起，末端挑出成檐。',
+    parameters: {
+      vertices: VERTICES,
+      rise: '拱高与拱宽之比。',
+      aspect: '雨棚长度与拱的弧长之比。',
+      slope: '从落脚处升起的坡度，以度为单位。',
+    },
+  },
+  sheet: {
+    sentence: '方格的平网，如刚从卷上展开的金属丝网。',
+    parameters: { vertices: VERTICES, aspect: '平网的长宽之比。' },
+  },
+  dome: {
+    sentence: '球面的一部分，从相交于顶点的两道拱织成网。',
+    parameters: { vertices: VERTICES, reach: '两道主拱从顶点向下延伸的角度，以度为单位。' },
+  },
+  tube: {
+    sentence: '倾斜的管，两端开口。',
+    parameters: { vertices: VERTICES, aspect: '管长与管周长之比。', bend: '管向两侧倾斜的角度，以度为单位。' },
+  },
+  torus: {
+    sentence: '竖立的小环沿平放的大环移动而成。',
+    parameters: { vertices: VERTICES, thickness: '竖环周长与平环周长之比。' },
+  },
+  jack: {
+    sentence: '立方体伸出六条方形臂。角上汇集三条或六条边，而非四条。',
+    parameters: { vertices: VERTICES, arm: '每条臂的长度与宽度之比。', smooth: SMOOTH },
+  },
+  steps: {
+    sentence: '阶梯金字塔。角上汇集三条或五条边，而非四条。',
+    parameters: { vertices: VERTICES, steps: '通往顶部的级数。', height: '每级台阶的高度与深度之比。' },
+  },
+  elephant: {
+    sentence: '由方块搭成的大象。角上汇集三条、五条或六条边，而非四条。',
+    parameters: {
+      vertices: VERTICES,
+      legs: '腿的长度（躯干高度为 4）。',
+      trunk: '象鼻的长度（躯干高度为 4）。',
+      smooth: SMOOTH,
+    },
+  },
+  teddy: {
+    sentence: '坐着的玩具熊，处处光滑，只在汇集三条、五条或六条边之处成锥。',
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
+  },
+  rabbit: {
+    sentence: '坐着的兔子，光滑如玩具熊。',
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
+  },
+  horse: {
+    sentence: '立在滑轨上的马，身下有两个洞。',
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
+  },
+  jug: {
+    sentence: '带把手的水罐，处处光滑，只在汇集三条或五条边之处成锥。罐口敞开。',
+    parameters: { vertices: VERTICES, rounding: ROUNDING },
+  },
+  shirt: {
+    sentence: '无袖衫，下摆、领口和袖口敞开。',
+    parameters: { vertices: VERTICES },
+  },
+};
+
+export const FORMATS: Record<string, string> = {
+  obj: '用于 Rhino 和 Blender',
+  ply: '二进制，保留全部精度',
+  off: '纯文本',
+  stl: '三角形，用于 3D 打印',
+};
 
 /** What methods, initialisations and options are for, by their names. */
 export const METHODS: Record<string, string> = {
@@ -104,6 +211,10 @@ export const OPTION_NAMES: Record<string, string> = {
 export const panels: Widened<typeof en> = {
   /** Heads the sections about methods. */
   research: '研究',
+  shape: {
+    about: ({ name, sentence }: ShapeInfo) => SHAPES[name]?.sentence ?? sentence,
+    aboutParameter: (shape: string, { name, sentence }: ShapeParameter) => SHAPES[shape]?.parameters[name] ?? sentence,
+  },
   appearance: {
     colourBy: '着色依据',
     colours: '配色',
@@ -312,6 +423,7 @@ export const panels: Widened<typeof en> = {
     meshes: '网格',
     making: '用于制作',
     pictures: '图像',
+    about: ({ name, sentence }: FormatInfo) => FORMATS[name] ?? sentence,
     hints: {
       '3dm': 'Rhino：四边形与网线',
       glb: '彩色三角形，用于幻灯片和网页',
