@@ -1,5 +1,6 @@
 /** What a visitor does: look, drag, cancel, add, remove, undo, open files; by real pointer, keyboard and file events. */
 import { join } from 'node:path';
+import type { Page } from 'playwright-core';
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
@@ -15,11 +16,11 @@ const { edges, restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive('', MOVING);
+  visit = await share(MOVING);
   ({ script } = visit);
 });
 
@@ -41,27 +42,47 @@ test('the page brings its own strict content security policy', async () => {
   expect(/script-src([^;]*)/.exec(policy)?.[1]).not.toMatch(/unsafe-inline|\*|https?:/);
 });
 
+/** How many shapes of the gallery have no picture yet. */
+function blankShapes(page: Page): Promise<number> {
+  return page.locator('.gallery canvas').evaluateAll((all) => {
+    const empty = ({ width, height }: HTMLCanvasElement) =>
+      Object.assign(document.createElement('canvas'), { width, height }).toDataURL();
+    return (all as HTMLCanvasElement[]).filter((canvas) => canvas.toDataURL() === empty(canvas)).length;
+  });
+}
+
 test('every shape has its picture once the visitor does something, and a relaxed one can be dragged', async () => {
-  const canvases = visit.page.locator('.gallery canvas');
-  const blank = () =>
-    canvases.evaluateAll((all) => {
-      const empty = ({ width, height }: HTMLCanvasElement) =>
-        Object.assign(document.createElement('canvas'), { width, height }).toDataURL();
-      return (all as HTMLCanvasElement[]).filter((canvas) => canvas.toDataURL() === empty(canvas)).length;
-    });
+  const { page, script } = await arrive('', MOVING);
+  const canvases = page.locator('.gallery canvas');
   expect(await canvases.count()).toBe(chebnet.shapes().length - 1); // the folded torus is not shown
   await canvases.last().scrollIntoViewIfNeeded();
-  await expect.poll(blank, { timeout: 20_000 }).toBeLessThan(chebnet.shapes().length / 2);
-  expect(await blank()).toBeGreaterThan(0);
-  await visit.page.mouse.move(300, 300);
-  await expect.poll(blank, { timeout: 20_000 }).toBe(0);
+  await expect.poll(() => blankShapes(page), { timeout: 20_000 }).toBeLessThan(chebnet.shapes().length / 2);
+  expect(await blankShapes(page)).toBeGreaterThan(0);
+  await page.mouse.move(300, 300);
+  await expect.poll(() => blankShapes(page), { timeout: 20_000 }).toBe(0);
 
   await script.open({ recipe: 'teddy:vertices=1000' });
   await script.settled();
-  const handles = await visit.page.evaluate(() => window.chebnet.handles());
+  const handles = await page.evaluate(() => window.chebnet.handles());
   await dragBy(script, handles.at(-1)!.vertex, [40, -30]);
   await script.settled();
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+});
+
+test('pictures of shapes that are made late wait for no second click', async () => {
+  const { page, script } = await arrive('', MOVING);
+  let send = () => {};
+  const clicked = new Promise<void>((done) => (send = done));
+  await page.route(/late_thumbnail/, async (route) => {
+    await clicked;
+    await route.continue();
+  });
+  await page.reload();
+  await script.waitForNet();
+  await page.locator('.gallery canvas').last().scrollIntoViewIfNeeded();
+  await page.mouse.click(5, 400);
+  send();
+  await expect.poll(() => blankShapes(page), { timeout: 20_000 }).toBe(0);
 });
 
 test('the first net can be looked at', async () => {
@@ -169,6 +190,39 @@ test('standard views and parallel projection, by keys and buttons: a hand drags 
   const fromTop = here.y;
   await expect.poll(height).not.toBeCloseTo(fromTop, 0);
   await page.screenshot({ path: join(OUTPUT, 'front-parallel.png') });
+});
+
+test('a net that is opened while the view coasts stands as if it had not been turned', async () => {
+  const { page } = visit;
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+  const [still, canvas] = [await script.screenPosition(dragged), (await page.locator('#view canvas').boundingBox())!];
+  await page.mouse.move(canvas.x + 12, canvas.y + canvas.height / 2);
+  await page.mouse.down();
+  const opened = page.evaluate(async (recipe) => {
+    await new Promise((done) => addEventListener('pointerup', done, { once: true }));
+    await window.chebnet.open({ recipe });
+  }, SHAPE);
+  await page.mouse.move(canvas.x + 400, canvas.y + canvas.height / 2, { steps: 2 });
+  await page.mouse.up();
+  await opened;
+  for (let i = 0; i < 10; ++i) await drawn(page);
+  const { x, y } = await script.screenPosition(dragged);
+  expect(Math.hypot(x - still.x, y - still.y)).toBeLessThan(0.5);
+});
+
+test('a link that is made while the view moves knows where it goes', async () => {
+  const { page } = visit;
+  await page.evaluate(() => window.chebnet.link()); // What makes links has been loaded.
+  const link = page.evaluate(async () => {
+    await new Promise((done) => addEventListener('keydown', done, { once: true }));
+    return window.chebnet.link();
+  });
+  await page.keyboard.press('7');
+  const there = await arrive(await link);
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const [here, seen] = [await script.screenPosition(vertex), await there.script.screenPosition(vertex)];
+  expect(Math.hypot(here.x - seen.x, here.y - seen.y)).toBeLessThan(1);
 });
 
 test('edges as rods, live in a drag; a section plane leaves out what is beyond it, also for clicks, but no handle', async () => {
@@ -405,13 +459,7 @@ test.runIf(process.env['CHEBNET_SCREENSHOT'])('the picture for the README', asyn
   await dragBy(script, handles.at(-1)!.vertex, [-120, -15]);
   await script.settled();
   await visit.page.mouse.move(5, 5);
-  const drawings = visit.page.locator('.gallery canvas');
-  const isDrawn = (canvas: HTMLCanvasElement) => {
-    const blank = document.createElement('canvas');
-    [blank.width, blank.height] = [canvas.width, canvas.height];
-    return canvas.toDataURL() !== blank.toDataURL();
-  };
-  for (const drawing of await drawings.all()) await expect.poll(() => drawing.evaluate(isDrawn)).toBe(true);
+  await expect.poll(() => blankShapes(visit.page)).toBe(0);
   await visit.page.waitForTimeout(1000);
   await visit.page.screenshot({ path: README_PICTURE });
 });

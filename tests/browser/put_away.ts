@@ -8,6 +8,7 @@ import { dropFile } from './drop_file';
 export interface First {
   /** What is open, with its history. */
   project: string;
+  size: { width: number; height: number };
   state: PageState;
 }
 
@@ -26,11 +27,12 @@ export async function asAtFirst(page: Page): Promise<First> {
   const download = page.waitForEvent('download');
   await page.keyboard.press('Control+s');
   const project = await readFile(await (await download).path(), 'utf8');
-  return { project, state: await page.evaluate(stateOfPage) };
+  return { project, size: page.viewportSize()!, state: await page.evaluate(stateOfPage) };
 }
 
 /** Whether the page is as it was at first again: its net and history, every field, and nothing more to be seen. */
-export async function putAway(page: Page, { project, state: first }: First): Promise<boolean> {
+export async function putAway(page: Page, { project, size, state: first }: First): Promise<boolean> {
+  await page.setViewportSize(size);
   await page.mouse.move(0, 0);
   await page.evaluate(close, first.unfolded);
   await dropFile(page, 'first.chebnet.json', project);

@@ -209,14 +209,20 @@ export class App {
     const { opening, history } = this.#state;
     const now = history.beforeGesture ?? this.#state.snapshot();
     if (now === null || opening === null) return null;
-    return { entries: history.entries(now), present: history.present, view: opening.document.view };
+    return { entries: history.entries(now), present: history.present, view: this.#viewOf(opening.document) };
   }
 
   /** What a link to the present scene is made of; null before the first net. */
   toShare(): { document: ChebnetDocument; net: OpenedNet; threshold: number } | null {
     if (this.opening === null) return null;
-    const { document, net } = this.opening;
+    const { net } = this.opening;
+    const document = { ...this.opening.document, view: this.#viewOf(this.opening.document) };
     return { document: { ...document, settled: this.#state.isSettled }, net, threshold: this.#threshold(document) };
+  }
+
+  /** As it will be when the camera, which may be moving, rests. */
+  #viewOf({ view }: ChebnetDocument): ViewState {
+    return { ...view, camera: this.#presenter.view.heading() ?? view.camera };
   }
 
   /** The present net as the bytes of a file. */

@@ -81,8 +81,14 @@ export class CameraRig {
     return { position: this.camera.position.clone(), target: this.orbit.target.clone() };
   }
 
+  /** Where it will stand when it rests; null: it does. */
+  get heading(): Stand | null {
+    return this.#restless ? (this.#glide?.to ?? this.stand) : null;
+  }
+
   standAt({ position, target }: Stand): void {
     this.#glide = null;
+    this.#loseMomentum();
     this.camera.position.copy(position);
     this.orbit.target.copy(target);
     this.orbit.update();
@@ -126,6 +132,14 @@ export class CameraRig {
 
   dispose(): void {
     this.orbit.dispose();
+  }
+
+  /** OrbitControls gives its momentum up only where it has no damping; what is left of it would move the camera on. */
+  #loseMomentum(): void {
+    const { enableDamping } = this.orbit;
+    this.orbit.enableDamping = false;
+    this.orbit.update();
+    this.orbit.enableDamping = enableDamping;
   }
 
   #begin(): void {

@@ -57,6 +57,7 @@ export function createBlankView(container: HTMLElement): View {
     setShares() {},
     frameAll() {},
     camera: () => nowhere,
+    heading: () => null,
     setCamera() {},
     picture: () => Promise.reject(new Failure('no_picture', words.view.noPicture)),
     film: () => {

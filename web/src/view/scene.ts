@@ -258,9 +258,12 @@ class SceneView implements View {
   }
 
   camera(): CameraPlace {
-    if (!this.#netData) return { position: [0, 0, 0], target: [0, 0, 0] };
-    const { space } = this.#netData;
-    return { position: space.toNet(this.#rig.camera.position), target: space.toNet(this.#rig.orbit.target) };
+    return this.#netData ? this.#fromStand(this.#rig.stand) : { position: [0, 0, 0], target: [0, 0, 0] };
+  }
+
+  heading(): CameraPlace | null {
+    const { heading } = this.#rig;
+    return this.#netData && heading && this.#fromStand(heading);
   }
 
   picture(magnification: number): Promise<Blob> {
@@ -501,6 +504,11 @@ class SceneView implements View {
     this.#netData!.space.toScene(stand.position, position);
     this.#netData!.space.toScene(stand.target, target);
     return stand;
+  }
+
+  #fromStand({ position, target }: Stand): CameraPlace {
+    const { space } = this.#netData!;
+    return { position: space.toNet(position), target: space.toNet(target) };
   }
 
   #wholeNet(): Stand {

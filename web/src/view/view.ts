@@ -81,6 +81,8 @@ export interface View {
   /** Back to a view of the whole net. */
   frameAll(from?: StandardView): void;
   camera(): { position: Vec3; target: Vec3 };
+  /** Where a camera that moves will rest; null: it rests. */
+  heading(): { position: Vec3; target: Vec3 } | null;
   /** Moves the camera there without animation. */
   setCamera(camera: { position: Vec3; target: Vec3 }): void;
   /** The view as PNG with a transparent background, at a multiple of the screen's resolution. */

@@ -3,8 +3,9 @@ import type { ThumbnailNet } from './thumbnail_net';
 
 const FIRST_INPUTS = ['pointermove', 'pointerdown', 'keydown', 'wheel'];
 
-/** From the time when this module is loaded. */
+/** From the time when this module is loaded; of clicks and keys before that the browser knows. */
 const inputSeen = new Promise<unknown>((resolve) => {
+  if (navigator.userActivation?.hasBeenActive) resolve(null);
   for (const input of FIRST_INPUTS) addEventListener(input, resolve, { passive: true, once: true });
 });
 
