@@ -646,6 +646,9 @@ export interface RemeshOptions {
   /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0,
    *  unless said otherwise: no edge is followed. */
   crease?: number;
+  /** And curves that are marked on the surface, each by points near it, at least two, joined by shortest ways; the last may be
+   *  the first again. Not always followed: see `kept` of what comes of it, and core/remesh/marked_creases.h. */
+  markedCreases?: readonly (readonly Readonly<Point>[])[];
   /** Whether the net ends in a net line where the surface ends (`always`), in steps as cells fall (`never`), or with net lines
    *  that run up to it at 45° (`across`); unless said otherwise as fits best. */
   border?: 'fitting' | 'always' | 'across' | 'never';
@@ -687,6 +690,9 @@ export interface KeptWishes {
   intruders: number[];
   /** Singular vertices beyond those wanted, if there were to be none. */
   others: number;
+  /** Of each of `markedCreases`, how far the net lines that run along it are from it on average, in edges, and whether that is
+   *  near enough to say that they follow it. */
+  markedCreases: { followed: boolean; distance: number }[];
   /** One for each wish that is not kept. */
   sentences: string[];
 }

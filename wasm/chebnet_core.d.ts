@@ -147,6 +147,9 @@ export interface CoreLengthAdapter {
 /** `along`: 3 numbers a point. */
 export type CoreDrapeOptions = Required<Omit<DrapeOptions, 'along'>> & { along: Float64Array };
 
+/** `markedCreases`: likewise, each. */
+export type CoreRemeshOptions = Required<Omit<RemeshOptions, 'markedCreases'>> & { markedCreases: Float64Array[] };
+
 export interface CoreSurface {
   positions(): Float64Array;
   normals(): Float64Array;
@@ -164,7 +167,7 @@ export interface CoreSurface {
   cut(cuts: Float64Array[]): CoreSurface;
   drapePieces(options: CoreDrapeOptions): PiecesDrape;
   proposeCuts(options: CoreDrapeOptions, most: number): CutProposals;
-  remesh(options: Required<RemeshOptions>, progress: (phase: RemeshPhase, done: number) => void): Remesh;
+  remesh(options: CoreRemeshOptions, progress: (phase: RemeshPhase, done: number) => void): Remesh;
   measure(net: Mesh): DrapeReport;
   delete(): void;
 }

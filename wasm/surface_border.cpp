@@ -224,10 +224,18 @@ val kept_out(const SingularWishes& wishes, const KeptWishes& kept) {
     for (const int count : kept.intruders) intruders.call<void>("push", count);
     for (const std::string& sentence : unkept_wishes(wishes, kept)) sentences.call<void>("push", sentence);
     val object = val::object();
+    val creases = val::array();
+    for (const double distance : kept.creases) {
+        val row = val::object();
+        row.set("followed", is_followed(distance));
+        row.set("distance", distance);
+        creases.call<void>("push", row);
+    }
     object.set("vertices", vertices);
     object.set("distances", distances);
     object.set("intruders", intruders);
     object.set("others", kept.others);
+    object.set("markedCreases", creases);
     object.set("sentences", sentences);
     return object;
 }
@@ -241,6 +249,8 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
     wanted.crease = options["crease"].as<double>();
+    for (const val& points : emscripten::vecFromJSArray<val>(options["markedCreases"]))
+        wanted.marked_creases.push_back(points_in(points));
     wanted.border = named<RemeshOptions::Border>({{"fitting", RemeshOptions::Border::fitting},
                                                   {"always", RemeshOptions::Border::always},
                                                   {"across", RemeshOptions::Border::across},

@@ -4,7 +4,6 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "drape/drape_pieces.h"
 #include "drape/proposals.h"
 #include "net_output.h"
+#include "points_argument.h"
 #include "report.h"
 #include "surface/curvature.h"
 #include "surface/shortest_cut.h"
@@ -51,28 +51,6 @@ struct DrapeArguments {
 
     bool has_cuts() const { return !cuts.empty() || !cuts_to_border.empty() || cuts_between_borders > 0; }
 };
-
-/// "x,y,z x,y,z ..."
-Positions points_in(const std::string& text, const std::string& option) {
-    const auto refuse = [&](const std::string& word, const char* reason) {
-        std::string message = option;
-        message.append(": \"").append(word).append("\" ").append(reason);
-        throw Error(ErrorCode::bad_option, message);
-    };
-    std::istringstream words(text);
-    std::vector<double> numbers;
-    for (std::string word; words >> word;) {
-        std::istringstream parts(word);
-        int count = 0;
-        for (std::string part; std::getline(parts, part, ','); ++count) {
-            const std::optional<double> number = parse_number(part);
-            if (!number) refuse(part, "is not a number");
-            numbers.push_back(*number);
-        }
-        if (count != 3) refuse(word, "should be three numbers, as in 1,0,2.5");
-    }
-    return Positions::Map(numbers.data(), 3, std::ssize(numbers) / 3);
-}
 
 /// But for where and how it begins.
 DrapeOptions shared_options(const DrapeArguments& arguments, const Surface& surface, const SurfaceTree& tree) {

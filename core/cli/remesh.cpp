@@ -18,6 +18,7 @@
 #include "command.h"
 #include "drape/drape.h"
 #include "net_output.h"
+#include "points_argument.h"
 #include "report.h"
 #include "surface_argument.h"
 
@@ -36,7 +37,7 @@ struct RemeshArguments {
     double smallest_angle = 30;
     double crease = 0;
     std::string border = "fitting";
-    std::vector<std::string> singular, forbidden;
+    std::vector<std::string> singular, forbidden, creases;
 };
 
 /// "X,Y,Z:NUMBER".
@@ -73,7 +74,7 @@ Json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), po
 
 /// What was wished for, and what came of it.
 Json wishes_report(const SingularWishes& wishes, const KeptWishes& kept) {
-    Json vertices = Json::array(), forbidden = Json::array(), unkept = Json::array();
+    Json vertices = Json::array(), forbidden = Json::array(), creases = Json::array(), unkept = Json::array();
     for (std::size_t k = 0; k < wishes.vertices.size(); ++k)
         vertices.push_back({{"point", point_json(wishes.vertices[k].point)},
                             {"valence", wishes.vertices[k].valence},
@@ -85,7 +86,13 @@ Json wishes_report(const SingularWishes& wishes, const KeptWishes& kept) {
                              {"kept", kept.intruders[k] == 0},
                              {"singular_vertices", kept.intruders[k]}});
     for (const std::string& sentence : unkept_wishes(wishes, kept)) unkept.push_back(sentence);
-    return {{"vertices", vertices}, {"forbidden", forbidden}, {"only", wishes.only}, {"not_kept", unkept}};
+    for (const double distance : kept.creases)
+        creases.push_back({{"followed", is_followed(distance)}, {"distance_in_edges", distance}});
+    return {{"vertices", vertices},
+            {"forbidden", forbidden},
+            {"only", wishes.only},
+            {"creases", creases},
+            {"not_kept", unkept}};
 }
 
 Json remesh_report(const Remesh& made, const DrapeReport& measured, const SingularWishes& wishes) {
@@ -100,7 +107,7 @@ Json remesh_report(const Remesh& made, const DrapeReport& measured, const Singul
     report["singular_vertices"] = made.singular.size();
     report["singular_vertices_by_valence"] = by_valence;
     report["singular"] = list;
-    if (!wishes.is_empty()) report["wishes"] = wishes_report(wishes, made.kept);
+    if (!wishes.is_empty() || !made.kept.creases.empty()) report["wishes"] = wishes_report(wishes, made.kept);
     return report;
 }
 
@@ -114,6 +121,8 @@ int run_remesh(const RemeshArguments& arguments) {
     options.crease = arguments.crease * std::numbers::pi / 180;
     options.border = k_borders.at(arguments.border);
     read_wishes(arguments, options.singular);
+    for (const std::string& text : arguments.creases)
+        options.marked_creases.push_back(points_in(text, "--crease-along"));
     const Remesh made = remesh(guide, options);
     for (int phase = 0; phase < k_remesh_phases; ++phase)
         milliseconds[to_string(static_cast<RemeshPhase>(phase))] = made.milliseconds[phase];
@@ -169,6 +178,15 @@ Command add_remesh(CLI::App& program) {
             "Net lines follow edges of the surface that are sharper than this, in degrees; 0: none are followed")
         ->type_name("DEGREES")
         ->capture_default_str();
+    command
+        .add_option(
+            "--crease-along", arguments->creases,
+            "Net lines follow shortest ways between points on the surface, \"x,y,z x,y,z ...\", too. Can be given "
+            "several times")
+        ->type_name("POINTS")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option(
             "--border", arguments->border,

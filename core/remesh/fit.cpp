@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -41,6 +42,8 @@ constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
 // A vertex that is so near to a crease, in L, is on it: as the mean of its cells, half of one away on either side, it
 // stands off from one at first, by the more the sharper that is.
 constexpr double k_on_crease = 0.7;
+// An edge runs along a crease if the angle between them is less: a cosine.
+constexpr double k_along = 0.87;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
 // Of all openings together: a mesh that takes more hardly ever becomes a net.
@@ -99,7 +102,12 @@ private:
 
     /// As a net of edges of length L near the surface that bends least, but for what its lengths still err.
     void make_fair() {
-        const bool fits = m_options.length == 0;
+        bool fits = m_options.length == 0;
+        if (fits && m_options.suits_creases)
+            if (const std::optional<double> length = length_along_creases()) {
+                m_length = *length;
+                fits = false;
+            }
         const Net net = with_length(m_length);
         m_evened = m_positions;
         find_pulls();
@@ -116,6 +124,24 @@ private:
         m_positions = start.unit() * start.positions();
         m_length *= start.unit();
         if (may_slide()) find_pulls();
+    }
+
+    /// The mean of the edges along creases, if there are any.
+    std::optional<double> length_along_creases() const {
+        std::vector<bool> is_on_crease(static_cast<std::size_t>(m_net.vertex_count()), false);
+        for (const int v : m_creases.vertices) is_on_crease[v] = true;
+        double sum = 0;
+        int count = 0;
+        for (const Bar& edge : m_edges) {
+            if (!is_on_crease[edge.a] || !is_on_crease[edge.b]) continue;
+            const Eigen::Vector3d middle = (m_positions.col(edge.a) + m_positions.col(edge.b)) / 2;
+            const double length = length_of(vector(edge));
+            if (std::abs(vector(edge).dot(way_from(m_creases, middle).along)) < k_along * length) continue;
+            sum += length;
+            ++count;
+        }
+        if (count == 0) return std::nullopt;
+        return m_length * sum / count;
     }
 
     bool may_slide() const { return m_options.has_border || !m_creases.vertices.empty(); }
@@ -180,8 +206,10 @@ private:
 
     void find_border() {
         for (const std::vector<int>& loop : m_surface.boundary_loops())
-            m_border.sides.insert(m_border.sides.end(), loop.begin(), loop.end());
-        for (int v = 0; v < m_net.vertex_count() && !m_border.sides.empty(); ++v)
+            for (const int s : loop)
+                m_border.segments.push_back(
+                    {m_surface.positions().col(m_surface.from(s)), m_surface.positions().col(m_surface.to(s))});
+        for (int v = 0; v < m_net.vertex_count() && !m_border.segments.empty(); ++v)
             if (m_topology.is_boundary(v)) m_border.vertices.push_back(v);
     }
 
@@ -212,9 +240,8 @@ private:
     }
 
     void find_creases() {
-        for (int s = 0; s < std::ssize(m_options.creases); ++s)
-            if (m_options.creases[s] && m_surface.opposite(s) < s) m_creases.sides.push_back(s);
-        for (int v = 0; v < m_net.vertex_count() && !m_creases.sides.empty(); ++v)
+        m_creases.segments = m_options.creases;
+        for (int v = 0; v < m_net.vertex_count() && !m_creases.segments.empty(); ++v)
             if (!is_held(v) && length_of(way_from(m_creases, m_positions.col(v)).away) < k_on_crease * m_length)
                 m_creases.vertices.push_back(v);
     }
@@ -295,7 +322,8 @@ private:
 
     /// Lines on the surface, and vertices of the net that are drawn to them and may slide along.
     struct Rail {
-        std::vector<int> sides, vertices;
+        std::vector<Segment> segments;
+        std::vector<int> vertices;
     };
     struct Way {
         Eigen::Vector3d away = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();  // from, and of, the line
@@ -304,9 +332,8 @@ private:
     Way way_from(const Rail& rail, const Eigen::Vector3d& x) const {
         double least = std::numeric_limits<double>::infinity();
         Way way;
-        for (const int s : rail.sides) {
-            const Eigen::Vector3d from = m_surface.positions().col(m_surface.from(s));
-            const Eigen::Vector3d side = m_surface.positions().col(m_surface.to(s)) - from;
+        for (const auto& [from, to] : rail.segments) {
+            const Eigen::Vector3d side = to - from;
             const double fraction = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
             const Eigen::Vector3d difference = x - from - fraction * side;
             if (difference.squaredNorm() >= least) continue;

@@ -8,15 +8,18 @@
 #include "net/net.h"
 #include "solve/pull.h"
 #include "surface/guide.h"
+#include "surface/segment.h"
 
 namespace chebnet {
 
 struct FitOptions {
-    double length = 0;          ///< L, of all edges; 0: the one that fits best
-    double smallest_angle = 0;  ///< of corners of quads, radians
-    std::vector<Pull> pulls;    ///< of vertices of the mesh, each towards a point of the surface
-    std::vector<bool> creases;  ///< of each side of the surface, whether net lines near it follow it; empty: none
-    bool has_border = false;    ///< the mesh's border is to be where the surface's is, and its corners at corners
+    double length = 0;             ///< L, of all edges; 0: the one that fits best
+    double smallest_angle = 0;     ///< of corners of quads, radians
+    std::vector<Pull> pulls;       ///< of vertices of the mesh, each towards a point of the surface
+    std::vector<Segment> creases;  ///< on the surface, which net lines near them follow
+    bool suits_creases = false;    ///< if no length is given, it is the one with which net lines along creases are as
+                                   ///< long as these: closed ones are not followed else
+    bool has_border = false;       ///< the mesh's border is to be where the surface's is, and its corners at corners
 };
 
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.

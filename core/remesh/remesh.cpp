@@ -92,8 +92,9 @@ public:
 
     Remesh run() {
         begin(RemeshPhase::triangles);
-        if (m_options.crease > 0) m_creases = creases_of(m_surface, m_options.crease);
-        m_even.emplace(even_triangles(m_surface, m_guide->tree(), k_triangle_length * m_cell, m_creases));
+        m_creases = find_creases(m_guide, m_options.crease, m_options.marked_creases);
+        m_even.emplace(even_triangles(m_creases.guide->surface(), m_creases.guide->tree(), k_triangle_length * m_cell,
+                                      m_creases.sides));
         if (!m_options.singular.is_empty())
             m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
         m_has_border = has_border(m_surface);
@@ -128,7 +129,7 @@ private:
     };
 
     std::optional<Found> find_net() {
-        m_holds_lines = may_hold_border() || !m_creases.empty();
+        m_holds_lines = may_hold_border() || !m_creases.sides.empty();
         if (m_holds_lines && try_all()) return std::move(m_found.back());
         m_holds_lines = false;
         if (m_found.empty() && try_all()) return std::move(m_found.back());
@@ -151,11 +152,12 @@ private:
         if (std::ssize(m_found) == k_most_lesser_nets) return false;
         if (m_options.length > 0 && size < k_least_size_for_length) return false;
         try {
-            Net net = attempt(size, smoothing);
+            const Mesh mesh = mesh_along(size, smoothing);
+            Found found = fitted(mesh, false);
+            if (std::optional<Found> other = following_creases(mesh, found)) found = std::move(*other);
+            m_found.push_back(std::move(found));
+            const Net& net = m_found.back().net;
             const double smallest = corner_angle_range(net, net.rest_positions()).smallest;
-            std::vector<SingularVertex> singular = singular_vertices(net);
-            KeptWishes kept = kept_wishes(net, singular, m_options.singular);
-            m_found.push_back({std::move(net), std::move(singular), std::move(kept)});
             return smallest >= m_options.smallest_angle - k_angle_tolerance && m_found.back().kept.missed() == 0;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
@@ -164,7 +166,7 @@ private:
         return false;
     }
 
-    Net attempt(double size, double smoothing) {
+    Mesh mesh_along(double size, double smoothing) {
         begin(RemeshPhase::field);
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
@@ -177,11 +179,30 @@ private:
         begin(RemeshPhase::grid);
         const Mesh mesh = mesh_of(cells_of(triangles, grid_along(field, size * m_cell)));
         check(mesh);
+        return mesh;
+    }
+
+    Found fitted(const Mesh& mesh, bool suits_creases) {
         begin(RemeshPhase::fit);
-        return fit_net(
-            m_guide, mesh,
-            {m_options.length, m_options.smallest_angle, pulls(mesh), m_creases, m_holds_lines && may_hold_border()},
-            [this](double done) { tell(done); });
+        const FitOptions options{m_options.length, m_options.smallest_angle,          pulls(mesh), m_creases.segments(),
+                                 suits_creases,    m_holds_lines && may_hold_border()};
+        Net net = fit_net(m_guide, mesh, options, [this](double done) { tell(done); });
+        std::vector<SingularVertex> singular = singular_vertices(net);
+        KeptWishes kept = kept_wishes(net, singular, m_options.singular);
+        for (const Positions& way : m_creases.marked) kept.creases.push_back(distance_along(net, way));
+        return {std::move(net), std::move(singular), std::move(kept)};
+    }
+
+    /// Where marked creases are not followed, a net whose length suits them may do so.
+    std::optional<Found> following_creases(const Mesh& mesh, const Found& found) {
+        if (m_options.length > 0 || std::all_of(found.kept.creases.begin(), found.kept.creases.end(), is_followed))
+            return std::nullopt;
+        try {
+            Found other = fitted(mesh, true);
+            if (other.kept.missed() < found.kept.missed()) return other;
+        } catch (const Error&) {  // that length fits nothing else
+        }
+        return std::nullopt;
     }
 
     bool may_hold_border() const { return m_has_border && m_options.border == RemeshOptions::Border::always; }
@@ -255,8 +276,8 @@ private:
     const Surface& m_surface;
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
-    double m_cell;                // the length of the grid's cells
-    std::vector<bool> m_creases;  // of each side of the surface; empty: none are followed
+    double m_cell;  // the length of the grid's cells
+    Creases m_creases;
     bool m_has_border = false;
     bool m_holds_lines = true;  // of the grid on creases and border; where no net comes of it, the field alone is so
     std::optional<EvenTriangles> m_even;
@@ -382,6 +403,7 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
                                               std::to_string(k_most_remeshed_cells) +
                                               " are not made of a whole surface");
     check_wishes(guide, options.singular);
+    check_marked(guide, options.marked_creases);
 }
 
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "net/net.h"
+#include "remesh/marked_creases.h"
 #include "remesh/singular_wishes.h"
 #include "surface/guide.h"
 
@@ -35,6 +36,8 @@ struct RemeshOptions {
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
     /// no edge is followed.
     double crease = 0;
+    /// And curves that are marked on the surface.
+    std::vector<MarkedCrease> marked_creases = {};
     Border border = Border::fitting;
 };
 
@@ -65,16 +68,16 @@ struct Remesh {
 /// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
-/// surface. The same input gives the same net. What is wished of its singular vertices is not always kept; of the nets
-/// that are tried the one that keeps most of it is given, with what it keeps.
+/// surface. The same input gives the same net. What is wished of its singular vertices is not always kept, nor is each
+/// marked crease followed; of the nets that are tried the one that keeps most of it is given, with what it keeps.
 ///
-/// Throws Error bad_option (numbers out of range; wishes as check_wishes does; a surface that is too thin or too narrow
-/// somewhere for cells of this size, with what and where; no such net found), non_finite, too_large, and as the
-/// constructor of Surface does.
+/// Throws Error bad_option (numbers out of range; wishes as check_wishes does; marked creases as cut_line and cut_open
+/// do; a surface that is too thin or too narrow somewhere for cells of this size, with what and where; no such net
+/// found), non_finite, too_large, and as the constructor of Surface does.
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 
-/// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers and wishes alone.
+/// Throws Error bad_option, non_finite or too_large where remesh() would for the numbers, wishes and points alone.
 void check_remesh(const Guide& guide, const RemeshOptions& options);
 
 inline constexpr int k_least_remeshed_cells = 20, k_most_remeshed_cells = 100'000;

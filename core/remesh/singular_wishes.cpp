@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "net/topology.h"
+#include "remesh/marked_creases.h"
 
 namespace chebnet {
 
@@ -108,8 +109,10 @@ std::vector<SingularVertex> singular_vertices(const Net& net) {
 }
 
 int KeptWishes::missed() const {
-    return static_cast<int>(std::count(vertices.begin(), vertices.end(), false) +
-                            std::count_if(intruders.begin(), intruders.end(), [](int count) { return count > 0; })) +
+    return static_cast<int>(
+               std::count(vertices.begin(), vertices.end(), false) +
+               std::count_if(intruders.begin(), intruders.end(), [](int count) { return count > 0; }) +
+               std::count_if(creases.begin(), creases.end(), [](double distance) { return !is_followed(distance); })) +
            (others > 0 ? 1 : 0);
 }
 
@@ -170,6 +173,11 @@ std::vector<std::string> unkept_wishes(const SingularWishes& wishes, const KeptW
                                 place_text(wishes.forbidden[k].centre));
     if (kept.others > 0)
         sentences.push_back(std::to_string(kept.others) + " singular vertices stand where none were wished for");
+    for (std::size_t k = 0; k < kept.creases.size(); ++k)
+        if (!is_followed(kept.creases[k]))
+            sentences.push_back("net lines do not run along marked crease " + std::to_string(k + 1) +
+                                ": those that do so are " + number_text(kept.creases[k], 2) +
+                                " edges away from it on average");
     return sentences;
 }
 

@@ -57,6 +57,7 @@ struct KeptWishes {
     std::vector<bool> vertices;     ///< of each vertex wished for: whether that is less than k_kept_distance
     std::vector<int> intruders;     ///< of each region the singular vertices in it
     int others = 0;                 ///< singular vertices that stand for no wish, if there are to be none
+    std::vector<double> creases;    ///< of each marked crease how far net lines are from it (see distance_along)
 
     /// How many are not kept.
     int missed() const;

@@ -5,6 +5,10 @@
 
 namespace chebnet {
 
+struct Segment {
+    Eigen::Vector3d from, to;
+};
+
 /// Of a point from a segment, whose ends may be one point.
 inline double squared_distance(const Eigen::Vector3d& point, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     const Eigen::Vector3d along = to - from, away = point - from;

@@ -221,7 +221,7 @@ private:
     }
 
     [[noreturn]] void refuse_crossing() const {
-        refuse(m_name + " crosses or touches itself: draw it as several cuts");
+        refuse(m_name + " crosses or touches itself: draw it in several parts");
     }
 
     const Surface& m_surface;
@@ -316,6 +316,15 @@ Split split_along(const Split& split, const Surface& surface, const CutLine& lin
     return {Surface(refined.mesh()), parents, refined.edges(split.edges)};
 }
 
+Split split_along(const Surface& surface, std::span<const CutLine> lines, const std::string& name) {
+    std::vector<int> parents(static_cast<std::size_t>(surface.face_count()));
+    std::iota(parents.begin(), parents.end(), 0);
+    Split split{surface, parents, {}};
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        split = split_along(split, surface, lines[k], name + " " + std::to_string(k + 1));
+    return split;
+}
+
 // --------------------------------------------------------------------------------------------------------- opening
 
 /// Doubles the vertices of a mesh along edges: around each vertex, the corners between two of them share one.
@@ -398,12 +407,16 @@ Positions cut_path(const Surface& surface, const CutLine& line, const std::strin
 }
 
 Surface cut_open(const Surface& surface, std::span<const CutLine> cuts) {
-    std::vector<int> parents(static_cast<std::size_t>(surface.face_count()));
-    std::iota(parents.begin(), parents.end(), 0);
-    Split split{surface, parents, {}};
-    for (std::size_t number = 0; number < cuts.size(); ++number)
-        split = split_along(split, surface, cuts[number], "cut " + std::to_string(number + 1));
+    const Split split = split_along(surface, cuts, "cut");
     return Surface(opened(split.surface, split.edges));
+}
+
+SurfaceWithLines with_lines(const Surface& surface, std::span<const CutLine> lines, const std::string& name) {
+    const Split split = split_along(surface, lines, name);
+    std::vector<bool> is_on_line;
+    for (int s = 0; s < 3 * split.surface.face_count(); ++s)
+        is_on_line.push_back(split.edges.contains(edge_of(split.surface.from(s), split.surface.to(s))));
+    return {split.surface, is_on_line};
 }
 
 std::vector<Surface> pieces_of(const Surface& surface) {

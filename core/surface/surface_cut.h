@@ -30,6 +30,15 @@ Positions cut_path(const Surface& surface, const CutLine& line, const std::strin
 /// triangle of that number, no way between two points, no length, a cut that crosses or touches itself.
 Surface cut_open(const Surface& surface, std::span<const CutLine> cuts);
 
+/// A surface and lines on it that sides of its triangles run along.
+struct SurfaceWithLines {
+    Surface surface;
+    std::vector<bool> is_on_line;  ///< of each side
+};
+/// The surface with its triangles split as for cuts, but not opened. Throws Error as cut_open does, where lines are
+/// called `name` and their number.
+SurfaceWithLines with_lines(const Surface& surface, std::span<const CutLine> lines, const std::string& name);
+
 /// Each piece as a surface of its own, in the order of Surface::components().
 std::vector<Surface> pieces_of(const Surface& surface);
 

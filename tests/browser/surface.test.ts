@@ -571,6 +571,55 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(net.length).toBeCloseTo(Number(wished), 6);
 });
 
+test('net lines over a whole surface follow lines that are drawn, by hand and by keys', async () => {
+  const { vertices: first } = await script.stats();
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  const cells = draper().getByRole('slider', { name: 'Cells' });
+  await cells.press('Home');
+  for (let step = 0; step < 10; step++) await cells.press('ArrowRight');
+  const lines = draper().getByRole('group', { name: 'Lines to follow' });
+  const button = (name: string) => lines.getByRole('button', { name, exact: true });
+  const canvas = draper().locator('.picture canvas');
+  const bare = (await canvas.screenshot()).toString('base64');
+
+  await button('Draw a line').click();
+  await lines.getByText(/^Click points of the line/).waitFor();
+  // The second is beside the surface, and none.
+  await clickPicture([0.3, 0.45], [0.02, 0.02], [0.5, 0.5], [0.7, 0.45]);
+  await button('Close the line').waitFor();
+  await button('End the line').click();
+  await button('End the line').waitFor({ state: 'hidden' });
+  await button('Draw a line').click();
+  await lines.getByText('Net lines are to run along it. It holds for the next net.').waitFor();
+  expect((await canvas.screenshot()).toString('base64')).not.toBe(bare);
+  await press('Make the net');
+  await draper().getByRole('progressbar').waitFor({ state: 'hidden' });
+  await measured();
+  await lines.getByText('Net lines run along what is drawn.').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-lines-followed.png') });
+
+  // By keys: a ring, whose points the arrows lead away from the middle; it is taken back, and then the line before it.
+  await button('Draw a line').click();
+  await canvas.focus();
+  for (const arrow of ['ArrowLeft', 'ArrowUp', 'ArrowRight']) {
+    await visit.page.keyboard.press(' ');
+    for (let step = 0; step < 3; step++) await visit.page.keyboard.press(`Shift+${arrow}`);
+  }
+  await button('Close the line').click();
+  await button('Close the line').waitFor({ state: 'hidden' });
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-lines-ring.png') });
+  await button('Undo').click();
+  await canvas.press('Backspace');
+  await button('Undo').waitFor({ state: 'hidden' });
+  // What clicks set is a line or a singular vertex.
+  await press('Pin another');
+  await expect(button('Draw a line').getAttribute('aria-pressed')).resolves.toBe('false');
+
+  await openExactNet(first);
+});
+
 test('a surface beside the net says how far the net is, in edges and units, and a handle in hand keeps to it', async () => {
   await visit.page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
   await script.settled();

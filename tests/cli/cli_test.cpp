@@ -702,6 +702,24 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(given.at("net").at("smallest_corner_angle_degrees") >= 40);
 }
 
+TEST_CASE("remesh follows creases that are marked, and says how near") {
+    const Sandbox box;
+    const std::string remesh = "remesh --surface hemisphere --cells 500 ";
+    const std::string over = "--crease-along \"-3,0,0 -2.1,0.8,2 0,1.2,2.7 2.1,0.8,2 3,0,0\" ";
+    const json net = box.run(remesh + over).json().at("net");
+    REQUIRE(net.at("wishes").at("creases").size() == 1);
+    CHECK(net.at("wishes").at("creases")[0].at("followed") == true);
+    CHECK(net.at("wishes").at("creases")[0].at("distance_in_edges") < 0.15);
+    CHECK(net.at("wishes").at("not_kept").empty());
+    CHECK(net.at("max_dL") < 1e-9);
+    CHECK(box.run(remesh).json().at("net").count("wishes") == 0);
+    const json two = box.run(remesh + over + "--crease-along \"1,-1,2.6 2,-1,2\"").json().at("net");
+    CHECK(two.at("wishes").at("creases").size() == 2);
+    check_refused(box.run(remesh + over + "--crease-along \"0,0,3\""), "marked crease 2 needs at least two points");
+    check_refused(box.run(remesh + "--crease-along \"0,0,3 0,0,4\""), "point 2 of marked crease 1");
+    check_refused(box.run(remesh + "--crease-along \"0,0 1,0,0\""), "--crease-along: \"0,0\"");
+}
+
 TEST_CASE("remesh ends nets in a net line at the border if it is told to, or never") {
     const Sandbox box;
     const auto coverage = [&](const std::string& border) {

@@ -272,7 +272,14 @@ describe('a net over a whole surface', () => {
     withSurface(chebnet.ownSurface('pebble'), (pebble) => {
       const first = pebble.remesh({ cells: 300 });
       expect(first.singular.map(({ valence }) => valence)).toEqual(Array(8).fill(3));
-      expect(first.kept).toEqual({ vertices: [], distances: [], intruders: [], others: 0, sentences: [] });
+      expect(first.kept).toEqual({
+        vertices: [],
+        distances: [],
+        intruders: [],
+        others: 0,
+        markedCreases: [],
+        sentences: [],
+      });
       const [{ position: centre }, { position: point }] = first.singular as [SingularVertex, SingularVertex];
       const { length } = pebble.measure(first.mesh);
       const made = pebble.remesh({
@@ -286,6 +293,25 @@ describe('a net over a whole surface', () => {
         made.singular.map(({ position }) => Math.hypot(...position.map((x, i) => x - to[i]!)));
       expect(Math.min(...away(centre))).toBeGreaterThan(3 * length);
       expect(Math.min(...away(point))).toBeLessThan(1.5 * length);
+    });
+  });
+
+  test('has net lines along creases that are marked, and says how near they are', () => {
+    withSurface(chebnet.ownSurface('hemisphere'), (hemisphere) => {
+      const over: Point[] = [0, 1, 2, 3, 4].map((k) => {
+        const angle = (k * Math.PI) / 4;
+        return [-3 * Math.cos(angle), 1.2 * Math.sin(angle), 2.7 * Math.sin(angle)];
+      });
+      const { kept, mesh } = hemisphere.remesh({ cells: 500, markedCreases: [over] });
+      expect(kept.markedCreases).toEqual([{ followed: true, distance: expect.any(Number) }]);
+      expect(kept.markedCreases[0]!.distance).toBeLessThan(0.15);
+      expect(kept.sentences).toEqual([]);
+      expect(hemisphere.measure(mesh).maxDeviation).toBeLessThan(1e-9);
+      const message = (markedCreases: unknown) =>
+        failure(() => hemisphere.remesh({ markedCreases: markedCreases as Point[][] })).message;
+      expect(message([over, [[0, 0, 3]]])).toContain('marked crease 2 needs at least two points');
+      expect(message([[[0, 0]]])).toContain('a point of a marked crease');
+      expect(message('all')).toContain('marked creases must be an array');
     });
   });
 

@@ -2,10 +2,11 @@
 import { describe, expect, test } from 'vitest';
 import type { Point } from '../../wasm/chebnet';
 import { cellsOf, lengthOf } from '../../web/src/drape/cells';
-import type { DrapeRequest, DrapeResponse } from '../../web/src/drape/drape_protocol';
+import type { Cut, DrapeRequest, DrapeResponse, Ray } from '../../web/src/drape/drape_protocol';
 import { Draper } from '../../web/src/drape/draper';
 import { Draping } from '../../web/src/drape/draping';
 import type { DrapeWorkerLike } from '../../web/src/drape/draping';
+import { DrawnLine } from '../../web/src/drape/drawn_line';
 import { dot, laidInto, reference, turned, turnOf } from '../../web/src/drape/seed';
 import { proposedHandles } from '../../web/src/handles/proposal';
 import { dialogs } from '../../web/src/language/en/dialogs';
@@ -169,9 +170,80 @@ describe('the worker', () => {
     for (const { normal } of remeshed.singular) expect(Math.hypot(...normal)).toBeCloseTo(1);
   });
 
+  test('makes a net with net lines along marked creases, and says how near', () => {
+    const crease: Point[] = [-2, -1, 0, 1, 2].map((x) => [x, 0.4 + 0.1 * x, 3]);
+    const [, traced] = answers(
+      { type: 'open', source: { own: 'hemisphere' } },
+      { type: 'trace', points: crease.map(([x, y]) => ({ origin: [x, y, 9], direction: [0, 0, -1] })), revision: 1 },
+    );
+    if (traced?.type !== 'traced') return expect.fail();
+    const remeshed = answers(
+      { type: 'open', source: { own: 'hemisphere' } },
+      { type: 'remesh', options: { cells: 400, markedCreases: [traced.cut.points] } },
+    ).at(-1);
+    if (remeshed?.type !== 'remeshed') return expect.fail();
+    expect(remeshed.kept.markedCreases).toEqual([{ followed: true, distance: expect.any(Number) }]);
+  });
+
   test('lays a direction that stands upright along some other', () => {
     const [, draped] = answers(OPEN, { type: 'drape', settings: { ...SETTINGS, direction: [0, 0, 1] } });
     expect(draped).toMatchObject({ type: 'draped' });
+  });
+});
+
+describe('a line that is drawn', () => {
+  const away = { origin: [9, 9, 9] as Point, direction: [1, 0, 0] as Point };
+  const start = () => {
+    const asked: { points: (Point | Ray)[]; revision: number }[] = [];
+    const ended: Cut[] = [];
+    const line = new DrawnLine({
+      traceWanted: (points, revision) => asked.push({ points, revision }),
+      changed: () => {},
+      ended: (cut) => ended.push(cut),
+    });
+    /** The worker knows no points of rays that miss. */
+    const answer = () => {
+      const { points, revision } = asked.at(-1)!;
+      line.setTraced(
+        { points: points.filter((each): each is Point => !('origin' in each)), path: new Float64Array() },
+        revision,
+      );
+    };
+    return { line, asked, ended, answer };
+  };
+  const [a, b, c]: Point[] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 1, 0],
+  ];
+
+  test('is closed to a ring by its first point, and ends once all of it is known', () => {
+    const { line, asked, ended, answer } = start();
+    line.close();
+    expect(asked).toEqual([]);
+    for (const point of [a!, b!, c!]) line.add(point);
+    answer();
+    line.close();
+    expect(ended).toEqual([]);
+    answer();
+    expect(ended.map(({ points }) => points)).toEqual([[a, b, c, a]]);
+    expect(line.known).toBeNull();
+  });
+
+  test('has its last point moved, which stays where it was if the hand leaves the surface', () => {
+    const { line, answer } = start();
+    line.add(a!);
+    line.add(b!);
+    answer();
+    line.moveLast({ ...away });
+    answer();
+    expect(line.known?.points).toEqual([a, b]);
+    line.add(away);
+    answer();
+    expect(line.known?.points).toEqual([a, b]);
+    line.add(c!);
+    answer();
+    expect(line.known?.points).toEqual([a, b, c]);
   });
 });
 

@@ -65,6 +65,7 @@ test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   ['drape', [{ own: 'hypar' }, { along: [[0, 0]] }], 'options.along[0] must be a point: three numbers'],
   ['drape', [{ own: 'hypar' }, { length: 0 }], 'options.length must be a number above 0'],
   ['remesh', [{ own: 'hypar' }, { cells: 1.5 }], 'options.cells must be a whole number from 0 to 2147483647'],
+  ['remesh', [{ own: 'hypar' }, { markedCreases: [3] }], 'options.markedCreases[0] must be a list'],
   ['remesh', [{ own: 'hypar' }, { singular: [{ valence: 3 }] }], 'options.singular[0].point must be a list'],
   ['setOptions', [null], 'options must be a record with named fields'],
   ['setOptions', [{ method: 5 }], 'options.method must be a text, not too long'],

@@ -130,6 +130,9 @@ function readRemesh(options: Untrusted): RemeshOptions {
     smallestAngle: options.at('smallestAngle').maybe((each) => each.number()),
     smoothing: options.at('smoothing').maybe((each) => each.number()),
     crease: options.at('crease').maybe((each) => each.number()),
+    markedCreases: options
+      .at('markedCreases')
+      .maybe((list) => list.list().map((points) => points.list().map((each) => each.point()))),
     border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),
     only: options.at('only').maybe((each) => each.flag()),
     singular: options.at('singular').maybe((list) =>

@@ -57,12 +57,24 @@ DrapeOptions any_drape(FuzzedDataProvider& input, const Guide& guide) {
     return options;
 }
 
-RemeshOptions any_remesh(FuzzedDataProvider& input) {
+/// Through vertices of the surface, and now and then a point anywhere.
+MarkedCrease any_crease(FuzzedDataProvider& input, const Surface& surface) {
+    MarkedCrease points(3, input.ConsumeIntegralInRange(0, 5));
+    for (int k = 0; k < points.cols(); ++k)
+        points.col(k) = surface.positions().col(input.ConsumeIntegralInRange(0, surface.vertex_count() - 1));
+    if (points.cols() > 0 && input.ConsumeIntegralInRange(0, 7) == 0) points(0, 0) = fuzz::any_number(input);
+    if (points.cols() > 1 && input.ConsumeBool()) points.rightCols(1) = points.leftCols(1).eval();
+    return points;
+}
+
+RemeshOptions any_remesh(FuzzedDataProvider& input, const Surface& surface) {
     RemeshOptions options;
     options.cells = input.ConsumeIntegralInRange(15, 80);
     options.smoothing = input.PickValueInArray({1., 0., 10.});
     if (input.ConsumeBool()) options.smallest_angle = any_angle(input);
     if (input.ConsumeBool()) options.crease = any_angle(input);
+    for (int k = input.ConsumeIntegralInRange(0, 2); k > 0; --k)
+        options.marked_creases.push_back(any_crease(input, surface));
     options.border = input.PickValueInArray({RemeshOptions::Border::always, RemeshOptions::Border::across,
                                              RemeshOptions::Border::never, RemeshOptions::Border::fitting});
     return options;
@@ -95,7 +107,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require_description(guide->surface());
         if (input.ConsumeBool())
             try_to([&] {
-                const RemeshOptions options = any_remesh(input);
+                const RemeshOptions options = any_remesh(input, guide->surface());
                 require_net(*guide, remesh(guide, options).net, {.smallest_angle = options.smallest_angle});
             });
         const DrapeOptions options = any_drape(input, *guide);

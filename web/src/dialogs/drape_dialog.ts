@@ -21,6 +21,7 @@ import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import type { DraperLike, TakenNet } from './file_opener';
 import { DrapeArms } from './drape_arms';
+import { DrapeCreases } from './drape_creases';
 import { DrapeCuts } from './drape_cuts';
 import { DrapeForm } from './drape_form';
 import { DrapeMaker } from './drape_maker';
@@ -64,7 +65,9 @@ export class DrapeDialog implements DraperLike {
       if (drawing) this.#cuts.setCutting(false);
       this.#picture.setCutting(drawing);
     },
-    shown: (curve, points) => this.#picture.setCurve(curve, points),
+    shown: (curve, points) => {
+      if (!this.#form.isWhole) this.#picture.setCurves(curve === null ? [] : [curve], points);
+    },
     traceWanted: (points, revision) => this.#draping.trace(points, revision),
     changed: () => this.#drape(),
   });
@@ -82,10 +85,23 @@ export class DrapeDialog implements DraperLike {
   });
   readonly #singular = new DrapeSingular({
     shown: (marks) => this.#picture.setMarks(marks),
-    pointingChanged: (pointing) => this.#picture.setCutting(pointing),
+    pointingChanged: (pointing) => {
+      if (pointing) this.#creases.setDrawing(false);
+      this.#picture.setCutting(pointing);
+    },
     placeWanted: (at, mark) => this.#draping.place(at, mark),
     edgeLength: () => this.#form.read().length,
     faced: (place) => this.#picture.face(place),
+  });
+  readonly #creases = new DrapeCreases({
+    drawingChanged: (drawing) => {
+      if (drawing) this.#singular.rest();
+      this.#picture.setCutting(drawing);
+    },
+    shown: (creases, points) => {
+      if (this.#form.isWhole) this.#picture.setCurves(creases, points);
+    },
+    traceWanted: (points, revision) => this.#draping.trace(points, revision),
   });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
@@ -122,6 +138,7 @@ export class DrapeDialog implements DraperLike {
       this.#results.numbers,
       this.#form.element,
       this.#cuts.element,
+      this.#creases.element,
       this.#singular.element,
       this.#maker.element,
       this.#results.element,
@@ -145,9 +162,10 @@ export class DrapeDialog implements DraperLike {
       seedMoved: (ray) => this.#drapeFrom(ray),
       turned: (direction) => this.#turn(direction),
       seedBack: ({ position, direction }) => this.#turn(direction, position),
-      pointed: (at) => (this.#form.isWhole ? this.#singular.point(at) : this.#drawn.add(at)),
-      cutEnded: () => this.#drawn.end(),
-      cutUndone: () => (this.#form.isWhole ? this.#singular.undo() : this.#drawn.undo()),
+      pointed: (at) => (this.#drawn === null ? this.#singular.point(at) : this.#drawn.add(at)),
+      cutEnded: () => this.#drawn?.end(),
+      cutUndone: () => (this.#drawn ?? this.#singular).undo(),
+      cutMoved: (to) => this.#creases.move(to),
       markChosen: (mark) => this.#singular.choose(mark),
       markTaken: () => this.#singular.begin(),
       markMoved: (mark, at) => this.#singular.move(mark, at),
@@ -161,6 +179,7 @@ export class DrapeDialog implements DraperLike {
       traced: (line, revision) => {
         this.#cuts.setTraced(line, revision);
         this.#arms.setTraced(line, revision);
+        this.#creases.setTraced(line, revision);
       },
       cutFound: (cut, revision) => this.#cuts.setFound(cut, revision),
       placed: (place, mark) => this.#singular.setPlace(place, mark),
@@ -180,8 +199,9 @@ export class DrapeDialog implements DraperLike {
     this.#finish(null);
   }
 
-  /** What is drawn by points. */
-  get #drawn(): DrapeArms | DrapeCuts {
+  /** What is drawn by points; null: points are singular vertices. */
+  get #drawn(): DrapeArms | DrapeCuts | DrapeCreases | null {
+    if (this.#form.isWhole) return this.#creases.isDrawing ? this.#creases : null;
     return this.#arms.isDrawing ? this.#arms : this.#cuts;
   }
 
@@ -213,6 +233,7 @@ export class DrapeDialog implements DraperLike {
     this.#picture.setSurface(surface);
     this.#arms.reset();
     this.#cuts.reset(surface.report.boundaryLoops);
+    this.#creases.reset();
     this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report, length);
@@ -230,6 +251,7 @@ export class DrapeDialog implements DraperLike {
     this.#setMaking(false);
     this.#arms.giveUp();
     this.#cuts.giveUp();
+    this.#creases.giveUp();
     this.#results.setFault(words.core.sentence(message));
   }
 
@@ -243,6 +265,7 @@ export class DrapeDialog implements DraperLike {
     this.#proposals.element.hidden = isWhole;
     this.#cuts.element.hidden = isWhole;
     this.#singular.show(isWhole);
+    this.#creases.show(isWhole);
     this.#howTo.hidden = isWhole;
     this.#setNet(null);
     this.#picture.removeNet();
@@ -253,7 +276,7 @@ export class DrapeDialog implements DraperLike {
   #remesh(): void {
     this.#setMaking(true);
     this.#results.removeNet();
-    this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read() });
+    this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read(), ...this.#creases.read() });
   }
 
   #stop(): void {
@@ -265,6 +288,7 @@ export class DrapeDialog implements DraperLike {
     this.#isMaking = making;
     this.#maker.setBusy(making);
     this.#singular.setBusy(making);
+    this.#creases.setBusy(making);
   }
 
   #onRemeshed(net: RemeshedNet): void {
@@ -273,6 +297,7 @@ export class DrapeDialog implements DraperLike {
     this.#picture.setNet(net, null);
     this.#results.setNet(net);
     this.#singular.setNet(net);
+    this.#creases.setNet(net);
   }
 
   // ---------------------------------------------------------------------------------------------- one piece from a seed

@@ -106,6 +106,12 @@ export class DrapeSingular {
     this.#show();
   }
 
+  /** The picture is for something else. */
+  rest(): void {
+    this.#setTool('none');
+    this.choose(null);
+  }
+
   /** A net is being made: what it is to have stays. */
   setBusy(busy: boolean): void {
     this.element.toggleAttribute('inert', busy);

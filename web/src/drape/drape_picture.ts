@@ -34,6 +34,8 @@ export interface PictureEvents {
   pointed(at: Ray | Point): void;
   cutEnded(): void;
   cutUndone(): void;
+  /** Its last point is wanted where a ray meets the surface: by keys, where there is no seed. */
+  cutMoved(to: Ray): void;
   /** Of the marks one is chosen; null: none. */
   markChosen(mark: number | null): void;
   /** It begins to move. */
@@ -61,8 +63,8 @@ export interface Picture {
   setCutting(cutting: boolean): void;
   /** @param points of the cut that is being drawn. */
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void;
-  /** @param points of the curve for the arms, while it is being drawn. */
-  setCurve(curve: Cut | null, points: readonly Point[]): void;
+  /** For the arms or as creases. @param points of the one that is being drawn. */
+  setCurves(curves: readonly Cut[], points: readonly Point[]): void;
   setMarks(marks: SingularMarks): void;
   dispose(): void;
 }
@@ -86,7 +88,7 @@ export function createPicture(
     setShear() {},
     setCutting() {},
     setCuts() {},
-    setCurve() {},
+    setCurves() {},
     setMarks() {},
     dispose: () => notice.remove(),
   };
@@ -132,7 +134,7 @@ class DrapePicture implements Picture {
   readonly #markers = new HandleMarkers();
   readonly #ring = new SeedRing();
   readonly #cuts = new CutLines();
-  readonly #curve = new CutLines();
+  readonly #curves = new CutLines();
   readonly #dots = new SingularDots();
   readonly #size = new Vector2(1, 1);
   readonly #listeners = new AbortController();
@@ -177,7 +179,7 @@ class DrapePicture implements Picture {
     canvas.setAttribute('aria-label', label);
     container.append(canvas, this.#ring.element, this.#dots.element);
     this.#rig = new CameraRig(canvas, { moved: () => this.#requestDraw(), rested: () => {} });
-    for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#curve, this.#markers])
+    for (const part of [this.#shade, this.#faces, this.#lines, this.#cuts, this.#curves, this.#markers])
       this.#scene.add(part.object);
     this.#addLights();
     this.#listen(canvas);
@@ -250,10 +252,11 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
-  setCurve(curve: Cut | null, points: readonly Point[]): void {
+  setCurves(curves: readonly Cut[], points: readonly Point[]): void {
     if (!this.#space) return;
     this.#curvePoints = points;
-    this.#curve.set(curve === null ? [] : [curve.path], this.#space);
+    const paths = curves.map(({ path }) => path);
+    this.#curves.set(paths, this.#space);
     this.#requestDraw();
   }
 
@@ -269,7 +272,7 @@ class DrapePicture implements Picture {
     this.#stopThemes();
     this.#forgetNet();
     const net = [this.#lines, this.#faces, this.#colours];
-    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#curve, this.#markers, this.#renderer];
+    const parts = [this.#rig, this.#shade, ...net, this.#cuts, this.#curves, this.#markers, this.#renderer];
     for (const part of parts) part.dispose();
     this.#renderer.domElement.remove();
     this.#ring.element.remove();
@@ -388,7 +391,10 @@ class DrapePicture implements Picture {
   /** Keys of a cut; whether this was one. */
   #cutKey(event: KeyboardEvent): boolean {
     if (!this.#isCutting) return false;
-    if (event.key === ' ') this.#events.pointed(this.#seed?.position ?? this.#rayThrough(this.#middle()));
+    const last = this.#seed?.position ?? this.#curvePoints.at(-1);
+    const arrow = this.#seed === null ? ARROW_KEYS[event.key] : undefined;
+    if (event.key === ' ') this.#events.pointed(last ?? this.#rayThrough(this.#middle()));
+    else if (arrow && last) this.#events.cutMoved(this.#beside(null, last, arrow, event));
     else if (event.key === 'Enter') this.#events.cutEnded();
     else if (event.key === 'Backspace') this.#events.cutUndone();
     else return false;
@@ -401,7 +407,7 @@ class DrapePicture implements Picture {
     const arrow = ARROW_KEYS[event.key];
     if (!arrow || this.#seed === null) return;
     event.preventDefault();
-    this.#events.seedMoved(this.#beside(null, this.#seed, arrow, event));
+    this.#events.seedMoved(this.#beside(null, this.#seed.position, arrow, event));
   }
 
   /** Keys of the mark that is chosen; whether this was one. */
@@ -413,7 +419,7 @@ class DrapePicture implements Picture {
     if (event.key === 'Delete' || event.key === 'Backspace') this.#events.markRemoved();
     else if (arrow) {
       this.#events.markTaken();
-      this.#events.markMoved(selected, this.#beside(selected, mark.place, arrow, event));
+      this.#events.markMoved(selected, this.#beside(selected, mark.place.position, arrow, event));
     } else return false;
     event.preventDefault();
     return true;
@@ -422,7 +428,7 @@ class DrapePicture implements Picture {
   /** A step of an arrow key away: from where the key before led, if it was pressed just now, for the mark may not be there yet. */
   #beside(
     mark: number | null,
-    { position }: SurfacePlace,
+    position: Point,
     arrow: readonly [number, number],
     { shiftKey, timeStamp: time }: KeyboardEvent,
   ): Ray {
@@ -493,7 +499,7 @@ class DrapePicture implements Picture {
     const theme = readTheme(this.#container);
     for (const part of [this.#shade, this.#lines, this.#faces, this.#markers]) part.setTheme(theme);
     this.#cuts.setColour(theme.anchor);
-    this.#curve.setColour(theme.accent);
+    this.#curves.setColour(theme.accent);
     this.#colours.setScale(scaleOf({ field: 'shear', colourMap: 'paper' }, theme), 'vertex');
     this.setShear(this.#showsShear);
   }

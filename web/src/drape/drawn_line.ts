@@ -23,6 +23,8 @@ export class DrawnLine {
   #known: Cut | null = null;
   /** It ends once all of its points are known. */
   #isEnding = false;
+  /** The last point has been moved, and may have come beside the surface. */
+  #isMoving = false;
 
   constructor(events: LineEvents) {
     this.#events = events;
@@ -41,6 +43,20 @@ export class DrawnLine {
     this.#setPoints([...this.#points, point]);
   }
 
+  /** To where a ray meets the surface, if it does. */
+  moveLast(to: Ray): void {
+    this.#setPoints([...this.#points.slice(0, -1), to]);
+    this.#isMoving = true;
+  }
+
+  /** Leads it back to its first point, and ends it. */
+  close(): void {
+    const first = this.#points[0];
+    if (first === undefined) return;
+    this.add(first);
+    this.end();
+  }
+
   /** Takes back the last point; false if there is none. */
   takeBack(): boolean {
     if (this.#points.length === 0) return false;
@@ -51,6 +67,7 @@ export class DrawnLine {
   /** @param revision of the points through which it runs; others may have come, or been given up. */
   setTraced(line: Cut, revision: number): void {
     if (revision !== this.#revision) return;
+    if (this.#isMoving && line.points.length < this.#points.length) return this.giveUp();
     this.#points = line.points;
     this.#known = line.points.length > 0 ? line : null;
     if (this.#isEnding) this.end();
@@ -88,6 +105,7 @@ export class DrawnLine {
 
   #setPoints(points: (Point | Ray)[]): void {
     this.#points = points;
+    this.#isMoving = false;
     this.#revision = ++revisions;
     this.#events.traceWanted(points, this.#revision);
   }

@@ -199,6 +199,21 @@ export const dialogs = {
       piecesOf: (pieces: number, bare: number) =>
         bare > 0 ? `${pieces}, and ${bare} too small for a net` : String(pieces),
     },
+    markedCreases: {
+      title: 'Lines to follow',
+      draw: 'Draw a line',
+      end: 'End the line',
+      close: 'Close the line',
+      undo: 'Undo',
+      clear: 'Remove lines',
+      howTo:
+        'Click points of the line on the surface; then end it, or close it to a ring. By keys: Space sets a point, arrows move it, Enter ends the line, Backspace takes a point back.',
+      next: 'Net lines are to run along it. It holds for the next net.',
+      kept: (missed: number, edges: string) =>
+        missed === 0
+          ? 'Net lines run along what is drawn.'
+          : `Not followed: ${missed}. net lines are ${edges} edges off on average.`,
+    },
     singularWishes: {
       title: 'Singular vertices',
       list: 'Chosen',

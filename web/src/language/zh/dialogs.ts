@@ -197,6 +197,19 @@ export const dialogs: Widened<typeof en> = {
       pieces: '片数',
       piecesOf: (pieces, bare) => (bare > 0 ? `${pieces}，另有 ${bare} 片太小，铺不了网` : String(pieces)),
     },
+    markedCreases: {
+      title: '要跟随的线',
+      draw: '画一条线',
+      end: '结束这条线',
+      close: '闭合这条线',
+      undo: '撤销',
+      clear: '移除这些线',
+      howTo:
+        '在曲面上逐点点出这条线，然后结束，或闭合成环。用键盘：空格键加一点，方向键移动该点，回车键结束，退格键撤回一点。',
+      next: '网线将沿它走。对下一张网有效。',
+      kept: (missed, edges) =>
+        missed === 0 ? '网线沿所画的线走。' : `未能跟随的有 ${missed} 条：网线平均偏离 ${edges} 倍边长。`,
+    },
     singularWishes: {
       title: '奇异顶点',
       list: '选中',
