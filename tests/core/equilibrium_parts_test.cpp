@@ -87,12 +87,12 @@ TEST_CASE(
     CHECK_FALSE(fit_rigid_motion(line, turn.toRotationMatrix() * line, Eigen::VectorXd::Ones(12)).is_determined);
 }
 
-TEST_CASE("Handles go an edge length at once, two in quarters of one, and in eighths what no hand goes in a frame") {
+TEST_CASE("Handles go an edge length at once, and farther in quarters of one or in fifty steps") {
     CHECK(steps_over(1) == 1);
     CHECK(steps_over(2) == 8);
-    CHECK(steps_over(8) == 64);
-    CHECK(std::abs(steps_over(10) - 80) <= 1);  // parts do not add up to a whole to the last bit
-    CHECK(steps_over(1000) == 100);
+    CHECK(steps_over(8) == 32);
+    CHECK(std::abs(steps_over(10) - 40) <= 1);  // parts do not add up to a whole to the last bit
+    CHECK(steps_over(1000) == 50);
 }
 
 TEST_CASE("Of what slides, the way is what it has to go across") {

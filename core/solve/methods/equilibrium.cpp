@@ -28,8 +28,9 @@ constexpr int k_most_trials = 8;
 // steps of a drag are so rough that what the next one repeats of them grows.
 constexpr double k_inner_tolerance = 0.05;
 constexpr int k_least_inner_iterations = 8, k_most_inner_iterations = 60;
-// So many steps of a solve do without a factor of the Hessian: as many as a frame of a drag has time for. Later steps
-// have one, which is renewed when it has become so old that more iterations are needed than this.
+// So many steps of a solve do without a factor of the Hessian: as many as a frame of a drag has time for; but for the
+// first of them, one of a solve before is used where there is any. Later steps have one, which is renewed when it has
+// become so old that more iterations are needed than this.
 constexpr int k_cheap_steps = 2, k_old_factor_iterations = 12, k_most_iterations_with_factor = 100;
 // No vertex moves farther in one step, in edge lengths.
 constexpr double k_most_move = 1;
@@ -41,7 +42,7 @@ constexpr double k_limit_margin = 0.02;  // degrees
 constexpr int k_most_joins = 6, k_most_rounds = 4;
 // After so many the rest shape is taken as far as it has come.
 constexpr int k_most_steps_of_opening = 100;
-// At rest no vertex moves farther in a Newton step, in edge lengths.
+// At rest no vertex moves farther in a Newton step, nor in those that are left as far as can be told, in edge lengths.
 constexpr double k_still = 1e-3;
 // A path of the descent is followed after so many steps, by so many edge lengths at most.
 constexpr int k_steps_of_a_path = 3;
@@ -100,6 +101,8 @@ private:
     bool is_at_rest() const;
     void renew_factor(TraceRow& row);
     double find_move();
+    double improve_move();
+    int inner_iterations() const;
     double find_move_beside_corners(const Positions& positions);
     double step_along(Positions& positions, double slope, double whole);
     double error_cost();
@@ -132,7 +135,8 @@ private:
     int m_steps = 0;               // Newton steps of this solve
     double m_radius = 0;           // no vertex moves farther in the next step
     bool m_is_linearised = false;  // at m_result, as m_newton is
-    bool m_is_still = false;       // the last step was a whole one, and short
+    bool m_was_whole = false;      // the last step
+    bool m_is_still = false;       // the last step was a whole one, and it or what it left is short
     bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
     double m_lack = 0;             // of the limit, at m_result
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
@@ -521,6 +525,7 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     }
     if (!linearise(positions)) return stuck();
     row.factorisation_ms += m_newton->factorisation_ms();
+    m_is_still |= m_was_whole && motion_left() < k_still;
     if (is_at_rest()) return Status::converged;
     if (row.step > 0 && gradient_norm() < row.gradient_norm) {
         m_path.add(positions);
@@ -576,25 +581,28 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
         m_radius = moved;
     else if (was_cut)
         m_radius = std::min(2 * m_radius, k_most_move * L);
-    m_is_still = !was_cut && moved < k_still * L;
     m_moved = moved / L;
+    m_was_whole = !was_cut;
+    m_is_still = m_was_whole && m_moved < k_still;
     m_max_deviation = max_deviation(*m_net, positions);
 }
 
 void Equilibrium::renew_factor(TraceRow& row) {
-    if (m_steps == 1 || m_newton->inner_iterations() > k_old_factor_iterations) m_newton->forget_factor();
-    if (m_steps <= k_cheap_steps || m_newton->has_factor()) return;
+    if (m_steps == 1 || m_newton->inner_iterations() > k_old_factor_iterations) m_newton->put_factor_away();
+    if (m_steps == 2 && m_newton->take_last_factor()) return;
+    if (m_steps <= k_cheap_steps || m_newton->uses_factor()) return;
     m_newton->factorize(m_rest_energy.terms());
     row.factorisation_ms = m_newton->factorisation_ms();
 }
 
-/// A move that corners at their limit do not stop early: those that would are held. While handles may still be moving,
-/// what they leave of the first move is good enough. Returns its slope; with 0 none may have been found.
+/// A move that corners near their limit allow as a whole: those that would come beyond it are brought to it and no
+/// farther. While handles may still be moving, what they leave of the first move is good enough. Returns its slope;
+/// with 0 none may have been found.
 double Equilibrium::find_move_beside_corners(const Positions& positions) {
     for (int round = 0;; ++round) {
         const Eigen::VectorXd excess = m_constraints->excess();
         if (excess.maxCoeff() > 0 && !m_newton->shorten(excess)) break;
-        const double slope = round > 0 && m_steps == 1 ? m_newton->restrict(m_direction) : find_move();
+        const double slope = round == 0 ? find_move() : m_steps == 1 ? m_newton->restrict(m_direction) : improve_move();
         if (round == k_most_joins || !m_constraints->hold_blocking_ones(positions, m_direction)) return slope;
         if (!m_newton->linearise(positions, m_gradient, m_constraints->lengths())) break;
     }
@@ -605,15 +613,26 @@ double Equilibrium::find_move_beside_corners(const Positions& positions) {
 /// By the exact Hessian, or if that is indefinite, and while handles may still be moving, by a convex one. Returns the
 /// slope of m_direction.
 double Equilibrium::find_move() {
-    const int inner = m_newton->has_factor() ? k_most_iterations_with_factor
-                                             : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
     if (m_steps > 1) {
-        const double slope = m_newton->find_move(m_rest_energy.terms(), Curvature::exact, inner, k_inner_tolerance,
-                                                 m_radius, m_direction);
+        const double slope = m_newton->find_move(m_rest_energy.terms(), Curvature::exact, inner_iterations(),
+                                                 k_inner_tolerance, m_radius, m_direction);
         if (!m_newton->met_negative_curvature()) return slope;
     }
-    return m_newton->find_move(m_rest_energy.terms(), Curvature::convex, inner, k_inner_tolerance, m_radius,
-                               m_direction);
+    return m_newton->find_move(m_rest_energy.terms(), Curvature::convex, inner_iterations(), k_inner_tolerance,
+                               m_radius, m_direction);
+}
+
+/// The same from m_direction, which was found with fewer corners held; anew where it was cut short.
+double Equilibrium::improve_move() {
+    if (m_newton->ended_at_radius() || m_newton->met_negative_curvature()) return find_move();
+    const int inner = m_newton->uses_factor() ? k_most_iterations_with_factor : k_least_inner_iterations;
+    const double slope = m_newton->improve_move(m_rest_energy.terms(), Curvature::exact, inner, m_radius, m_direction);
+    return m_newton->met_negative_curvature() ? find_move() : slope;
+}
+
+int Equilibrium::inner_iterations() const {
+    return m_newton->uses_factor() ? k_most_iterations_with_factor
+                                   : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
 }
 
 /// Armijo backtracking from m_origin along this part of m_direction, with a projection onto the lengths after each

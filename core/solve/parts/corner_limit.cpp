@@ -6,12 +6,10 @@ namespace chebnet {
 
 namespace {
 
-// Diagonals that exceed their limit by less than this, in edge lengths, are watched.
+// Diagonals that exceed their limit by less than this, in edge lengths, are watched, and may be in the way of a move.
 constexpr double k_watch = 0.2;
 // No diagonal is made longer by more than this at once.
 constexpr double k_opening = 0.1;
-// Those that exceed their limit by less than this, and by less than this part of what a move takes off, are in its way.
-constexpr double k_near = 0.1, k_early_part = 0.25;
 
 }  // namespace
 
@@ -74,7 +72,7 @@ double CornerLimit::shortening(const Positions& positions, const Eigen::Matrix3X
 
 bool CornerLimit::blocks(const Positions& positions, const Eigen::Matrix3Xd& moves, const Distance& limit) const {
     const double room = -lack(positions, limit);
-    return room <= k_near && room <= k_early_part * shortening(positions, moves, limit) - k_tolerance;
+    return room <= k_watch && room + k_tolerance <= shortening(positions, moves, limit);
 }
 
 bool CornerLimit::is_blocked_by_unwatched(const Positions& positions, const Eigen::Matrix3Xd& moves) const {

@@ -32,9 +32,10 @@ public:
     /// Holds the diagonals that are too short: at their limit, or if that is far, some way towards it. Returns how many
     /// that changes.
     int hold_short_ones(const Positions& positions);
-    /// Whether a diagonal that is not watched would be short early on such a move, and is nearly so.
+    /// Whether a diagonal that is not watched is not far from its limit, and would be short after such a move.
     bool is_blocked_by_unwatched(const Positions& positions, const Eigen::Matrix3Xd& moves) const;
-    /// Holds those that would, as long as they are. Returns how many that changes.
+    /// Holds those that would, as long as they are: what they exceed their limit by, the next move may take off.
+    /// Returns how many that changes.
     int hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& moves);
     /// The part of a move, 1 at most, by which none that is not held becomes short by more than the tolerance, to first
     /// order.

@@ -9,12 +9,12 @@ namespace chebnet {
 
 namespace {
 
-// Where handles move by more edge lengths than one step takes, the net follows in several: in few up to what a hand
-// does in a frame, and beyond with as much care as a slow hand takes, so that it ends where that would.
-constexpr double k_one_step = 1, k_fast_drag = 2, k_fast_step = 0.25, k_careful_step = 0.125;
+// Where handles move by more edge lengths than one step takes, the net follows in several, with as much care as a slow
+// hand takes, so that it ends where that would.
+constexpr double k_one_step = 1, k_careful_step = 0.25;
 // So far goes no hand in a frame or two.
 constexpr double k_jump = 8;
-constexpr double k_least_stride = 1.0 / 100;  // of the way: far jumps end, too
+constexpr double k_least_stride = 1.0 / 50;  // of the way: far jumps end, too
 // Of a step: where so little is left of it, the net is about to be taut.
 constexpr double k_least_progress = 0.1;
 // A step repeats so much of the one before it, and no more than so many times that. Less than all, so that what was
@@ -30,8 +30,7 @@ void HandleWalk::begin(const Positions& from, const Positions& to, double edge_l
     m_to = to;
     m_edge_length = edge_length;
     m_length = way_left(m_from);
-    const double stride = (m_length <= k_fast_drag ? k_fast_step : k_careful_step) / m_length;
-    m_stride = m_length <= k_one_step ? 1 : std::max(stride, k_least_stride);
+    m_stride = m_length <= k_one_step ? 1 : std::max(k_careful_step / m_length, k_least_stride);
     m_walked = 0;
 }
 

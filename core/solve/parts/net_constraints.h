@@ -39,7 +39,7 @@ public:
     void hold(const std::vector<double>& held);
     /// Holds these closer to their limit by this part of what they lack or exceed.
     void hold_closer(const std::vector<double>& held, double part);
-    /// Holds those that would stop such a move early. False if there are none.
+    /// Holds those near their limit that such a move would bring beyond it. False if there are none.
     bool hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& move);
     /// Lets go of those that pull, or of the one that pulls most. False if there are none.
     bool release(const Eigen::VectorXd& multipliers, bool one_only);

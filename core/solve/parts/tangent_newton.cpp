@@ -49,6 +49,7 @@ TangentNewton::TangentNewton(const Net& net, const Topology& topology, const Fre
 TangentNewton::~TangentNewton() = default;
 
 void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
+    m_has_factor = m_factor_is_used = false;
     m_form.set_zero();
     for (const auto& term : terms) term->add_bound(m_form);
     const double unit = m_net.mean_length();
@@ -138,9 +139,9 @@ bool TangentNewton::factorize(std::span<const std::unique_ptr<Term>> terms) {
     const double unit = m_net.mean_length();
     for (int v : m_part.vertices()) m_blocks->add_vertex(v, k_block_shift / (unit * unit) * identity);
     if (!m_slides.empty()) m_blocks->hold(m_slides);
-    m_factor_is_used = m_blocks->factorize();
+    m_has_factor = m_factor_is_used = m_blocks->factorize();
     m_factorisation_ms += watch.milliseconds();
-    return m_factor_is_used;
+    return m_has_factor;
 }
 
 /// Σ λ ∇²c d.
@@ -160,19 +161,37 @@ void TangentNewton::add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& pro
 double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
                                 double tolerance, double radius, Eigen::Matrix3Xd& move) {
     move = m_normal;
-    m_ended_at_radius = m_met_negative_curvature = false;
     m_residual = m_descent;
-    if (m_normal_slope != 0) {
-        apply_hessian(terms, kind, m_normal);
-        m_residual -= m_image;
-        project(m_residual);
-    }
+    if (m_normal_slope != 0) find_residual(terms, kind, move);
     precondition(m_residual, m_preconditioned);
+    m_enough = tolerance * tolerance * dot(m_residual, m_preconditioned);
+    return descend(terms, kind, most_iterations, radius, move);
+}
+
+double TangentNewton::improve_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
+                                   double radius, Eigen::Matrix3Xd& move) {
+    restrict(move);
+    find_residual(terms, kind, move);
+    precondition(m_residual, m_preconditioned);
+    return descend(terms, kind, most_iterations, radius, move);
+}
+
+/// Of ∇E + Jᵀλ + H d, what the rows leave; with the sign of a descent.
+void TangentNewton::find_residual(std::span<const std::unique_ptr<Term>> terms, Curvature kind,
+                                  const Eigen::Matrix3Xd& move) {
+    apply_hessian(terms, kind, move);
+    m_residual = m_descent - m_image;
+    project(m_residual);
+}
+
+/// Conjugate gradients from a move whose residual is known, also preconditioned.
+double TangentNewton::descend(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
+                              double radius, Eigen::Matrix3Xd& move) {
+    m_ended_at_radius = m_met_negative_curvature = false;
     m_search = m_preconditioned;
     double product = dot(m_residual, m_preconditioned);
-    const double enough = tolerance * tolerance * product;
     m_inner_iterations = 0;
-    while (m_inner_iterations < most_iterations && product > enough && !m_ended_at_radius) {
+    while (m_inner_iterations < most_iterations && product > m_enough && !m_ended_at_radius) {
         ++m_inner_iterations;
         apply_hessian(terms, kind, m_search);
         const double curvature = dot(m_search, m_image);

@@ -62,8 +62,10 @@ public:
     /// at other nets, which is worth more iterations than it costs where they are many. False if that cannot be done.
     bool factorize(std::span<const std::unique_ptr<Term>> terms);
     /// Back to M.
-    void forget_factor() { m_factor_is_used = false; }
-    bool has_factor() const { return m_factor_is_used; }
+    void put_factor_away() { m_factor_is_used = false; }
+    /// Uses the last factor again, of whatever net it is. False if there is none for the terms as they are.
+    bool take_last_factor() { return m_factor_is_used = m_has_factor; }
+    bool uses_factor() const { return m_factor_is_used; }
 
     /// A move that lowers the energy, zero on fixed vertices and across the axes of those that slide, by so many
     /// iterations at most; fewer if they have brought the residual to this part. No vertex moves farther than `radius`:
@@ -71,6 +73,10 @@ public:
     /// ends at that distance (Steihaug 1983). Returns its slope ∇E·d, negative unless there is none.
     double find_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
                      double tolerance, double radius, Eigen::Matrix3Xd& move);
+    /// The same, beginning with what the rows as they are now leave of a move that was found, inside of the radius, for
+    /// the rows of before. The tolerance is of what there was to do then.
+    double improve_move(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations,
+                        double radius, Eigen::Matrix3Xd& move);
     /// What is left of a move beside the rows as they are now. Returns its slope.
     double restrict(Eigen::Matrix3Xd& move);
     bool ended_at_radius() const { return m_ended_at_radius; }                ///< whether the last move did
@@ -78,6 +84,9 @@ public:
     int inner_iterations() const { return m_inner_iterations; }               ///< of the last move
 
 private:
+    double descend(std::span<const std::unique_ptr<Term>> terms, Curvature kind, int most_iterations, double radius,
+                   Eigen::Matrix3Xd& move);
+    void find_residual(std::span<const std::unique_ptr<Term>> terms, Curvature kind, const Eigen::Matrix3Xd& move);
     double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
                           double radius) const;
     void mask(Eigen::Matrix3Xd& vectors) const;
@@ -96,12 +105,13 @@ private:
     NeighbourForm m_form;
     std::vector<std::unique_ptr<CoordinateMetric>> m_metrics;
     std::unique_ptr<NeighbourSystem> m_blocks;  // made when needed
-    bool m_factor_is_used = false;
+    bool m_has_factor = false, m_factor_is_used = false;
 
     Eigen::VectorXd m_multipliers;
     bool m_ended_at_radius = false, m_met_negative_curvature = false;
     int m_inner_iterations = 0;
     double m_gradient_norm = 0, m_error_cost = 0, m_factorisation_ms = 0;
+    double m_enough = 0;         // of the squared residual in the norm of the preconditioner
     Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)
     Eigen::Matrix3Xd m_normal;   // the shortest move that shortens rows as asked
     double m_normal_slope = 0;   // −λ·J m_normal
