@@ -15,11 +15,11 @@ const chebnet = await load();
 const reference = chebnet.openRecipe(SHAPE);
 const dragged = reference.suggestedHandles.at(-1)!;
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
-  visit = await arrive('', { deviceScaleFactor: 1 }); // curves are looked for by their colours, pixel by pixel
+  visit = await share({ deviceScaleFactor: 1 }); // curves are looked for by their colours, pixel by pixel
   ({ script } = visit);
 });
 
@@ -169,7 +169,8 @@ test('a phone has room for it', async () => {
 /** Opens a shape and pulls its last handle. */
 
 test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {
-  const { page } = visit;
+  ({ script } = await arrive());
+  const { page } = script;
   await script.open({ recipe: SHAPE });
   const contentType = 'text/javascript';
   let asked = 0;

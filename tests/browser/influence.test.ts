@@ -12,7 +12,7 @@ const SHAPE = 'vault:vertices=500';
 const net = (await load()).openRecipe(SHAPE);
 const crown = net.suggestedHandles.at(-1)!;
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
 const handles = () => visit.page.evaluate(() => window.chebnet.handles());
@@ -22,8 +22,8 @@ const said = () => visit.page.locator('.influence output').textContent();
 const picture = (name: string) => visit.page.screenshot({ path: join(OUTPUT, `influence-${name}.png`) });
 
 /** With handles all over the vault, some edges apart. */
-async function open(link = '') {
-  visit = await arrive(link);
+async function open() {
+  visit = await share();
   ({ script } = visit);
   await script.open({ recipe: SHAPE });
   const parts = [0.25, 0.375, 0.5, 0.625, 0.75];
@@ -121,7 +121,7 @@ test('follow arrow keys, and keys that keep to an axis', async () => {
 });
 
 test('side by side they bend with the net, every edge of which keeps its length', async () => {
-  visit = await arrive();
+  visit = await share();
   ({ script } = visit);
   await script.open({ recipe: SHAPE });
   const { x, y } = await script.screenPosition(crown);

@@ -5,10 +5,10 @@ import { dragBy, largestError } from './geometry';
 import type { Visit } from './page';
 import { OUTPUT, visits } from './page';
 
-const { arrive } = visits();
+const { arrive, share } = visits();
 
 test('a key and a button show all keys, and the keys do what the sheet says', async () => {
-  const { page, script } = await arrive();
+  const { page, script } = await share();
   const sheet = page.getByRole('dialog', { name: 'Keys' });
   await page.keyboard.press('?');
   await sheet.waitFor();
@@ -41,7 +41,7 @@ test('a key and a button show all keys, and the keys do what the sheet says', as
 const showMe = ({ page }: Visit, what: RegExp) => page.getByRole('button', { name: what }).click();
 
 test('each paragraph is shown by the net', async () => {
-  const visit = await arrive();
+  const visit = await share();
   const { page, script } = visit;
   const before = await script.positions();
   await page.getByText('Learn', { exact: true }).click();
@@ -93,7 +93,7 @@ test('each paragraph is shown by the net', async () => {
 });
 
 test('formulas of the lessons are formulas', async () => {
-  const { page } = await arrive();
+  const { page } = await share();
   await page.getByText('Learn', { exact: true }).click();
   await page.locator('.lesson math').first().waitFor();
   const formulas = await page.locator('.lesson math').allTextContents();

@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { drawn, OUTPUT, visits } from './page';
 
-const { arrive } = visits();
+const { share } = visits();
 
 const SIZES = [
   ['a phone', { width: 360, height: 740 }, true],
@@ -52,7 +52,7 @@ async function faults(page: Page, inside: string): Promise<string[]> {
 }
 
 describe.each(SIZES)('%s', (name, viewport, isMobile) => {
-  const visit = () => arrive('', { viewport, ...(isMobile && { hasTouch: true, isMobile }) });
+  const visit = () => share({ viewport, ...(isMobile && { hasTouch: true, isMobile }) });
   const picture = (page: Page, of: string) =>
     page.screenshot({ path: join(OUTPUT, `${name.replace(/\W+/g, '-')}-${of}.png`) });
   const button = (page: Page, label: string) => page.getByRole('button', { name: label, exact: true });

@@ -12,7 +12,7 @@ export interface First {
   state: PageState;
 }
 
-interface PageState {
+export interface PageState {
   unfolded: string[];
   /** Fields with what is chosen in them, folded away or not. */
   fields: string[];
@@ -38,27 +38,30 @@ export async function putAway(page: Page, { project, size, state: first }: First
   await dropFile(page, 'first.chebnet.json', project);
   await page.getByText('The project is open.').waitFor();
   await page.evaluate(() => window.chebnet.settled());
-  const isAsAtFirst = async () => {
-    const now = await page.evaluate(stateOfPage);
-    const [fields, seen] = [new Set(now.fields), new Set(first.seen)];
-    return first.fields.every((each) => fields.has(each)) && now.seen.every((each) => seen.has(each));
-  };
+  const isBack = async () => isAsAtFirst(await page.evaluate(stateOfPage), first);
   // Numbers are brought up to date some times a second.
-  return vi.waitUntil(isAsAtFirst, { timeout: 1000 }).catch(() => false);
+  return vi.waitUntil(isBack, { timeout: 1000 }).catch(() => false);
+}
+
+/** Whether every field has what it had, and nothing more is to be seen. */
+export function isAsAtFirst(now: PageState, first: PageState): boolean {
+  const [fields, seen] = [new Set(now.fields), new Set(first.seen)];
+  return first.fields.every((each) => fields.has(each)) && now.seen.every((each) => seen.has(each));
 }
 
 /** Runs in the page: ends dialogs, menus and messages, and folds sections. */
-function close(unfolded: readonly string[]): void {
+export function close(unfolded: readonly string[]): void {
   for (const dialog of document.querySelectorAll('dialog')) dialog.requestClose();
   for (const menu of document.querySelectorAll<HTMLElement>(':popover-open')) menu.hidePopover();
   for (const line of document.querySelectorAll('.message')) line.remove();
+  document.querySelector<HTMLElement>('.fold[aria-expanded=true]')?.click();
   for (const section of document.querySelectorAll('details'))
     section.open = unfolded.includes(section.querySelector('summary')?.textContent ?? '');
   (document.activeElement as HTMLElement).blur();
 }
 
 /** Runs in the page. */
-function stateOfPage(): PageState {
+export function stateOfPage(): PageState {
   const all = <E extends Element>(selector: string) => [...document.querySelectorAll<E>(selector)];
   const fields = all<HTMLInputElement | HTMLSelectElement>('input, select').map((field) =>
     [field.ariaLabel ?? field.labels?.[0]?.textContent, 'checked' in field && field.checked, field.value].join(' '),

@@ -9,7 +9,7 @@ let visit: Visit;
 let script: Script;
 
 beforeEach(async () => {
-  visit = await site.arrive();
+  visit = await site.share();
   ({ script } = visit);
   await script.open({ recipe: 'elephant:vertices=1200' });
   await script.settled();

@@ -8,7 +8,7 @@ import { distance, dragBy } from './geometry';
 import type { Visit } from './page';
 import { OUTPUT, visits } from './page';
 
-const { address, arrive } = visits();
+const { address, arrive, share } = visits();
 
 /** Opens "Share", waits until the link is copied, and returns it. */
 async function copied({ page }: Visit): Promise<string> {
@@ -29,7 +29,7 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   const reference = (await load()).openRecipe(recipe);
   const dragged = reference.suggestedHandles.at(-1)!;
   const { meanLength } = reference.info;
-  const sender = await arrive();
+  const sender = await share();
   await sender.script.open({ recipe });
   await dragBy(sender.script, dragged, [-60, -40]);
   await sender.script.settled();
@@ -55,7 +55,7 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
 });
 
 test('where solving again would give another shape, the link has the positions', async () => {
-  const sender = await arrive();
+  const sender = await share();
   await sender.script.open({ recipe: 'dome:vertices=300' });
   await sender.page.evaluate(() => window.chebnet.setOptions({ method: 'projection' }));
   const { vertex, target } = (await sender.page.evaluate(() => window.chebnet.handles())).at(-1)!;
@@ -67,7 +67,7 @@ test('where solving again would give another shape, the link has the positions',
 });
 
 test('ends of colours set by hand come with the link, each field with its own; a click leads back to those of the map', async () => {
-  const { page, script } = await arrive();
+  const { page, script } = await share();
   await script.settled();
   const legendOf = (at: Page) => at.getByRole('region', { name: 'Legend' });
   const ticks = (at = page) => legendOf(at).locator('.ticks span').allInnerTexts();
