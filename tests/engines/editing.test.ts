@@ -14,10 +14,10 @@ const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
 const placeIn = (positions: Float64Array) => positions.subarray(3 * dragged, 3 * dragged + 3);
 
-const { arrive } = visitors();
+const { share } = visitors();
 let visitor: Visitor;
 beforeEach(async () => {
-  visitor = await arrive();
+  visitor = await share();
 });
 
 test('the first net can be dragged', async () => {

@@ -1,7 +1,7 @@
 /** What comes in and goes out, in each engine: files, projects, links. */
 import rhino3dm from 'rhino3dm';
 import { STLLoader } from 'three/examples/jsm/loaders/STLLoader.js';
-import { beforeEach, expect, test } from 'vitest';
+import { expect, test } from 'vitest';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { distance, largestError } from '../browser/geometry';
 import { load } from '../wasm/load';
@@ -13,11 +13,8 @@ const chebnet = await load();
 const reference = chebnet.openRecipe('vault:vertices=300');
 const { edges, faceStart, faceVertices, info, suggestedHandles } = reference;
 
-const { arrive } = visitors();
+const { arrive, share } = visitors();
 let visitor: Visitor;
-beforeEach(async () => {
-  visitor = await arrive();
-});
 
 async function save(kind: string): Promise<Uint8Array<ArrayBuffer>> {
   const { name, bytes } = await visitor.saved(async () => {
@@ -31,6 +28,7 @@ async function save(kind: string): Promise<Uint8Array<ArrayBuffer>> {
 const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 
 test('the first net is saved by the core that has left files out until then', async () => {
+  visitor = await arrive();
   const positions = await visitor.positions();
   for (const kind of ['OBJ', 'STL']) {
     const bytes = await save(kind);
@@ -41,6 +39,7 @@ test('the first net is saved by the core that has left files out until then', as
 });
 
 test('a PLY is dropped, opened, dragged, and saved in every format', async () => {
+  visitor = await share();
   await visitor.dropFile('vault.ply', reference.toFile('ply'));
   await visitor.read('Mean length', 'dialog');
   await visitor.clickOn('Open');
@@ -102,6 +101,7 @@ test('a PLY is dropped, opened, dragged, and saved in every format', async () =>
 });
 
 test('a drag is saved as a video, or the menu says that this browser cannot', async () => {
+  visitor = await share();
   await visitor.openNet({ recipe: 'vault:vertices=300' });
   await visitor.clickOn('Export');
   const can = await visitor.run(() => {
@@ -141,6 +141,7 @@ function kept(): Promise<number> {
 }
 
 test('a project keeps the net over a reload and in a file', async () => {
+  visitor = await arrive();
   await visitor.openNet({ recipe: 'vault:vertices=300' });
   await visitor.drag(suggestedHandles.at(-1)!, [-50, -40]);
   const positions = await visitor.positions();
@@ -161,6 +162,7 @@ test('a project keeps the net over a reload and in a file', async () => {
 });
 
 test('a link shows another visitor the same net', async () => {
+  visitor = await share();
   await visitor.openNet({ recipe: 'vault:vertices=300' });
   await visitor.drag(suggestedHandles.at(-1)!, [-50, -40]);
   const link = await visitor.run(() => window.chebnet.link());

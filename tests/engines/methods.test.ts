@@ -17,10 +17,10 @@ const placeOf = (vertex: number) =>
 const [x, y, z] = placeOf(dragged);
 const TARGET: [number, number, number] = [x - 0.5, y + 0.3, z - 0.3];
 
-const { arrive } = visitors();
+const { share } = visitors();
 let visitor: Visitor;
 beforeEach(async () => {
-  visitor = await arrive();
+  visitor = await share();
 });
 
 /** Colours of a canvas of the page, counted. */

@@ -5,6 +5,7 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { afterAll, afterEach, beforeAll, expect, vi } from 'vitest';
 import type { Scripting, Stats } from '../../web/src/scripting';
+import { close, isAsAtFirst, type PageState, stateOfPage } from '../browser/put_away';
 import { DIST, serve } from '../browser/site';
 import type { Driver, Engine } from './driver';
 import { ENGINE, startEngine } from './engines';
@@ -18,25 +19,35 @@ export const PATIENCE = { timeout: 60_000, interval: 50 };
 /** A file that was the same so often has been written. */
 const LOOKS = 4;
 
+/** The page as it was at first. */
+interface First {
+  project: Uint8Array;
+  state: PageState;
+}
+
 type Point = readonly [x: number, y: number];
 
 /** For one file of tests: an engine and the site while they run. After each test its windows close, and no page in them
- *  may have complained. */
+ *  may have complained; one that is to be shared stays, if the test passed. */
 export function visitors(root = () => DIST) {
   let engine: Engine;
   let site: Awaited<ReturnType<typeof serve>>;
   const present: Visitor[] = [];
+  let shared: { visitor: Visitor; first: First } | null = null;
 
   beforeAll(async () => {
     [engine, site] = await Promise.all([startEngine(), serve(root)]);
   });
-  afterEach(async () => {
-    const gone = present.splice(0);
-    const complaints = await Promise.all(gone.map((visitor) => visitor.complaints()));
-    await Promise.all(gone.map(({ driver }) => driver.close()));
-    expect(complaints.flat()).toEqual([]);
+  afterEach(async ({ task }) => {
+    const ended = present.splice(0);
+    const complaints = (await Promise.all(ended.map((visitor) => visitor.complaints()))).flat();
+    const stays = task.result?.state !== 'fail' && complaints.length === 0 ? shared?.visitor : undefined;
+    await Promise.all(ended.filter((visitor) => visitor !== stays).map(({ driver }) => driver.close()));
+    if (stays === undefined) shared = null;
+    expect(complaints).toEqual([]);
   });
   afterAll(async () => {
+    await shared?.visitor.driver.close();
     await engine.close();
     site.close();
   });
@@ -56,7 +67,20 @@ export function visitors(root = () => DIST) {
     return visitor;
   }
 
-  return { open, arrive, address: () => site.address, closeSite: () => site.close() };
+  /** As in tests/browser/page.ts: one visit for tests that need not be the first thing a visitor does. In WebKit an arrival
+   *  takes ten seconds of a processor. */
+  async function share(): Promise<Visitor> {
+    if (shared && (await shared.visitor.putAway(shared.first))) {
+      present.push(shared.visitor);
+      return shared.visitor;
+    }
+    await shared?.visitor.driver.close();
+    const visitor = await arrive();
+    shared = { visitor, first: await visitor.asAtFirst() };
+    return visitor;
+  }
+
+  return { open, arrive, share, address: () => site.address, closeSite: () => site.close() };
 }
 
 export class Visitor {
@@ -239,6 +263,26 @@ export class Visitor {
     const bytes = Uint8Array.from(readFileSync(join(folder, name)));
     rmSync(join(folder, name));
     return { name, bytes };
+  }
+
+  // ------------------------------------------------------------------------------------------------- as it was at first
+
+  /** Once all sections of the sidebar are there. */
+  async asAtFirst(): Promise<First> {
+    await vi.waitUntil(() => this.run(() => document.querySelector('.group') !== null), PATIENCE);
+    const { bytes } = await this.saved(() => this.press('Control+s'));
+    return { project: bytes, state: await this.run(stateOfPage) };
+  }
+
+  /** See tests/browser/put_away.ts. */
+  async putAway({ project, state }: First): Promise<boolean> {
+    await this.driver.movePointer(0, 0);
+    await this.run(close, state.unfolded);
+    await this.dropFile('first.chebnet.json', project);
+    await this.read('The project is open.');
+    await this.settled();
+    const isBack = async () => isAsAtFirst(await this.run(stateOfPage), state);
+    return vi.waitUntil(isBack, { timeout: 3000 }).catch(() => false);
   }
 }
 
