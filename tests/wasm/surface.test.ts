@@ -352,7 +352,7 @@ describe('a net over a whole surface', () => {
     withSurface(chebnet.ownSurface('hypar'), (hypar) => {
       const { mesh } = hypar.remesh({ length: 0.5 });
       const editor = chebnet.openMesh(mesh);
-      for (const length of edgeLengths(mesh.positions, editor.edges)) expect(length).toBeCloseTo(0.5, 6);
+      for (const length of edgeLengths(mesh.positions, editor.edges)) expect(length).toBeCloseTo(0.5, 9);
       editor.dispose();
       expect(failure(() => hypar.remesh({ length: 50 }))).toMatchObject({ code: 'bad_option' });
       expect(failure(() => hypar.remesh({ cells: 1e7 }))).toMatchObject({ code: 'too_large' });

@@ -42,7 +42,7 @@ constexpr double k_limit_margin = 0.02;  // degrees
 constexpr int k_most_joins = 6, k_most_rounds = 4;
 // After so many the rest shape is taken as far as it has come.
 constexpr int k_most_steps_of_opening = 100;
-// At rest no vertex moves farther in a Newton step, nor in those that are left as far as can be told, in edge lengths.
+// At rest no vertex moves farther in a Newton step, in edge lengths.
 constexpr double k_still = 1e-3;
 // A path of the descent is followed after so many steps, by so many edge lengths at most.
 constexpr int k_steps_of_a_path = 3;
@@ -135,8 +135,7 @@ private:
     int m_steps = 0;               // Newton steps of this solve
     double m_radius = 0;           // no vertex moves farther in the next step
     bool m_is_linearised = false;  // at m_result, as m_newton is
-    bool m_was_whole = false;      // the last step
-    bool m_is_still = false;       // the last step was a whole one, and it or what it left is short
+    bool m_is_still = false;       // the last step was a whole one, and short
     bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
     double m_lack = 0;             // of the limit, at m_result
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
@@ -525,7 +524,6 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     }
     if (!linearise(positions)) return stuck();
     row.factorisation_ms += m_newton->factorisation_ms();
-    m_is_still |= m_was_whole && motion_left() < k_still;
     if (is_at_rest()) return Status::converged;
     if (row.step > 0 && gradient_norm() < row.gradient_norm) {
         m_path.add(positions);
@@ -581,9 +579,8 @@ void Equilibrium::take_step(Positions& positions, TraceRow& row) {
         m_radius = moved;
     else if (was_cut)
         m_radius = std::min(2 * m_radius, k_most_move * L);
+    m_is_still = !was_cut && moved < k_still * L;
     m_moved = moved / L;
-    m_was_whole = !was_cut;
-    m_is_still = m_was_whole && m_moved < k_still;
     m_max_deviation = max_deviation(*m_net, positions);
 }
 
