@@ -499,11 +499,14 @@ Positions Editor::in_unit(const Positions& positions) const {
     return x;
 }
 
-/// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere.
+/// The positions of the moment in the solver's unit. Vertices that were far handles once may be anywhere, and are taken
+/// as near as the targets of handles are; but for a net that has gone after one.
 void Editor::load_positions() {
     const double farthest = k_farthest_target + m_unit_net->rest_positions().lpNorm<Eigen::Infinity>();
     m_unit_last_net = in_unit(m_last_net);
-    m_unit_positions = in_unit(m_positions).cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
+    m_unit_positions = in_unit(m_positions);
+    if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold)
+        m_unit_positions = m_unit_positions.cwiseMax(-2 * farthest).cwiseMin(2 * farthest);
     for (std::size_t i = 0; i < m_handles.size(); ++i) {
         const Handle& handle = m_handles[i];
         double* position = m_unit_positions.col(handle.vertex).data();

@@ -10,8 +10,8 @@ inline constexpr Axes k_no_axes = 0, k_all_axes = 7;
 
 constexpr bool has_axis(Axes axes, int coordinate) { return (axes >> coordinate & 1) != 0; }
 
-/// Some of them, but not all.
-constexpr bool is_part(Axes axes) { return axes != k_no_axes && axes != k_all_axes; }
+/// Some of them, but not all; nor a number that means nothing.
+constexpr bool is_part(Axes axes) { return axes > k_no_axes && axes < k_all_axes; }
 
 /// A free vertex that keeps some of its coordinates bit for bit: it slides along the other axes, one or two. A foot on
 /// the ground slides along x and y.

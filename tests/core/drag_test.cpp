@@ -85,6 +85,14 @@ TEST_CASE("Drag: a hand that is kept to an axis or a plane leaves neither when i
     CHECK(max_deviation(taken.net, taken.editor.positions()) < k_settled);
 }
 
+TEST_CASE("Drag: along numbers that are no axes it is refused, and nothing has changed") {
+    Taken taken;
+    const Axes along = GENERATE(-1, 0, 8);
+    CAPTURE(along);
+    CHECK_THROWS_WITH(taken.editor.drag_handle(k_middle, taken.at(1), along), "a hand keeps to x, y or z");
+    CHECK(taken.editor.standing_handles().back().target == taken.crown);
+}
+
 TEST_CASE("Drag: beyond reach it is held back, as far as the net goes, and comes home with the hand") {
     Taken taken;
     const Positions rest = taken.editor.positions();

@@ -11,6 +11,7 @@
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "solve/parts/length_projection.h"
+#include "solve/parts/neighbour_pairs.h"
 
 using namespace chebnet;
 
@@ -124,6 +125,7 @@ TEST_CASE("Where tens of thousands of edges meet, every step stays bounded", "[l
     CHECK(bend(editor.net(), editor.topology(), editor.positions()) == 0);
     const bool couples = too_large([&] { LengthProjection(editor.net(), editor.topology()); }).empty();
     CHECK(couples == (valence <= 2'000));
+    CHECK(!too_large([&] { NeighbourPairs(editor.net(), editor.topology()); }).empty());
 
     const std::string method = GENERATE("projection", "li2022", "equilibrium");
     CAPTURE(method);

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "../core/first_order.h"
-#include "edit/near_targets.h"
 #include "invariants.h"
 
 namespace chebnet::invariants {
@@ -46,7 +45,7 @@ public:
         if (!(lack <= 2.1e-4 + digits)) violations.push_back(text("a corner is sharper than the limit", lack));
 
         // A hand that is held back pulls by a force of the editor's own.
-        if (editor.holds_back() || is_drawn_from_afar(editor) || !has_rest_shape(editor)) return violations;
+        if (editor.holds_back() || !has_rest_shape(editor)) return violations;
         ++m_judged;
         Options energy = options;
         if (!is_carried(editor)) energy.gravity = 0;  // nothing falls for ever
@@ -71,14 +70,6 @@ private:
     }
 
     static const Region* region(const Editor& editor) { return editor.region() ? &*editor.region() : nullptr; }
-
-    /// Whether the target of a soft handle is so far that it is no more than a direction (see near_targets).
-    static bool is_drawn_from_afar(const Editor& editor) {
-        return std::ranges::any_of(editor.handles(), [&](const Handle& handle) {
-            const Eigen::Vector3d way = handle.target - editor.net().rest_positions().col(handle.vertex);
-            return !handle.is_exact() && !(way.stableNorm() <= k_farthest_target * editor.net().mean_length());
-        });
-    }
 
     /// Whether something in each piece of the net stays at its height, or is drawn somewhere.
     static bool is_carried(const Editor& editor) {

@@ -99,6 +99,7 @@ private:
     double gradient_norm() const;
     double motion_left() const;
     bool is_at_rest() const;
+    bool is_balanced() const;
     void renew_factor(TraceRow& row);
     double find_move();
     double improve_move();
@@ -390,7 +391,8 @@ Status Equilibrium::find_net(Positions& positions, TraceRow& row) {
 
 /// From where `projection` has ended like this, if it has found a net.
 Status Equilibrium::begin_rest(Status of_projection, Positions& positions) {
-    if (of_projection != Status::converged || !m_reachable) return of_projection;
+    if (of_projection != Status::converged) return of_projection;
+    if (!m_reachable) return Status::exact;  // no handle that is drawn from afar comes to rest
     if (!m_constraints || !m_newton) return without_rest(positions);
     const Positions found = positions;
     if (!project(positions)) {
@@ -503,7 +505,13 @@ void Equilibrium::enter_rest(const Positions& positions) {
 /// Per unit of length.
 double Equilibrium::gradient_norm() const { return m_newton->gradient_norm() * m_net->mean_length(); }
 
-bool Equilibrium::is_at_rest() const { return m_is_still && is_net() && gradient_norm() < m_options.rest_tolerance; }
+bool Equilibrium::is_at_rest() const { return m_is_still && is_balanced(); }
+
+/// A net without a force but of what keeps it one: corners that are held before they come to their limit do not.
+bool Equilibrium::is_balanced() const {
+    return m_is_linearised && is_net() && gradient_norm() < m_options.rest_tolerance &&
+           m_constraints->excess().maxCoeff() <= CornerLimit::k_tolerance;
+}
 
 /// With exact lengths, and no corner beyond the limit.
 bool Equilibrium::is_net() const {
@@ -518,7 +526,7 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (is_at_rest()) return Status::converged;
     take_step(positions, row);
     if (row.step == 0) {
-        if (m_is_linearised && is_net() && gradient_norm() < m_options.rest_tolerance) return Status::converged;
+        if (is_balanced()) return Status::converged;
         if (m_is_careful) return stuck();
         m_is_careful = true;
     }
@@ -652,6 +660,7 @@ double Equilibrium::step_along(Positions& positions, double slope, double whole)
     }
     positions = m_origin;
     m_constraints->hold(held);
+    m_constraints->release_early_ones();
     m_rest_energy.evaluate(positions, m_gradient);
     linearise(positions);
     return 0;

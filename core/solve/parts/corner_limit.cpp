@@ -143,6 +143,16 @@ int CornerLimit::release_one(const Eigen::VectorXd& multipliers) {
     return most >= 0 ? 1 : 0;
 }
 
+int CornerLimit::release_early_ones() {
+    int released = 0;
+    for (int i : m_watched) {
+        if (!(m_held[i] - m_limits[i].distance > k_tolerance * m_limits[i].unit)) continue;
+        m_held[i] = 0;
+        ++released;
+    }
+    return released;
+}
+
 double CornerLimit::largest_lack(const Positions& positions) const {
     double largest = 0;
     for (const Distance& limit : m_limits) largest = std::max(largest, lack(positions, limit));

@@ -48,6 +48,8 @@ public:
     int release(const Eigen::VectorXd& multipliers);
     /// Lets go of the one that pulls most: where diagonals depend on each other, those that pull need not all be free.
     int release_one(const Eigen::VectorXd& multipliers);
+    /// Lets go of those that are held before they have come to their limit. Returns how many.
+    int release_early_ones();
     /// For each diagonal the distance at which it is held, 0 if it is not.
     const std::vector<double>& held() const { return m_held; }
     void set_held(const std::vector<double>& held) { m_held = held; }

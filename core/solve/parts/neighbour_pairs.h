@@ -16,7 +16,7 @@ class NeighbourPairs {
 public:
     /// Throws Error too_large where too many meet at a vertex, see check_valences().
     NeighbourPairs(const Net& net, const Topology& topology) {
-        check_valences(net, topology);
+        check_valences(net, topology, 3);
         for (int v = 0; v < net.vertex_count(); ++v) {
             const std::span<const int> around = topology.neighbours(v);
             for (std::size_t i = 0; i < around.size(); ++i) {

@@ -93,4 +93,8 @@ bool NetConstraints::release(const Eigen::VectorXd& multipliers, bool one_only) 
     return true;
 }
 
+void NetConstraints::release_early_ones() {
+    if (m_limit.release_early_ones() > 0) m_limit.apply(m_lengths->system());
+}
+
 }  // namespace chebnet

@@ -43,8 +43,10 @@ public:
     bool hold_blocking_ones(const Positions& positions, const Eigen::Matrix3Xd& move);
     /// Lets go of those that pull, or of the one that pulls most. False if there are none.
     bool release(const Eigen::VectorXd& multipliers, bool one_only);
+    /// Lets go of those that are held before they have come to their limit.
+    void release_early_ones();
     /// For each row by how much what is held exceeds its limit, in edge lengths.
-    Eigen::VectorXd excess() { return m_limit.excess(m_lengths->system()); }
+    Eigen::VectorXd excess() const { return m_limit.excess(m_lengths->system()); }
     /// The part of a move, 1 at most, by which no other corner comes beyond its limit.
     double part_until_short(const Positions& positions, const Eigen::Matrix3Xd& move) const {
         return m_limit.part_until_short(positions, move);

@@ -151,13 +151,13 @@ private:
     void ask() {
         const auto handles = m_editor.handles();
         if (std::any_of(handles.begin(), handles.end(), [](const Handle& handle) { return handle.is_exact(); }))
-            fuzz::require(flipped(m_editor.net(), handles, m_editor.positions()).allFinite(), "flipped out of bounds");
+            require(flipped(m_editor.net(), handles, m_editor.positions()).allFinite(), "flipped out of bounds");
         for (const float mobility : m_editor.mobility(3, any_vertices()))
-            fuzz::require(mobility >= 0 && mobility <= 1, "a mobility is out of range");
+            require(mobility >= 0 && mobility <= 1, "a mobility is out of range");
         for (const UnreachablePair& pair : m_editor.unreachable_pairs())
-            fuzz::require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
+            require(pair.vertex_a != pair.vertex_b && pair.distance >= 0 && pair.reach >= 0, "an odd pair");
         for (const Ball& ball : m_editor.reach(any_vertex()))
-            fuzz::require(ball.centre.allFinite() && ball.radius >= 0, "an odd ball");
+            require(ball.centre.allFinite() && ball.radius >= 0, "an odd ball");
     }
 
     /// To one of before, or the present one, with something changed. What it says is then the state.
@@ -168,7 +168,7 @@ private:
         m_editor.set_state(std::move(state));
         const EditState now = m_editor.state();
         m_editor.set_state(now);
-        fuzz::require(m_editor.state() == now, "a state that an editor is set to is not its state");
+        require(m_editor.state() == now, "a state that an editor is set to is not its state");
     }
 
     void change_any_part_of(EditState& state) {
@@ -210,13 +210,19 @@ private:
         for (int calls = 0; calls < 4 && report.status == Status::running; ++calls)
             report = adapter.solve({m_input.ConsumeIntegralInRange(1, 20)});
         note(std::string("  ") + to_string(report.status) + " at " + std::to_string(report.scale));
-        fuzz::require(std::isfinite(report.scale) && report.scale > 0, "an odd scale");
+        require(std::isfinite(report.scale) && report.scale > 0, "an odd scale");
         m_editor.set_state(adapter.state());  // refused unless it has converged
-        fuzz::require(invariants::reckoned_deviation(m_editor.net(), m_editor.positions()) < 1e-6,
-                      "edges that have grown have not their length");
-        for (const Handle& handle : wanted)
-            fuzz::require(m_editor.positions().col(handle.vertex) == handle.target,
-                          "a handle that was wanted is not met");
+        require(invariants::reckoned_deviation(m_editor.net(), m_editor.positions()) < 1e-6,
+                "edges that have grown have not their length");
+        for (Handle handle : wanted) {
+            handle.slides = slides_of(handle.vertex);
+            require(handle.holds_at(m_editor.positions().col(handle.vertex)), "a handle that was wanted is not met");
+        }
+    }
+
+    Axes slides_of(int vertex) const {
+        const auto held = std::ranges::find(m_editor.handles(), vertex, &Handle::vertex);
+        return held->slides;
     }
 
     /// Goes on with a net that has other faces, as exact as the one before.
@@ -234,7 +240,7 @@ private:
         ExactChangeReport report;
         for (int calls = 0; calls < 4 && report.status == Status::running; ++calls)
             report = exact.solve({m_input.ConsumeIntegralInRange(1, 20)});
-        fuzz::require(exact.positions().allFinite(), "a changed net is not finite");
+        require(exact.positions().allFinite(), "a changed net is not finite");
         if (report.status != Status::converged || exact.positions().cols() > k_most_vertices) return;
         m_editor = Editor(Net(exact.positions(), faces));
         m_rest = {};
@@ -355,6 +361,10 @@ private:
     // ------------------------------------------------------------------------------------------------------- judgement
 
     void note(std::string line) { m_story.push_back(std::move(line)); }
+
+    void require(bool holds, const char* otherwise) const {
+        if (!holds) judge({otherwise});
+    }
 
     void judge(const invariants::Violations& violations) const {
         if (violations.empty()) return;
