@@ -15,9 +15,9 @@ namespace chebnet {
 /// Construction orders the nodes and does the symbolic factorisation; after that, set_zero / add_* / factorize / solve
 /// repeat at numeric cost only. The order is found on the graph of nodes and keeps the rows of a node together.
 ///
-/// With three rows a node the factor has double precision. A Laplacian's has single precision, which halves the time
-/// of its solutions: they serve as steps, and what they leave of the residual is the next step's to correct.
-template <int size>
+/// `Scalar`: of the factor. Single precision halves its time; it is enough where solutions serve as steps, so that what
+/// they leave of the residual is the next step's to correct.
+template <int size, typename Scalar>
 class GraphSystem {
 public:
     using Block = Eigen::Matrix<double, size, size>;
@@ -58,18 +58,20 @@ public:
 private:
     std::vector<Block> m_node_blocks, m_link_blocks;
     Eigen::Matrix2Xi m_links;
-    Cholesky<size, std::conditional_t<size == 1, float, double>> m_factor;
+    Cholesky<size, Scalar> m_factor;
     /// A row of the system at one node, in all right-hand sides.
-    using Row = std::conditional_t<size == 1, dense::Four, Eigen::Vector3d>;
+    using Row = std::conditional_t<size == 1, dense::Four, Eigen::Matrix<Scalar, 3, 1>>;
     std::vector<Row> m_permuted;  // a right-hand side in the order of elimination
 };
 
 /// For positions: three coupled unknowns a node.
-using BlockSystem = GraphSystem<3>;
+using BlockSystem = GraphSystem<3, double>;
+using SingleBlockSystem = GraphSystem<3, float>;
 /// For a scalar Laplacian, solved for three coordinates at once.
-using LaplacianSystem = GraphSystem<1>;
+using LaplacianSystem = GraphSystem<1, float>;
 
-extern template class GraphSystem<1>;
-extern template class GraphSystem<3>;
+extern template class GraphSystem<1, float>;
+extern template class GraphSystem<3, double>;
+extern template class GraphSystem<3, float>;
 
 }  // namespace chebnet

@@ -78,7 +78,7 @@ public:
         find_border();
         if (m_options.has_border) find_corners();
         find_creases();
-        m_system = std::make_unique<BlockSystem>(m_net.vertex_count(), links());
+        m_system = std::make_unique<SingleBlockSystem>(m_net.vertex_count(), links());
     }
 
     Net run() {
@@ -447,7 +447,7 @@ private:
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;
     std::vector<Bend> m_bends;
-    std::unique_ptr<BlockSystem> m_system;
+    std::unique_ptr<SingleBlockSystem> m_system;
     Eigen::Matrix3Xd m_force;
 };
 

@@ -6,6 +6,7 @@
 #include <Eigen/CholmodSupport>
 #endif
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "linear/graph_system.h"
@@ -140,7 +141,8 @@ Eigen::Matrix3Xd solve(const Solver& solver, const Eigen::Matrix3Xd& rhs) {
 template <int size>
 Kernel chebnet_kernel(const std::string& system, const Terms<size>& terms, const Sparse& matrix,
                       const Eigen::Matrix3Xd& rhs) {
-    const auto solver = std::make_shared<GraphSystem<size>>(static_cast<int>(terms.at_node.size()), terms.links);
+    const auto solver = std::make_shared<std::conditional_t<size == 3, BlockSystem, LaplacianSystem>>(
+        static_cast<int>(terms.at_node.size()), terms.links);
     for (std::size_t i = 0; i < terms.at_node.size(); ++i) solver->add_at_node(static_cast<int>(i), terms.at_node[i]);
     for (std::size_t k = 0; k < terms.at_link.size(); ++k) solver->add_at_link(static_cast<int>(k), terms.at_link[k]);
     const bool ok = solver->factorize();
