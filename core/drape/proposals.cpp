@@ -99,11 +99,11 @@ void rank(std::vector<DrapeProposal>& proposals) {
 
 /// What comes of it with edges of some length; nothing where no cell fits.
 std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
-                                   double length) {
+                                   double length, DrapeOptions::Arms arms) {
     DrapeOptions trial = options;
     trial.length = length;
     trial.border = DrapeOptions::Border::inside;
-    trial.arms = DrapeOptions::Arms::geodesic;
+    trial.arms = arms;
     try {
         const Net net = drape(surface, tree, trial).net;
         const double distance = distance_to(surface, tree, net, net.rest_positions()).mean / length;
@@ -121,7 +121,7 @@ std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& 
     options.seed = place.position;
     for (int k = 0; k < k_directions; ++k) {
         options.direction = direction_at(surface.normal_at(place.at), k * std::numbers::pi / 2 / k_directions);
-        const std::optional<DrapeProposal> proposal = tried(surface, tree, options, length);
+        const auto proposal = tried(surface, tree, options, length, DrapeOptions::Arms::geodesic);
         if (proposal && (!best || proposal->worth() > best->worth())) best = proposal;
     }
     return best;
@@ -142,8 +142,10 @@ std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceT
         if (const auto best = best_at(surface, tree, options, tree.nearest(places.col(k)))) proposals.push_back(*best);
     if (proposals.empty()) drape(surface, tree, options);  // says why
     rank(proposals);
+    // A curve that was drawn goes through one seed only.
+    const auto arms = options.arms == DrapeOptions::Arms::curve ? DrapeOptions::Arms::geodesic : options.arms;
     for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
-        if (const auto last = tried(surface, tree, proposals[k].options, options.length)) proposals[k] = *last;
+        if (const auto last = tried(surface, tree, proposals[k].options, options.length, arms)) proposals[k] = *last;
     rank(proposals);
     return proposals;
 }

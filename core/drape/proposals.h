@@ -17,11 +17,11 @@ struct DrapeProposal {
     double worth() const;
 };
 
-/// Tries nets of about a thousand cells from places spread over the surface, in six directions each, and the best of
-/// them with the edges asked for. Gives the best of each place, those first that cover most and, among like ones, are
-/// sheared least and come nearest to the surface. Arms are geodesic while trying; all but seed and direction is as in
-/// `options`. Takes about as long as laying a net of fifty thousand cells. Throws Error as drape does if no place takes
-/// a net.
+/// Tries nets of about a thousand cells with geodesic arms from places spread over the surface, in six directions each,
+/// and the best of them with the edges and the arms asked for; geodesic ones where a curve is drawn for them. Gives the
+/// best of each place, those first that cover most and, among like ones, are sheared least and come nearest to the
+/// surface. All but seed and direction is as in `options`. Takes about as long as laying a net of fifty thousand cells.
+/// Throws Error as drape does if no place takes a net.
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options);
 
 }  // namespace chebnet

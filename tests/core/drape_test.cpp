@@ -348,9 +348,16 @@ TEST_CASE("Of proposals that cover alike the one that comes nearest is first, by
     const SurfaceTree tree(shell);
     DrapeOptions options = suggested_drape(shell, tree, 900);
     options.border = DrapeOptions::Border::inside;
-    const DrapeProposal best = propose_drapes(shell, tree, options).front();
-    const Net net = drape(shell, tree, best.options).net;
-    CHECK(best.mean_distance == Approx(measure_drape(shell, tree, net).mean_distance / options.length));
+    double sheared[2];
+    for (const auto arms : {DrapeOptions::Arms::geodesic, DrapeOptions::Arms::least_shear}) {
+        options.arms = arms;
+        const DrapeProposal best = propose_drapes(shell, tree, options).front();
+        const Net net = drape(shell, tree, best.options).net;
+        CHECK(best.mean_distance == Approx(measure_drape(shell, tree, net).mean_distance / options.length));
+        CHECK(best.much_sheared == part_sheared(net, k_much_shear));
+        sheared[static_cast<int>(arms)] = part_sheared(net, k_shear);
+    }
+    CHECK(sheared[1] < sheared[0]);
 }
 
 TEST_CASE("Proposals are ranked, and the best is as good as beginning in the middle") {
