@@ -10,12 +10,21 @@
 namespace chebnet {
 namespace {
 
+constexpr double k_limit_tolerance = 0.1;  // degrees: corners at the limit are not beyond it
+
 double degrees(double radians) { return radians / k_degree; }
 
 Json distance_report(const Editor& editor) {
     const GuideDistance distance = distance_to(*editor.guide(), editor.net(), editor.positions());
     const double length = editor.net().mean_length();
     return {{"mean", distance.mean / length}, {"largest", distance.largest / length}};
+}
+
+/// A net that comes with some is opened by methods that know the limit.
+Json sharp_quads_report(const Editor& editor) {
+    const double limit = (editor.options().shear_limit - k_limit_tolerance) * k_degree;
+    return {{"at_rest", sharp_quads(editor.net(), editor.net().rest_positions(), limit)},
+            {"now", sharp_quads(editor.net(), editor.positions(), limit)}};
 }
 
 Json force_report(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
@@ -35,6 +44,7 @@ Json shape_report(const Editor& editor) {
                 {"largest_corner_angle_degrees", degrees(angles.largest)},
                 {"length_scale", editor.options().length_scale},
                 {"unreachable_pairs", unreachable_report(editor.unreachable_pairs())}};
+    if (editor.options().shear_limit > 0) report["quads_beyond_shear_limit"] = sharp_quads_report(editor);
     if (editor.guide()) report["distance_from_guide_in_lengths"] = distance_report(editor);
     return report;
 }

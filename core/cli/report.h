@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr double k_degree = std::numbers::pi / 180;
 
-/// How the net stands now: max dL, handle error, bend, corner angles, and handle pairs that are out of reach.
+/// How the net stands now: max dL, handle error, bend, corner angles, quads beyond the shear limit as the net came and
+/// now, and handle pairs that are out of reach.
 Json shape_report(const Editor& editor);
 
 /// Handle pairs that are out of reach, as a list.

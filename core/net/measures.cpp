@@ -129,6 +129,14 @@ AngleRange corner_angle_range(const Net& net, const Positions& positions) {
     return range;
 }
 
+int sharp_quads(const Net& net, const Positions& positions, double angle) {
+    std::vector<bool> is_sharp(static_cast<std::size_t>(net.face_count()), false);
+    for_each_corner(net, positions, [&](int, double corner, int f) {
+        if (net.faces()[f].size() == 4 && corner < angle) is_sharp[f] = true;
+    });
+    return static_cast<int>(std::count(is_sharp.begin(), is_sharp.end(), true));
+}
+
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {
     const double right = std::numbers::pi / 2;
     Eigen::VectorXd farthest = Eigen::VectorXd::Constant(net.vertex_count(), right);

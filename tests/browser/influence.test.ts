@@ -128,7 +128,10 @@ test('side by side they bend with the net, every edge of which keeps its length'
   await visit.page.mouse.click(x, y);
   await press('p');
   await expect.poll(async () => (await handles()).length).toBeGreaterThan(20);
+  const selected = visit.page.getByTitle(/^\d\d handles selected$/);
+  await selected.waitFor();
   await press('Escape');
+  await selected.waitFor({ state: 'detached' });
   await visit.page.locator('summary', { hasText: /^Dragging/ }).click();
   await chooseRadius('4 edges');
   await script.settled();

@@ -408,6 +408,30 @@ TEST_CASE("solve and drag keep a net near a guide, which is a file or one of our
     check_refused(box.run("solve net.obj --edit edit.json --guide nothing.obj"), "nothing.obj");
 }
 
+TEST_CASE("A net that comes with nearly closed quads is opened, and the report says how many there were") {
+    const Sandbox box;
+    constexpr int n = 6;
+    constexpr double sharp = 20 * EIGEN_PI / 180;
+    Mesh rhombi{Positions(3, n * n), {}};
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            rhombi.positions.col(j * n + i) << i + j * std::cos(sharp), j * std::sin(sharp), 0;
+            if (i + 1 < n && j + 1 < n)
+                rhombi.faces.add({j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+        }
+    box.write("rhombi.obj", write_obj(rhombi.positions, rhombi.faces));
+    box.write("edit.json", json{{"handles", {{{"vertex", 0}, {"target", {0, 0, 0}}}}}}.dump());
+    const std::string solve = "solve rhombi.obj --edit edit.json";
+    const json opened = box.run(solve).json();
+    CHECK(opened.at("status") == "converged");
+    CHECK(opened.at("quads_beyond_shear_limit") == json{{"at_rest", (n - 1) * (n - 1)}, {"now", 0}});
+    const json wider = box.run(solve + " --shear-limit 15").json();
+    CHECK(wider.at("quads_beyond_shear_limit") == json{{"at_rest", 0}, {"now", 0}});
+    const json left = box.run(solve + " --shear-limit 0").json();
+    CHECK(left.at("smallest_corner_angle_degrees") < 20.1);
+    CHECK_FALSE(left.contains("quads_beyond_shear_limit"));
+}
+
 TEST_CASE("equalize gives all edges one length, reports and writes") {
     const Sandbox box;
     write_stretched_vault(box, "raw.obj");

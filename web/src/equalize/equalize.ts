@@ -7,20 +7,28 @@ import { openSurface } from '../worker/opened_net';
 /** Milliseconds between two pieces of news; one iteration is the least. */
 const SLICE = 80;
 
-export function equalize(
-  core: Chebnet,
-  { mesh, options, guide }: EqualizeRequest,
-  post: (response: EqualizeResponse) => void,
-): void {
+export function equalize(core: Chebnet, request: EqualizeRequest, post: (response: EqualizeResponse) => void): void {
   try {
-    const surface = guide && openSurface(core, guide);
-    const equalizer = core.equalizer(mesh, surface ? { ...options, guide: surface } : options);
-    surface?.dispose();
-    post(solveToTheEnd(equalizer, post));
-    equalizer.dispose();
+    const equalizer = begun(core, request);
+    try {
+      post(solveToTheEnd(equalizer, post));
+    } finally {
+      equalizer.dispose();
+    }
   } catch (error) {
     const code = codeOf(error);
     post({ type: 'error', code, message: messageOf(error) });
+  }
+}
+
+/** It keeps what it needs of the guide. */
+function begun(core: Chebnet, { mesh, options, guide }: EqualizeRequest): Equalizer {
+  if (!guide) return core.equalizer(mesh, options);
+  const surface = openSurface(core, guide);
+  try {
+    return core.equalizer(mesh, { ...options, guide: surface });
+  } finally {
+    surface.dispose();
   }
 }
 
