@@ -127,7 +127,7 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   expect(await results()).toMatch(/Milliseconds\s+[\d.]+: laying [\d.]+, opening [\d.]+, measuring [\d.]+/);
   // What a proposal promises stands below its picture.
   const beginning = draper().getByRole('button', { name: 'Beginning 1' });
-  expect(await beginning.innerText()).toMatch(/\d+ % covered\s+[\d.]+ % sheared\s+[\d.e-]+ edges off/);
+  expect(await beginning.innerText()).toMatch(/\d+ % covered\s+[\d.]+ % sheared\s+\d\.\d{3} edges off/);
 
   await draper().getByRole('slider', { name: 'Cells' }).press('Home');
   await measured();

@@ -140,7 +140,6 @@ export class DrapeDialog implements DraperLike {
       this.#cuts.element,
       this.#creases.element,
       this.#singular.element,
-      this.#maker.element,
       this.#results.element,
     );
     this.#dialog = make(
@@ -151,6 +150,7 @@ export class DrapeDialog implements DraperLike {
       make(
         'div',
         { class: 'buttons' },
+        this.#maker.element,
         this.#take,
         ...(parts.fileWanted ? [makeButton(TEXT.fromFile, parts.fileWanted)] : []),
         makeButton(TEXT.cancel, () => this.close()),
@@ -323,6 +323,7 @@ export class DrapeDialog implements DraperLike {
   #setNet(net: DrapedNet | RemeshedNet | null): void {
     this.#shown = net;
     this.#take.disabled = net === null;
+    this.#maker.setWanted(net === null);
   }
 
   #drapeFrom(seed: DrapeSettings['seed']): void {

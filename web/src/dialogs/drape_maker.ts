@@ -29,6 +29,11 @@ export class DrapeMaker {
     this.element.hidden = !shown;
   }
 
+  /** Whether to make the net is what comes next. */
+  setWanted(wanted: boolean): void {
+    this.#make.classList.toggle('primary', wanted);
+  }
+
   setBusy(busy: boolean): void {
     this.#make.hidden = busy;
     this.#stop.hidden = !busy;

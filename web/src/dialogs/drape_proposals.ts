@@ -1,7 +1,6 @@
 /** Where a net would begin well, as pictures to choose from. */
 import type { Proposal } from '../drape/drape_protocol';
 import { make, makeButton } from '../elements/dom';
-import { small } from '../language/numbers';
 import { drawThumbnail } from '../elements/thumbnail';
 import { dialogWords } from '../language/dialogs';
 import { percentWords } from './file_words';
@@ -9,7 +8,7 @@ import { percentWords } from './file_words';
 const TEXT = dialogWords.drape;
 
 function wordsOf({ covered, muchSheared, meanDistance }: Proposal): string[] {
-  return TEXT.proposed(percentWords(covered), percentWords(muchSheared), small(meanDistance));
+  return TEXT.proposed(percentWords(covered), percentWords(muchSheared), meanDistance.toFixed(3));
 }
 
 export class DrapeProposals {
