@@ -1,6 +1,7 @@
 import { defineConfig } from 'vite';
 import { entriesAlone } from './entries_alone.ts';
 import { licences } from './licences.ts';
+import { noOriginInline } from './no_origin_inline.ts';
 import { offline } from './offline.ts';
 import { leanThree, plasma } from './page_parts.ts';
 import { plotsInPageLanguage } from './plots_in_page_language.ts';
@@ -27,6 +28,7 @@ export default defineConfig({
     plasma(),
     plotsInPageLanguage(),
     wordsFirst(),
+    noOriginInline(),
     stylesWhileDeveloping(),
     licenceTexts.page,
     offline(),

@@ -23,21 +23,24 @@ const TYPES: Record<string, string> = {
   '.webmanifest': 'application/manifest+json',
 };
 
-/** No eval, nothing inline, nothing from elsewhere: in the page and, where its meta element has no say, in the worker. */
-const POLICY = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self'",
-  "connect-src 'self'",
-  "img-src 'self'",
-  "style-src 'self'",
-  "manifest-src 'self'",
-  "frame-src 'self'",
-].join('; ');
+/** No eval, nothing from elsewhere, nothing inline but what the page admits by its hash: in the page and, where its meta
+ *  element has no say, in the worker. */
+const policy = (hash: string) =>
+  [
+    "default-src 'none'",
+    `script-src 'self' 'wasm-unsafe-eval' ${hash}`,
+    "worker-src 'self'",
+    "connect-src 'self'",
+    "img-src 'self'",
+    "style-src 'self'",
+    "manifest-src 'self'",
+    "frame-src 'self'",
+  ].join('; ');
 
 /** Serves the built page below a folder, as any host of static files might. `root` may change. */
 export async function serve(root: () => string): Promise<{ address: string; served: string[]; close(): void }> {
   const served: string[] = [];
+  const [hash] = /'sha256-[^']*'/.exec(await readFile(join(DIST, 'index.html'), 'utf8'))!;
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url ?? '/', 'http://host').pathname.replace(/^\/some\/folder\/?/, '/'));
     const file = join(root(), path === '/' ? 'index.html' : path);
@@ -45,7 +48,7 @@ export async function serve(root: () => string): Promise<{ address: string; serv
     readFile(file).then(
       (body) => {
         const type = TYPES[extname(file)] ?? 'application/octet-stream';
-        response.writeHead(200, { 'content-type': type, 'content-security-policy': POLICY }).end(body);
+        response.writeHead(200, { 'content-type': type, 'content-security-policy': policy(hash) }).end(body);
       },
       () => {
         served.splice(served.indexOf(file), 1);

@@ -12,7 +12,7 @@ import './embed.css';
 /** @param view the element that holds the picture. */
 export function embed(view: HTMLElement, app: App, script: Scripting): void {
   view.append(makeShield(view), makeWayOut(app));
-  // Without an origin there are no workers, and nothing can be solved; public/no_origin.js tells the host.
+  // Without an origin there are no workers, and nothing can be solved; no_origin.js tells the host.
   if (parent !== window && origin !== 'null') listenToHost(script);
 }
 

@@ -27,7 +27,7 @@
  *
  * A frame with a `sandbox` needs `allow-scripts allow-same-origin`. Without the second a browser gives the page no origin and
  * lets it load neither modules nor workers: instead of `ready` the host then gets the event `error` with the code `no_origin`,
- * and the frame says so. WebKit runs no script of the site there: the frame says it, and the host hears nothing.
+ * and the frame says so.
  */
 import type { Scripting, Stats } from '../scripting';
 

@@ -1,4 +1,4 @@
-// No module: without an origin a browser loads none.
+// What no_origin_inline.ts puts into the document.
 if (origin === 'null') {
   document.getElementById('no-origin').hidden = false;
   const message = 'The sandbox of the frame needs allow-same-origin.';
