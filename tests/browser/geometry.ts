@@ -45,6 +45,19 @@ export function fan(count: number): string {
   return ['v 0 0 0', ...rim, ...faces, ''].join('\n');
 }
 
+/** As an OBJ: quads around vertex 0, wavy, so that edges differ in length. */
+export function fanOfQuads(count: number): string {
+  const place = (radius: number, steps: number, z: number) => {
+    const angle = (2 * Math.PI * steps) / count;
+    return `v ${radius * Math.cos(angle)} ${radius * Math.sin(angle)} ${z}`;
+  };
+  const all = Array.from({ length: count }, (_, i) => i);
+  const spokes = all.map((i) => place(1, i, 0.3 * (i % 2)));
+  const outer = all.map((i) => place(2, i + 0.5, 0.1));
+  const faces = all.map((i) => `f 1 ${i + 2} ${i + 2 + count} ${((i + 1) % count) + 2}`);
+  return ['v 0 0 0', ...spokes, ...outer, ...faces, ''].join('\n');
+}
+
 interface Watching {
   /** After each move of the pointer. */
   during?(): Promise<void>;
