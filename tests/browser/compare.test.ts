@@ -94,6 +94,28 @@ test('a row shows its net until the user goes back or goes on', async () => {
   expect(await row.getAttribute('aria-pressed')).toBe('false');
 });
 
+test('runs of a comparison that takes the place of another are not there to be clicked before they have run', async () => {
+  await edit('vault:vertices=200');
+  await compare();
+  await expect.poll(said, { timeout: 60_000 }).toBe('4 runs');
+  expect(await visit.page.evaluate(countEarly)).toBe(0);
+});
+
+/** Runs in the page: compares, and counts the frames in which a run with nothing to tell can be clicked. */
+async function countEarly(): Promise<number> {
+  const begin = [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Compare')!;
+  const before = document.querySelector('.comparison tbody');
+  begin.click();
+  let early = 0;
+  for (const end = performance.now() + 500; performance.now() < end; ) {
+    await new Promise(requestAnimationFrame);
+    const rows = [...document.querySelectorAll('.comparison tbody tr')];
+    if (rows.some((row) => !row.querySelector('button')!.disabled && row.querySelector('td')!.textContent === ''))
+      ++early;
+  }
+  return document.querySelector('.comparison tbody') === before ? NaN : early;
+}
+
 test('two nets stand side by side, seen from the same place', async () => {
   await edit(SHAPE);
   await compare();
@@ -166,8 +188,6 @@ test('a phone has room for it', async () => {
   await visit.page.screenshot({ path: join(OUTPUT, 'compare-phone.png') });
 });
 
-/** Opens a shape and pulls its last handle. */
-
 test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {
   ({ script } = await arrive());
   const { page } = script;
@@ -187,6 +207,7 @@ test('what plots is loaded when a plot is seen; if it cannot be, that is said in
   expect((await script.stats()).status).toBe('converged');
 });
 
+/** Opens a shape and pulls its last handle. */
 async function edit(recipe: string) {
   await script.open({ recipe });
   const { vertex, target } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;

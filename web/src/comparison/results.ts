@@ -62,7 +62,8 @@ export class ComparisonResults {
   /** May be called often. */
   setComparison(comparison: Comparison): void {
     if (comparison !== this.#comparison) this.#begin(comparison);
-    if (this.#timer === 0) this.#timer = window.setTimeout(() => this.#refresh(), comparison.running ? REFRESH_MS : 0);
+    else if (this.#timer === 0)
+      this.#timer = window.setTimeout(() => this.#refresh(), comparison.running ? REFRESH_MS : 0);
   }
 
   /** The run whose net is in the view (null: the user's own is), and those beside it. */
@@ -82,6 +83,8 @@ export class ComparisonResults {
     this.#netIsOpen = true;
     this.element.hidden = false;
     this.#table.setRuns(comparison.runs);
+    // What is there to be read and clicked is of the one before.
+    this.#refresh();
   }
 
   #refresh(): void {
