@@ -2,13 +2,29 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
+import type { Visit } from './page';
 import { OUTPUT, drawn, openForResearch, visits } from './page';
 
 /** A picture that is drawn fast, again and again. */
-const SMALL = { viewport: { width: 800, height: 320 } };
+const SMALL = { width: 800, height: 320 };
 const PHONE = { viewport: { width: 390, height: 844 } };
 
-const { arrive } = visits();
+const { arrive, share } = visits();
+
+/** The page with a figure, by a link that comes while something else is open. */
+async function visitFigure(experiment: string, viewport?: { width: number; height: number }): Promise<Visit> {
+  const visit = await share();
+  const { page } = visit;
+  if (viewport) await page.setViewportSize(viewport);
+  await page.evaluate((name) => {
+    const hash = `#experiment=${name}`;
+    if (location.hash === hash) dispatchEvent(new HashChangeEvent('hashchange'));
+    else location.hash = hash;
+  }, experiment);
+  await noteOf(page).waitFor();
+  await visit.script.settled();
+  return visit;
+}
 
 const noteOf = (page: Page) => page.getByRole('region', { name: 'Experiment' });
 
@@ -53,7 +69,7 @@ test('a link opens a figure, unsolved, with what the paper claims, and steps sho
 });
 
 test('the list of figures is links, and a link to the one that is open begins it again', async () => {
-  const { page, script } = await arrive();
+  const { page, script } = await share();
   await openForResearch(page, 'Experiments');
   const link = page.getByRole('link', { name: 'General meshes' });
   for (const _ of ['first', 'again']) {
@@ -68,7 +84,7 @@ test('the list of figures is links, and a link to the one that is open begins it
 });
 
 test('links lead to other edits with the same variant, and to other variants with the same edit', async () => {
-  const { page } = await arrive('#experiment=starts&variant=1');
+  const { page } = await visitFigure('starts&variant=1');
   const note = noteOf(page);
   await note.getByText('Figure 18').waitFor();
   const [edits, variants] = ['Edits', 'Variants'].map((name) => note.getByRole('navigation', { name }));
@@ -102,7 +118,7 @@ test('an unknown experiment shows the first net and says so', async () => {
 // ------------------------------------------------------------------------------------------------------ what is claimed
 
 test('figure 4: three nets with every edge at its length, apart from each other', async () => {
-  const { page } = await arrive('#experiment=shear');
+  const { page } = await visitFigure('shear');
   const rows = await runAll(page);
   expect(rows.map(({ status }) => status)).toEqual(['Converged', 'Converged', 'Converged']);
   const [, ...distances] = rows.map(({ distance }) => distance);
@@ -119,7 +135,7 @@ test('figure 4: three nets with every edge at its length, apart from each other'
 test('figure 8: composite majorization makes more edges longer than L on its way, and the legend says how many', async () => {
   const peaks: number[] = [];
   for (const variant of ['Composite majorization', 'Li et al. 2022']) {
-    const { page } = await arrive('#experiment=long-edges', SMALL);
+    const { page } = await visitFigure('long-edges', SMALL);
     await noteOf(page).getByRole('link', { name: variant }).click();
     await noteOf(page).locator('[aria-current=true]', { hasText: variant }).waitFor();
     const shares = await stepToEnd(page);
@@ -132,7 +148,7 @@ test('figure 8: composite majorization makes more edges longer than L on its way
 });
 
 test('figure 16: nets of other sizes are run, but not shown in place of the one that is open', async () => {
-  const { page } = await arrive('#experiment=resolutions');
+  const { page } = await visitFigure('resolutions');
   const rows = await runAll(page);
   expect(rows.map(({ status }) => status)).toEqual(['Converged', 'Converged', 'Converged']);
   const buttons = page.locator('.comparison tbody th button');
@@ -144,7 +160,7 @@ test('figure 16: nets of other sizes are run, but not shown in place of the one 
 });
 
 test('figure 17: competitors with other energies end above the threshold, or after more iterations', async () => {
-  const { page } = await arrive('#experiment=competitors');
+  const { page } = await visitFigure('competitors');
   const [paper, ...competitors] = await runAll(page);
   expect(paper!.status).toBe('Converged');
   const others = competitors.filter(({ name }) => name !== 'Composite majorization');
@@ -156,7 +172,7 @@ test('figure 17: competitors with other energies end above the threshold, or aft
 test('figure 3: new nets are made of three bodies, beside edits, and can be stopped', {
   timeout: 300_000,
 }, async () => {
-  const { page } = await arrive('#experiment=new-net');
+  const { page } = await visitFigure('new-net');
   const trial = noteOf(page).getByRole('region', { name: 'An edit and a new net' });
   const begin = trial.getByRole('button', { name: 'Make new nets' });
   const bodies = trial.locator('tbody');

@@ -14,6 +14,8 @@ export interface First {
 
 export interface PageState {
   unfolded: string[];
+  /** Methods that are chosen to be compared: no part of a project. */
+  compared: string[];
   /** Fields with what is chosen in them, folded away or not. */
   fields: string[];
   /** Whatever can be operated that is seen. */
@@ -34,7 +36,7 @@ export async function asAtFirst(page: Page): Promise<First> {
 export async function putAway(page: Page, { project, size, state: first }: First): Promise<boolean> {
   await page.setViewportSize(size);
   await page.mouse.move(0, 0);
-  await page.evaluate(close, first.unfolded);
+  await page.evaluate(close, first);
   await dropFile(page, 'first.chebnet.json', project);
   await page.getByText('The project is open.').waitFor();
   await page.evaluate(() => window.chebnet.settled());
@@ -49,12 +51,15 @@ export function isAsAtFirst(now: PageState, first: PageState): boolean {
   return first.fields.every((each) => fields.has(each)) && now.seen.every((each) => seen.has(each));
 }
 
-/** Runs in the page: ends dialogs, menus and messages, and folds sections. */
-export function close(unfolded: readonly string[]): void {
+/** Runs in the page: ends dialogs, menus, messages and comparisons, and folds sections. */
+export function close({ unfolded, compared }: PageState): void {
   for (const dialog of document.querySelectorAll('dialog')) dialog.requestClose();
   for (const menu of document.querySelectorAll<HTMLElement>(':popover-open')) menu.hidePopover();
   for (const line of document.querySelectorAll('.message')) line.remove();
   document.querySelector<HTMLElement>('.fold[aria-expanded=true]')?.click();
+  document.querySelector<HTMLElement>('.comparison:not([hidden]) > header > button')?.click();
+  for (const method of document.querySelectorAll<HTMLInputElement>('fieldset.methods input'))
+    if (method.checked !== compared.includes(method.value)) method.click();
   for (const section of document.querySelectorAll('details'))
     section.open = unfolded.includes(section.querySelector('summary')?.textContent ?? '');
   (document.activeElement as HTMLElement).blur();
@@ -70,5 +75,6 @@ export function stateOfPage(): PageState {
     .filter((each) => each.checkVisibility() && each.closest('.message') === null)
     .map((each) => [each.ariaLabel, each.textContent, each.disabled, each.ariaPressed].join(' '));
   const unfolded = all<HTMLElement>('details[open] > summary').map(({ textContent }) => textContent);
-  return { unfolded, fields, seen };
+  const compared = all<HTMLInputElement>('fieldset.methods input:checked').map(({ value }) => value);
+  return { unfolded, compared, fields, seen };
 }

@@ -281,7 +281,7 @@ export class Visitor {
   /** See tests/browser/put_away.ts. */
   async putAway({ project, state }: First): Promise<boolean> {
     await this.driver.movePointer(0, 0);
-    await this.run(close, state.unfolded);
+    await this.run(close, state);
     await this.dropFile('first.chebnet.json', project);
     await this.read('The project is open.');
     await this.settled();
