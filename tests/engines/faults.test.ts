@@ -1,10 +1,11 @@
 /** Misfortunes, in each engine: nothing is lost, and what happened is said. */
+import { availableParallelism, loadavg } from 'node:os';
 import { afterAll, beforeEach, expect, test, vi } from 'vitest';
 import { distance, largestError } from '../browser/geometry';
 import { hashWithZeros } from '../web/hash_with_zeros';
 import { ENGINE } from './engines';
 import { preparedBy } from './prepared';
-import { crowd, PATIENCE, visitors } from './visitor';
+import { PATIENCE, visitors } from './visitor';
 import type { Visitor } from './visitor';
 
 const SHAPE = 'vault:vertices=600';
@@ -84,6 +85,9 @@ async function countKept(ofTwin = false): Promise<number> {
 
 /** Ten times what the slowest engine takes, and a thirtieth of the silence at which the page gives a solver up, ms. */
 const LONGEST_LOSS = 2000;
+
+/** So many programs take turns at a processor. */
+const crowd = () => Math.max(1, loadavg()[0]! / availableParallelism());
 
 /** Runs in the page: ends the solver, and gives the ms until it is said that the net is back. */
 async function endSolver(): Promise<number> {

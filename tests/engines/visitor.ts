@@ -1,6 +1,5 @@
 /** Somebody who visits the page in a window of any engine. */
 import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { availableParallelism, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
@@ -16,9 +15,6 @@ mkdirSync(OUTPUT, { recursive: true });
 
 /** What a busy machine may take, ms. */
 export const PATIENCE = { timeout: 60_000, interval: 50 };
-
-/** So many programs take turns at a processor. */
-export const crowd = () => Math.max(1, loadavg()[0]! / availableParallelism());
 
 /** A file that was the same so often has been written. */
 const LOOKS = 4;
