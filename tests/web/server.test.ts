@@ -425,6 +425,23 @@ describe('by hand', () => {
     expect(settled().frame.status).toBe('unreachable');
   });
 
+  test('of all that is out of reach the worst goes with a frame', () => {
+    const { positions } = settled().frame;
+    const count = positions.length / 3;
+    const scattered = Array.from({ length: count }, (_, vertex) => ({
+      vertex,
+      target: [vertex, vertex ** 2 % 17, 500 * (vertex % 2)] as [number, number, number],
+      anchor: false,
+    }));
+    restore(positions, scattered);
+    const { status, unreachable } = settled().frame;
+    expect(status).toBe('unreachable');
+    expect(count).toBeGreaterThan(100);
+    expect(unreachable).toHaveLength(100);
+    const strains = unreachable.map(({ distance, reach }) => Math.max(distance / reach, reach / distance));
+    expect(strains).toEqual([...strains].sort((a, b) => b - a));
+  });
+
   test('a net that is too large for a method stays as it is, and the next edit begins anew', () => {
     const refusing = core.openRecipe(recipe);
     const solve = refusing.solve.bind(refusing);

@@ -135,6 +135,7 @@ export interface FrameData {
   trace: TraceRow[];
   /** Where the net stood before the single step that led here; null if anything else did. */
   stepFrom: Float64Array | null;
+  /** The worst, at most a hundred. */
   unreachable: UnreachablePair[];
   /** Bytes that the core has taken, see Editors.memory(). */
   memory: number;

@@ -31,6 +31,8 @@ const SHARE = 32;
 const EXACT_SHARE = SLICE;
 /** The slice of a search for other lengths, which shows no frames. */
 const SLICE_OF_SEARCH = 100;
+/** Pairs of handles that go with a frame: of thousands of handles tens of thousands may be out of reach. */
+const MOST_PAIRS = 100;
 
 /** Requests after which the count of iterations goes on. */
 const GOES_ON: ReadonlySet<Request['type']> = new Set(['step', 'solve', 'cancel', 'release']);
@@ -522,7 +524,7 @@ export class Server {
       toRest: this.#row && this.#toRest,
       trace,
       stepFrom,
-      unreachable: editor.unreachablePairs(),
+      unreachable: editor.unreachablePairs().slice(0, MOST_PAIRS),
       memory: this.#core.memory(),
     };
   }
