@@ -53,6 +53,28 @@ async function goOver(to: { script: string }): Promise<void> {
   await visitor.waitForNet();
 }
 
+test('what the page had before it could be kept is kept, too', async () => {
+  const { path: folder } = folders[folders.push(newFolder()) - 1]!;
+  cpSync(DIST, folder, { recursive: true });
+  const worker = join(folder, 'service_worker.js');
+  writeFileSync(worker, '// keeps nothing');
+  served = folder;
+  const early = await arrive();
+  await early.run(() => window.chebnet.setOptions({ method: 'gauss_newton' }));
+  expect(await early.run(() => navigator.serviceWorker.controller === null)).toBe(true);
+
+  cpSync(join(DIST, 'service_worker.js'), worker);
+  await early.run(async () => void (await (await navigator.serviceWorker.ready).update()));
+  await vi.waitUntil(
+    () =>
+      early.run(async () => {
+        const all = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+        return all.flat().some(({ url }) => /chebnet_core[^/]*\.wasm$/.test(url));
+      }),
+    PATIENCE,
+  );
+});
+
 test('a file that was spoilt where it is kept is fetched anew', async () => {
   const spoilt = await visitor.run(async () => {
     const [name] = await caches.keys();

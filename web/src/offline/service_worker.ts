@@ -59,6 +59,18 @@ async function takeOver(): Promise<void> {
   const before = others.filter((_, i) => areWhole[i]).at(-1) ?? others.at(-1);
   await Promise.all(others.filter((name) => name !== before).map((name) => caches.delete(name)));
   await self.clients.claim();
+  // Not waited for: until a worker is active, all that the page asks for waits.
+  void keepWhatCameBefore();
+}
+
+/** What the page has asked for before this worker could see it: the browser has it still, or is loading it. */
+async function keepWhatCameBefore(): Promise<void> {
+  const cache = await caches.open(CACHE);
+  for (const address of LATER) {
+    if (await cache.match(address)) continue;
+    const response = await fetch(address, { cache: 'only-if-cached', mode: 'same-origin' }).catch(() => null);
+    if (response?.ok) await cache.put(address, response).catch(() => {});
+  }
 }
 
 /** A corrupt file in the cache would keep the page from starting, and so from ever being updated. */
