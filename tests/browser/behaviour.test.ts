@@ -29,13 +29,13 @@ async function choose(behaviour: RegExp): Promise<void> {
 }
 
 /** Takes the last handle and moves it by so many pixels. */
-async function drag(by: [number, number]): Promise<void> {
+async function drag(by: [number, number], steps = 12): Promise<void> {
   const { mouse } = visit.page;
   const vertex = await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.vertex);
   const { x, y } = await script.screenPosition(vertex);
   await mouse.move(x, y);
   await mouse.down();
-  await mouse.move(x + by[0], y + by[1], { steps: 12 });
+  await mouse.move(x + by[0], y + by[1], { steps });
   await mouse.up();
   await script.settled();
 }
@@ -98,6 +98,29 @@ test('the first net stays one that could be woven: pushed down, aside and far, a
   await script.move(vertex, home);
   await script.settled();
   expect(apart(await script.positions(), rest)).toBeLessThan(0.02 * length);
+});
+
+test('neither the machine nor the hand decides the shape: one that is slow and has two pictures, one that has forty', async () => {
+  await choose(/keeps its shape/);
+  const editor = chebnet.openRecipe(DOME);
+  const length = editor.info.meanLength;
+  editor.dispose();
+  const session = await visit.page.context().newCDPSession(visit.page);
+  const ends: Float64Array[] = [];
+  for (const { rate, steps } of [
+    { rate: 1, steps: 40 },
+    { rate: 8, steps: 2 },
+  ]) {
+    await session.send('Emulation.setCPUThrottlingRate', { rate });
+    await drag([120, 70], steps);
+    ends.push(await script.positions());
+    await visit.page.keyboard.press('Control+Z');
+    await script.settled();
+  }
+  await session.send('Emulation.setCPUThrottlingRate', { rate: 1 });
+  await session.detach();
+  expect(apart(ends[0]!, await script.positions())).toBeGreaterThan(0.5 * length);
+  expect(apart(ends[0]!, ends[1]!)).toBeLessThan(0.005 * length);
 });
 
 test('a hand that goes beyond what the net can reach holds it there; the handle comes back to it', async () => {
