@@ -1,7 +1,11 @@
 /** The net itself is changed: finer, coarser, cut, shorter and longer, each exact and undone in a step. */
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
+import { load } from '../wasm/load';
 import { OUTPUT, type Script, type Visit, visits } from './page';
+
+const SHAPE = 'vault:vertices=300';
+const net = (await load()).openRecipe(SHAPE);
 
 const { share } = visits();
 let visit: Visit;
@@ -10,7 +14,7 @@ let script: Script;
 beforeEach(async () => {
   visit = await share();
   ({ script } = visit);
-  await script.open({ recipe: 'vault:vertices=300' });
+  await script.open({ recipe: SHAPE });
   await script.settled();
   await visit.page.locator('summary', { hasText: /^Change the net$/ }).click();
 });
@@ -53,16 +57,16 @@ async function becomes(count: (before: number) => number, name: string): Promise
 test('finer, another length, and back', async () => {
   const first = await vertices();
   const handles = (await visit.page.evaluate(() => window.chebnet.handles())).map(({ vertex }) => vertex);
-  const length = Number(await section().getByLabel('Edge length').inputValue());
+  const edgeLength = async () => Number(await section().getByLabel('Edge length').inputValue());
+  const length = net.info.meanLength;
+  await expect.poll(edgeLength).toBeCloseTo(length, 4);
   await press('Refine');
   await visit.page.getByText(/^The net has [\d,]+ vertices now\.$/).waitFor();
   await script.settled();
   expect(await vertices()).toBeGreaterThan(3.5 * first);
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
   expect((await visit.page.evaluate(() => window.chebnet.handles())).map(({ vertex }) => vertex)).toEqual(handles);
-  await expect
-    .poll(async () => Number(await section().getByLabel('Edge length').inputValue()))
-    .toBeCloseTo(length / 2, 4);
+  await expect.poll(edgeLength).toBeCloseTo(length / 2, 4);
   await visit.page.screenshot({ path: join(OUTPUT, 'change-refined.png') });
 
   const fine = await vertices();

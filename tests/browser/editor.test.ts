@@ -9,6 +9,12 @@ import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
 import { MOVING, OUTPUT, README_PICTURE, drawn, visits } from './page';
 
+declare global {
+  interface Window {
+    linkMade: Promise<string>;
+  }
+}
+
 const SHAPE = 'vault:vertices=1000';
 
 const chebnet = await load();
@@ -221,12 +227,13 @@ test('a net that is opened while the view coasts stands as if it had not been tu
 test('a link that is made while the view moves knows where it goes', async () => {
   const { page } = visit;
   await page.evaluate(() => window.chebnet.link()); // What makes links has been loaded.
-  const link = page.evaluate(async () => {
-    await new Promise((done) => addEventListener('keydown', done, { once: true }));
-    return window.chebnet.link();
+  await page.evaluate(() => {
+    window.linkMade = new Promise((done) => addEventListener('keydown', done, { once: true })).then(() =>
+      window.chebnet.link(),
+    );
   });
   await page.keyboard.press('7');
-  const there = await arrive(await link);
+  const there = await arrive(await page.evaluate(() => window.linkMade));
   const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
   const [here, seen] = [await script.screenPosition(vertex), await there.script.screenPosition(vertex)];
   expect(Math.hypot(here.x - seen.x, here.y - seen.y)).toBeLessThan(1);

@@ -196,13 +196,14 @@ test.each([
   await visit.page.screenshot({ path: join(OUTPUT, `share-${colorScheme}-${width}.png`) });
 });
 
+/** Once the page is laid out for the size that the window has. */
 async function expectInside(part: ReturnType<typeof menu>) {
   const { width, height } = visit.page.viewportSize()!;
-  const box = (await part.boundingBox())!;
-  expect(box.x).toBeGreaterThanOrEqual(0);
-  expect(box.y).toBeGreaterThanOrEqual(0);
-  expect(box.x + box.width).toBeLessThanOrEqual(width);
-  expect(box.y + box.height).toBeLessThanOrEqual(height);
+  const isInside = async () => {
+    const box = (await part.boundingBox())!;
+    return box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height;
+  };
+  await expect.poll(isInside).toBe(true);
 }
 
 test('"File" has all that people look for there: open, save, export, share', async () => {

@@ -131,7 +131,7 @@ test('side by side they bend with the net, every edge of which keeps its length'
   const selected = visit.page.getByTitle(/^\d\d handles selected$/);
   await selected.waitFor();
   await press('Escape');
-  await selected.waitFor({ state: 'detached' });
+  await selected.waitFor({ state: 'hidden' });
   await visit.page.locator('summary', { hasText: /^Dragging/ }).click();
   await chooseRadius('4 edges');
   await script.settled();
