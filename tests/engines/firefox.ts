@@ -47,8 +47,14 @@ export async function startFirefox(): Promise<Engine> {
     await page.setViewport({ width: 1280, height: 800 });
     const complaints = complaintsOf(page);
     return {
-      goto: async (url) => void (await page.goto(url)),
-      reload: async () => void (await page.reload()),
+      goto: async (url) => {
+        complaints.leave();
+        await page.goto(url);
+      },
+      reload: async () => {
+        complaints.leave();
+        await page.reload();
+      },
       evaluate: (expression) => page.evaluate(expression),
       movePointer: (x, y) => page.mouse.move(x, y),
       pressButton: () => page.mouse.down(),
@@ -59,7 +65,7 @@ export async function startFirefox(): Promise<Engine> {
       resize: (width, height) => page.setViewport({ width, height }),
       screenshot: async () => Buffer.from(await page.screenshot()),
       downloads: downloads.path,
-      complaints: async () => complaints(),
+      complaints: async () => complaints.all(),
       close: () => context.close(),
     };
   }
@@ -73,11 +79,15 @@ export async function startFirefox(): Promise<Engine> {
   return { name: 'firefox', newWindow, close };
 }
 
-function complaintsOf(page: Page): () => string[] {
+function complaintsOf(page: Page) {
   const complaints: string[] = [];
   const cutOff: { text: string; time: number }[] = [];
-  const changes: number[] = [];
-  page.on('framenavigated', () => changes.push(Date.now()));
+  const changes: { from: number; to: number }[] = [];
+  let left: number | null = null;
+  page.on('framenavigated', () => {
+    changes.push({ from: left ?? Date.now(), to: Date.now() });
+    left = null;
+  });
   page.on('console', (message: ConsoleMessage) => {
     const serious = ['error', 'warn', 'assert'].includes(message.type());
     if (CUT_OFF.test(message.text())) cutOff.push({ text: message.text(), time: Date.now() });
@@ -90,6 +100,10 @@ function complaintsOf(page: Page): () => string[] {
     const reason = request.failure()?.errorText ?? '';
     if (!GIVEN_UP.includes(reason)) complaints.push(`${request.url()}: ${reason}`);
   });
-  const wasLeft = (time: number) => changes.some((change) => Math.abs(change - time) < LEAVING);
-  return () => [...complaints, ...cutOff.filter(({ time }) => !wasLeft(time)).map(({ text }) => text)];
+  const wasLeft = (time: number) => changes.some(({ from, to }) => time > from - LEAVING && time < to + LEAVING);
+  return {
+    /** The page is about to be left: it is while the next one is awaited. */
+    leave: () => (left = Date.now()),
+    all: () => [...complaints, ...cutOff.filter(({ time }) => !wasLeft(time)).map(({ text }) => text)],
+  };
 }
