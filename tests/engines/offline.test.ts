@@ -65,14 +65,7 @@ test('what the page had before it could be kept is kept, too', async () => {
 
   cpSync(join(DIST, 'service_worker.js'), worker);
   await early.run(async () => void (await (await navigator.serviceWorker.ready).update()));
-  await vi.waitUntil(
-    () =>
-      early.run(async () => {
-        const all = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
-        return all.flat().some(({ url }) => /chebnet_core[^/]*\.wasm$/.test(url));
-      }),
-    PATIENCE,
-  );
+  await early.wholeCoreKept();
 });
 
 test('a file that was spoilt where it is kept is fetched anew', async () => {

@@ -59,14 +59,7 @@ test('after one visit the page opens without its server, a net can be dragged, a
     PATIENCE,
   );
   await visitor.drag((await visitor.handles()).at(-1)!, [-20, -20]);
-  await vi.waitUntil(
-    () =>
-      visitor.run(async () => {
-        const kept = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
-        return kept.flat().some(({ url }) => /chebnet_core[^/]*\.wasm$/.test(url));
-      }),
-    PATIENCE,
-  );
+  await visitor.wholeCoreKept();
   closeSite();
   await visitor.driver.reload();
   await visitor.waitForNet();
