@@ -12,6 +12,8 @@
 #include "solve/parts/net_constraints.h"
 #include "solve/parts/path_extrapolation.h"
 #include "solve/parts/rigid_motion.h"
+#include "solve/parts/tangent_newton.h"
+#include "solve/terms/bending_term.h"
 
 using namespace chebnet;
 
@@ -66,6 +68,28 @@ double error_on_circle(double step) {
     for (int k : {-2, -1, 0}) path.add(on_circle(k * step));
     return (at(path, 1) - on_circle(step)).norm();
 }
+
+/// A bent sheet of 6 by 9 vertices whose first row is held, as by hinges, with the norm of its bending.
+struct HingedSheet {
+    Net net = samples::patch(6, 9);
+    Topology topology{net};
+    FreePart part{net, free_vertices(net.vertex_count(), std::vector{0, 1, 2, 3, 4, 5})};
+    TangentNewton newton{net, topology, part};
+    Positions x = net.rest_positions();
+
+    HingedSheet() {
+        std::vector<std::unique_ptr<Term>> terms;
+        terms.push_back(std::make_unique<BendingTerm>(net, topology, x, 1, BendingTerm::Reference::rest));
+        newton.set_metric(terms);
+        for (int v = 0; v < x.cols(); ++v) x.col(v).z() = std::sin(x.col(v).y());
+    }
+    Positions gone(double t, const Eigen::Matrix3Xd& move) {
+        Positions to;
+        newton.begin_way(x, move);
+        newton.go(t, to);
+        return to;
+    }
+};
 
 }  // namespace
 
@@ -155,7 +179,7 @@ TEST_CASE("What is projected has every length and no corner beyond the limit, an
     const Net net = samples::patch(8, 8, 0);
     const Topology topology(net);
     const std::vector<bool> is_free(64, true);
-    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), is_free, {}, net.rest_positions());
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), is_free, {}, {}, net.rest_positions());
     // Corners of 55°, shaken.
     Positions x = net.rest_positions();
     x.row(0) += std::cos(55 * k_degree) * x.row(1);
@@ -175,7 +199,7 @@ TEST_CASE("What is projected has every length and no corner beyond the limit, an
 TEST_CASE("A corner that was far from its limit when corners were last looked at stops no move: it is held") {
     const Net net = samples::patch(4, 4, 0);
     const Topology topology(net);
-    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), std::vector<bool>(16, true), {},
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), std::vector<bool>(16, true), {}, {},
                                net.rest_positions());
     const auto sheared = [&](double angle) {
         Positions x = net.rest_positions();
@@ -221,4 +245,34 @@ TEST_CASE("A straight path goes on straight, and a bent one errs by the third po
 
     CHECK(error_on_circle(0.1) < 1.1e-3);
     CHECK(error_on_circle(0.1) / error_on_circle(0.05) == Approx(8).epsilon(0.01));
+}
+
+TEST_CASE("A sheet that turns about its hinges keeps its shape however far it turns at once") {
+    HingedSheet sheet;
+    const Eigen::Vector3d axis = (sheet.x.col(5) - sheet.x.col(0)).normalized(), on_axis = sheet.x.col(0);
+    Eigen::Matrix3Xd move(3, sheet.x.cols());
+    for (int v = 0; v < move.cols(); ++v) move.col(v) = axis.cross(sheet.x.col(v) - on_axis);
+    for (const double angle : {0.1, 0.5, 1.5}) {
+        CAPTURE(angle);
+        const Positions to = sheet.gone(2 * std::tan(angle / 2), move);
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+        const Positions turned = (turn * (sheet.x.colwise() - on_axis)).colwise() + on_axis;
+        CHECK((to - turned).cwiseAbs().maxCoeff() < 5e-3);
+        CHECK(max_deviation(sheet.net, sheet.x + angle * move) > max_deviation(sheet.net, to));
+    }
+}
+
+TEST_CASE("A short part of any move is that part of it, but for its square, and what is fixed stays") {
+    const unsigned seed = GENERATE(range(1u, 4u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    HingedSheet sheet;
+    Eigen::Matrix3Xd move = samples::shaken(Positions::Zero(3, sheet.x.cols()), 1, random);
+    for (int v = 0; v < 6; ++v) move.col(v).setZero();
+    const auto off = [&](double part) {
+        return (sheet.gone(part, move) - sheet.x - part * move).cwiseAbs().maxCoeff();
+    };
+    CHECK(sheet.gone(1, move).leftCols(6) == sheet.x.leftCols(6));
+    CHECK(off(1) > 0.01);
+    CHECK(off(0.01) < 1.3e-2 * off(0.1));
 }

@@ -96,6 +96,19 @@ TEST_CASE("The limit of weights is the exact handle") {
           Approx(bend(exact.net(), exact.topology(), exact.positions())).epsilon(0.1));
 }
 
+TEST_CASE("A net comes to rest however hard a handle pulls, and in few steps up to a hundred times an edge") {
+    const double weight = GENERATE(0.01, 1.0, 100.0, 1e4, 1e6);
+    CAPTURE(weight);
+    Editor editor = softly_held_patch(weight);
+    const Eigen::Vector3d from = editor.handles().back().target;
+    for (int frame = 1; frame <= 10; ++frame) {
+        editor.move_handle(179, from + frame / 10.0 * k_pull);
+        const SolveReport report = editor.solve();
+        REQUIRE(report.status == Status::converged);
+        if (weight <= 100) CHECK(report.iterations < 20);
+    }
+}
+
 TEST_CASE("A soft handle with hardly any weight does not move the net") {
     Editor editor = softly_held_patch(1e-9);
     editor.move_handle(179, editor.net().rest_positions().col(179) + k_pull);

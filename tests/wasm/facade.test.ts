@@ -176,10 +176,11 @@ describe('an editor', () => {
   test('says what is left until the net is at rest, and what holds it there', () => {
     expect(editor.forces()).toBeNull();
     editor.setOption('gravity', 0.001);
+    editor.setOption('rest_tolerance', 1e-5);
     editor.setHandles(firstEdit(editor));
     const { status, toRest } = editor.solve();
     expect(status).toBe('converged');
-    expect(toRest!.gradientNorm).toBeLessThan(1e-4);
+    expect(toRest!.gradientNorm).toBeLessThan(1e-5);
     expect(toRest!.cornerLack).toBeLessThan(1e-3);
     expect(toRest!.motion).toBeLessThan(0.01);
     const { edges, corners, handles, energies } = editor.forces()!;

@@ -49,6 +49,8 @@ constexpr int k_steps_of_a_path = 3;
 constexpr double k_most_along_path = 4;
 // Less force than this moves nothing: a net that comes at rest need not be tried.
 constexpr double k_no_force = 1e-9;
+// By how far a net has moved while a step took off this part of the force, it is told how far it has to go.
+constexpr double k_telling = 0.1;
 
 class Equilibrium : public Method {
 public:
@@ -329,14 +331,14 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
         if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, *m_part, m_slides);
         if (!m_constraints)
             m_constraints =
-                std::make_unique<NetConstraints>(*m_net, *m_topology, limit(), m_is_free, m_slides, positions);
+                std::make_unique<NetConstraints>(*m_net, *m_topology, limit(), m_is_free, m_slides, m_pulls, positions);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large) throw;
         return false;
     }
     if (!m_has_metric) m_newton->set_metric(m_rest_energy.terms());
     m_has_metric = true;
-    m_constraints->set_free(m_is_free, m_slides);
+    m_constraints->set_free(m_is_free, m_slides, m_pulls);
     return true;
 }
 
@@ -640,16 +642,18 @@ int Equilibrium::inner_iterations() const {
                                    : std::min(k_most_inner_iterations, k_least_inner_iterations * m_steps);
 }
 
-/// Armijo backtracking from m_origin along this part of m_direction, with a projection onto the lengths after each
-/// trial. Returns the part of the direction that was accepted; 0: none, and the positions stay.
+/// Armijo backtracking from m_origin along this part of m_direction, turning where the net turns, with a projection
+/// onto the lengths after each trial. Returns the part of the direction that was accepted; 0: none, and the positions
+/// stay.
 double Equilibrium::step_along(Positions& positions, double slope, double whole) {
     const bool opens = m_lack > CornerLimit::k_tolerance;  // which costs energy
     const std::vector<double> held = m_constraints->held();
     const double before = m_energy + m_newton->error_cost();
     double step = whole;
+    m_newton->begin_way(m_origin, m_direction);
     for (int trial = 0; (slope < 0 || opens) && trial <= k_most_halvings; ++trial, step /= 2) {
         m_constraints->hold_closer(held, step);
-        positions = m_origin + step * m_direction;
+        m_newton->go(step, positions);
         if (!project(positions)) continue;
         const double energy = m_rest_energy.evaluate(positions, m_next_gradient);
         if (!opens && !(energy + error_cost() <= before + k_sufficient_decrease * step * slope)) continue;
@@ -683,11 +687,13 @@ bool Equilibrium::linearise(const Positions& positions) {
     return m_is_linearised;
 }
 
-/// As far again as the last step went, by what it left of the gradient over what it took off.
+/// As far again as the last step went, by what it left of the gradient over what it took off. One that took off next to
+/// nothing says nothing.
 double Equilibrium::motion_left() const {
     const double left = gradient_norm(), taken = m_gradient_before - left;
     if (left < k_no_force) return 0;
-    return m_is_linearised && taken > 0 ? m_moved * left / taken : std::numeric_limits<double>::infinity();
+    return m_is_linearised && taken > k_telling * m_gradient_before ? m_moved * left / taken
+                                                                    : std::numeric_limits<double>::infinity();
 }
 
 std::optional<RestState> Equilibrium::rest_state() const {
@@ -728,9 +734,10 @@ constexpr auto k_options =
 ///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
 ///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does. Where the way leads
 ///      no farther, and where it is shorter for handles that jump, it begins at the rest shape;
-///   3  Newton steps for the energy among nets (TangentNewton), each projected onto the lengths and out of corners that
-///      are too sharp (CornerLimit), until the gradient that the constraints leave is below Options::rest_tolerance.
-///      Where they follow a valley, they are carried on along it (PathExtrapolation).
+///   3  Newton steps for the energy among nets (TangentNewton), each turning the net where it turns (TurnedMove),
+///      projected onto the lengths and out of corners that are too sharp (CornerLimit), until the gradient that the
+///      constraints leave is below Options::rest_tolerance. Where they follow a valley, they are carried on along it
+///      (PathExtrapolation).
 ///
 /// Before all of them, as stage 4, the rest shape is opened where it has corners that are too sharp.
 ///

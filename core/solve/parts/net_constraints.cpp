@@ -21,26 +21,34 @@ constexpr int k_most_openings = 6;
 
 NetConstraints::NetConstraints(const Net& net, const Topology& topology, CornerLimit limit,
                                const std::vector<bool>& is_free, std::span<const Slide> slides,
-                               const Positions& positions)
+                               std::span<const Pull> pulls, const Positions& positions)
     : m_net(net),
       m_topology(topology),
       m_limit(std::move(limit)),
       m_is_free(is_free),
-      m_slides(slides.begin(), slides.end()) {
+      m_slides(slides.begin(), slides.end()),
+      m_pulls(pulls.begin(), pulls.end()) {
     watch(positions);
 }
 
-void NetConstraints::set_free(const std::vector<bool>& is_free, std::span<const Slide> slides) {
+void NetConstraints::set_free(const std::vector<bool>& is_free, std::span<const Slide> slides,
+                              std::span<const Pull> pulls) {
     m_is_free = is_free;
     m_slides.assign(slides.begin(), slides.end());
+    m_pulls.assign(pulls.begin(), pulls.end());
+    set_free();
+}
+
+void NetConstraints::set_free() {
     m_lengths->system().set_free(m_is_free, m_slides);
+    for (const Pull& pull : m_pulls) m_lengths->set_mobility(pull.vertex, 1 / (1 + pull.weight));
 }
 
 /// A system with rows for the corners that are sharp now.
 void NetConstraints::watch(const Positions& positions) {
     m_limit.watch(positions);
     m_lengths = std::make_unique<LengthProjection>(m_net, m_topology, m_limit.watched());
-    m_lengths->system().set_free(m_is_free, m_slides);
+    set_free();
     m_limit.apply(m_lengths->system());
     m_lengths->system().assemble(positions);
 }

@@ -9,6 +9,7 @@
 #include "net/topology.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/length_projection.h"
+#include "solve/pull.h"
 #include "solve/slide.h"
 
 namespace chebnet {
@@ -21,9 +22,10 @@ public:
     /// Watches what is near its limit at `positions`. Keeps references to net and topology. Throws what LengthSystem
     /// does.
     NetConstraints(const Net& net, const Topology& topology, CornerLimit limit, const std::vector<bool>& is_free,
-                   std::span<const Slide> slides, const Positions& positions);
-    /// V: the vertices that may move, and those of them that slide.
-    void set_free(const std::vector<bool>& is_free, std::span<const Slide> slides);
+                   std::span<const Slide> slides, std::span<const Pull> pulls, const Positions& positions);
+    /// V: the vertices that may move, those of them that slide, and those that are pulled, which give way the less to
+    /// lengths the harder they are.
+    void set_free(const std::vector<bool>& is_free, std::span<const Slide> slides, std::span<const Pull> pulls);
 
     /// Onto the lengths, and out of corners that are too sharp, which are held from now on. The system is left
     /// assembled for where that ends. `threshold`: of max dL. False if the lengths are not reached.
@@ -54,6 +56,7 @@ public:
 
 private:
     void watch(const Positions& positions);
+    void set_free();
     bool project_lengths(Positions& positions, double threshold);
 
     const Net& m_net;
@@ -61,6 +64,7 @@ private:
     CornerLimit m_limit;
     std::vector<bool> m_is_free;
     std::vector<Slide> m_slides;
+    std::vector<Pull> m_pulls;
     std::unique_ptr<LengthProjection> m_lengths;  // has rows for the corners watched
 };
 

@@ -34,6 +34,7 @@ double dot(const Matrix& a, const Matrix& b) {
 TangentNewton::TangentNewton(const Net& net, const Topology& topology, const FreePart& part,
                              std::span<const Slide> slides)
     : m_net(net),
+      m_topology(topology),
       m_part(part),
       m_slides(slides.begin(), slides.end()),
       m_pairs(net, topology),
@@ -76,11 +77,16 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
     system.assemble(x);
     if (!system.factorize()) return false;
     m_factorisation_ms = watch.milliseconds();
+    m_firm.clear();
+    for (int v : m_part.vertices())
+        if (system.weight(v) < 1) m_firm.emplace_back(v, system.weight(v));
     m_descent = -gradient;
     mask(m_descent);
+    weigh(1, m_descent);
     system.stretch(m_descent, m_changes);
     if (!lengths.solve(m_changes, k_multiplier_tolerance, m_multipliers)) return false;
     system.add_pull(-m_multipliers, m_descent);
+    weigh(-1, m_descent);
     m_normal.setZero(3, m_net.vertex_count());
     m_normal_slope = 0;
     m_gradient_norm = std::sqrt(dot(m_descent, m_descent));
@@ -97,13 +103,25 @@ bool TangentNewton::shorten(const Eigen::VectorXd& rows) {
     return true;
 }
 
-/// v −= W Jᵀ (J W Jᵀ)⁻¹ J v, as far as single precision goes.
-void TangentNewton::project(Eigen::Matrix3Xd& vectors) {
+/// d −= W Jᵀ (J W Jᵀ)⁻¹ J d, as far as single precision goes.
+void TangentNewton::project(Eigen::Matrix3Xd& moves) {
     LengthSystem& system = m_lengths->system();
-    system.stretch(vectors, m_changes);
+    system.stretch(moves, m_changes);
     system.precondition(m_changes, m_pulls);
     m_pulls *= -1;
-    system.add_pull(m_pulls, vectors);
+    system.add_pull(m_pulls, moves);
+}
+
+/// f −= Jᵀ (J W Jᵀ)⁻¹ J W f, the transpose of project().
+void TangentNewton::project_forces(Eigen::Matrix3Xd& forces) {
+    weigh(1, forces);
+    project(forces);
+    weigh(-1, forces);
+}
+
+/// By W, or by its inverse, where it is neither 0 nor 1.
+void TangentNewton::weigh(int power, Eigen::Matrix3Xd& vectors) const {
+    for (const auto& [v, mobility] : m_firm) vectors.col(v) *= power > 0 ? mobility : 1 / mobility;
 }
 
 void TangentNewton::precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to) {
@@ -176,12 +194,21 @@ double TangentNewton::improve_move(std::span<const std::unique_ptr<Term>> terms,
     return descend(terms, kind, most_iterations, radius, move);
 }
 
+void TangentNewton::go(double part, Positions& to) {
+    m_image.setZero(3, m_net.vertex_count());
+    m_way.add_pull(part, m_pairs, m_form, m_image);
+    m_preconditioned.setZero(3, m_net.vertex_count());
+    for (const auto& metric : m_metrics) metric->solve(m_image, m_preconditioned);
+    m_way.go_straight(part, to);
+    to += m_preconditioned;
+}
+
 /// Of ∇E + Jᵀλ + H d, what the rows leave; with the sign of a descent.
 void TangentNewton::find_residual(std::span<const std::unique_ptr<Term>> terms, Curvature kind,
                                   const Eigen::Matrix3Xd& move) {
     apply_hessian(terms, kind, move);
     m_residual = m_descent - m_image;
-    project(m_residual);
+    project_forces(m_residual);
 }
 
 /// Conjugate gradients from a move whose residual is known, also preconditioned.
@@ -202,7 +229,7 @@ double TangentNewton::descend(std::span<const std::unique_ptr<Term>> terms, Curv
         move += step * m_search;
         if (m_ended_at_radius) break;
         m_residual -= step * m_image;
-        project(m_residual);
+        project_forces(m_residual);
         precondition(m_residual, m_preconditioned);
         const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
         m_search = m_preconditioned + product / previous * m_search;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "net/net.h"
@@ -13,6 +14,7 @@
 #include "solve/parts/neighbour_form.h"
 #include "solve/parts/neighbour_pairs.h"
 #include "solve/parts/neighbour_system.h"
+#include "solve/parts/turned_move.h"
 #include "solve/slide.h"
 #include "solve/terms/term.h"
 
@@ -24,13 +26,13 @@ namespace chebnet {
 ///
 /// where J is the Jacobian of the lengths and H the curvature of the energy and of the lengths, Σ λ_e ∇²c_e. Solved by
 /// projected conjugate gradients (Gould, Hribar, Nocedal 2001), cut short: what the first tens of iterations leave is
-/// the next step's to correct. The preconditioner is Π M⁻¹ Π, with M a fixed form that treats the coordinates alike,
+/// the next step's to correct. The preconditioner is Π M⁻¹ Πᵀ, with M a fixed form that treats the coordinates alike,
 /// factored once for a set of handles (for each coordinate, where vertices slide), and Π the projection onto J d = 0 by
-/// the factor of the system of lengths. Where many iterations are left, H itself with stiff lengths, factored in single
-/// precision, takes M's place.
+/// the factor of the system of lengths, in which what is pulled hard moves little, as it does in H. Where many
+/// iterations are left, H itself with stiff lengths, factored in single precision, takes M's place.
 class TangentNewton {
 public:
-    /// Keeps references to net and part, of which some vertices may slide.
+    /// Keeps references to net, topology and part, of which some vertices may slide.
     TangentNewton(const Net& net, const Topology& topology, const FreePart& part, std::span<const Slide> slides = {});
     ~TangentNewton();
 
@@ -79,6 +81,12 @@ public:
                         double radius, Eigen::Matrix3Xd& move);
     /// What is left of a move beside the rows as they are now. Returns its slope.
     double restrict(Eigen::Matrix3Xd& move);
+
+    /// Takes a move of the net at x; both must last.
+    void begin_way(const Positions& x, const Eigen::Matrix3Xd& move) { m_way.begin(m_net, m_topology, x, move); }
+    /// This part of it, as a turn where the net turns (TurnedMove), as near to that as the norm M can tell. What is
+    /// fixed goes straight, and so does what slides across its axes.
+    void go(double part, Positions& to);
     bool ended_at_radius() const { return m_ended_at_radius; }                ///< whether the last move did
     bool met_negative_curvature() const { return m_met_negative_curvature; }  ///< likewise
     int inner_iterations() const { return m_inner_iterations; }               ///< of the last move
@@ -90,16 +98,20 @@ private:
     double part_to_radius(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& along, double most,
                           double radius) const;
     void mask(Eigen::Matrix3Xd& vectors) const;
-    void project(Eigen::Matrix3Xd& vectors);
+    void project(Eigen::Matrix3Xd& moves);
+    void project_forces(Eigen::Matrix3Xd& forces);
+    void weigh(int power, Eigen::Matrix3Xd& vectors) const;
     void precondition(const Eigen::Matrix3Xd& from, Eigen::Matrix3Xd& to);
     void apply_hessian(std::span<const std::unique_ptr<Term>> terms, Curvature kind, const Eigen::Matrix3Xd& d);
     void add_tension(const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const;
 
     const Net& m_net;
+    const Topology& m_topology;
     const FreePart& m_part;
     LengthProjection* m_lengths = nullptr;
     std::vector<int> m_fixed;  // vertices
     std::vector<Slide> m_slides;
+    std::vector<std::pair<int, double>> m_firm;  // vertices where the W of lengths is below 1, and it
     // M as links and weights at vertices.
     NeighbourPairs m_pairs;
     NeighbourForm m_form;
@@ -115,6 +127,7 @@ private:
     Eigen::Matrix3Xd m_descent;  // −(∇E + Jᵀλ)
     Eigen::Matrix3Xd m_normal;   // the shortest move that shortens rows as asked
     double m_normal_slope = 0;   // −λ·J m_normal
+    TurnedMove m_way;
     Eigen::Matrix3Xd m_residual, m_preconditioned, m_search, m_image;
     Eigen::VectorXd m_changes, m_pulls;
 };
