@@ -1,10 +1,12 @@
 #include "edit/equalize.h"
 
+#include <memory>
 #include <optional>
 
 #include "arbitrary.h"
 #include "require.h"
 #include "soak/invariants.h"
+#include "surface/guide.h"
 
 using namespace chebnet;
 using fuzz::require;
@@ -30,6 +32,19 @@ EqualizeOptions any_options(FuzzedDataProvider& input) {
     return options;
 }
 
+/// None most times; else the net's own surface or any other, of which some are far too large or small for it.
+std::shared_ptr<const Guide> any_guide(FuzzedDataProvider& input, const Net& net) {
+    const int kind = input.ConsumeIntegralInRange(0, 3);
+    if (kind < 2) return nullptr;
+    try {
+        return std::make_shared<const Guide>(
+            Surface(kind == 2 ? Mesh{net.rest_positions(), net.faces()} : fuzz::any_patch(input)));
+    } catch (const Error& error) {
+        fuzz::require_readable(error);
+        return nullptr;
+    }
+}
+
 double largest_deviation_from(double length, const Net& net, const Positions& positions) {
     double largest = 0;
     for (int e = 0; e < net.edge_count(); ++e) {
@@ -44,6 +59,9 @@ double largest_deviation_from(double length, const Net& net, const Positions& po
 void require_step(const Equalizer& equalizer, const EqualizeReport& report, const std::vector<int>& handles) {
     const Net& net = equalizer.original();
     require(equalizer.positions().allFinite(), "a position is not finite");
+    if (report.distance)
+        require(report.distance->mean >= 0 && report.distance->mean <= report.distance->largest,
+                "the distance from the surface is none");
     for (const int v : handles)
         require(equalizer.positions().col(v) == net.rest_positions().col(v), "a handle has moved");
     if (report.status == Status::converged)
@@ -55,9 +73,12 @@ void require_step(const Equalizer& equalizer, const EqualizeReport& report, cons
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     FuzzedDataProvider input(data, size);
-    const EqualizeOptions options = any_options(input);
+    EqualizeOptions options = any_options(input);
     std::optional<Net> net = any_net(input);
     if (!net) return 0;
+    options.guide = any_guide(input, *net);
+    options.method = input.PickValueInArray({"", "", "equilibrium", "projection", "lbfgs"});
+    if (input.ConsumeBool()) options.shear_limit = fuzz::any_number(input);
     try {
         Equalizer equalizer(std::move(*net), options);
         EqualizeReport report;
