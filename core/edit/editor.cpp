@@ -19,6 +19,9 @@ namespace {
 /// A handle that is held back has the weight of so many edges, and no greater force than at this distance, in edge
 /// lengths: as hard as a pull can be without being stiff. Where it comes so close to its target, it may be held there
 /// after all.
+// Lines that are to be straight are held so when no vertex of them is farther from that, in edge lengths: from there on
+// they go straight as nets.
+constexpr double k_nearly_straight = 0.05;
 constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
 
 void check_target(int vertex, const Eigen::Vector3d& target) {
@@ -356,6 +359,7 @@ void Editor::set_length_scale(double scale) {
     m_net = scale == 1 ? m_original : std::make_shared<const Net>(m_original->grown(scale));
     m_unit = scale * m_original->unit();
     m_handle_graph.reset();
+    m_taut_lines.forget();
 }
 
 /// About the middle of the exact handles in the last net; of all vertices, if there are none.
@@ -384,6 +388,8 @@ void Editor::replace_handles(std::vector<Handle> handles) {
     if (!same_set) {
         m_prepared = false;
         m_handle_graph.reset();
+        m_taut_lines.forget();
+        m_taut.clear();
     }
 }
 
@@ -414,9 +420,10 @@ std::vector<Slide> Editor::slides() const {
     return slides;
 }
 
-/// Exact handles that do not slide, and what lies outside the region that may move.
+/// Exact handles that do not slide, what they pull straight, and what lies outside the region that may move.
 std::vector<int> Editor::fixed_vertices() const {
     std::vector<int> vertices;
+    for (const TautVertex& taut : m_taut) vertices.push_back(taut.vertex);
     for (const Handle& handle : m_handles)
         if (axes_now(handle) == k_no_axes) vertices.push_back(handle.vertex);
     if (!m_region) return vertices;
@@ -491,6 +498,24 @@ void Editor::draw_targets_near() {
     m_near_targets = targets / m_unit;
 }
 
+/// Of lines that exact handles pull straight, once the net has come near to that. False if that has not changed.
+bool Editor::find_taut_lines() {
+    std::vector<TautVertex> taut;
+    if (m_method->goes_from_net_to_net() && m_reachable && !m_region) {
+        std::vector<int> vertices;
+        for (const Handle& handle : m_handles)
+            vertices.push_back(handle.is_pinned() && axes_now(handle) == k_no_axes ? handle.vertex : -1);
+        std::vector<bool> has_handle(m_handle_at.size());
+        for (std::size_t v = 0; v < has_handle.size(); ++v) has_handle[v] = m_handle_at[v] >= 0;
+        taut = m_taut_lines.find(*m_net, *m_topology, handle_graph(), std::move(vertices), m_unit * m_near_targets,
+                                 std::move(has_handle), m_positions, k_nearly_straight * m_net->mean_length());
+    }
+    if (taut == m_taut) return false;
+    m_taut = std::move(taut);
+    m_prepared = false;
+    return true;
+}
+
 /// What stands where the solver has left it has the solver's own digits.
 Positions Editor::in_unit(const Positions& positions) const {
     Positions x = positions / m_unit;
@@ -515,6 +540,9 @@ void Editor::load_positions() {
         else
             copy_along(k_all_axes - axes_now(handle), Eigen::Vector3d(handle.target / m_unit).data(), position);
     }
+    const Eigen::Matrix3Xd places = places_of(m_taut, m_near_targets);
+    for (std::size_t i = 0; i < m_taut.size(); ++i)
+        m_unit_positions.col(m_taut[i].vertex) = places.col(static_cast<Eigen::Index>(i));
 }
 
 void Editor::store_positions() {
@@ -527,8 +555,9 @@ void Editor::store_positions() {
 /// Adds what the initialisation does to the trace.
 Status Editor::begin_solve(Trace& trace) {
     const Stopwatch watch;
-    if (!m_prepared) prepare();
     draw_targets_near();
+    find_taut_lines();
+    if (!m_prepared) prepare();
     collect_pulls();
     load_positions();
     if (max_deviation(*m_unit_net, m_unit_positions) >= m_options.threshold) {
@@ -586,7 +615,8 @@ SolveReport Editor::go_on(const Budget& budget) {
     for (;;) {
         if (report.status != Status::running) {
             if (has_moved) store_positions();
-            if (!goes_on_otherwise(report.status)) break;
+            const bool found_rest = report.status == Status::converged;
+            if (!goes_on_otherwise(report.status) && (found_rest || !find_taut_lines())) break;
             report.status = begin_solve(report.trace);
             has_moved = false;
             continue;

@@ -12,6 +12,7 @@
 #include "edit/edit_state.h"
 #include "edit/handle_graph.h"
 #include "edit/locality.h"
+#include "edit/taut_lines.h"
 #include "net/net.h"
 #include "net/topology.h"
 #include "solve/initialisation.h"
@@ -153,6 +154,8 @@ public:
     /// neighbours. Made
     /// when needed, once for a set of handles.
     const HandleGraph& handle_graph() const;
+    /// What handles pull straight, and so hold, in the last solve; for methods that go from net to net.
+    const std::vector<TautVertex>& taut_vertices() const { return m_taut; }
     /// V, how freely set_locality() would let each vertex move, 0 … 1; see chebnet::mobility(). Throws as it does.
     Eigen::VectorXf mobility(double radius, std::span<const int> origins) const;
     /// Largest distance of an exact handle that is not in hand from its target at the present positions: 0 by
@@ -184,6 +187,7 @@ private:
     void collect_pulls();
     void prepare();
     void draw_targets_near();
+    bool find_taut_lines();
     void load_positions();
     void store_positions();
     SolveReport go_on(const Budget& budget);
@@ -214,6 +218,8 @@ private:
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()
+    TautLines m_taut_lines;
+    std::vector<TautVertex> m_taut;  // for methods that go from net to net
     std::vector<int> m_fixed;
     std::vector<Slide> m_slides;
     std::vector<Pull> m_pulls;  // of soft handles and of the region

@@ -182,4 +182,33 @@ HandleGraph::HandleGraph(const Net& net, const Topology& topology, std::span<con
                   [](const Neighbour& a, const Neighbour& b) { return a.handle < b.handle; });
 }
 
+std::vector<OnPath> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
+                                            int& steps_left) {
+    const std::span<const int> joined = topology.neighbours(from);
+    if (std::binary_search(joined.begin(), joined.end(), to)) return {};
+    constexpr int k_vertices_a_step = 16;  // to forget what was
+    steps_left -= net.vertex_count() / k_vertices_a_step;
+    std::vector<OnPath> before(static_cast<std::size_t>(net.vertex_count()), {-1, -1});  // each vertex
+    PriorityQueue queue;
+    before[from].distance = 0;
+    queue.push({0, from});
+    while (!queue.empty()) {
+        const auto [distance, v] = queue.pop();
+        if (v == to) break;
+        if (distance > before[v].distance) continue;
+        const std::span<const int> neighbours = topology.neighbours(v), edges = topology.incident_edges(v);
+        for (std::size_t k = 0; k < neighbours.size(); ++k) {
+            if (steps_left-- <= 0) return {};
+            const double next = distance + net.rest_lengths()[edges[k]];
+            OnPath& known = before[neighbours[k]];
+            if (known.distance >= 0 && known.distance <= next) continue;
+            known = {v, next};
+            queue.push({next, neighbours[k]});
+        }
+    }
+    std::vector<OnPath> path;
+    for (int v = before[to].vertex; v >= 0 && v != from; v = before[v].vertex) path.push_back({v, before[v].distance});
+    return path;
+}
+
 }  // namespace chebnet

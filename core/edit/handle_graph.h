@@ -47,4 +47,14 @@ private:
     std::vector<Neighbour> m_neighbours;
 };
 
+/// A vertex on a path, and how far along it.
+struct OnPath {
+    int vertex;
+    double distance;
+};
+/// The vertices between two on a shortest path, from the second to the first; none if they are neighbours, or if it is
+/// not found in so many steps, of which those that it took are taken off.
+std::vector<OnPath> inside_of_shortest_path(const Net& net, const Topology& topology, int from, int to,
+                                            int& steps_left);
+
 }  // namespace chebnet

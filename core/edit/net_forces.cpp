@@ -57,7 +57,16 @@ std::optional<NetForces> net_forces(const Editor& editor) {
     NetForces forces{edge_forces(*state), corner_forces(*state), {}, energies(state->energy)};
     std::vector<int> vertices;
     for (const Handle& handle : editor.handles()) vertices.push_back(handle.vertex);
-    forces.handles = state->net.mean_length() * supports(*state)(Eigen::all, vertices);
+    Eigen::Matrix3Xd held_by = supports(*state);
+    // A line that is pulled straight hands on to its ends what it bears, as a beam does.
+    const std::vector<TautVertex>& taut = editor.taut_vertices();
+    std::vector<int> ends = vertices;
+    for (const TautVertex& each : taut) ends.push_back(each.vertex);
+    for (auto each = taut.rbegin(); each != taut.rend(); ++each) {
+        held_by.col(ends[each->end_a]) += (1 - each->part) * held_by.col(each->vertex);
+        held_by.col(ends[each->end_b]) += each->part * held_by.col(each->vertex);
+    }
+    forces.handles = state->net.mean_length() * held_by(Eigen::all, vertices);
     return forces;
 }
 

@@ -470,3 +470,22 @@ TEST_CASE("Equilibrium: straight rods between two supports that have come nearer
         root([&](double t) { return 2 * std::comp_ellint_2(t) / std::comp_ellint_1(t) - 1 - span; }, 0.01, 0.9);
     CHECK(editor.positions()(2, count) == Approx(k / std::comp_ellint_1(k)).epsilon(0.01));
 }
+
+TEST_CASE("What costs energy may change while handles are out of reach") {
+    const auto made = [](bool changes_out_of_reach) {
+        Editor editor(samples::patch(7, 6, 0.5));
+        editor.set_handles(samples::handles_at_rest(editor.net(), {0, 41}));
+        CHECK(editor.solve().status == Status::converged);
+        if (changes_out_of_reach) {
+            editor.move_handle(41, editor.net().rest_positions().col(41) + Eigen::Vector3d(50, 0, 0));
+            CHECK(editor.solve().status == Status::unreachable);
+        }
+        editor.set_option("straight_rods", "on");
+        if (changes_out_of_reach) CHECK(editor.solve().status == Status::unreachable);
+        editor.reset();
+        editor.set_handles(samples::handles_at_rest(editor.net(), {0, 41}));
+        CHECK(editor.solve().status == Status::converged);
+        return editor;
+    };
+    CHECK((made(true).positions() - made(false).positions()).colwise().norm().maxCoeff() < 1e-3);
+}

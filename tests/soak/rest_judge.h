@@ -49,8 +49,16 @@ public:
         ++m_judged;
         Options energy = options;
         if (!is_carried(editor)) energy.gravity = 0;  // nothing falls for ever
-        const samples::Resting resting{editor.net(),         editor.handles(), energy,
-                                       editor.guide().get(), region(editor),   &*m_rest_shape};
+        std::vector<Handle> holding = editor.handles();
+        for (const TautVertex& taut : editor.taut_vertices()) {
+            const Eigen::Vector3d a = holding[taut.end_a].target, b = holding[taut.end_b].target,
+                                  x = editor.positions().col(taut.vertex);
+            if (!((a - x).norm() + (x - b).norm() <= (1 + 1e-12) * (a - b).norm() + 1e-12 * size))
+                violations.push_back(text("what is taut is not straight", (x - a).norm()));
+            holding.push_back({taut.vertex, x});
+        }
+        const samples::Resting resting{editor.net(),         holding,        energy,
+                                       editor.guide().get(), region(editor), &*m_rest_shape};
         const double gradient = samples::first_order(resting, editor.positions()).gradient;
         const double stiffness = 30 * (options.bending_weight + options.shear_weight + options.guide_weight);
         const double noise = stiffness * digits * std::sqrt(static_cast<double>(editor.positions().size()));

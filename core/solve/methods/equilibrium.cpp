@@ -47,6 +47,10 @@ constexpr double k_still = 1e-3;
 // A path of the descent is followed after so many steps, by so many edge lengths at most.
 constexpr int k_steps_of_a_path = 3;
 constexpr double k_most_along_path = 4;
+// After so many steps that lower the energy by no more than this part of it, and the force hardly, none will: what is
+// left is below the digits of what the net is pulled by.
+constexpr int k_most_idle_steps = 5;
+constexpr double k_idle_part = 1e-13, k_idle_force = 0.9;
 // Less force than this moves nothing: a net that comes at rest need not be tried.
 constexpr double k_no_force = 1e-9;
 // By how far a net has moved while a step took off this part of the force, it is told how far it has to go.
@@ -102,6 +106,7 @@ private:
     double motion_left() const;
     bool is_at_rest() const;
     bool is_balanced() const;
+    bool is_idle(double energy_before, double force_before);
     void renew_factor(TraceRow& row);
     double find_move();
     double improve_move();
@@ -141,6 +146,7 @@ private:
     bool m_is_still = false;       // the last step was a whole one, and short
     bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
     double m_lack = 0;             // of the limit, at m_result
+    int m_idle_steps = 0;          // one after the other
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
     double m_gradient_before = 0, m_moved = 0;
     PathExtrapolation m_path;   // of the descent in stage 3
@@ -209,6 +215,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     const bool same_guide = take_guide(problem, options);
     const bool same_energy =
         same_guide && m_rest_energy.is_chosen() && !m_pulls_changed && RestEnergy::is_the_same(m_options, options);
+    if (!same_energy) m_rest_energy.forget();  // also where handles out of reach keep this solve from choosing another
     if (m_options.shear_limit != options.shear_limit) forget_rest_shape();
     m_options = options;
     m_reachable = problem.reachable;
@@ -267,6 +274,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
+    const bool is_all_held = m_part->size() == 0 && m_max_deviation < m_options.threshold;
+    if (m_stage == net && m_reachable && is_all_held) return without_rest(positions);
     if (m_stage == net && m_only_nets) return Status::unreachable;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
@@ -500,6 +509,7 @@ void Equilibrium::enter_rest(const Positions& positions) {
     m_radius = k_most_move * m_net->mean_length();
     m_is_still = m_is_linearised && gradient_norm() < k_no_force;
     m_is_careful = false;
+    m_idle_steps = 0;
     m_path.clear();
     m_gradient_before = 0;
 }
@@ -526,6 +536,7 @@ Status Equilibrium::stuck() const { return is_net() ? Status::exact : Status::st
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (!m_is_linearised && !linearise(positions)) return stuck();
     if (is_at_rest()) return Status::converged;
+    const double energy = m_energy;
     take_step(positions, row);
     if (row.step == 0) {
         if (is_balanced()) return Status::converged;
@@ -535,11 +546,20 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (!linearise(positions)) return stuck();
     row.factorisation_ms += m_newton->factorisation_ms();
     if (is_at_rest()) return Status::converged;
+    if (is_idle(energy, row.gradient_norm)) return stuck();
     if (row.step > 0 && gradient_norm() < row.gradient_norm) {
         m_path.add(positions);
         if (!follow_path(positions)) return stuck();
     }
     return Status::running;
+}
+
+/// Whether a step was one too many of those that gain nothing. Opening corners costs energy.
+bool Equilibrium::is_idle(double energy_before, double force_before) {
+    const bool gains = m_lack > CornerLimit::k_tolerance || gradient_norm() < k_idle_force * force_before ||
+                       m_energy < energy_before - k_idle_part * std::abs(energy_before);
+    m_idle_steps = gains ? 0 : m_idle_steps + 1;
+    return m_idle_steps == k_most_idle_steps;
 }
 
 /// A descent follows a valley of the energy whose floor is bent, in steps that leave it and come back by turns; those

@@ -1,0 +1,129 @@
+// Lines of a net that exact handles pull straight, and so hold.
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "edit/editor.h"
+#include "edit/net_forces.h"
+#include "net/measures.h"
+#include "sample_nets.h"
+
+using namespace chebnet;
+
+namespace {
+
+constexpr int k_columns = 12, k_rows = 9, k_last = k_columns * k_rows - 1;
+constexpr int k_corners[] = {0, k_columns - 1, k_last - k_columns + 1, k_last};
+const Eigen::Vector3d k_inwards_and_up(-1.5, -1, 2);
+
+/// A flat sheet that is held at its four corners.
+Editor held_sheet() {
+    Editor editor(samples::patch(k_columns, k_rows, 0));
+    editor.set_method("equilibrium");
+    editor.set_handles(samples::handles_at_rest(editor.net(), {std::begin(k_corners), std::end(k_corners)}));
+    return editor;
+}
+
+/// Of a sheet whose last corner goes so far in so many frames.
+Editor dragged_sheet(const Eigen::Vector3d& move, int frames) {
+    Editor editor = held_sheet();
+    const Eigen::Vector3d from = editor.handles().back().target;
+    for (int frame = 1; frame <= frames; ++frame) {
+        editor.move_handle(k_last, from + static_cast<double>(frame) / frames * move);
+        CHECK(editor.solve().status == Status::converged);
+    }
+    return editor;
+}
+
+std::vector<int> vertices_of(std::span<const TautVertex> taut) {
+    std::vector<int> vertices;
+    for (const TautVertex& each : taut) vertices.push_back(each.vertex);
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+}
+
+}  // namespace
+
+TEST_CASE("Corners as far apart as the sheet is long hold the borders between them, evenly spaced") {
+    Editor editor = held_sheet();
+    REQUIRE(editor.solve().status == Status::converged);
+    CHECK(editor.taut_vertices().size() == k_columns * k_rows - 4);  // the borders, and what they hold between them
+    editor.move_handle(k_last, editor.handles().back().target + k_inwards_and_up);
+    REQUIRE(editor.solve().status == Status::converged);
+    std::vector<int> expected;
+    for (int v = 1; v < k_columns - 1; ++v) expected.push_back(v);
+    for (int row = 1; row < k_rows - 1; ++row) expected.push_back(row * k_columns);
+    CHECK(vertices_of(editor.taut_vertices()) == expected);
+    for (int v = 0; v < k_columns; ++v) CHECK((editor.positions().col(v) - Eigen::Vector3d(v, 0, 0)).norm() < 1e-12);
+    CHECK(max_deviation(editor.net(), editor.positions()) < 1e-12);
+}
+
+TEST_CASE("A sheet whose corner is drawn in has one shape, whatever the hand did") {
+    const Editor slow = dragged_sheet(k_inwards_and_up, 30), quick = dragged_sheet(k_inwards_and_up, 1);
+    CHECK((slow.positions() - quick.positions()).colwise().norm().maxCoeff() < 1e-3);
+}
+
+TEST_CASE("A line that is let go sags, and one that is drawn straight again is held again") {
+    Editor editor = held_sheet();
+    const Eigen::Vector3d corner = editor.handles()[1].target;
+    editor.set_handles({editor.handles()[0], editor.handles()[1]});
+    REQUIRE(editor.solve().status == Status::converged);
+    CHECK(editor.taut_vertices().size() == k_columns - 2);
+    editor.move_handle(k_columns - 1, corner - Eigen::Vector3d(0.5, 0, 0));
+    CHECK(keeps_lengths(editor.solve().status));
+    CHECK(editor.taut_vertices().empty());
+    editor.move_handle(k_columns - 1, corner);
+    REQUIRE(keeps_lengths(editor.solve().status));
+    // Between the two the net is straight in any case; how soon it is known to be may depend on the way.
+    for (int frame = 0; frame < 3; ++frame) {
+        editor.move_handle(k_columns - 1, corner);
+        editor.solve();
+    }
+    for (int v = 0; v < k_columns; ++v) CHECK((editor.positions().col(v) - Eigen::Vector3d(v, 0, 0)).norm() < 0.01);
+    CHECK(editor.taut_vertices().size() == k_columns - 2);
+}
+
+TEST_CASE("What a taut line bears stands on the handles that hold it") {
+    Editor editor = dragged_sheet(k_inwards_and_up, 1);
+    editor.set_option("gravity", "0.01");
+    editor.set_option("rest_tolerance", "1e-6");
+    REQUIRE(editor.solve().status == Status::converged);
+    REQUIRE_FALSE(editor.taut_vertices().empty());
+    const std::optional<NetForces> forces = net_forces(editor);
+    REQUIRE(forces);
+    const Eigen::Vector3d sum = forces->handles.rowwise().sum(), weight(0, 0, 0.01 * editor.net().edge_count());
+    CHECK((sum - weight).norm() < 1e-4);
+}
+
+TEST_CASE("A line with a soft handle on it is not held, nor are lines of methods that know nothing of rest") {
+    Editor editor = held_sheet();
+    std::vector<Handle> handles = editor.handles();
+    handles.push_back({k_columns / 2, Eigen::Vector3d(k_columns / 2, 0, 1), 1});
+    editor.set_handles(handles);
+    editor.solve();
+    for (const TautVertex& taut : editor.taut_vertices()) CHECK(taut.vertex >= k_columns);
+    editor.set_handles({handles.begin(), handles.end() - 1});
+    editor.set_method("projection");
+    editor.solve();
+    CHECK(editor.taut_vertices().empty());
+}
+
+TEST_CASE("A hand that takes a corner of a sheet where nothing may move moves it") {
+    Editor editor = held_sheet();
+    REQUIRE(editor.solve().status == Status::converged);
+    const Eigen::Vector3d from = editor.handles().back().target;
+    editor.drag_handle(k_last, from);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK_FALSE(editor.holds_back());
+    editor.drag_handle(k_last, from + Eigen::Vector3d(-0.5, -0.3, 0.4));
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(editor.handle_error() == 0);
+    editor.drag_handle(k_last, from + Eigen::Vector3d(1, 1, 0));  // out of reach: as far as it goes
+    const SolveReport beyond = editor.solve();
+    CHECK(keeps_lengths(beyond.status));
+    CHECK(beyond.iterations < 30);
+    editor.drag_handle(k_last, from);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK((editor.positions() - editor.net().rest_positions()).cwiseAbs().maxCoeff() < 1e-6);
+}
