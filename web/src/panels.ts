@@ -54,8 +54,8 @@ export interface PanelEvents {
   putHandlesOnGuide(): void;
   /** Take the surface beside the net away. */
   letGoOfGuide(): void;
-  /** Look for the net's other equilibrium. */
-  flip(): void;
+  /** Look for the net's other equilibrium; see App.flip(). */
+  flip(): Promise<number | null>;
   solve(): void;
   step(): void;
   setStepArrows(shown: boolean): void;

@@ -14,6 +14,7 @@ import type {
   UpAxis,
   ViewState,
 } from '../document/document';
+import { longestMove } from '../document/longest_move';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
 import type { HistoryView } from '../document/undo';
@@ -301,13 +302,19 @@ export class App {
     await this.handles.moveByHand(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
   }
 
-  /** Pushes the net through between its handles, to look for its other equilibrium. */
-  async flip(): Promise<void> {
+  /** Pushes the net through between its handles, to look for its other equilibrium. How far the vertex that moves most has
+   *  come once the net has settled, in edge lengths; null: another net is open by then. */
+  async flip(): Promise<number | null> {
     const positions = await this.#client.flipped();
     const before = this.#state.snapshot();
-    if (before === null) return;
+    const opening = this.opening;
+    if (before === null || opening === null) return null;
+    const from = opening.frame.positions.slice();
     await this.#opener.restore({ ...before, positions, settled: false });
     this.#state.history.record(before, ['flip']);
+    await this.settled();
+    const to = this.opening?.frame.positions;
+    return to?.length === from.length ? longestMove(from, to) / opening.net.info.meanLength : null;
   }
 
   /** One iteration, then stop. */
@@ -469,7 +476,11 @@ export class App {
       setView: (change) => this.setView(change),
       putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),
       letGoOfGuide: () => this.#attempt(this.setGuide(undefined)),
-      flip: () => this.#attempt(this.flip()),
+      flip: () =>
+        this.flip().catch((error: unknown) => {
+          this.report(error);
+          return null;
+        }),
       solve: () => this.#attemptNamed(['solve'], () => this.#client.solve()),
       step: () => this.#attemptNamed(['step'], () => this.step()),
       setStepArrows: (shown) => this.#presenter.view.setStepArrows(shown),
