@@ -19,10 +19,10 @@ namespace {
 /// A handle that is held back has the weight of so many edges, and no greater force than at this distance, in edge
 /// lengths: as hard as a pull can be without being stiff. Where it comes so close to its target, it may be held there
 /// after all.
+constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
 // Lines that are to be straight are held so when no vertex of them is farther from that, in edge lengths: from there on
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
-constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
 
 void check_target(int vertex, const Eigen::Vector3d& target) {
     if (!target.allFinite())

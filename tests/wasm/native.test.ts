@@ -156,7 +156,7 @@ test.each(RESTING)(
     const editor = chebnet.openRecipe(recipe);
     editor.setMethod('equilibrium');
     const here = solveHere(editor);
-      const { meanLength } = editor.info;
+    const { meanLength } = editor.info;
     const isRestOf = (shift: number): boolean => {
       const handles = firstEdit(editor);
       handles.at(-1)!.target[0] += shift * meanLength;
