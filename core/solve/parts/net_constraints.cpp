@@ -41,7 +41,8 @@ void NetConstraints::set_free(const std::vector<bool>& is_free, std::span<const 
 
 void NetConstraints::set_free() {
     m_lengths->system().set_free(m_is_free, m_slides);
-    for (const Pull& pull : m_pulls) m_lengths->set_mobility(pull.vertex, 1 / (1 + pull.weight));
+    for (const Pull& pull : m_pulls)
+        if (std::isinf(pull.yields)) m_lengths->set_mobility(pull.vertex, 1 / (1 + pull.weight));
 }
 
 /// A system with rows for the corners that are sharp now.

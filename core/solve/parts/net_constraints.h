@@ -24,7 +24,7 @@ public:
     NetConstraints(const Net& net, const Topology& topology, CornerLimit limit, const std::vector<bool>& is_free,
                    std::span<const Slide> slides, std::span<const Pull> pulls, const Positions& positions);
     /// V: the vertices that may move, those of them that slide, and those that are pulled, which give way the less to
-    /// lengths the harder they are.
+    /// lengths the harder they are, but for those whose pull yields.
     void set_free(const std::vector<bool>& is_free, std::span<const Slide> slides, std::span<const Pull> pulls);
 
     /// Onto the lengths, and out of corners that are too sharp, which are held from now on. The system is left
