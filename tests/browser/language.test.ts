@@ -112,8 +112,10 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   const { page, script } = await arrive('#experiment=long-edges', CHINESE);
   await script.settled();
   await page.getByRole('button', { name: '单步迭代' }).first().click();
+  const compare = page.getByRole('button', { name: '开始比较', includeHidden: true });
+  await compare.waitFor({ state: 'attached' }); // its section comes after the experiment's own buttons
   await unfoldAll(page);
-  await page.getByRole('button', { name: '开始比较' }).click();
+  await compare.click();
   const results = page.getByRole('region', { name: '比较结果' });
   await results.getByText('2 次求解').waitFor();
   await results.getByRole('button', { name: 'Li 等 2022', exact: true }).click();
