@@ -62,7 +62,11 @@ export async function startFirefox(): Promise<Engine> {
       turnWheel: (deltaY) => page.mouse.wheel({ deltaY }),
       pressKey: (key) => page.keyboard.down(key as KeyInput),
       releaseKey: (key) => page.keyboard.up(key as KeyInput),
-      resize: (width, height) => page.setViewport({ width, height }),
+      resize: async (width, height) => {
+        await page.setViewport({ width, height });
+        // The answer can come before the page has that size, and what is clicked on by its place then is elsewhere.
+        await page.waitForFunction(`innerWidth === ${width} && innerHeight === ${height}`);
+      },
       screenshot: async () => Buffer.from(await page.screenshot()),
       downloads: downloads.path,
       complaints: async () => complaints.all(),

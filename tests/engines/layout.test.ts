@@ -8,6 +8,9 @@ const { arrive } = visitors();
 /** Between a menu and the edge of the page. */
 const GAP = 8;
 
+const isMenuOpen = (visitor: Visitor) =>
+  visitor.run(() => document.querySelector('#export-menu')!.matches(':popover-open'));
+
 const placeOfMenu = (visitor: Visitor) =>
   visitor.run((gap) => {
     const menu = document.querySelector('#export-menu')!.getBoundingClientRect();
@@ -35,5 +38,6 @@ test('on a desk and, the window made narrow, on a phone the menu stands beside i
       .toEqual({ inside: true, beside: true, overflow: 0 });
     await visitor.picture(`menu-${name}`);
     await visitor.press('Escape');
+    await expect.poll(() => isMenuOpen(visitor)).toBe(false);
   }
 });

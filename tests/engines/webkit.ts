@@ -44,8 +44,16 @@ export async function startWebKit(): Promise<Engine> {
   // What moves is drawn in software, which takes longer than the tests themselves: less of it, as in the other engines.
   writeFileSync(join(home.path, '.config/gtk-3.0/settings.ini'), '[Settings]\ngtk-enable-animations=0\n');
   writeFileSync(join(home.path, '.config/user-dirs.dirs'), 'XDG_DOWNLOAD_DIR="$HOME/Downloads"\n');
-  // Under this locale the language of its browser is called C.
-  const env = { ...process.env, HOME: home.path, XDG_CONFIG_HOME: '', DISPLAY: display.name, LC_ALL: 'C.UTF-8' };
+  const env = {
+    // Compiling WebAssembly as well as it can takes longer than the tests run it. Set from outside, it does (run_monkey).
+    JSC_useOMGJIT: '0',
+    ...process.env,
+    HOME: home.path,
+    XDG_CONFIG_HOME: '',
+    DISPLAY: display.name,
+    // Under this locale the language of its browser is called C.
+    LC_ALL: 'C.UTF-8',
+  };
 
   /** A browser that does not come up is started once more: no page has been shown in it yet. */
   async function newWindow(): Promise<Driver> {
