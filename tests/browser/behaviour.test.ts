@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { beforeAll, beforeEach, expect, test } from 'vitest';
 import type { Chebnet } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
-import { largestDeviation } from './geometry';
+import { distance, largestDeviation } from './geometry';
 import { openForResearch, OUTPUT, type Script, type Visit, visits } from './page';
 
 const DOME = 'dome:vertices=2000,reach=55';
@@ -223,6 +223,31 @@ test('a net that comes nearly closed is opened, which is said, and undone where 
   await script.settled();
   expect(apart(await script.positions(), came)).toBeLessThan(1e-3);
   expect(await notice.innerText()).toBe('');
+});
+
+test('edges become longer or shorter on wish, all by one factor; undo takes that back', async () => {
+  const { page } = visit;
+  await script.open({ recipe: DOME });
+  await script.settled();
+  const before = await script.positions();
+  const edges = await page.evaluate(() => window.chebnet.edges());
+  const length = distance(
+    before.subarray(3 * edges[0]!, 3 * edges[0]! + 3),
+    before.subarray(3 * edges[1]!, 3 * edges[1]! + 3),
+  );
+  const slider = page.getByRole('slider', { name: 'Edges' });
+  expect(await slider.getAttribute('aria-valuetext')).toBe('as made');
+  await slider.focus();
+  for (let i = 0; i < 10; ++i) await slider.press('ArrowRight');
+  await slider.blur();
+  await script.settled();
+  expect(await slider.getAttribute('aria-valuetext')).toBe('+10 %');
+  await page.screenshot({ path: join(OUTPUT, 'behaviour-longer.png') });
+  expect(largestDeviation(await script.positions(), edges, 1.1 * length)).toBeLessThan(1e-6);
+  for (let i = 0; i < 10; ++i) await page.keyboard.press('Control+z');
+  await script.settled();
+  expect(await slider.getAttribute('aria-valuetext')).toBe('as made');
+  expect(apart(await script.positions(), before)).toBeLessThan(1e-3 * length);
 });
 
 test('quads that want to be square become so, and undo takes that back', async () => {

@@ -1,5 +1,5 @@
-/** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, and how narrow its corners may get. In
- *  terms of designers, for options of the method `equilibrium`. */
+/** How the net behaves: by its lengths alone, or as material at rest, stiff or soft, how narrow its corners may get, and how
+ *  long its edges are. In terms of designers, for options of the solver. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData, SolverOptions } from '../document/document';
 import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
@@ -29,6 +29,8 @@ const DEGREES = 5;
 /** Steps for a factor of ten in weight, and number of steps. */
 const TENFOLD = 3;
 const HEAVIEST = 9;
+/** Percent by which edges can be made shorter or longer by hand. */
+const MOST_GROWTH = 25;
 
 /** The weight of an edge that bends a square net of these many vertices, held at its border, by a few hundredths of its
  *  width: a beam of n edges sinks by about g n⁴ / 50 edge lengths. */
@@ -47,6 +49,7 @@ export class BehaviourPanel implements Panel {
   readonly #about = make('p', { class: 'quiet' });
   readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, () => this.#chooseLimit());
   readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, () => this.#chooseWeight());
+  readonly #length = makeSlider(words.behaviour.length, 2 * MOST_GROWTH, () => this.#chooseLength());
   readonly #unheld = make('p', { class: 'quiet', role: 'status' });
   readonly #guidePlace = make('div', { hidden: true });
   #guide: GuideControls | null = null;
@@ -65,6 +68,7 @@ export class BehaviourPanel implements Panel {
     this.#choice = makeSelect(words.behaviour.choice, choices, (name) => this.#choose(name));
     this.#limit.row.title = words.behaviour.limitHint;
     this.#weight.row.title = words.behaviour.weightHint;
+    this.#length.row.title = words.behaviour.lengthHint;
     this.element = makeSection(
       words.sections.behaviour,
       true,
@@ -73,6 +77,7 @@ export class BehaviourPanel implements Panel {
       this.#limit.row,
       this.#weight.row,
       this.#unheld,
+      this.#length.row,
       this.#guidePlace,
     );
   }
@@ -98,6 +103,7 @@ export class BehaviourPanel implements Panel {
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
     this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#setWeight(this.#weightStep());
+    this.#setLength(100 * (Number(this.#option('length_scale') ?? 1) - 1));
     const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
     setText(this.#unheld, falls ? words.behaviour.unheld : '');
     this.#guidePlace.hidden = document.guide === undefined;
@@ -150,12 +156,25 @@ export class BehaviourPanel implements Panel {
     this.#set(METHOD_AT_REST, { gravity });
   }
 
+  #chooseLength(): void {
+    const percent = this.#length.input.valueAsNumber - MOST_GROWTH;
+    this.#setLength(percent);
+    this.#set(this.#document!.method, { length_scale: 1 + percent / 100 });
+  }
+
   #setLimit(step: number): void {
     this.#limit.set(step, step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step));
   }
 
   #setWeight(step: number): void {
     this.#weight.set(step, step === 0 ? words.behaviour.off : words.behaviour.times(step));
+  }
+
+  /** "Let edges grow" finds what lies between the steps, or beyond them. */
+  #setLength(percent: number): void {
+    const shown = Number(percent.toFixed(1));
+    const text = shown === 0 ? words.behaviour.asMade : words.behaviour.growth(shown);
+    this.#length.set(Math.min(Math.max(Math.round(percent), -MOST_GROWTH), MOST_GROWTH) + MOST_GROWTH, text);
   }
 
   #weightStep(): number {
