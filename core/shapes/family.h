@@ -32,12 +32,12 @@ struct Family {
 };
 
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,
-    k_shirt, k_sheet, k_saddle, k_canopy;
+    k_shirt, k_sheet, k_saddle, k_canopy, k_vase, k_wave, k_scroll;
 
 /// In the order of the gallery and help: smooth ones before figures of blocks.
-inline constexpr const Family* k_families[] = {&k_dome, &k_saddle, &k_canopy,   &k_vault,  &k_sheet,
-                                               &k_tube, &k_shirt,  &k_teddy,    &k_rabbit, &k_horse,
-                                               &k_jug,  &k_steps,  &k_elephant, &k_jack,   &k_torus};
+inline constexpr const Family* k_families[] = {&k_dome,   &k_saddle, &k_canopy, &k_vault,    &k_wave,  &k_sheet,
+                                               &k_scroll, &k_tube,   &k_vase,   &k_shirt,    &k_teddy, &k_rabbit,
+                                               &k_horse,  &k_jug,    &k_steps,  &k_elephant, &k_jack,  &k_torus};
 
 /// The parameter that every family has.
 constexpr ShapeParameter vertices_parameter(double value) {

@@ -322,6 +322,69 @@ TEST_CASE("The canopy rises from a foot to its crest, falls, and ends level, hig
     CHECK(corner_angle_range(canopy, p).smallest > 60 * std::numbers::pi / 180);
 }
 
+TEST_CASE(
+    "The vase is round in each ring, wide at its belly and narrow at its neck, with wires that wind up both ways") {
+    const Shape vase = make_shape("vase:vertices=2000,waist=0.5");
+    const Positions& p = vase.net.rest_positions();
+    CHECK(Topology(vase.net).boundary_loops().size() == 2);
+    CHECK(Topology(vase.net).singular_vertices().empty());
+    for (int f = 0; f < vase.net.face_count(); ++f)
+        REQUIRE(face_normal(vase.net, f).head<2>().dot(face_middle(vase.net, f).head<2>()) > 0);
+
+    std::map<long, std::pair<double, double>> radii;  // smallest and largest of each height
+    for (int v = 0; v < p.cols(); ++v) {
+        const double radius = (p.col(v) - p.rowwise().mean()).head<2>().norm();
+        const auto at = radii.try_emplace(std::lround(p(2, v) * 1e6), radius, radius).first;
+        at->second = {std::min(at->second.first, radius), std::max(at->second.second, radius)};
+    }
+    double widest = 0, narrowest = 1e9;
+    for (const auto& [height, range] : radii) {
+        REQUIRE(range.second - range.first < 1e-9);
+        widest = std::max(widest, range.first);
+        narrowest = std::min(narrowest, range.first);
+    }
+    CHECK(narrowest / widest == Approx(0.5).epsilon(0.01));
+    const AngleRange corners = corner_angle_range(vase.net, p);
+    CHECK(corners.smallest > 40 * std::numbers::pi / 180);
+    CHECK(corners.largest > 130 * std::numbers::pi / 180);  // steep at the neck
+}
+
+TEST_CASE(
+    "The waves rise as often as asked for in either direction, from a border that is lowest, and no corner is sharp") {
+    for (const int waves : {1, 2, 5}) {
+        INFO(waves);
+        const int n = 41;
+        const Net wave =
+            make_shape("wave:vertices=" + std::to_string(n * n) + ",slope=45,waves=" + std::to_string(waves)).net;
+        const Positions& p = wave.rest_positions();
+        REQUIRE(wave.vertex_count() == n * n);
+        for (const bool is_along : {false, true}) {
+            const auto height = [&](int i) { return p(2, is_along ? i * n : i); };
+            int crests = 0;
+            for (int i = 1; i + 1 < n; ++i) crests += height(i) > height(i - 1) && height(i) >= height(i + 1);
+            CHECK(crests == waves);
+        }
+        CHECK(p(2, 0) == Approx(0).margin(1e-9));
+        CHECK(p.row(2).minCoeff() == Approx(0).margin(1e-9));
+        CHECK(corner_angle_range(wave, p).smallest > 59 * std::numbers::pi / 180);
+    }
+}
+
+TEST_CASE("The scroll is a rectangle rolled up, with as many turns as asked for that do not touch") {
+    const Net scroll = make_shape("scroll:vertices=8000,turns=2.5").net;
+    const Positions& p = scroll.rest_positions();
+    const int columns = static_cast<int>(((p.row(1).array() - p(1, 0)).abs() < 1e-9).count());
+    CHECK(corner_angle_range(scroll, p).smallest == Approx(std::numbers::pi / 2));
+    double turned = 0, distance = 1e9;
+    for (int i = 1; i + 1 < columns; ++i) {
+        const Eigen::Vector3d before = p.col(i) - p.col(i - 1), after = p.col(i + 1) - p.col(i);
+        turned += std::acos(before.dot(after) / (before.norm() * after.norm()));
+        for (int j = i + columns / 8; j < columns; ++j) distance = std::min(distance, (p.col(j) - p.col(i)).norm());
+    }
+    CHECK(turned / (2 * std::numbers::pi) == Approx(2.5).epsilon(0.05));
+    CHECK(distance > 1.5 * scroll.mean_length());
+}
+
 TEST_CASE("The torus is closed, of genus one and without singular vertices") {
     const Net torus = make_shape("torus").net;
     CHECK(is_closed_manifold(torus));
@@ -530,9 +593,8 @@ TEST_CASE("The gallery is complete") {
 TEST_CASE("A recipe that makes no shape is refused with what is wrong and what is known") {
     const std::string form = "; a recipe is NAME or NAME:key=value,key=value";
     const std::string known =
-        "; known are dome, saddle, canopy, vault, sheet, tube, shirt, teddy, rabbit, horse, jug, steps, elephant, "
-        "jack, "
-        "torus";
+        "; known are dome, saddle, canopy, vault, wave, sheet, scroll, tube, vase, shirt, teddy, rabbit, horse, jug, "
+        "steps, elephant, jack, torus";
     CHECK(refusal("") == "bad_syntax: the recipe names no shape" + form);
     CHECK(refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
     CHECK(refusal("ball") == "bad_option: there is no shape \"ball\"" + known);

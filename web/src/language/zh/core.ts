@@ -5,6 +5,9 @@ export const SHAPES: Record<string, string> = {
   vault: '拱顶',
   saddle: '马鞍面',
   canopy: '雨棚',
+  wave: '波浪',
+  scroll: '卷网',
+  vase: '花瓶',
   sheet: '平网',
   dome: '穹顶',
   tube: '管',
@@ -57,6 +60,8 @@ export const PARAMETERS: Record<string, string> = {
   trunk: '鼻长',
   smooth: '光滑',
   rounding: '圆润',
+  turns: '圈数',
+  waist: '颈宽',
 };
 
 /** The codes of core/base/error.h, wasm/chebnet.d.ts and worker/protocol.ts. What the core says, a place or a value, follows. */

@@ -48,6 +48,27 @@ export const SHAPES: Record<string, ShapeWords> = {
       slope: '从落脚处升起的坡度，以度为单位。',
     },
   },
+  wave: {
+    sentence: '沿两个方向起伏的屋面：一道波沿另一道波移动而成。',
+    parameters: {
+      vertices: VERTICES,
+      waves: '每个方向起伏的次数。',
+      slope: '波浪的陡峭程度，以度为单位。',
+      aspect: '两个方向的长度之比。',
+    },
+  },
+  scroll: {
+    sentence: '卷起的平网，如刚出厂的网卷，松开的一端平铺在地上。',
+    parameters: { vertices: VERTICES, turns: '卷的圈数。', aspect: '网的宽度与长度之比。' },
+  },
+  vase: {
+    sentence: '网丝向两边盘旋而上的花瓶：网丝平处宽，陡处窄。',
+    parameters: {
+      vertices: VERTICES,
+      aspect: '花瓶的高度与最大宽度之比，约数。',
+      waist: '瓶颈与瓶腹的宽度之比。',
+    },
+  },
   sheet: {
     sentence: '方格的平网，如刚从卷上展开的金属丝网。',
     parameters: { vertices: VERTICES, aspect: '平网的长宽之比。' },
