@@ -74,8 +74,10 @@ export class Opener {
     const fresh = freshScene(net);
     if (this.#state.opening === null) return this.openScene(fresh);
     const { document } = this.#state.opening;
-    const { initialisation, options } = document;
-    const { upAxis: _, ...view } = document.view;
+    const { initialisation } = document;
+    // How long edges are made is of the net, not of the settings.
+    const { length_scale: _, ...options } = document.options;
+    const { upAxis: __, ...view } = document.view;
     const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
     const scene = {
       ...fresh,

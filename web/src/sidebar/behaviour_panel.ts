@@ -159,7 +159,7 @@ export class BehaviourPanel implements Panel {
   #chooseLength(): void {
     const percent = this.#length.input.valueAsNumber - MOST_GROWTH;
     this.#setLength(percent);
-    this.#set(this.#document!.method, { length_scale: 1 + percent / 100 });
+    this.#set(this.#document!.method, { length_scale: (100 + percent) / 100 });
   }
 
   #setLimit(step: number): void {
