@@ -507,8 +507,9 @@ bool Editor::find_taut_lines() {
             vertices.push_back(handle.is_pinned() && axes_now(handle) == k_no_axes ? handle.vertex : -1);
         std::vector<bool> has_handle(m_handle_at.size());
         for (std::size_t v = 0; v < has_handle.size(); ++v) has_handle[v] = m_handle_at[v] >= 0;
-        taut = m_taut_lines.find(*m_net, *m_topology, handle_graph(), std::move(vertices), m_unit * m_near_targets,
-                                 std::move(has_handle), m_positions, k_nearly_straight * m_net->mean_length());
+        taut =
+            m_taut_lines.find(*m_net, *m_topology, handle_graph(), std::move(vertices), m_unit * m_near_targets,
+                              std::move(has_handle), m_positions, m_last_net, k_nearly_straight * m_net->mean_length());
     }
     if (taut == m_taut) return false;
     m_taut = std::move(taut);

@@ -9,6 +9,8 @@ namespace {
 
 // Handles, the lines between them, and lines between those: more rounds find no more in most nets.
 constexpr std::size_t k_most_rounds = 4;
+// A line that turns by no more than this, as a cosine, stays nearly straight on a straight way of its ends.
+constexpr double k_least_turn = 0.9;
 
 }  // namespace
 
@@ -22,12 +24,20 @@ Eigen::Matrix3Xd places_of(std::span<const TautVertex> taut, const Eigen::Matrix
 
 std::vector<TautVertex> TautLines::find(const Net& net, const Topology& topology, const HandleGraph& graph,
                                         std::vector<int> vertices, const Eigen::Matrix3Xd& targets,
-                                        std::vector<bool> avoided, const Positions& positions, double nearness) {
+                                        std::vector<bool> avoided, const Positions& positions,
+                                        const Positions& last_net, double nearness) {
     m_steps_left = k_most_steps;
     Eigen::Matrix3Xd ends = targets;
     std::vector<TautVertex> found;
+    const auto was_straight = [&](const TautVertex& taut) {
+        const Eigen::Vector3d a = last_net.col(vertices[taut.end_a]), b = last_net.col(vertices[taut.end_b]),
+                              line = ends.col(taut.end_b) - ends.col(taut.end_a);
+        return (last_net.col(taut.vertex) - (a + taut.part * (b - a))).norm() <= nearness &&
+               line.dot(b - a) >= k_least_turn * line.norm() * (b - a).norm();
+    };
     const auto is_clear = [&](const TautVertex& taut) {
-        return !avoided[taut.vertex] && (positions.col(taut.vertex) - taut.place(ends)).norm() <= nearness;
+        const bool is_there = (positions.col(taut.vertex) - taut.place(ends)).norm() <= nearness;
+        return !avoided[taut.vertex] && (is_there || was_straight(taut));
     };
     for (std::size_t k = 0; k < k_most_rounds; ++k) {
         if (k == m_rounds.size()) m_rounds.emplace_back();

@@ -44,10 +44,11 @@ public:
     void forget() { m_rounds.clear(); }
     /// Of none of the lines that pass a vertex of `avoided` (V). `vertices`: of the handles, −1 for one that pulls
     /// nothing straight; `targets`: 3 × handles, where they are to be; `graph`: of these handles. Lines of which a
-    /// vertex is farther than `nearness` from its place at `positions` are left out: the net is not there yet.
+    /// vertex is farther than `nearness` from its place at `positions` are left out, since the net is not there yet;
+    /// but for those that were as straight in the last net, and only move along.
     std::vector<TautVertex> find(const Net& net, const Topology& topology, const HandleGraph& graph,
                                  std::vector<int> vertices, const Eigen::Matrix3Xd& targets, std::vector<bool> avoided,
-                                 const Positions& positions, double nearness);
+                                 const Positions& positions, const Positions& last_net, double nearness);
 
 private:
     struct Line {

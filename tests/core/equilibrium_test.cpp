@@ -449,6 +449,44 @@ TEST_CASE("Equilibrium: a net that nothing holds does not fall, and hangs as soo
     CHECK(std::abs(editor.positions()(2, 40) - before) < 5);
 }
 
+TEST_CASE("Equilibrium: a flat sheet squeezed within its plane arches upwards, at once and in frames alike") {
+    const int n = 15;
+    const Net net = samples::patch(n, n, 0);
+    const double L = net.mean_length(), size = (n - 1) * L;
+    const std::vector<Handle> corners = samples::handles_at_rest(net, {0, n - 1, n * (n - 1), n * n - 1});
+    const double taken = 0.1;
+    const auto squeezed = [&](double part, bool all) {
+        std::vector<Handle> handles = corners;
+        for (Handle& handle : handles) {
+            const Eigen::Vector3d inwards = net.rest_positions().rowwise().mean() - handle.target;
+            handle.target.x() += part * taken * inwards.x();
+            if (all) handle.target.y() += part * taken * inwards.y();
+        }
+        return handles;
+    };
+    for (const bool all : {false, true}) {
+        INFO(all);
+        Editor at_once(net), in_frames(net);
+        at_once.set_handles(corners);
+        in_frames.set_handles(corners);
+        at_once.set_handles(squeezed(1, all));
+        CHECK(at_once.solve().status == Status::converged);
+        for (int frame = 1; frame <= 20; ++frame) {
+            in_frames.set_handles(squeezed(frame / 20., all));
+            in_frames.solve({.iterations = 1});
+        }
+        CHECK(in_frames.solve().status == Status::converged);
+        CHECK((at_once.positions() - in_frames.positions()).norm() < 0.01 * L * n);
+        CHECK(at_once.positions().row(2).minCoeff() > -0.01 * L);
+        CHECK(corner_angle_range(net, at_once.positions()).smallest > 70 * std::numbers::pi / 180);
+        if (all) continue;
+        // Two sides stay straight: an elastica carried along them (Love 1927, article 263).
+        const double k = root(
+            [&](double t) { return 2 * std::comp_ellint_2(t) / std::comp_ellint_1(t) - 1 - (1 - taken); }, 0.01, 0.9);
+        CHECK(at_once.positions().row(2).maxCoeff() == Approx(size * k / std::comp_ellint_1(k)).epsilon(0.01));
+    }
+}
+
 TEST_CASE("Equilibrium: straight rods between two supports that have come nearer bend into the elastica") {
     const int count = 40;
     const double edge = 1.0 / count;

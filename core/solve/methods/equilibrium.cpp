@@ -10,6 +10,7 @@
 #include "linear/dense_kernels.h"
 #include "net/measures.h"
 #include "solve/methods/methods.h"
+#include "solve/parts/bow.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/handle_walk.h"
 #include "solve/parts/net_constraints.h"
@@ -465,6 +466,7 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     const double repeated = m_walk.take_off_repeated(moves);
     m_newton->extend(moves);
     moves += repeated * m_walk.last_move();
+    add_bow(*m_net, *m_part, x, m_options.gravity > 0, moves);
     x += moves;
     if (part == 1) m_walk.held().take_held(m_walk.end(), x);
     if (project(x)) return true;
