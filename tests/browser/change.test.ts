@@ -2,6 +2,7 @@
 import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
+import { vertexAt } from './geometry';
 import { OUTPUT, type Script, type Visit, visits } from './page';
 
 const SHAPE = 'vault:vertices=300';
@@ -145,4 +146,154 @@ test('a row is put in and taken out, and the way through two handles is cut', as
   await visit.page.screenshot({ path: join(OUTPUT, 'change-way.png') });
   await press('Cut');
   await visit.page.getByText(/It has 2 pieces\./).waitFor();
+});
+
+/** Where a part of the way across the net in x and y is on the screen. */
+async function placeAt(u: number, v: number): Promise<{ x: number; y: number }> {
+  const positions = await script.positions();
+  return script.screenPosition(vertexAt(positions, u, v));
+}
+
+/** Until the camera rests. */
+async function lookFromAbove(): Promise<void> {
+  await visit.page.locator('#view canvas').press('7');
+  let before = '';
+  const rests = async () => before === (before = JSON.stringify(await script.screenPosition(0)));
+  await expect.poll(rests).toBe(true);
+}
+
+async function takePen(): Promise<void> {
+  await lookFromAbove();
+  await press('Draw a line');
+  await section().getByRole('button', { name: 'Draw a line', pressed: true }).waitFor();
+}
+
+/** Draws a line through places on the screen with the mouse. */
+async function draw(places: readonly { x: number; y: number }[]): Promise<void> {
+  const { mouse } = visit.page;
+  await mouse.move(places[0]!.x, places[0]!.y);
+  await mouse.down();
+  for (const { x, y } of places.slice(1)) await mouse.move(x, y, { steps: 8 });
+  await mouse.up();
+}
+
+/** Goes on beyond the last of two places, as far as it was from the first. */
+const beyond = (from: { x: number; y: number }, to: { x: number; y: number }) => ({
+  x: to.x + 0.2 * (to.x - from.x),
+  y: to.y + 0.2 * (to.y - from.y),
+});
+
+test('a line is drawn from border to border, the net is cut along it or one side goes, and that is undone', async () => {
+  const whole = await vertices();
+  const drawAcross = async () => {
+    await takePen();
+    const [left, right] = [await placeAt(0, 0.35), await placeAt(1, 0.75)];
+    await draw([beyond(right, left), beyond(left, right)]);
+  };
+  await drawAcross();
+  await section()
+    .getByText(/^The line parts the net\. Faded is the smaller side, \d+ of \d+ faces\.$/)
+    .waitFor();
+  expect(await section().getByLabel('Line').inputValue()).toBe('drawn');
+  await expect.poll(() => visit.page.locator('path.preview').getAttribute('d')).toMatch(/(?:h0M.*){8}/);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-drawn.png') });
+
+  await press('Cut');
+  await visit.page.getByText(/It has 2 pieces\./).waitFor();
+  await expect.poll(vertices).toBeGreaterThan(whole);
+  await expect.poll(() => visit.page.locator('path.preview').getAttribute('d')).toBe('');
+  await undo();
+  await expect.poll(vertices).toBe(whole);
+
+  await drawAcross();
+  await press('Keep the larger side');
+  await expect.poll(vertices).toBeLessThan(whole);
+  await script.settled();
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-trimmed.png') });
+  await undo();
+  await expect.poll(vertices).toBe(whole);
+});
+
+test('a part that a line goes round is taken out, and a line that misses the net is named', async () => {
+  const whole = await vertices();
+  await takePen();
+  const ring = await Promise.all(
+    Array.from({ length: 17 }, (_, k) => (2 * Math.PI * k) / 16).map((angle) =>
+      placeAt(0.5 + 0.25 * Math.cos(angle), 0.5 + 0.25 * Math.sin(angle)),
+    ),
+  );
+  const { x, y } = (await visit.page.locator('#view canvas').boundingBox())!;
+  await draw([
+    { x: x + 20, y: y + 200 },
+    { x: x + 60, y: y + 300 },
+  ]);
+  await section().getByText('This line misses the net.').waitFor();
+  const { mouse } = visit.page;
+  const corner = await script.screenPosition(0);
+  await mouse.down({ button: 'right' });
+  await mouse.move(x + 80, y + 330, { steps: 4 });
+  await mouse.up({ button: 'right' });
+  await expect.poll(() => script.screenPosition(0)).not.toEqual(corner);
+  await section().getByText('This line misses the net.').waitFor();
+  await lookFromAbove();
+  await draw(ring);
+  await section()
+    .getByText(/^The line parts the net\./)
+    .waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-ring.png') });
+  await press('Keep the smaller side');
+  await expect.poll(vertices).toBeLessThan(whole / 2);
+  await undo();
+  await expect.poll(vertices).toBe(whole);
+
+  await takePen();
+  await draw([await placeAt(0.3, 0.5), await placeAt(0.7, 0.5)]);
+  await section()
+    .getByText(/^The line parts nothing off:/)
+    .waitFor();
+  await visit.page.keyboard.press('Escape');
+  expect(await section().getByRole('button', { name: 'Draw a line' }).getAttribute('aria-pressed')).toBe('false');
+  await press('Remove it');
+  await expect.poll(() => visit.page.locator('path.preview').getAttribute('d')).toBe('');
+});
+
+test('on a phone a finger draws, and two fingers move the view without drawing', async () => {
+  visit = await share({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  ({ script } = visit);
+  await script.open({ recipe: SHAPE });
+  await script.settled();
+  await visit.page.getByRole('button', { name: 'Controls' }).click();
+  await visit.page.locator('summary', { hasText: /^Change the net$/ }).click();
+  const session = await visit.page.context().newCDPSession(visit.page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  await takePen();
+  const ends = async () => [await placeAt(0, 0.35), await placeAt(1, 0.75)] as const;
+  const width = ([left, right]: readonly { x: number; y: number }[]) =>
+    Math.hypot(right!.x - left!.x, right!.y - left!.y);
+
+  const before = await ends();
+  const [left, right] = before;
+  await touch('touchStart', [left]);
+  await touch('touchStart', [left, right]);
+  for (const k of [1, 2, 3]) await touch('touchMove', [left, { x: right.x + 10 * k, y: right.y }]);
+  await touch('touchEnd', []);
+  await expect.poll(async () => width(await ends())).toBeGreaterThan(1.1 * width(before));
+  await section()
+    .getByText(/^Draw on the net:/)
+    .waitFor();
+
+  const [from, to] = await ends();
+  const [start, end] = [beyond(to, from), beyond(from, to)];
+  await touch('touchStart', [start]);
+  for (const k of [1, 2, 3, 4])
+    await touch('touchMove', [{ x: start.x + ((end.x - start.x) * k) / 4, y: start.y + ((end.y - start.y) * k) / 4 }]);
+  await touch('touchEnd', []);
+  await section()
+    .getByText(/^The line parts the net\./)
+    .waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-phone.png') });
+  await press('Keep the larger side');
+  await visit.page.getByText(/^The net has [\d,]+ vertices now\./).waitFor();
 });

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import type { NetChange } from '../../wasm/chebnet';
 import type { ChangedNet, ChangeRequest, ChangeResponse } from '../../web/src/change/change_protocol';
 import { changeNet } from '../../web/src/change/change_net';
+import { sidesOf, stayingWithout } from '../../web/src/change/sides';
 import { failure, load } from './load';
 
 const chebnet = await load();
@@ -105,6 +106,27 @@ describe('a net that is changed', () => {
     const everyEdge = Array.from({ length: info.edges }, (_, edge) => edge);
     const request = requestFor(sheet, { way: 'cut', place: { edges: everyEdge } });
     expect(changed(request).pieces).toBe(info.faces);
+  });
+
+  // Of two sides as large as each other too, which both have to take for the same.
+  test.each([3, 5])('loses the side that the page fades, at line %i of ten', (line) => {
+    const sheet = 'sheet:vertices=121';
+    const net = chebnet.openRecipe(sheet);
+    const x = (vertex: number) => net.restPositions[3 * vertex]!;
+    const columns = [...new Set(Array.from({ length: 121 }, (_, v) => x(v).toFixed(6)))].map(Number);
+    const wanted = columns.sort((a, b) => a - b)[line]!;
+    const edges = Array.from({ length: net.info.edges }, (_, e) => e).filter((e) =>
+      [0, 1].every((end) => Math.abs(x(net.edges[2 * e + end]!) - wanted) < 1e-3),
+    );
+    const [larger, ...others] = sidesOf(net, edges);
+    for (const [way, goes] of [
+      ['keep_larger', others.flat()],
+      ['keep_smaller', larger!],
+    ] as const) {
+      const stays = stayingWithout(net, goes);
+      const { origins } = changed(requestFor(sheet, { way, place: { edges } }));
+      expect([...origins]).toEqual([...stays.keys()].filter((vertex) => stays[vertex] === 1));
+    }
   });
 
   test('stays, with a reason, where it cannot be changed', () => {

@@ -9,6 +9,7 @@ import type { Language } from './language/choice';
 import type { Choice, HandleCommands } from './handles/commands';
 import type { Tables } from './net/tables';
 import type { StandardView } from './view/camera_fit';
+import type { Pen, PenEvents } from './view/view';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
 /** Lessons that the net can demonstrate. */
@@ -40,10 +41,16 @@ export interface PanelEvents {
   restoreLast(): void;
   chooseLanguage(language: Language): void;
   handles: HandleCommands;
-  /** Preview the vertices that a button would select; none: no longer. */
+  /** Preview the vertices that a button would select, with their mirror images; none: no longer. */
   preview(vertices: readonly number[]): void;
+  /** Likewise vertices alone. */
+  previewAlone(vertices: readonly number[]): void;
   /** Mark cells of the net, each by the vertices at its corners; none: no longer. */
   mark(cells: readonly (readonly number[])[]): void;
+  /** Fade vertices by how little they stay, 1 … 0; null: no longer. */
+  fade(stays: Float32Array | null): void;
+  /** Until it is put away, pointers draw on the net. */
+  takePen(events: PenEvents): Promise<Pen>;
   setOptions(settings: SolverSettings): void;
   /** As setOptions, and the net comes to rest by them at once. */
   setBehaviour(settings: SolverSettings): void;

@@ -9,10 +9,14 @@ import type { OpenedNet } from '../worker/protocol';
 /** A line through the leading handle, a way through all that are chosen, or the edges between them. */
 export type PlaceName = LineName | 'through' | 'between';
 
+/** By name, or drawn: ways along edges, each by its vertices. */
+export type Place = PlaceName | readonly (readonly number[])[];
+
 type Lines = Pick<OpenedNet, 'edges' | 'restPositions' | 'lineStart' | 'lineVertices' | 'loopStart' | 'loopVertices'>;
 
 /** The vertices are those that are chosen. */
-export function placeOf(net: Lines, chosen: Selection, name: PlaceName): ChangePlace {
+export function placeOf(net: Lines, chosen: Selection, name: Place): ChangePlace {
+  if (typeof name === 'object') return { edges: edgesAlong(net, ...name) };
   const leading = chosen.at(-1);
   if (leading === undefined) return {};
   return {
@@ -40,9 +44,12 @@ function walkThrough(net: Lines, vertex: number, name: LineName): Int32Array {
   return name === 'boundary' ? Int32Array.of(...walk, ...walk.subarray(0, 1)) : walk;
 }
 
-function edgesAlong({ edges }: Lines, walk: ArrayLike<number> & Iterable<number>): number[] {
+export function edgesAlong(
+  { edges }: Pick<OpenedNet, 'edges'>,
+  ...walks: readonly (ArrayLike<number> & Iterable<number>)[]
+): number[] {
   const ends = (a: number, b: number): string => `${Math.min(a, b)} ${Math.max(a, b)}`;
-  const walked = new Set(Array.from(walk, (vertex, k) => ends(walk[k - 1] ?? vertex, vertex)));
+  const walked = new Set(walks.flatMap((walk) => Array.from(walk, (vertex, k) => ends(walk[k - 1] ?? vertex, vertex))));
   const found: number[] = [];
   for (let e = 0; 2 * e < edges.length; ++e) if (walked.has(ends(edges[2 * e]!, edges[2 * e + 1]!))) found.push(e);
   return found;

@@ -7,13 +7,13 @@ import { fileNameOf } from '../document/file_name';
 import type { Selection } from '../handles/selection';
 import type { Opening } from '../worker/opening';
 import type { ChangedNet, ChangeRequest, Way } from './change_protocol';
-import { type PlaceName, placeOf } from './place';
+import { type Place, placeOf } from './place';
 
 /** What is asked of a net: at its chosen handles, with another edge length, or all of it. */
 export type WantedChange =
   | { way: 'refine' | 'coarsen' | 'join' }
   | { way: 'resize'; length: number }
-  | { way: Exclude<Way, 'refine' | 'coarsen' | 'join' | 'resize'>; place: PlaceName };
+  | { way: Exclude<Way, 'refine' | 'coarsen' | 'join' | 'resize'>; place: Place };
 
 const RADIANS = Math.PI / 180;
 

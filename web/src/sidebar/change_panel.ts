@@ -1,20 +1,25 @@
-/** The net itself: finer or coarser, with another edge length, and at the chosen handles cut, shorter or longer. */
-import type { PlaceName } from '../change/place';
+/** The net itself: finer or coarser, with another edge length, and at the chosen handles or along a line that is drawn cut,
+ *  shorter or longer. */
+import { type Place, type PlaceName, placeOf } from '../change/place';
+import { sidesOf, stayingWithout } from '../change/sides';
 import type { WantedChange } from '../change/subject';
 import type { HandleData } from '../document/document';
 import { make, makeButton, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import type { Choice } from '../handles/commands';
-import type { Selection } from '../handles/selection';
 import { wayThrough } from '../handles/way';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
+import { LineDrawing } from './line_drawing';
 import './change_panel.css';
 
 const TEXT = panelWords.change;
 const OF_ALL = ['refine', 'coarsen', 'join'] as const;
 /** What is done along a line through the handle that was chosen last. */
 const AT_LINE = ['cut', 'keep_larger', 'keep_smaller', 'delete_rows', 'add_row', 'insert_row', 'remove_line'] as const;
+type LineWay = (typeof AT_LINE)[number];
+type LineChoice = PlaceName | 'drawn';
+
 /** No net is made so many times as large or as small at once. */
 const MOST_FACTOR = 1e6;
 
@@ -22,20 +27,23 @@ export class ChangePanel implements Panel {
   readonly element: HTMLElement;
   readonly #length = make('input', { type: 'number', step: 'any', required: true, 'aria-label': TEXT.length });
   readonly #line: ReturnType<typeof makeSelect>;
-  readonly #atHandles: HTMLFieldSetElement;
+  readonly #atLine: HTMLFieldSetElement;
+  readonly #atHandles: HTMLButtonElement;
+  readonly #drawing: LineDrawing;
   readonly #about = make('p', { class: 'quiet' });
   readonly #events: PanelEvents;
   #meanLength = 1;
   #net: OpenedNet | null = null;
-  #selection: Selection = [];
+  #choice: Pick<Choice, 'selection' | 'onBoundary' | 'lines'> = { selection: [], onBoundary: false, lines: 0 };
   /** How many lines there are to choose from, and of which kinds. */
   #offered = '';
 
-  constructor(events: PanelEvents) {
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
-    this.#line = makeSelect(TEXT.line, [], () => this.#preview(true));
-    this.#line.select.addEventListener('focus', () => this.#preview(true));
-    this.#line.select.addEventListener('blur', () => this.#preview(false));
+    this.#drawing = new LineDrawing(events, () => this.#takeDrawn(), failed);
+    this.#line = makeSelect(TEXT.line, [], () => this.#preview('cut'));
+    whilePointedAt(this.#line.select, (isPointedAt) => this.#preview(isPointedAt ? 'cut' : null));
+    this.#atHandles = this.#makeButton({ way: 'delete_faces', place: 'between' });
     const resize = make(
       'form',
       { class: 'row' },
@@ -47,16 +55,11 @@ export class ChangePanel implements Panel {
       event.preventDefault();
       this.#ask({ way: 'resize', length: this.#length.valueAsNumber });
     });
-    this.#atHandles = make(
+    this.#atLine = make(
       'fieldset',
       {},
       this.#line.row,
-      make(
-        'div',
-        { class: 'buttons' },
-        ...AT_LINE.map((way) => this.#makeLineButton(way)),
-        this.#makeButton({ way: 'delete_faces', place: 'between' }),
-      ),
+      make('div', { class: 'buttons' }, ...AT_LINE.map((way) => this.#makeLineButton(way)), this.#atHandles),
     );
     this.element = makeSection(
       TEXT.title,
@@ -64,31 +67,44 @@ export class ChangePanel implements Panel {
       make('div', { class: 'buttons' }, ...OF_ALL.map((way) => this.#makeButton({ way }))),
       resize,
       this.#about,
-      this.#atHandles,
+      this.#drawing.element,
+      this.#atLine,
     );
     this.element.classList.add('changes');
+    // Out of sight the pen would stay in hand.
+    this.element.addEventListener('toggle', () => this.#drawing.putAway());
   }
 
   setNet(net: OpenedNet): void {
     this.#net = net;
+    this.#drawing.setNet(net);
     this.#meanLength = net.info.meanLength;
   }
 
-  setFrame({ lengthScale }: FrameData): void {
-    const length = this.#meanLength * lengthScale;
+  setFrame(frame: FrameData): void {
+    this.#drawing.setFrame(frame);
+    const length = this.#meanLength * frame.lengthScale;
     setValue(this.#length, String(Number(length.toPrecision(6))));
     this.#length.min = String(length / MOST_FACTOR);
     this.#length.max = String(length * MOST_FACTOR);
   }
 
-  setHandles(_handles: readonly HandleData[], { selection, onBoundary, lines }: Choice): void {
-    this.#selection = selection;
+  setHandles(_handles: readonly HandleData[], choice: Choice): void {
+    this.#choice = choice;
+    this.#offer();
+  }
+
+  #offer(): void {
+    const { selection, onBoundary, lines } = this.#choice;
+    const isDrawn = this.#drawing.ways.length > 0;
+    this.#atLine.disabled = selection.length === 0 && !isDrawn;
     this.#atHandles.disabled = selection.length === 0;
     setText(this.#about, selection.length === 0 ? TEXT.choose : TEXT.chosen(selection.length));
-    const names: PlaceName[] = [
+    const names: LineChoice[] = [
       ...Array.from({ length: lines }, (_, line) => line),
       ...(onBoundary ? (['boundary'] as const) : []),
       ...(selection.length > 1 ? (['through', 'between'] as const) : []),
+      ...(isDrawn ? (['drawn'] as const) : []),
     ];
     if (this.#offered === names.join()) return;
     this.#offered = names.join();
@@ -101,8 +117,20 @@ export class ChangePanel implements Panel {
     if (names.map(String).includes(before)) this.#line.select.value = before;
   }
 
-  get #place(): PlaceName {
+  /** The line that has just been drawn is the one that is meant, until another is chosen. */
+  #takeDrawn(): void {
+    this.#offer();
+    if (this.#drawing.ways.length > 0) this.#line.select.value = 'drawn';
+    this.#preview(null);
+  }
+
+  get #isDrawnChosen(): boolean {
+    return this.#line.select.value === 'drawn';
+  }
+
+  get #place(): Place {
     const { value } = this.#line.select;
+    if (this.#isDrawnChosen) return this.#drawing.ways;
     return value === 'boundary' || value === 'through' || value === 'between' ? value : Number(value);
   }
 
@@ -110,26 +138,46 @@ export class ChangePanel implements Panel {
     return makeButton(TEXT.ways[wanted.way], () => this.#ask(wanted), { title: TEXT.hints[wanted.way] });
   }
 
-  /** Shows the line while it is hovered or has the focus. */
-  #makeLineButton(way: (typeof AT_LINE)[number]): HTMLButtonElement {
+  /** Shows what it does while it is hovered or has the focus. */
+  #makeLineButton(way: LineWay): HTMLButtonElement {
     const button = makeButton(TEXT.ways[way], () => this.#ask({ way, place: this.#place }), { title: TEXT.hints[way] });
-    for (const begin of ['pointerenter', 'focus']) button.addEventListener(begin, () => this.#preview(true));
-    for (const end of ['pointerleave', 'blur']) button.addEventListener(end, () => this.#preview(false));
+    whilePointedAt(button, (isPointedAt) => this.#preview(isPointedAt ? way : null));
     return button;
   }
 
-  #preview(shown: boolean): void {
-    this.#events.preview(shown ? this.#verticesOf(this.#place) : []);
+  /** The line, and what goes with its side; null: nothing is about to be done, and a line that was drawn stays to be seen, with
+   *  its smaller side faded. */
+  #preview(way: LineWay | null): void {
+    const isShown = way !== null || this.#isDrawnChosen;
+    this.#events.previewAlone(isShown ? this.#verticesOf(this.#place) : []);
+    const goes = this.#goingWith(way ?? (this.#isDrawnChosen ? 'keep_larger' : 'cut'));
+    this.#events.fade(this.#net !== null && goes.length > 0 ? stayingWithout(this.#net, goes) : null);
   }
 
-  #verticesOf(place: PlaceName): readonly number[] {
+  /** Faces. */
+  #goingWith(way: LineWay): readonly number[] {
+    if (this.#net === null || (way !== 'keep_larger' && way !== 'keep_smaller')) return [];
+    const { edges = [] } = placeOf(this.#net, this.#choice.selection, this.#place);
+    const [larger = [], ...others] = sidesOf(this.#net, Array.from(edges));
+    if (others.length === 0) return [];
+    return way === 'keep_larger' ? others.flat() : larger;
+  }
+
+  #verticesOf(place: Place): readonly number[] {
+    if (typeof place === 'object') return place.flat();
     if (place === 'between') return [];
     if (place !== 'through') return this.#events.handles.line(place);
-    return this.#net === null ? [] : wayThrough(this.#net, this.#selection);
+    return this.#net === null ? [] : wayThrough(this.#net, this.#choice.selection);
   }
 
   #ask(wanted: WantedChange): void {
-    this.#events.preview([]);
+    this.#drawing.putAway();
+    this.#events.previewAlone([]);
     this.#events.changeNet(wanted);
   }
+}
+
+function whilePointedAt(element: HTMLElement, show: (isPointedAt: boolean) => void): void {
+  for (const begin of ['pointerenter', 'focus']) element.addEventListener(begin, () => show(true));
+  for (const end of ['pointerleave', 'blur']) element.addEventListener(end, () => show(false));
 }

@@ -55,7 +55,7 @@ export function createLateSections(
   const usual = [
     new HandleList(events),
     drag,
-    new ChangePanel(events),
+    new ChangePanel(events, failed),
     new Appearance(events),
     new HistoryPanel((index) => events.goTo(index)),
     new LearnPanel(events, failed),

@@ -52,6 +52,7 @@ export function createBlankView(container: HTMLElement): View {
     setReadout() {},
     setPreview() {},
     setMarks() {},
+    takePen: () => Promise.reject(new Failure('no_picture', words.view.noPicture)),
     setAppearance() {},
     setStepArrows() {},
     setShares() {},

@@ -26,7 +26,7 @@ import { ReachSurface } from './reach_surface';
 import type { StepArrows } from './step_arrows';
 import { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
-import type { Film, View, ViewChoice, ViewEvents } from './view';
+import type { Film, Pen, PenEvents, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
 
 type CameraPlace = { position: Vec3; target: Vec3 };
@@ -94,6 +94,7 @@ class SceneView implements View {
     this.#scene.add(this.#stepArrows.object);
     return this.#stepArrows;
   });
+  readonly #loadPen = lazy(async () => ({ ...(await import('./pen')), ...(await import('./stroke')) }));
   #drawTimes: number[] = [];
   readonly #container: HTMLElement;
   readonly #events: ViewEvents;
@@ -225,6 +226,16 @@ class SceneView implements View {
   setPreview(vertices: readonly number[]): void {
     this.#preview = vertices;
     this.#drawAnnotations();
+  }
+
+  async takePen(events: PenEvents): Promise<Pen> {
+    const { Pen, Stroke } = await this.#loadPen();
+    const { section } = this.#drawing;
+    const begin = (at: Place) => {
+      const [net, data] = [this.#net, this.#netData];
+      return net && data && new Stroke({ ...net, data, section, projection: this.#projection() }, at);
+    };
+    return new Pen(this.#renderer.domElement, begin, events);
   }
 
   setMarks(cells: readonly (readonly number[])[]): void {

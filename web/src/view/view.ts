@@ -2,6 +2,7 @@
  *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { HandleData, Look, Symmetry, Vec3 } from '../document/document';
+import type { DrawnLine } from '../change/drawn_line';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
@@ -47,6 +48,17 @@ export const LOOKING_ONLY: ViewEvents = {
 /** The part of a choice that the view shows. */
 export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting' | 'part' | 'snapping'>;
 
+/** What is done with a pen that draws on the net. */
+export interface PenEvents {
+  /** A stroke has ended; without a point, if it missed the net. */
+  drawn(stroke: DrawnLine): void;
+  putAway(): void;
+}
+
+export interface Pen {
+  putAway(): void;
+}
+
 /** A video stream of the view. */
 export interface Film {
   stream: MediaStream;
@@ -73,6 +85,8 @@ export interface View {
   setReadout(text: string): void;
   /** Highlights the vertices that a button would select. */
   setPreview(vertices: readonly number[]): void;
+  /** Until it is put away, pointers draw on the net. */
+  takePen(events: PenEvents): Promise<Pen>;
   /** Marks cells, each by the vertices at its corners. */
   setMarks(cells: readonly (readonly number[])[]): void;
   setAppearance(appearance: Omit<Look, 'camera'>): void;

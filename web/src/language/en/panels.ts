@@ -141,12 +141,17 @@ export const panels = {
     title: 'Change the net',
     length: 'Edge length',
     apply: 'Apply',
-    choose: 'Choose a handle: the net can be cut, shortened or lengthened along the lines through it.',
+    choose: 'Choose a handle, or draw a line: along it the net can be cut, shortened or lengthened.',
     chosen: (handles: number) =>
       handles === 1 ? 'At the chosen handle:' : `At the ${handles} chosen handles, lines through the last one:`,
     line: 'Line',
     lineName: (name: number) => `Net line ${name + 1}`,
-    lines: { boundary: 'Boundary loop', through: 'Way through the handles', between: 'Between the handles' },
+    lines: {
+      boundary: 'Boundary loop',
+      through: 'Way through the handles',
+      between: 'Between the handles',
+      drawn: 'Drawn line',
+    },
     ways: {
       refine: 'Refine',
       coarsen: 'Coarsen',
@@ -174,6 +179,19 @@ export const panels = {
       remove_line: 'Makes the rows on both sides of the line one',
       join: 'Borders that lie within half an edge of each other become one',
       resize: 'The same net in another size',
+    },
+    drawing: {
+      draw: 'Draw a line',
+      hint: 'With mouse or finger, on the net: along the edges nearest to it the net is then cut or trimmed',
+      remove: 'Remove it',
+      removeHint: 'Removes the drawn line; the net stays',
+      howTo:
+        'Draw on the net: from border to border, round a part of it, or a slit. Two fingers, wheel and right button move the view.',
+      missed: 'This line misses the net.',
+      short: 'This line is too short: draw it along an edge at least.',
+      parts: (smaller: string, all: string) =>
+        `The line parts the net. Faded is the smaller side, ${smaller} of ${all} faces.`,
+      open: 'The line parts nothing off: the net can be cut open along it. To take a side away, draw from border to border or all round.',
     },
   },
   symmetry: {
