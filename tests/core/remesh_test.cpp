@@ -208,6 +208,23 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
 }
 
+TEST_CASE("Far from the origin a surface gets the net that it gets there") {
+    const Eigen::Vector3d far(5e5, -4e6, 300);
+    Mesh mesh = samples::sphere(12);
+    const auto distance = [](const Mesh& of, const RemeshOptions& options) {
+        const Guide guide{Surface(of)};
+        const Net net = remeshed(guide.surface(), options, 2).net;
+        return measure_drape(guide.surface(), guide.tree(), net).mean_distance;
+    };
+    const double near_by_cells = distance(mesh, of_cells(200));
+    RemeshOptions of_length;
+    of_length.length = 0.25;
+    const double near_by_length = distance(mesh, of_length);
+    mesh.positions.colwise() += far;
+    CHECK(distance(mesh, of_cells(200)) == Approx(near_by_cells).epsilon(0.02));
+    CHECK(distance(mesh, of_length) == Approx(near_by_length).epsilon(0.02));
+}
+
 TEST_CASE("The same surface gives the same net, whose progress is told in order and can be ended") {
     const auto surface = std::make_shared<const Guide>(make_own_surface("pebble"));
     std::vector<RemeshPhase> phases;
