@@ -21,6 +21,7 @@
 #include "drape/drawn_curve.h"
 #include "drape/least_shear.h"
 #include "drape/slits.h"
+#include "surface/height.h"
 
 namespace chebnet {
 
