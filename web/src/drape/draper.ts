@@ -1,5 +1,14 @@
 /** Answers the requests of draping.ts, in the worker: lays nets on one surface. */
-import type { Chebnet, Drape, DrapeOptions, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
+import type {
+  Chebnet,
+  Drape,
+  DrapeOptions,
+  Mesh,
+  Point,
+  RemeshOptions,
+  Surface,
+  SurfacePlace,
+} from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe, openSurface } from '../worker/opened_net';
