@@ -647,4 +647,13 @@ TEST_CASE("Numbers out of range are refused") {
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smallest_angle = 2; })(), Contains("shear limit"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.crease = 4; })(), Contains("angle of creases"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smoothing = 101; })(), Contains("smoothing"));
+    for (const double unit : {1e-25, 1e25})
+        CHECK_THROWS_WITH(check_remesh(Guide(scaled(surface.surface(), unit)), {}), Contains("scale it"));
+}
+
+TEST_CASE("A surface of any size that bodies have gets the same net") {
+    const Surface sphere(samples::sphere(12));
+    const Net net = remeshed(sphere, of_cells(200), 2).net;
+    for (const double unit : {1e-12, 1e12})
+        CHECK(remeshed(scaled(sphere, unit), of_cells(200), 2).net.face_count() == net.face_count());
 }
