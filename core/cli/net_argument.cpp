@@ -35,9 +35,10 @@ Mesh repaired(Mesh mesh, const std::string& path) {
     }
 }
 
-bool is_repairable(ErrorCode code) {
-    return code == ErrorCode::repeated_vertex || code == ErrorCode::zero_length_edge ||
-           code == ErrorCode::non_manifold_edge || code == ErrorCode::unused_vertex;
+const char* repair_hint(ErrorCode code, bool repaired) {
+    const bool is_repairable = code == ErrorCode::repeated_vertex || code == ErrorCode::zero_length_edge ||
+                               code == ErrorCode::non_manifold_edge || code == ErrorCode::unused_vertex;
+    return is_repairable && !repaired ? " (--repair may mend this)" : "";
 }
 
 Net net_of_file(const std::string& path, bool repair) {
@@ -45,7 +46,7 @@ Net net_of_file(const std::string& path, bool repair) {
     try {
         return Net(std::move(mesh.positions), std::move(mesh.faces));
     } catch (const Error& error) {
-        fail(path, error, !repair && is_repairable(error.code()) ? " (--repair may mend this)" : "");
+        fail(path, error, repair_hint(error.code(), repair));
     }
 }
 
@@ -82,7 +83,7 @@ Surface load_surface(const std::string& path, bool repair) {
     try {
         return Surface(mesh);
     } catch (const Error& error) {
-        throw Error(error.code(), path + ": " + error.what() + (repair ? "" : " (--repair may mend this)"));
+        fail(path, error, repair_hint(error.code(), repair));
     }
 }
 

@@ -21,6 +21,7 @@
 #include "drape/drawn_curve.h"
 #include "drape/least_shear.h"
 #include "drape/slits.h"
+#include "surface/height.h"
 
 namespace chebnet {
 
@@ -479,7 +480,9 @@ DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, in
     const SurfaceTree::Nearest middle = tree.nearest(centre_of_mass(surface));
     DrapeOptions options;
     options.seed = middle.position;
-    if (std::abs(surface.normal_at(middle.at).x()) > k_upright) options.direction = Eigen::Vector3d::UnitY();
+    // The normal by which the net begins, which near creases is not the one interpolated from vertices.
+    const Eigen::Vector3d normal = height_at(surface, middle, middle.position).normal;
+    if (std::abs(normal.x()) > k_upright) options.direction = Eigen::Vector3d::UnitY();
     options.length = std::sqrt(surface.area() / cells);
     return options;
 }

@@ -99,10 +99,10 @@ void rank(std::vector<DrapeProposal>& proposals) {
 
 /// What comes of it with edges of some length; nothing where no cell fits.
 std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
-                                   double length, DrapeOptions::Arms arms) {
+                                   double length, DrapeOptions::Arms arms, DrapeOptions::Border border) {
     DrapeOptions trial = options;
     trial.length = length;
-    trial.border = DrapeOptions::Border::inside;
+    trial.border = border;
     trial.arms = arms;
     try {
         const Net net = drape(surface, tree, trial).net;
@@ -115,16 +115,24 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
 }
 
 std::optional<DrapeProposal> best_at(const Surface& surface, const SurfaceTree& tree, DrapeOptions options,
-                                     const SurfaceTree::Nearest& place) {
+                                     const SurfaceTree::Nearest& place, DrapeOptions::Border border) {
     const double length = std::max(options.length, std::sqrt(surface.area() / k_trial_cells));
     std::optional<DrapeProposal> best;
     options.seed = place.position;
     for (int k = 0; k < k_directions; ++k) {
         options.direction = direction_at(surface.normal_at(place.at), k * std::numbers::pi / 2 / k_directions);
-        const auto proposal = tried(surface, tree, options, length, DrapeOptions::Arms::geodesic);
+        const auto proposal = tried(surface, tree, options, length, DrapeOptions::Arms::geodesic, border);
         if (proposal && (!best || proposal->worth() > best->worth())) best = proposal;
     }
     return best;
+}
+
+std::vector<DrapeProposal> best_at_each(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
+                                        const Positions& places, DrapeOptions::Border border) {
+    std::vector<DrapeProposal> proposals;
+    for (const Eigen::Vector3d place : places.colwise())
+        if (const auto best = best_at(surface, tree, options, tree.nearest(place), border)) proposals.push_back(*best);
+    return proposals;
 }
 
 }  // namespace
@@ -137,15 +145,20 @@ std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceT
                                           const DrapeOptions& options) {
     check_drape(surface, options);
     const Positions places = spread_over(surface, suggested_drape(surface, tree, k_trial_cells).seed);
-    std::vector<DrapeProposal> proposals;
-    for (int k = 0; k < k_seeds; ++k)
-        if (const auto best = best_at(surface, tree, options, tree.nearest(places.col(k)))) proposals.push_back(*best);
-    if (proposals.empty()) drape(surface, tree, options);  // says why
+    std::vector<DrapeProposal> proposals = best_at_each(surface, tree, options, places, DrapeOptions::Border::inside);
+    // What is narrower than two cells has room for none but across its border.
+    if (proposals.empty()) proposals = best_at_each(surface, tree, options, places, options.border);
+    if (proposals.empty()) {
+        drape(surface, tree, options);  // says why, unless just this beginning does it
+        proposals.push_back({options});
+    }
     rank(proposals);
     // A curve that was drawn goes through one seed only.
     const auto arms = options.arms == DrapeOptions::Arms::curve ? DrapeOptions::Arms::geodesic : options.arms;
     for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
-        if (const auto last = tried(surface, tree, proposals[k].options, options.length, arms)) proposals[k] = *last;
+        if (const auto last =
+                tried(surface, tree, proposals[k].options, options.length, arms, DrapeOptions::Border::inside))
+            proposals[k] = *last;
     rank(proposals);
     return proposals;
 }

@@ -22,7 +22,7 @@ constexpr double k_limit_margin = 2 * std::numbers::pi / 180;
 // In edge lengths: no vertex moves farther in a step; a step shorter than this is the last.
 constexpr double k_most_move = 0.5, k_short_step = 0.03;
 constexpr int k_most_steps = 40, k_most_projections = 25;
-constexpr double k_much_growth = 1e-4;  // of the unit, for which terms are made anew
+constexpr double k_much_growth = 1e-4;  // of the unit: terms, which depend on it, are made anew
 
 }  // namespace
 
@@ -64,10 +64,11 @@ bool FairStart::step() {
 
 void FairStart::fit() {
     const double ratio = edge_ratios(m_net, m_positions).mean();
+    if (std::abs(ratio - 1) <= k_much_growth) return;
     m_positions /= ratio;
     for (Pull& pull : m_options.pulls) pull.target /= ratio;
     m_options.unit *= ratio;
-    if (std::abs(ratio - 1) > k_much_growth) choose_terms();
+    choose_terms();
 }
 
 bool FairStart::make_exact(double threshold) {

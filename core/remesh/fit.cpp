@@ -164,10 +164,12 @@ private:
         return pulls;
     }
 
-    /// The mesh of the moment scaled to edges of a mean length.
+    /// The mesh of the moment scaled to edges of a mean length, about its middle, so that it stays beside the surface.
     Net with_length(double length) const {
         const double mean = edge_ratios(m_net, m_positions).cwiseProduct(m_net.rest_lengths()).mean();
-        return Net(length / mean * m_positions, m_net.faces(), RestLengths::equal);
+        const Eigen::Vector3d middle = m_positions.rowwise().mean();
+        Positions scaled = (length / mean * (m_positions.colwise() - middle)).colwise() + middle;
+        return Net(std::move(scaled), m_net.faces(), RestLengths::equal);
     }
 
     /// Root mean square, in L.

@@ -56,6 +56,8 @@ constexpr int k_trial_cells = 1500;
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
+// Of a cell, in the surface's unit, or its inverse: beyond it lengths are lost beside numbers that have no unit.
+constexpr double k_largest_cell = 1e15;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
@@ -402,6 +404,10 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
         throw Error(ErrorCode::too_large, "the net would have about " + number_text(cells, 3) + " cells; more than " +
                                               std::to_string(k_most_remeshed_cells) +
                                               " are not made of a whole surface");
+    const double cell = std::sqrt(surface.area() / cells);
+    if (!(cell <= k_largest_cell && cell >= 1 / k_largest_cell))
+        throw Error(ErrorCode::bad_scale,
+                    "the surface is too large or too small for a net over the whole of it: scale it");
     check_wishes(guide, options.singular);
     check_marked(guide, options.marked_creases);
 }

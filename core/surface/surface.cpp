@@ -34,7 +34,7 @@ void check_size(const Positions& positions) {
         if (!positions.col(v).allFinite())
             throw Error(ErrorCode::non_finite, "vertex " + std::to_string(v) + " has a coordinate that is not finite");
     const double size = (positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).maxCoeff();
-    if (!(positions.cwiseAbs().maxCoeff() <= k_largest_size && size >= 1 / k_largest_size))
+    if (!(positions.cwiseAbs().maxCoeff() <= k_largest_surface && size >= 1 / k_largest_surface))
         throw Error(ErrorCode::bad_scale, "the surface is too large or too small to be computed with: scale it");
 }
 

@@ -15,6 +15,9 @@ struct SurfacePoint {
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric: of the triangle's corners, ≥ 0, their sum 1
 };
 
+/// The largest coordinate: fourth powers of lengths stay finite, for which that of nets is too large.
+inline constexpr double k_largest_surface = 1e50;
+
 /// A surface of triangles, a manifold with or without boundary, on which nets are made. Immutable and sound: the
 /// constructor refuses everything else.
 ///
@@ -25,7 +28,7 @@ public:
     /// Polygons are cut (see triangulated). Vertices keep their numbers; where pieces touch at a vertex only, all but
     /// the first of them get a vertex of their own at its place, with a number behind those of the mesh.
     /// Throws Error: no_faces, index_out_of_range, repeated_vertex, non_finite, zero_length_edge, bad_scale (a size
-    /// beyond k_largest_size, or below its inverse), unused_vertex, non_manifold_edge (more than two faces at an
+    /// beyond k_largest_surface, or below its inverse), unused_vertex, non_manifold_edge (more than two faces at an
     /// edge, or two that wind against each other, as somewhere on every surface with one side only). Each message names
     /// face, vertex or edge, from 0.
     explicit Surface(const Mesh& mesh);

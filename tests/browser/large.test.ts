@@ -13,6 +13,19 @@ const SLOW_RECIPE = 'jack:vertices=100000';
 const viewport = { width: 800, height: 500 };
 /** In pieces of fixed work. Generous: a third of it if the machine has nothing else to do. */
 const LONGEST_TASK = 1.5;
+/** Of a surface with ten times as many triangles, in numbers for the graphics card. */
+const LONGEST_OF_MILLION = 3;
+
+/** Squares along a side of the sheet that is dropped: 1,002,528 triangles. */
+const WAVES = 708;
+
+declare global {
+  interface Window {
+    waves: File;
+    /** What reading said it was doing, in order. */
+    steps: string[];
+  }
+}
 
 const core = await load();
 const { vertices, meanLength, dragged } = whatIs(RECIPE);
@@ -131,12 +144,80 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   await page.locator('.status-words', { hasText: 'Stopped before the end' }).waitFor();
 });
 
+test('a million triangles are read in steps that are shown, can be given up, and open as what they are', async () => {
+  const { page } = visit;
+  const before = await script.stats();
+  await page.evaluate(makeWaves, WAVES);
+  const file = page.getByRole('dialog', { name: /^waves\.stl$/ });
+  await page.evaluate(dropWaves);
+  await file.getByText('Reading the mesh').waitFor();
+  await file.getByRole('button', { name: 'Cancel', exact: true }).click();
+  await file.waitFor({ state: 'detached' });
+  await script.settled();
+  expect(await script.stats()).toMatchObject({ vertices: before.vertices, status: 'converged' });
+
+  const draper = page.getByRole('dialog', { name: /^A net on a surface$/ });
+  const longest = await longestTask(async () => {
+    await page.evaluate(dropWaves);
+    await file.getByText('1,002,528').waitFor({ timeout: 60_000 });
+    expect(await page.evaluate(() => window.steps)).toEqual([
+      'Loading the file',
+      'Reading the mesh',
+      'Looking for defects',
+      'Measuring the edges',
+    ]);
+    await file.getByText(/^More curvature than one net can take/).waitFor();
+    await file.getByRole('button', { name: 'Make a net on it…' }).click();
+    await draper.locator('.results .facts:not(.stale)', { hasText: 'Largest dL' }).waitFor({ timeout: 60_000 });
+    await draper.getByRole('button', { name: 'Open this net' }).click();
+    await page.getByRole('group', { name: 'Surface: waves.stl' }).waitFor();
+    await script.settled();
+  });
+  expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
+  expect(longest).toBeLessThan(LONGEST_OF_MILLION);
+});
+
 /** In pieces of fixed work. */
 async function longestTask(doing: () => Promise<void>): Promise<number> {
   const { own } = await mainThreadTasks(browser(), doing);
   const [task, work] = [Math.max(...own), yardstick()];
   console.log(`longest task: ${task.toFixed(1)} ms; the fixed work: ${work.toFixed(1)} ms`);
   return task / work;
+}
+
+/** Runs in the page, where 50 MB need not be sent. Binary STL: each triangle has corners of its own, which are found to be one. */
+function makeWaves(side: number) {
+  const bytes = new DataView(new ArrayBuffer(84 + 100 * side * side));
+  bytes.setUint32(80, 2 * side * side, true);
+  let at = 84;
+  const add = (...corners: [number, number][]) => {
+    corners.forEach(([i, j], k) =>
+      [i, j, 50 * Math.sin(i / 50) * Math.cos(j / 67)].forEach((x, axis) =>
+        bytes.setFloat32(at + 12 * (k + 1) + 4 * axis, x, true),
+      ),
+    );
+    at += 50;
+  };
+  for (let i = 0; i < side; i++)
+    for (let j = 0; j < side; j++) {
+      add([i, j], [i + 1, j], [i + 1, j + 1]);
+      add([i, j], [i + 1, j + 1], [i, j + 1]);
+    }
+  window.waves = new File([bytes], 'waves.stl');
+}
+
+/** Likewise. */
+function dropWaves() {
+  window.steps = [];
+  new MutationObserver(() => {
+    const step = document.querySelector('label[for=file-progress]')?.textContent;
+    if (step && step !== window.steps.at(-1)) window.steps.push(step);
+  }).observe(document.body, { subtree: true, childList: true, characterData: true });
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(window.waves);
+  document
+    .getElementById('view')!
+    .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
 }
 
 function whatIs(recipe: string): { vertices: number; meanLength: number; dragged: number } {

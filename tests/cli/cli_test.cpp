@@ -840,6 +840,8 @@ TEST_CASE("a file is repaired only if asked to, and every repair is told") {
     box.write("loose.obj",
               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 9 9 9\n"
               "f 1 2 3 4\nf 5 6 7 8\n");
+    box.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+    CHECK_THAT(box.run("drape points.obj").err, Catch::Matchers::EndsWith("the surface has no face\n"));
     check_refused(box.run("info loose.obj"), "loose.obj: vertex 8 belongs to no face (--repair may mend this)");
     const Run run = box.run("info loose.obj --repair");
     CHECK(run.exit_code == 0);

@@ -382,6 +382,42 @@ TEST_CASE("Proposals are ranked, and the best is as good as beginning in the mid
     CHECK_THROWS_WITH(propose_drapes(plane, SurfaceTree(plane), upright), Contains("angle at the seed"));
 }
 
+TEST_CASE("A surface too narrow for a cell within its border has a proposal none the less") {
+    const Surface ribbon(samples::quads(200, 5, false, false, [](int i, int j) {
+        const double angle = 9 * std::numbers::pi * i / 199, radius = 1 + 0.015 * j;
+        return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 1.5 * i / 199);
+    }));
+    const SurfaceTree tree(ribbon);
+    DrapeOptions options;
+    options.length = 0.08;
+    const std::vector<DrapeProposal> proposals = propose_drapes(ribbon, tree, options);
+    REQUIRE(!proposals.empty());
+    CHECK(drape(ribbon, tree, proposals.front().options).net.face_count() > 0);
+    options.border = DrapeOptions::Border::inside;
+    CHECK_THROWS_WITH(propose_drapes(ribbon, tree, options), Contains("no cell of this edge length fits"));
+}
+
+TEST_CASE("The compasses find this side of a sheet with two, however thin it is") {
+    const Mesh sheet = samples::quads(60, 21, true, false, [](int i, int j) {
+        const double u = 2 * k_pi * i / 60;
+        return Eigen::Vector3d(std::cos(u), 0.1 * j - 1, 0.01 * std::sin(u));
+    });
+    DrapeOptions options;
+    options.seed = {0, 0, 0.01};
+    options.length = 0.15;
+    const auto [net, report] = draped(sheet, options);
+    CHECK(report.coverage > 0.45);
+    CHECK(report.max_deviation < k_exact);
+}
+
+TEST_CASE("Where a net begins on a flat face beside a crease its direction is not upright") {
+    // Nearest to its centre of mass is a point of the face x = 1, towards the edge where it meets the face y = 0.
+    const Surface corner(samples::quads(
+        3, 2, false, false, [](int i, int j) { return Eigen::Vector3d(i == 0 ? 0.1 : 1, i < 2 ? 0 : 1, j); }));
+    const SurfaceTree tree(corner);
+    CHECK(drape(corner, tree, suggested_drape(corner, tree, 50)).net.face_count() > 0);
+}
+
 TEST_CASE("What cannot be draped is refused with a sentence") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refusal = [](auto change) {

@@ -208,6 +208,23 @@ TEST_CASE("The length and the limit of corners are kept where they are given") {
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
 }
 
+TEST_CASE("Far from the origin a surface gets the net that it gets there") {
+    const Eigen::Vector3d far(5e5, -4e6, 300);
+    Mesh mesh = samples::sphere(12);
+    const auto distance = [](const Mesh& of, const RemeshOptions& options) {
+        const Guide guide{Surface(of)};
+        const Net net = remeshed(guide.surface(), options, 2).net;
+        return measure_drape(guide.surface(), guide.tree(), net).mean_distance;
+    };
+    const double near_by_cells = distance(mesh, of_cells(200));
+    RemeshOptions of_length;
+    of_length.length = 0.25;
+    const double near_by_length = distance(mesh, of_length);
+    mesh.positions.colwise() += far;
+    CHECK(distance(mesh, of_cells(200)) == Approx(near_by_cells).epsilon(0.02));
+    CHECK(distance(mesh, of_length) == Approx(near_by_length).epsilon(0.02));
+}
+
 TEST_CASE("The same surface gives the same net, whose progress is told in order and can be ended") {
     const auto surface = std::make_shared<const Guide>(make_own_surface("pebble"));
     std::vector<RemeshPhase> phases;
@@ -630,4 +647,13 @@ TEST_CASE("Numbers out of range are refused") {
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smallest_angle = 2; })(), Contains("shear limit"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.crease = 4; })(), Contains("angle of creases"));
     CHECK_THROWS_WITH(refusal([](RemeshOptions& o) { o.smoothing = 101; })(), Contains("smoothing"));
+    for (const double unit : {1e-25, 1e25})
+        CHECK_THROWS_WITH(check_remesh(Guide(scaled(surface.surface(), unit)), {}), Contains("scale it"));
+}
+
+TEST_CASE("A surface of any size that bodies have gets the same net") {
+    const Surface sphere(samples::sphere(12));
+    const Net net = remeshed(sphere, of_cells(200), 2).net;
+    for (const double unit : {1e-12, 1e12})
+        CHECK(remeshed(scaled(sphere, unit), of_cells(200), 2).net.face_count() == net.face_count());
 }

@@ -2,6 +2,9 @@
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Stats } from '../../web/src/scripting';
+import type { LaidReport, WholeReport } from '../../web/src/surface_script';
+import { largestDeviation } from '../browser/geometry';
 import type { Answer, CallName, HostCall, News } from '../../web/src/embed/protocol';
 import type { Visitor } from './visitor';
 import { visitors } from './visitor';
@@ -72,6 +75,78 @@ test('a page of another site gets answers, also when its frame has a sandbox wit
     await gets(visitor, expect.objectContaining({ id: 'mine' }));
     await gets(visitor, expect.objectContaining({ id: 'handles' }));
   }
+});
+
+/** Asks the editor in the page that is visited; fails with the code of a refusal. */
+function asker(visitor: Visitor) {
+  let count = 0;
+  return async <T>(name: CallName, ...args: unknown[]): Promise<T> => {
+    const id = `asked ${++count}`;
+    await post(visitor, [0], call(id, name, ...args));
+    await gets(visitor, expect.objectContaining({ id }));
+    const answer = await visitor.run((wanted) => {
+      const found = window.mail.find((each): each is Answer => 'id' in each && each.id === wanted)!;
+      // Not every engine's driver hands on typed arrays.
+      return 'result' in found && ArrayBuffer.isView(found.result)
+        ? { ...found, result: Array.from(found.result as Float64Array | Int32Array) }
+        : found;
+    }, id);
+    if ('error' in answer) throw new Error(answer.error.code);
+    return answer.result as T;
+  };
+}
+
+/** A saddle over [−1, 1]², as a host has it. */
+function saddle(n = 12) {
+  const at = (i: number) => (2 * i) / n - 1;
+  const numbers = Array.from({ length: n + 1 }, (_, i) => i);
+  const corner = (i: number, j: number) => i * (n + 1) + j;
+  return {
+    name: 'saddle',
+    vertices: numbers.flatMap((i) => numbers.map((j) => [at(i), at(j), (at(i) * at(j)) / 3])),
+    faces: numbers
+      .slice(1)
+      .flatMap((i) =>
+        numbers.slice(1).map((j) => [corner(i - 1, j - 1), corner(i, j - 1), corner(i, j), corner(i - 1, j)]),
+      ),
+  };
+}
+
+test('a host has surfaces described, nets laid on them and over the whole of them, and is told how they lie', async () => {
+  const visitor = await visitHost(editor());
+  await gets(visitor, { chebnet: 1, event: 'ready' });
+  const ask = asker(visitor);
+  expect(await ask('describe', saddle())).toMatchObject({ prospect: 'one_piece', genus: 0, boundaryLoops: 1 });
+
+  const settings = { seed: [0, 0, 0], direction: [1, 1, 0], cells: 150 };
+  const laid = await ask<LaidReport>('drape', saddle(), { ...settings, border: 'inside' });
+  expect(laid).toMatchObject({ locked: 0, pieces: 1, bare: 0 });
+  expect(laid.coverage).toBeGreaterThan(0.8);
+  expect(laid.maxDeviation).toBeLessThan(1e-9);
+  expect(laid.smallestAngle).toBeGreaterThanOrEqual(Math.PI / 6);
+  const { meanDistance, rods } = await ask<LaidReport>('report');
+  expect(meanDistance).toBeCloseTo(laid.meanDistance, 6);
+  expect(rods).toBe(laid.rods);
+  const edges = Int32Array.from(await ask<number[]>('edges'));
+  const positions = Float64Array.from(await ask<number[]>('positions'));
+  expect(largestDeviation(positions, edges, laid.length)).toBeLessThan(1e-9);
+
+  // With a surface cut open, the net beside it as strongly as is wanted, and no surface any more.
+  const cuts = [[saddle().vertices[6], saddle().vertices[12 * 13 + 6]]];
+  expect(await ask('drape', saddle(), { ...settings, cuts })).toMatchObject({ pieces: 2, bare: 0 });
+  await ask('setOptions', { method: 'equilibrium', guide_weight: 5 });
+  await ask('settled');
+  await ask('setGuide', null);
+  await expect(ask('report')).rejects.toThrow('bad_option');
+
+  const whole = await ask<WholeReport>('remesh', { own: 'pebble' }, { cells: 150 });
+  expect(whole.singularVertices).toEqual([{ valence: 3, count: 8 }]);
+  expect(whole.maxDeviation).toBeLessThan(1e-9);
+  expect((await ask<Stats>('stats')).faces).toBeGreaterThan(100);
+
+  await expect(ask('remesh', { own: 'pebble' }, { cells: 3 })).rejects.toThrow('bad_option');
+  await expect(ask('drape', saddle(), { border: 'round' })).rejects.toThrow('bad_arguments');
+  await expect(ask('describe', { ...saddle(), faces: [[0, 1, 999]] })).rejects.toThrow('index_out_of_range');
 });
 
 test('without an origin it cannot start, and says so to visitor and host', async () => {

@@ -69,6 +69,29 @@ describe('the worker', () => {
     expect(refused).toMatchObject({ type: 'error', code: 'bad_option' });
   });
 
+  test('proposes beginnings on a ribbon that is too narrow for the large cells of the pictures', () => {
+    const count = 200;
+    const place = (i: number, width: number): Point => {
+      const [angle, radius] = [(9 * Math.PI * i) / count, 1 + width];
+      return [radius * Math.cos(angle), radius * Math.sin(angle), (1.5 * i) / count];
+    };
+    const rows = Array.from({ length: count + 1 }, (_, i) => [place(i, 0), place(i, 0.06)]);
+    const faceVertices = rows.slice(1).flatMap((_, i) => [2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1]);
+    const mesh = {
+      positions: Float64Array.from(rows.flat(2)),
+      faceStart: Int32Array.from({ length: count + 1 }, (_, i) => 4 * i),
+      faceVertices: Int32Array.from(faceVertices),
+    };
+    for (const border of ['beyond', 'inside'] as const) {
+      const [, proposed] = answers(
+        { type: 'open', source: { mesh } },
+        { type: 'propose', settings: { length: 0.03, border } },
+      );
+      if (proposed?.type !== 'proposed') return expect.fail(JSON.stringify(proposed));
+      for (const { wireframe } of proposed.proposals) expect(wireframe.edges.length).toBeGreaterThan(0);
+    }
+  });
+
   test('proposes where to begin, with a picture of each', () => {
     const [, proposed, draped] = answers(
       OPEN,

@@ -27,10 +27,12 @@ export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
   seed?: Point;
   direction?: Point;
   cells?: number;
+  /** Each by its points: the surface is cut open along them, and each piece of it gets a net. */
+  cuts?: Point[][];
 };
 
 /** How the net that has been opened lies on its surface. */
-export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms'>;
+export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms' | 'pieces' | 'bare'>;
 export type WholeReport = DrapeReport & { singularVertices: { valence: number; count: number }[] };
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
@@ -39,16 +41,16 @@ export async function describe(given: Untrusted): Promise<SurfaceReport> {
 
 export async function drape(app: App, given: Untrusted, options: Untrusted): Promise<LaidReport> {
   const guide = surfaceOf(given);
-  const { seed, direction, length, cells = SUGGESTED_CELLS, ...rest } = readDrape(options);
+  const { seed, direction, length, cells = SUGGESTED_CELLS, cuts = [], ...rest } = readDrape(options);
   return withSurface(guide, async (draper, { report: { area } }) => {
     const how = { ...rest, length: length ?? Math.sqrt(area / cells) };
     const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, how);
-    const settings = { ...how, ...begun, ...(direction && { direction }), cuts: [] };
+    const settings = { ...how, ...begun, ...(direction && { direction }), cuts };
     const draped = await draper.ask({ type: 'drape', settings }, 'draped');
-    const { locked, met, cutEnds, arms } = draped;
+    const { locked, met, cutEnds, arms, pieces, bare } = draped;
     const { report } = await draper.ask({ type: 'measure' }, 'measured');
     await open(app, draped, guide, proposedHandles(draped.net));
-    return { ...report, locked, met, cutEnds, arms };
+    return { ...report, locked, met, cutEnds, arms, pieces, bare };
   });
 }
 
@@ -118,7 +120,8 @@ function readDrape(options: Untrusted): ScriptDrape {
     reach: options.at('reach').maybe((each) => each.index(2 ** 31)),
     border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
     arms: options.at('arms').maybe((each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const)),
-    along: options.at('along').maybe((list) => list.list().map((each) => each.point())),
+    along: options.at('along').maybe(readPoints),
+    cuts: options.at('cuts').maybe((list) => list.list().map(readPoints)),
     leave: options.at('leave').maybe((each) => each.number()),
   });
 }
@@ -130,9 +133,7 @@ function readRemesh(options: Untrusted): RemeshOptions {
     smallestAngle: options.at('smallestAngle').maybe((each) => each.number()),
     smoothing: options.at('smoothing').maybe((each) => each.number()),
     crease: options.at('crease').maybe((each) => each.number()),
-    markedCreases: options
-      .at('markedCreases')
-      .maybe((list) => list.list().map((points) => points.list().map((each) => each.point()))),
+    markedCreases: options.at('markedCreases').maybe((list) => list.list().map(readPoints)),
     border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),
     only: options.at('only').maybe((each) => each.flag()),
     singular: options.at('singular').maybe((list) =>
@@ -148,6 +149,10 @@ function readRemesh(options: Untrusted): RemeshOptions {
         list.list().map((each) => ({ centre: each.at('centre').point(), radius: each.at('radius').positive() })),
       ),
   });
+}
+
+function readPoints(points: Untrusted): Point[] {
+  return points.list().map((each) => each.point());
 }
 
 /** Without what was not given. */

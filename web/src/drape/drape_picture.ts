@@ -143,7 +143,6 @@ class DrapePicture implements Picture {
   readonly #container: HTMLElement;
   readonly #upAxis: ViewState['upAxis'];
   readonly #events: PictureEvents;
-  #surface: ShownSurface | null = null;
   #space: Space | null = null;
   #netData: NetData | null = null;
   #seed: Seed | null = null;
@@ -191,7 +190,6 @@ class DrapePicture implements Picture {
   }
 
   setSurface(surface: ShownSurface): void {
-    this.#surface = surface;
     this.#space = new Space(surface.positions, this.#upAxis);
     this.#forgetNet();
     this.#shade.setSurface(surface, this.#space);
@@ -515,14 +513,14 @@ class DrapePicture implements Picture {
   }
 
   #frameAll(): void {
-    if (!this.#surface || !this.#space) return;
-    const count = this.#surface.positions.length / 3;
+    if (!this.#space) return;
+    const { places } = this.#shade;
+    const count = places.length / 3;
     const points = new Float32Array(4 * count);
-    const point = new Vector3();
     for (let i = 0; i < count; i++) {
-      const [x, y, z] = this.#surface.positions.subarray(3 * i, 3 * i + 3);
-      this.#space.toScene(point, [x!, y!, z!]);
-      point.toArray(points, 4 * i);
+      points[4 * i] = places[3 * i]!;
+      points[4 * i + 1] = places[3 * i + 1]!;
+      points[4 * i + 2] = places[3 * i + 2]!;
     }
     this.#rig.standAt(fitCamera(points, count, this.#rig.camera, MARGIN, this.#direction));
   }

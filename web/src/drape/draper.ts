@@ -1,5 +1,14 @@
 /** Answers the requests of draping.ts, in the worker: lays nets on one surface. */
-import type { Chebnet, Drape, Mesh, Point, RemeshOptions, Surface, SurfacePlace } from '../../../wasm/chebnet';
+import type {
+  Chebnet,
+  Drape,
+  DrapeOptions,
+  Mesh,
+  Point,
+  RemeshOptions,
+  Surface,
+  SurfacePlace,
+} from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import { withEditor } from '../files/file_report';
 import { describe, openSurface } from '../worker/opened_net';
@@ -80,12 +89,11 @@ export class Draper {
 
   #propose(surface: Surface, settings: ProposalSettings): DrapeResponse {
     const proposals = surface.propose(settings).slice(0, MOST_PROPOSALS);
-    const length = Math.max(settings.length, surface.suggest(PICTURED_CELLS).length);
     return {
       type: 'proposed',
       proposals: proposals.map((proposal) => {
         const { seed, direction } = proposal;
-        const { mesh } = surface.drape({ ...settings, length, seed, direction });
+        const mesh = pictured(surface, { ...settings, seed, direction });
         const edges = withEditor(this.#core, mesh, (editor) => editor.edges);
         return { ...proposal, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
       }),
@@ -153,6 +161,16 @@ export class Draper {
     const start = performance.now();
     const shown = withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
     return { ...shown, times: { ...times, open: performance.now() - start } };
+  }
+}
+
+/** With large cells, unless none fits where the net begins. */
+function pictured(surface: Surface, options: DrapeOptions): Mesh {
+  const length = Math.max(options.length, surface.suggest(PICTURED_CELLS).length);
+  try {
+    return surface.drape({ ...options, length }).mesh;
+  } catch {
+    return surface.drape(options).mesh;
   }
 }
 

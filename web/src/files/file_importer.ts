@@ -23,7 +23,9 @@ export class FileImporter {
   async handle(request: FileRequest): Promise<void> {
     try {
       if (request.type === 'read') this.#post({ type: 'report', report: await this.#read(request.file, request.name) });
-      else if (request.type === 'take') this.#post({ type: 'mesh', mesh: this.#take(request.repaired) });
+      // A copy, since its arrays are transferred to the page, and may be asked for again.
+      else if (request.type === 'take')
+        this.#post({ type: 'mesh', mesh: structuredClone(this.#take(request.repaired)) });
       else this.#post({ type: 'net', net: withEditor(this.#core, this.#take(request.repaired), describe) });
     } catch (error) {
       const code = codeOf(error);

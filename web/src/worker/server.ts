@@ -14,6 +14,7 @@ import { numberingOf } from '../document/numbering';
 import { unpackPositions } from '../document/packing';
 import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
+import { arrayBuffers } from './array_buffers';
 import { describe, openNet, openSurface } from './opened_net';
 import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
@@ -599,10 +600,8 @@ function stateOf(scene: Omit<OpenScene, 'net'>, editor: Editor): EditState {
   return { method, initialisation, options, handles: targetsOf(handles), locality: null, positions: stands ?? rest };
 }
 
-/** The buffers of a message that are transferred rather than copied. */
 function buffersOf(message: OpenedNet | FrameData): Transferable[] {
-  const values: unknown[] = [...Object.values(message), ...('fields' in message ? Object.values(message.fields) : [])];
-  return values.flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+  return [message, ...('fields' in message ? [message.fields] : [])].flatMap(arrayBuffers);
 }
 
 /** The largest of numbers ≥ 0, or NaN if there is one. */
