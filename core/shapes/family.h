@@ -28,7 +28,7 @@ private:
 /// One kind of shape: its line of the gallery, and how it is made.
 struct Family {
     ShapeInfo info;
-    Shape (*make)(const Values& values) = nullptr;
+    Shape (*make)(const Values& values) = nullptr;  ///< null in a build that has the words only
 };
 
 extern const Family k_vault, k_dome, k_tube, k_torus, k_jack, k_steps, k_elephant, k_teddy, k_rabbit, k_horse, k_jug,

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/in_this_build.h"
 #include "shapes/family.h"
 #include "shapes/grid.h"
 
@@ -14,7 +15,7 @@ constexpr double k_round = 2 * std::numbers::pi;
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
     {"turns", 1.75, 0.5, 2.5, "How often it is rolled around."},
-    {"aspect", 0.6, 0.3, 3, "Width of the sheet divided by its length."},
+    {"aspect", 0.6, 0.3, 3, "Width divided by length."},
 };
 
 // Radius at the innermost edge, in distances from turn to turn.
@@ -46,8 +47,6 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_scroll = {
-    {"scroll", "Scroll", "A sheet rolled up as it comes from the mill, its loose end flat on the ground.",
-     k_parameters},
-    make};
+    {"scroll", "Scroll", "A sheet rolled up, its loose end on the ground.", k_parameters}, in_this_build(make)};
 
 }  // namespace chebnet

@@ -117,6 +117,8 @@ Shape make_shape(std::string_view recipe) {
         fail_syntax("the recipe is longer than " + std::to_string(k_longest_recipe) + " characters");
     const std::size_t colon = recipe.find(':');
     const Family& family = find_family(trimmed(recipe.substr(0, colon)));
+    if (family.make == nullptr)
+        throw Error(ErrorCode::left_out, "this shape is not in this module, but in chebnet_core");
     if (colon == std::string_view::npos) return family.make(Values(family.info.parameters));
     return family.make(read_values(family.info, recipe.substr(colon + 1)));
 }

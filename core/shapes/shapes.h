@@ -38,7 +38,8 @@ struct Shape {
     std::vector<int> suggested_handles;  ///< distinct vertices; all but the last are anchors
 };
 
-/// Makes the shape of a recipe. Throws Error bad_syntax or bad_option, naming what is wrong and what is known.
+/// Makes the shape of a recipe. Throws Error bad_syntax or bad_option, naming what is wrong and what is known, or
+/// left_out for one that this build only has the words of.
 Shape make_shape(std::string_view recipe);
 
 }  // namespace chebnet

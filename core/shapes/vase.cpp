@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/in_this_build.h"
 #include "shapes/family.h"
 #include "shapes/grid.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
-    {"aspect", 1.4, 1.1, 2.5, "About the height of the vase divided by its greatest width."},
-    {"waist", 0.5, 0.45, 1, "Width of its neck divided by that of its belly."},
+    {"aspect", 1.4, 1.1, 2.5, "Height divided by width, about."},
+    {"waist", 0.5, 0.45, 1, "Width of the neck divided by that of the belly."},
 };
 
 // Where up the vase it is widest and where it is narrowest, in parts of its rows.
@@ -70,9 +71,7 @@ Shape make(const Values& values) {
 
 }  // namespace
 
-constinit const Family k_vase = {
-    {"vase", "Vase", "A vase of wires that wind up both ways: wide where they lie flat, narrow where they stand steep.",
-     k_parameters},
-    make};
+constinit const Family k_vase = {{"vase", "Vase", "A vase of wires that wind up both ways.", k_parameters},
+                                 in_this_build(make)};
 
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/in_this_build.h"
 #include "shapes/family.h"
 #include "shapes/grid.h"
 
@@ -10,9 +11,9 @@ namespace {
 
 constexpr ShapeParameter k_parameters[] = {
     vertices_parameter(2000),
-    {"waves", 2, 1, 5, "How many times it rises along either direction."},
+    {"waves", 2, 1, 5, "How many times it rises."},
     {"slope", 35, 5, 45, "How steep the waves are, in degrees."},
-    {"aspect", 1, 0.4, 2.5, "Length of the one direction divided by that of the other."},
+    {"aspect", 1, 0.4, 2.5, "Length divided by width."},
 };
 
 Shape make(const Values& values) {
@@ -36,9 +37,7 @@ Shape make(const Values& values) {
 
 }  // namespace
 
-constinit const Family k_wave = {
-    {"wave", "Waves", "A roof that rises and falls along both directions: one wave carried along another.",
-     k_parameters},
-    make};
+constinit const Family k_wave = {{"wave", "Waves", "A roof of waves, one carried along the other.", k_parameters},
+                                 in_this_build(make)};
 
 }  // namespace chebnet

@@ -94,6 +94,7 @@ private:
     Status follow_handles(Positions& positions, TraceRow& row);
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
+    void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     bool is_net() const;
@@ -466,12 +467,22 @@ bool Equilibrium::move_handles(double part, Positions& x) {
     const double repeated = m_walk.take_off_repeated(moves);
     m_newton->extend(moves);
     moves += repeated * m_walk.last_move();
-    add_bow(*m_net, *m_part, x, m_options.gravity > 0, moves);
+    add_bow(x, moves);
     x += moves;
     if (part == 1) m_walk.held().take_held(m_walk.end(), x);
     if (project(x)) return true;
     m_constraints->hold(held);
     return false;
+}
+
+/// Handles that squeeze a flat net make it bow out of its plane, in the shape in which an even load bends it.
+void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
+    const auto normal = normal_of_flat(*m_net, x);
+    if (!normal) return;
+    Eigen::Matrix3Xd load(3, x.cols()), bow;
+    load.colwise() = *normal;
+    m_newton->give_way(load, bow);
+    moves += part_of_bow(*m_net, x, moves, bow, m_options.gravity > 0) * bow;
 }
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else by `projection`.

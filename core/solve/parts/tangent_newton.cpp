@@ -63,6 +63,11 @@ void TangentNewton::extend(Eigen::Matrix3Xd& moves) {
     for (const auto& metric : m_metrics) metric->extend(m_form, moves);
 }
 
+void TangentNewton::give_way(const Eigen::Matrix3Xd& load, Eigen::Matrix3Xd& moves) const {
+    moves.setZero(3, m_net.vertex_count());
+    for (const auto& metric : m_metrics) metric->solve(load, moves);
+}
+
 void TangentNewton::mask(Eigen::Matrix3Xd& vectors) const {
     for (int v : m_fixed) vectors.col(v).setZero();
     for (const auto& [v, along] : m_slides) vectors.col(v) = across(k_all_axes - along, vectors.col(v));

@@ -41,6 +41,8 @@ public:
     /// How free vertices follow if fixed ones move by the columns of `moves` (3×V), and those that slide by what they
     /// have there across their axes: as smoothly as M allows. Fills in the rest.
     void extend(Eigen::Matrix3Xd& moves);
+    /// How what is free gives way to a load of these forces (3×V), by M; 0 where it is held.
+    void give_way(const Eigen::Matrix3Xd& load, Eigen::Matrix3Xd& moves) const;
 
     /// Takes a net and the gradient of its energy there, and finds the multipliers λ of ∇E + Jᵀλ = 0 that fit best.
     /// False if that cannot be done.

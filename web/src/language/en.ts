@@ -123,7 +123,6 @@ export const en = {
     weightHint: 'Bends the net downwards between its handles',
     unheld: 'Nothing holds the net: give it a handle to hang by.',
     length: 'Edges',
-    lengthHint: 'Makes all edges shorter or longer by one factor: the net tightens or gets slack between its handles',
     asMade: 'as made',
     growth: (percent: number) => `${percent > 0 ? '+' : '−'}${Math.abs(percent)} %`,
     off: 'off',

@@ -119,7 +119,6 @@ export const zh: Words = {
     weightHint: '使网在手柄之间向下弯',
     unheld: '网没有支撑：先加一个手柄。',
     length: '边长',
-    lengthHint: '所有边按同一比例变短或变长：手柄之间的网绷紧或松弛',
     asMade: '原长',
     growth: (percent) => `${percent > 0 ? '+' : '−'}${Math.abs(percent)} %`,
     off: '关',

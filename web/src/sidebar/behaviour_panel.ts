@@ -68,7 +68,6 @@ export class BehaviourPanel implements Panel {
     this.#choice = makeSelect(words.behaviour.choice, choices, (name) => this.#choose(name));
     this.#limit.row.title = words.behaviour.limitHint;
     this.#weight.row.title = words.behaviour.weightHint;
-    this.#length.row.title = words.behaviour.lengthHint;
     this.element = makeSection(
       words.sections.behaviour,
       true,

@@ -62,7 +62,7 @@ export const SHAPES: Record<string, ShapeWords> = {
     parameters: { vertices: VERTICES, turns: '卷的圈数。', aspect: '网的宽度与长度之比。' },
   },
   vase: {
-    sentence: '网丝向两边盘旋而上的花瓶：网丝平处宽，陡处窄。',
+    sentence: '网丝向两边盘旋而上的花瓶。',
     parameters: {
       vertices: VERTICES,
       aspect: '花瓶的高度与最大宽度之比，约数。',
