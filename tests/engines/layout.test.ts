@@ -37,7 +37,7 @@ test('on a desk and, the window made narrow, on a phone the menu stands beside i
       .poll(() => placeOfMenu(visitor), { message: name })
       .toEqual({ inside: true, beside: true, overflow: 0 });
     await visitor.picture(`menu-${name}`);
-    await visitor.press('Escape');
-    await expect.poll(() => isMenuOpen(visitor)).toBe(false);
+    // Right after a picture was taken a key can be lost.
+    await expect.poll(() => visitor.press('Escape').then(() => isMenuOpen(visitor))).toBe(false);
   }
 });
