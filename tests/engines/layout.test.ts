@@ -8,8 +8,9 @@ const { arrive } = visitors();
 /** Between a menu and the edge of the page. */
 const GAP = 8;
 
-const isMenuOpen = (visitor: Visitor) =>
-  visitor.run(() => document.querySelector('#export-menu')!.matches(':popover-open'));
+/** Not by Escape, which here is not what is tried. */
+const close = (visitor: Visitor) =>
+  visitor.run(() => document.querySelector<HTMLElement>('#export-menu')!.hidePopover());
 
 const placeOfMenu = (visitor: Visitor) =>
   visitor.run((gap) => {
@@ -37,7 +38,6 @@ test('on a desk and, the window made narrow, on a phone the menu stands beside i
       .poll(() => placeOfMenu(visitor), { message: name })
       .toEqual({ inside: true, beside: true, overflow: 0 });
     await visitor.picture(`menu-${name}`);
-    // Right after a picture was taken a key can be lost.
-    await expect.poll(() => visitor.press('Escape').then(() => isMenuOpen(visitor))).toBe(false);
+    await close(visitor);
   }
 });
