@@ -8,9 +8,8 @@ const { arrive } = visitors();
 /** Between a menu and the edge of the page. */
 const GAP = 8;
 
-/** Not by Escape, which here is not what is tried. */
-const close = (visitor: Visitor) =>
-  visitor.run(() => document.querySelector<HTMLElement>('#export-menu')!.hidePopover());
+const isMenuOpen = (visitor: Visitor) =>
+  visitor.run(() => document.querySelector('#export-menu')!.matches(':popover-open'));
 
 const placeOfMenu = (visitor: Visitor) =>
   visitor.run((gap) => {
@@ -38,6 +37,7 @@ test('on a desk and, the window made narrow, on a phone the menu stands beside i
       .poll(() => placeOfMenu(visitor), { message: name })
       .toEqual({ inside: true, beside: true, overflow: 0 });
     await visitor.picture(`menu-${name}`);
-    await close(visitor);
+    await visitor.press('Escape');
+    await expect.poll(() => isMenuOpen(visitor)).toBe(false);
   }
 });

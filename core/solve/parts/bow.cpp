@@ -12,17 +12,8 @@ namespace {
 
 // In edge lengths: a net that rises by no more than this is flat.
 constexpr double k_flat = 0.02;
-// A normal that leans by less than this against the ground points to neither side of it.
-constexpr double k_level = 1e-9;
 // Moves whose share across the plane is less than this lead to neither side.
 constexpr double k_led = 1e-6;
-
-/// To the side on which the last coordinate that differs from 0 is positive.
-bool is_upwards(const Eigen::Vector3d& normal) {
-    for (int axis = 2; axis >= 0; --axis)
-        if (std::abs(normal[axis]) > k_level) return normal[axis] > 0;
-    return true;
-}
 
 }  // namespace
 
@@ -44,7 +35,9 @@ std::optional<Eigen::Vector3d> normal_of_flat(const Net& net, const Positions& p
         high = std::max(high, height);
     }
     if (!(high - low <= k_flat * net.mean_length())) return std::nullopt;
-    return is_upwards(normal) ? normal : Eigen::Vector3d(-normal);
+    // Above the ground is up; of what stands upright, the side of y, and of what has no such side, that of x.
+    if (normal.dot(Eigen::Vector3d(1e-6, 1e-3, 1)) < 0) normal = -normal;
+    return normal;
 }
 
 double part_of_bow(const Net& net, const Positions& positions, const Eigen::Matrix3Xd& moves,

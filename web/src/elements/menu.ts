@@ -49,10 +49,11 @@ export class Menu {
       this.menu.querySelector('button')?.toggleAttribute('autofocus', true),
     );
     this.menu.addEventListener('toggle', () => this.#place());
-    // Escape closes the menu and does nothing else.
-    this.menu.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') event.stopPropagation();
-    });
+    // Escape closes the menu and does nothing else; the button has the focus while the menu is empty.
+    for (const each of [this.button, this.menu])
+      each.addEventListener('keydown', (event) => {
+        if (event.key === 'Escape' && this.menu.matches(':popover-open')) event.stopPropagation();
+      });
   }
 
   setContent(content: readonly (MenuItem | MenuGroup)[]): void {
