@@ -251,6 +251,44 @@ test('edges become longer or shorter on wish, all by one factor; undo takes that
   expect(apart(await script.positions(), before)).toBeLessThan(1e-3 * length);
 });
 
+test('keys of a slider count as fast as they come; what they broke leads back to what was right', async () => {
+  await script.open({ recipe: 'vault:vertices=300' });
+  await script.settled();
+  const before = await script.positions();
+  const { page } = visit;
+  const slider = page.getByRole('slider', { name: 'Edges' });
+  const notice = page.locator('.stuck-notice');
+  // The numbers of the page follow a few times a second.
+  await page.locator('.status-words', { hasText: /^Every edge keeps its length/ }).waitFor();
+  await slider.focus();
+  for (let i = 0; i < 4; ++i) await slider.press('ArrowRight');
+  expect(await slider.getAttribute('aria-valuetext')).toBe('+4 %');
+  await script.settled();
+  expect(await slider.getAttribute('aria-valuetext')).toBe('+4 %');
+  // A choice, not a way out: nothing to be told.
+  expect(await notice.getByText('Edges are').count()).toBe(0);
+  await slider.press('Home');
+  await script.settled();
+  await notice.getByText(/out of reach/).waitFor();
+  const link = await page.evaluate(() => window.chebnet.link());
+
+  await notice.getByRole('button', { name: 'Back to the last good shape' }).click();
+  await notice.getByRole('button').first().waitFor({ state: 'detached' });
+  await script.settled();
+  expect(await slider.getAttribute('aria-valuetext')).toBe('as made');
+  expect(apart(await script.positions(), before)).toBeLessThan(1e-6);
+
+  // Who gets the link is told, too; at rest edges are as they were made.
+  const receiver = await site.arrive(link);
+  const told = receiver.page.locator('.stuck-notice');
+  await told.getByRole('button', { name: 'Let edges grow' }).waitFor();
+  expect(await told.getByRole('button', { name: 'Back to the last good shape' }).count()).toBe(0);
+  await receiver.page.getByRole('button', { name: 'Reset', exact: true }).click();
+  await told.getByRole('button').first().waitFor({ state: 'detached' });
+  expect(await receiver.page.getByRole('slider', { name: 'Edges' }).getAttribute('aria-valuetext')).toBe('as made');
+  expect(apart(await receiver.script.positions(), before)).toBeLessThan(1e-6);
+});
+
 test('quads that want to be square become so, and undo takes that back', async () => {
   await script.open({ obj: rhombi(6, 60), name: 'rhombi.obj' });
   await script.settled();

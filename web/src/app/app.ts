@@ -259,15 +259,25 @@ export class App {
 
   // ----------------------------------------------------------------------------------------------------------- solving
 
+  /** They stand in the document at once, so that the next choice builds on this one, and are taken back if refused. */
   async setOptions(settings: SolverSettings): Promise<void> {
     const before = this.#state.snapshot();
-    await this.#client.setOptions(settings);
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
     const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
     const after = { ...settings, options: Object.fromEntries(unusual) };
+    const asked = this.#client.setOptions(settings);
+    this.#state.change(after);
+    try {
+      await asked;
+    } catch (error) {
+      if (before && this.opening?.document.options === after.options) {
+        const { method, initialisation, options } = before;
+        this.#state.change({ method, initialisation, options });
+      }
+      throw error;
+    }
     const change = before && settingsChange(before, after);
     if (change) this.#state.history.record(before, change.name, change.key);
-    this.#state.change(after);
   }
 
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
@@ -322,7 +332,7 @@ export class App {
     return this.#client.step();
   }
 
-  /** Back to rest, handles too. */
+  /** Back to rest, handles too, with edges as long as they were made. */
   async reset(): Promise<void> {
     const before = this.#state.snapshot();
     if (before === null || this.opening === null) return;
@@ -331,8 +341,11 @@ export class App {
       const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
       return { ...handle, target: [x, y, z] };
     };
+    const { method, initialisation } = before;
+    const { length_scale: scale, ...options } = before.options;
     this.#state.history.record(before, ['reset']);
-    this.#state.change({ handles: before.handles.map(atRest), positions: restPositions });
+    this.#state.change({ handles: before.handles.map(atRest), positions: restPositions, options });
+    if (scale !== undefined) await this.#client.setOptions({ method, initialisation, options });
     await this.#client.reset();
   }
 

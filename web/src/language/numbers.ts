@@ -18,6 +18,12 @@ export function lengthError(deviation: number): string {
   return `${Number(percent.toPrecision(2))} %`;
 }
 
+/** Two numbers with three digits, or six where three do not tell them apart. */
+export function apart(a: number, b: number): [string, string] {
+  const digits = a.toPrecision(3) === b.toPrecision(3) ? 6 : 3;
+  return [a.toPrecision(digits), b.toPrecision(digits)];
+}
+
 /** Stands for a number that there is not. */
 export const NOTHING = '–';
 

@@ -7,6 +7,7 @@ import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
+import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
@@ -48,13 +49,15 @@ export class StuckNotice implements Panel {
   #bad: BadCells = NONE_BAD;
   #isGrowing = false;
   #history: HistoryView | null = null;
-  /** The place in the history of the last shape that was right. */
-  #good = 0;
+  /** The places in the history whose shapes are known to be wrong. */
+  readonly #wrong = new Set<number>();
+  /** The scale of lengths that was found here, as a way out, and that of before. */
+  #grown: { to: number; from: number } | null = null;
 
   constructor(events: PanelEvents) {
     this.#events = events;
     const { back, soften, grow, widen, stop, lengthsBack } = panelWords.stuck;
-    this.#back = makeButton(back, () => events.goTo(Math.min(this.#good, this.#present - 1)));
+    this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
     this.#grow = makeButton(grow, () => void this.#growEdges());
     this.#widen = makeButton(widen, () => {
@@ -93,6 +96,7 @@ export class StuckNotice implements Panel {
 
   setNet(net: OpenedNet): void {
     this.#net = net;
+    this.#wrong.clear();
     this.#frame = null;
     this.#mark();
     this.#show();
@@ -102,15 +106,16 @@ export class StuckNotice implements Panel {
     if (solving) return;
     this.#frame = frame;
     this.#mark();
-    if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#good = this.#present;
+    if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#wrong.delete(this.#present);
+    else this.#wrong.add(this.#present);
     this.#show();
   }
 
   /** The cells to blame, if the net did not come to a good shape. */
   #mark(): void {
     const [net, frame, before] = [this.#net, this.#frame, this.#bad];
-    const isLost = net && frame && (hasLostLengths(frame) || frame.status === 'stalled');
-    this.#bad = isLost ? badCells(net, frame, this.#limit) : NONE_BAD;
+    const mayBeBad = net && frame && (hasLostLengths(frame, net) || mayBeSharp(frame));
+    this.#bad = mayBeBad ? badCells(net, frame, this.#limit) : NONE_BAD;
     const cells = [...new Set([...this.#bad.off, ...this.#bad.sharp])].slice(0, MOST_MARKS);
     if (net && (cells.length > 0 || before !== NONE_BAD))
       this.#events.mark(
@@ -127,7 +132,7 @@ export class StuckNotice implements Panel {
   #show(): void {
     const standing = this.#standing;
     const isAsked = standing === 'stuck' || standing === 'short';
-    this.#back.hidden = standing !== 'stuck' || !this.#history?.canUndo;
+    this.#back.hidden = standing !== 'stuck' || !this.#history?.canUndo || this.#lastGood === undefined;
     this.#soften.hidden = standing !== 'stuck' || this.#candidates.length === 0;
     this.#grow.hidden = !isAsked || (standing === 'stuck' && this.#worst === undefined);
     this.#widen.hidden = standing !== 'stuck' || this.#document?.locality === undefined;
@@ -140,10 +145,10 @@ export class StuckNotice implements Panel {
 
   get #standing(): Standing {
     if (this.#isGrowing) return 'growing';
-    if (this.#frame === null) return 'good';
-    if (hasLostLengths(this.#frame) || this.#bad.sharp.size > 0) return 'stuck';
+    if (this.#frame === null || this.#net === null) return 'good';
+    if (hasLostLengths(this.#frame, this.#net) || this.#bad.sharp.size > 0) return 'stuck';
     if (this.#frame.fellShort) return 'short';
-    return this.#scale === 1 ? 'good' : 'grown';
+    return this.#scale === this.#grown?.to ? 'grown' : 'good';
   }
 
   get #scale(): number {
@@ -158,6 +163,13 @@ export class StuckNotice implements Panel {
     return this.#history?.present ?? 0;
   }
 
+  /** The last place before the present one. */
+  get #lastGood(): number | undefined {
+    let place = this.#present - 1;
+    while (this.#wrong.has(place)) --place;
+    return place < 0 ? undefined : place;
+  }
+
   /** The handles that could give way: those out of reach, or else those selected. */
   get #candidates(): number[] {
     const wanted = this.#worst ? [this.#worst.vertexA, this.#worst.vertexB] : (this.#choice?.selection ?? []);
@@ -168,36 +180,53 @@ export class StuckNotice implements Panel {
   async #growEdges(): Promise<void> {
     const { growing, noLength } = panelWords.stuck;
     this.#isGrowing = true;
+    const from = this.#scale;
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
-    tell(this.#scale);
+    tell(from);
     this.#show();
     // It is cancelled, without a message, if the net is edited meanwhile.
     const scale = await this.#events.adaptLengths(tell).catch(() => undefined);
     this.#isGrowing = false;
+    if (scale) this.#grown = { to: scale, from };
     this.#show();
     if (scale === null) setText(this.#words, noLength);
   }
 
   #takeLengthsBack(): void {
-    if (this.#document === null) return;
+    if (this.#document === null || this.#grown === null) return;
     const { method, initialisation, options } = this.#document;
-    this.#events.setBehaviour({ method, initialisation, options: { ...options, [SCALE]: 1 } });
+    this.#events.setBehaviour({ method, initialisation, options: { ...options, [SCALE]: this.#grown.from } });
   }
 
   #reason(standing: Standing): string {
-    const { fellShort, grown, shrunk, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    const { fellShort, grown, shrunk, leftSo, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
     if (standing === 'short') return fellShort;
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
-    if (this.#worst === undefined) return hasLostLengths(this.#frame!) ? noShape : tooSharp;
+    if (this.#worst === undefined) {
+      if (!hasLostLengths(this.#frame!, this.#net!)) return tooSharp;
+      return this.#frame!.status === 'running' ? leftSo : noShape;
+    }
     const { vertexA, vertexB, distance, reach } = this.#worst;
     const isHandle = this.#handles.some(({ vertex }) => vertex === vertexB);
-    return isHandle ? unreachable(vertexA, vertexB, distance.toPrecision(3), reach.toPrecision(3)) : tooLocal;
+    return isHandle ? unreachable(vertexA, vertexB, ...apart(distance, reach)) : tooLocal;
   }
 }
 
-/** A solve has ended without them. */
-function hasLostLengths({ status, maxDeviation }: FrameData): boolean {
-  return status !== 'running' && !(maxDeviation <= KEPT_DEVIATION);
+/** A solve has ended without them; or the net comes so, from a link or the history, and was moved before. */
+function hasLostLengths(frame: FrameData, { restPositions }: OpenedNet): boolean {
+  if (frame.maxDeviation <= KEPT_DEVIATION) return false;
+  return frame.status !== 'running' || (frame.iterations === 0 && hasMoved(frame, restPositions));
+}
+
+/** No solve has ended with corners within their limit. */
+function mayBeSharp({ status, iterations }: FrameData): boolean {
+  return status !== 'running' && !(status === 'converged' && iterations > 0);
+}
+
+/** Elsewhere than at handles, which an experiment moves before it is solved. */
+function hasMoved({ positions, handles }: FrameData, rest: Float64Array): boolean {
+  const held = new Set(handles.map(({ vertex }) => vertex));
+  return positions.some((x, i) => x !== rest[i] && !held.has(Math.floor(i / 3)));
 }
 
 /** By how much lengths differ from those of before. */

@@ -51,7 +51,7 @@ export class Appearance implements Panel {
     const rods = makeSwitch(panelWords.appearance.rods, (on) =>
       events.setView({ rods: on ? USUAL_ROD / 100 : undefined }),
     );
-    this.#thickness = makeSlider(panelWords.appearance.thickness, THICKEST, () => {});
+    this.#thickness = makeSlider(panelWords.appearance.thickness, THICKEST, panelWords.appearance.ofEdge, () => {});
     this.#thickness.input.min = String(THINNEST);
     this.#thickness.input.addEventListener('input', () =>
       events.setView({ rods: this.#thickness.input.valueAsNumber / 100 }),
@@ -63,7 +63,7 @@ export class Appearance implements Panel {
     const section = makeSelect(panelWords.appearance.section, planes, (axis) =>
       events.setView({ section: axis === '' ? undefined : { axis: axis as Section['axis'], at: 0.5 } }),
     );
-    this.#place = makeSlider(panelWords.appearance.place, SECTION_STEPS, () => {});
+    this.#place = makeSlider(panelWords.appearance.place, SECTION_STEPS, panelWords.appearance.through, () => {});
     this.#place.input.addEventListener('input', () => {
       const { axis } = this.#view?.section ?? {};
       if (axis) events.setView({ section: { axis, at: this.#place.input.valueAsNumber / SECTION_STEPS } });
@@ -103,14 +103,14 @@ export class Appearance implements Panel {
     this.#rods.checked = rods !== undefined;
     this.#thickness.row.hidden = rods === undefined;
     const percent = Math.round(100 * (rods ?? 0));
-    this.#thickness.set(percent, panelWords.appearance.ofEdge(percent));
+    this.#thickness.set(percent);
   }
 
   #setSection({ section }: ViewState): void {
     setValue(this.#section, section?.axis ?? '');
     this.#place.row.hidden = section === undefined;
     const step = Math.round(SECTION_STEPS * (section?.at ?? 0));
-    this.#place.set(step, panelWords.appearance.through(step));
+    this.#place.set(step);
   }
 }
 

@@ -38,6 +38,18 @@ function lightest(vertices: number): number {
   return 1.5 * Math.max(vertices, 4) ** -1.5;
 }
 
+function limitText(step: number): string {
+  return step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step);
+}
+
+function weightText(step: number): string {
+  return step === 0 ? words.behaviour.off : words.behaviour.times(step);
+}
+
+function lengthText(percent: number): string {
+  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
+}
+
 /** Whether the net can hang by a handle: not by one that slides up and down. */
 function carries({ slides }: HandleData): boolean {
   return slides?.includes('z') !== true;
@@ -47,9 +59,16 @@ export class BehaviourPanel implements Panel {
   readonly element: HTMLElement;
   readonly #choice: ReturnType<typeof makeSelect>;
   readonly #about = make('p', { class: 'quiet' });
-  readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, () => this.#chooseLimit());
-  readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, () => this.#chooseWeight());
-  readonly #length = makeSlider(words.behaviour.length, 2 * MOST_GROWTH, () => this.#chooseLength());
+  readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, limitText, (step) =>
+    this.#set(METHOD_AT_REST, { shear_limit: DEGREES * step }),
+  );
+  readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, weightText, (step) => this.#chooseWeight(step));
+  readonly #length = makeSlider(
+    words.behaviour.length,
+    2 * MOST_GROWTH,
+    (step) => lengthText(step - MOST_GROWTH),
+    (step) => this.#set(this.#document!.method, { length_scale: (100 + step - MOST_GROWTH) / 100 }),
+  );
   readonly #unheld = make('p', { class: 'quiet', role: 'status' });
   readonly #guidePlace = make('div', { hidden: true });
   #guide: GuideControls | null = null;
@@ -100,8 +119,8 @@ export class BehaviourPanel implements Panel {
     this.#about.textContent = words.behaviour.about[behaviour];
     const isMaterial = document.method === METHOD_AT_REST;
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
-    this.#setLimit(Math.round(Number(this.#option('shear_limit')) / DEGREES));
-    this.#setWeight(this.#weightStep());
+    this.#limit.set(Math.round(Number(this.#option('shear_limit')) / DEGREES));
+    this.#weight.set(this.#weightStep());
     this.#setLength(100 * (Number(this.#option('length_scale') ?? 1) - 1));
     const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
     setText(this.#unheld, falls ? words.behaviour.unheld : '');
@@ -143,37 +162,15 @@ export class BehaviourPanel implements Panel {
     else if (isMaterial(name)) this.#set(METHOD_AT_REST, MATERIALS[name]);
   }
 
-  #chooseLimit(): void {
-    this.#setLimit(this.#limit.input.valueAsNumber);
-    this.#set(METHOD_AT_REST, { shear_limit: DEGREES * this.#limit.input.valueAsNumber });
-  }
-
-  #chooseWeight(): void {
-    const step = this.#weight.input.valueAsNumber;
-    this.#setWeight(step);
+  #chooseWeight(step: number): void {
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
     this.#set(METHOD_AT_REST, { gravity });
   }
 
-  #chooseLength(): void {
-    const percent = this.#length.input.valueAsNumber - MOST_GROWTH;
-    this.#setLength(percent);
-    this.#set(this.#document!.method, { length_scale: (100 + percent) / 100 });
-  }
-
-  #setLimit(step: number): void {
-    this.#limit.set(step, step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step));
-  }
-
-  #setWeight(step: number): void {
-    this.#weight.set(step, step === 0 ? words.behaviour.off : words.behaviour.times(step));
-  }
-
   /** "Let edges grow" finds what lies between the steps, or beyond them. */
   #setLength(percent: number): void {
-    const shown = Number(percent.toFixed(1));
-    const text = shown === 0 ? words.behaviour.asMade : words.behaviour.growth(shown);
-    this.#length.set(Math.min(Math.max(Math.round(percent), -MOST_GROWTH), MOST_GROWTH) + MOST_GROWTH, text);
+    const step = Math.min(Math.max(Math.round(percent), -MOST_GROWTH), MOST_GROWTH) + MOST_GROWTH;
+    this.#length.set(step, lengthText(Number(percent.toFixed(1))));
   }
 
   #weightStep(): number {

@@ -19,7 +19,9 @@ export class GuideControls {
   readonly element: HTMLElement;
   readonly #title = make('p');
   readonly #mode: ReturnType<typeof makeSelect>;
-  readonly #weight = makeSlider(TEXT.weight, STEPS, () => this.#chooseWeight());
+  readonly #weight = makeSlider(TEXT.weight, STEPS, timesText, (step) =>
+    this.#events.setOptions({ guide_weight: this.#usualWeight * factorOf(step) }),
+  );
   readonly #shown: ReturnType<typeof makeSwitch>;
   readonly #elsewhere = make('p', { class: 'quiet' }, TEXT.elsewhere);
   readonly #events: GuideEvents;
@@ -52,23 +54,17 @@ export class GuideControls {
     this.element.setAttribute('aria-label', title);
     setValue(this.#mode.select, String(options.guide_mode ?? usual.guide_mode ?? 1));
     const factor = Number(options.guide_weight ?? this.#usualWeight) / this.#usualWeight;
-    this.#setWeight(Math.min(Math.max(Math.round(STEPS / 2 + Math.log(factor) / Math.log(STEP)), 0), STEPS));
+    this.#weight.set(Math.min(Math.max(Math.round(STEPS / 2 + Math.log(factor) / Math.log(STEP)), 0), STEPS));
     for (const row of [this.#mode.row, this.#weight.row]) row.hidden = !acts;
     this.#elsewhere.hidden = acts;
     this.#shown.box.checked = view.guideHidden !== true;
-  }
-
-  #chooseWeight(): void {
-    const step = this.#weight.input.valueAsNumber;
-    this.#setWeight(step);
-    this.#events.setOptions({ guide_weight: this.#usualWeight * factorOf(step) });
-  }
-
-  #setWeight(step: number): void {
-    this.#weight.set(step, TEXT.times(Number(factorOf(step).toPrecision(2)).toString()));
   }
 }
 
 function factorOf(step: number): number {
   return STEP ** (step - STEPS / 2);
+}
+
+function timesText(step: number): string {
+  return TEXT.times(Number(factorOf(step).toPrecision(2)).toString());
 }

@@ -21,7 +21,7 @@ export class RodControls implements Panel {
     (['atRest', 'square'] as const).map((value) => ({ value, text: TEXT.choices[value] })),
     (choice) => this.#set({ square_corners: choice === 'square' }),
   );
-  readonly #balance = makeSlider(TEXT.balance, STEPS, () => this.#chooseBalance());
+  readonly #balance = makeSlider(TEXT.balance, STEPS, balanceText, (step) => this.#chooseBalance(step));
   readonly element = make('div', {}, this.#quads.row, this.#balance.row);
   readonly #events: PanelEvents;
   #usual: SolverOptions = {};
@@ -57,20 +57,13 @@ export class RodControls implements Panel {
     const { square_corners, warp_stiffness, weft_stiffness } = { ...this.#usual, ...document.options };
     setValue(this.#quads.select, square_corners ? 'square' : 'atRest');
     const ratio = Number(warp_stiffness) / Number(weft_stiffness);
-    this.#setBalance(Math.min(Math.max(Math.round(MIDDLE + Math.log(ratio) / Math.log(STEP)), 0), STEPS));
+    this.#balance.set(Math.min(Math.max(Math.round(MIDDLE + Math.log(ratio) / Math.log(STEP)), 0), STEPS));
   }
 
   /** Both together stay as stiff. */
-  #chooseBalance(): void {
-    const step = this.#balance.input.valueAsNumber;
-    this.#setBalance(step);
+  #chooseBalance(step: number): void {
     const warp_stiffness = STEP ** ((step - MIDDLE) / 2);
     this.#set({ warp_stiffness, weft_stiffness: 1 / warp_stiffness });
-  }
-
-  #setBalance(step: number): void {
-    const times = STEP ** Math.abs(step - MIDDLE);
-    this.#balance.set(step, step < MIDDLE ? `1 : ${times}` : `${times} : 1`);
   }
 
   #set(change: SolverOptions): void {
@@ -78,4 +71,9 @@ export class RodControls implements Panel {
     const { method, initialisation, options } = this.#document;
     this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } });
   }
+}
+
+function balanceText(step: number): string {
+  const times = STEP ** Math.abs(step - MIDDLE);
+  return step < MIDDLE ? `1 : ${times}` : `${times} : 1`;
 }

@@ -1,6 +1,7 @@
 /** Annotations over the view: the hovered vertex, the handle to begin with, pairs of handles out of reach. */
 import type { Vector2, Vector3 } from 'three';
 import { words } from '../language/language';
+import { apart } from '../language/numbers';
 import type { FrameData } from '../worker/protocol';
 import type { Found } from './gestures';
 import type { HandleMarkers } from './handles';
@@ -91,7 +92,7 @@ export class Annotations {
       const [a, b] = [markers.point(vertexA), markers.point(vertexB)];
       if (!a || !b) return [];
       const [from, to] = [this.#picture.place(a), this.#picture.place(b)];
-      const text = words.view.strain(distance.toPrecision(3), reach.toPrecision(3));
+      const text = words.view.strain(...apart(distance, reach));
       return [{ from, to, label: i === 0 ? { text, at: this.#between(from, to) } : null }];
     });
   }

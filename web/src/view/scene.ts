@@ -24,7 +24,7 @@ import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
 import { ReachSurface } from './reach_surface';
 import type { StepArrows } from './step_arrows';
-import { SymmetrySheet } from './symmetry_sheet';
+import type { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, Pen, PenEvents, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
@@ -47,7 +47,6 @@ class SceneView implements View {
   readonly #rig: CameraRig;
   readonly #gizmo: Gizmo;
   readonly #markers = new HandleMarkers();
-  readonly #sheet = new SymmetrySheet();
   readonly #reach = new ReachSurface();
   readonly #drawing: NetDrawing;
   readonly #annotations: Annotations;
@@ -74,6 +73,7 @@ class SceneView implements View {
   #found: Found | null = null;
   #axes: AxisDrag | null = null;
   #stepArrows: StepArrows | null = null;
+  #sheet: SymmetrySheet | null = null;
   #firstVisit = isFirstVisit();
   #frame = 0;
   /** The camera is being set to that of another view. */
@@ -93,6 +93,12 @@ class SceneView implements View {
     this.#stepArrows.setTheme(this.#theme);
     this.#scene.add(this.#stepArrows.object);
     return this.#stepArrows;
+  });
+  readonly #loadSheet = lazy(async () => {
+    const { SymmetrySheet } = await import('./symmetry_sheet');
+    this.#sheet = new SymmetrySheet();
+    this.#sheet.setTheme(this.#theme);
+    this.#scene.add(this.#sheet.object);
   });
   readonly #loadPen = lazy(async () => ({ ...(await import('./pen')), ...(await import('./stroke')) }));
   #drawTimes: number[] = [];
@@ -135,7 +141,7 @@ class SceneView implements View {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.#drawing, this.#markers, this.#sheet, this.#reach]) this.#scene.add(part.object);
+    for (const part of [this.#drawing, this.#markers, this.#reach]) this.#scene.add(part.object);
     this.#scene.add(this.#gizmo.object, this.#rig.camera);
     this.#addLights();
     this.#gestures = this.#createGestures(canvas);
@@ -152,7 +158,7 @@ class SceneView implements View {
     this.#forgetNet();
     this.#net = net;
     const { space } = this.#drawing.setNet(net);
-    this.#sheet.update(this.#symmetry, net.restPositions, space);
+    this.#sheet?.update(this.#symmetry, net.restPositions, space);
     this.setFrame(frame);
     this.#lookFrom('free');
     this.#rig.framed = camera === null;
@@ -192,8 +198,11 @@ class SceneView implements View {
   setSymmetry(symmetry: Symmetry | undefined): void {
     if (symmetry === this.#symmetry) return;
     this.#symmetry = symmetry;
-    if (this.#net && this.#netData) this.#sheet.update(symmetry, this.#net.restPositions, this.#netData.space);
-    this.#requestDraw();
+    if (symmetry === undefined) this.#showSymmetry();
+    else
+      this.#loadSheet()
+        .then(() => this.#showSymmetry())
+        .catch((error: unknown) => this.#events.failed(error));
   }
 
   setGuide(surface: DrawnSurface | null): void {
@@ -311,7 +320,6 @@ class SceneView implements View {
     for (const part of [
       this.#gestures,
       this.#gizmo,
-      this.#sheet,
       this.#reach,
       this.#rig,
       this.#markers,
@@ -321,6 +329,7 @@ class SceneView implements View {
       part.dispose();
     this.#renderer.domElement.remove();
     this.#stepArrows?.dispose();
+    this.#sheet?.dispose();
     this.#annotations.overlay.element.remove();
     this.#notice.remove();
   }
@@ -440,14 +449,20 @@ class SceneView implements View {
     if (this.#rig.framed && this.#netData) this.#rig.glideTo(this.#wholeNet());
   }
 
+  #showSymmetry(): void {
+    if (this.#net && this.#netData) this.#sheet?.update(this.#symmetry, this.#net.restPositions, this.#netData.space);
+    this.#requestDraw();
+  }
+
   #readTheme(): void {
     this.#theme = readTheme(this.#container);
     this.#applyTheme();
   }
 
   #applyTheme(): void {
-    for (const part of [this.#drawing, this.#markers, this.#sheet, this.#reach]) part.setTheme(this.#theme);
+    for (const part of [this.#drawing, this.#markers, this.#reach]) part.setTheme(this.#theme);
     this.#stepArrows?.setTheme(this.#theme);
+    this.#sheet?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     this.#requestDraw();
   }

@@ -20,7 +20,7 @@ export const core = {
   /** A parameter of a shape. */
   parameter: (name: string) => readable(name),
   /** A shape within a sentence. */
-  shape: (name: string) => name.replaceAll('_', ' '),
+  shape: (name: string) => (name === 'wave' ? 'waves' : name.replaceAll('_', ' ')),
   /** A method or an initialisation. */
   method: (name: string) => METHODS[name] ?? readable(name),
   /** What went wrong. */

@@ -537,6 +537,7 @@ export const panels = {
     grown: (percent: string) => `Edges are ${percent} % longer.`,
     shrunk: (percent: string) => `Edges are ${percent} % shorter.`,
     lengthsBack: 'Lengths as before',
+    leftSo: 'Edges of the marked cells are off their length.',
     noShape: 'No shape nearby has all edges at their length: the marked cells are off.',
     tooSharp: 'No shape nearby keeps all corners above their limit: those of the marked cells are sharper.',
     unreachable: (a: number, b: number, distance: string, reach: string) =>

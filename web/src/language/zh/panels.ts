@@ -707,6 +707,7 @@ export const panels: Widened<typeof en> = {
     grown: (percent) => `边长增加了 ${percent}%。`,
     shrunk: (percent) => `边长减少了 ${percent}%。`,
     lengthsBack: '恢复原来的边长',
+    leftSo: '标出的格子有边不符合其长度。',
     noShape: '附近没有所有边长都正确的形状：标出的格子有偏差。',
     tooSharp: '附近没有所有角都不小于限度的形状：标出的格子有过尖的角。',
     unreachable: (a, b, distance, reach) =>
