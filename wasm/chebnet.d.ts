@@ -643,6 +643,10 @@ export interface RemeshOptions {
   smallestAngle?: number;
   /** 0 … 100, 1 unless said otherwise: the more, the larger are the bumps that make no singular vertices. */
   smoothing?: number;
+  /** As few singular vertices as a net can do with whose corners keep the limit, no more than 0.2 edges away from the surface on
+   *  average: cells shear where others would have one. Takes longer; not where creases are followed, nor together with `singular`
+   *  or `only`. */
+  fewest?: boolean;
   /** Net lines follow edges of the surface that are sharper than this angle between two triangles' normals, in radians; 0,
    *  unless said otherwise: no edge is followed. */
   crease?: number;
@@ -698,7 +702,7 @@ export interface KeptWishes {
 }
 
 /** What is done, in this order; `border` only where the surface has one, and no way is asked for in which the net ends there. */
-export type RemeshPhase = 'border' | 'triangles' | 'field' | 'grid' | 'fit';
+export type RemeshPhase = 'border' | 'triangles' | 'singular' | 'field' | 'grid' | 'fit';
 
 /** A net over a whole surface, near it, each edge of one length. */
 export interface Remesh {

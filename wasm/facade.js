@@ -644,7 +644,7 @@ class WasmSurface {
 
   /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
   remesh(
-    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = {},
+    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, fewest = false, crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = {},
     progress = () => {},
   ) {
     const options = {
@@ -652,6 +652,7 @@ class WasmSurface {
       length: size(length, 'an edge length'),
       smallestAngle: size(smallestAngle, 'the shear limit'),
       smoothing: size(smoothing, 'the smoothing'),
+      fewest: fewest === true,
       crease: size(crease, 'the angle of creases'),
       markedCreases: list(markedCreases, 'marked creases').map((points) => curvePoints(points, 'a marked crease')),
       border: /** @type {'fitting' | 'always' | 'across' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),

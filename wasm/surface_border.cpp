@@ -248,6 +248,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
     wanted.length = options["length"].as<double>();
     wanted.smallest_angle = options["smallestAngle"].as<double>();
     wanted.smoothing = options["smoothing"].as<double>();
+    wanted.fewest = options["fewest"].as<bool>();
     wanted.crease = options["crease"].as<double>();
     for (const val& points : emscripten::vecFromJSArray<val>(options["markedCreases"]))
         wanted.marked_creases.push_back(points_in(points));

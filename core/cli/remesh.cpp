@@ -160,6 +160,10 @@ Command add_remesh(CLI::App& program) {
                     "The more, the larger are the bumps that make no singular vertices: 0 to 100")
         ->type_name("NUMBER")
         ->capture_default_str();
+    command.add_flag(
+        "--fewest", arguments->options.fewest,
+        "As few singular vertices as a net within the shear limit can do with, no farther than 0.2 edges from "
+        "the surface on average; takes longer");
     command
         .add_option("--singular", arguments->singular,
                     "A singular vertex is wanted at that point, of valence 3, 5 or 6; may be given again")

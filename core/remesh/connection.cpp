@@ -287,8 +287,9 @@ TurnedConnection turned_connection(const Surface& surface, std::vector<double> c
     Density density(surface, curvature, wishes);
     const std::vector<double> wanted = density.run();
     const Balance balance(surface, curvature, wanted, density.is_free());
-    const Eigen::VectorXd phi = potential(surface, balance);
     TurnedConnection result;
+    result.potential = potential(surface, balance);
+    const Eigen::VectorXd& phi = result.potential;
     result.angles = border;
     result.is_unaligned.assign(static_cast<std::size_t>(surface.vertex_count()), false);
     for (int s = 0; s < 3 * surface.face_count(); ++s) {

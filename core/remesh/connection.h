@@ -35,6 +35,7 @@ PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const 
 /// which transport is turned for a field along the boundary; else 0.
 struct TurnedConnection {
     std::vector<double> angles;      ///< of each side
+    Eigen::VectorXd potential;       ///< of each triangle, whose differences turn transport along the sides between
     std::vector<bool> is_unaligned;  ///< of each vertex: it is on a boundary that cannot be followed with these alone
 };
 TurnedConnection turned_connection(const Surface& surface, std::vector<double> curvature,

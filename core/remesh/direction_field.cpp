@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "surface/surface_tree.h"
 
@@ -151,9 +152,9 @@ void hold_between_pins(Connection& connection, const Surface& surface, const std
     }
 }
 
-/// Turned so that singular vertices are where they are wished for.
-void turn(Connection& connection, const Surface& surface, const std::vector<Frame>& frames,
-          const PlacedWishes& wishes) {
+/// Turned so that singular vertices are where they are wished for. Returns the potential of what turns it.
+Eigen::VectorXd turn(Connection& connection, const Surface& surface, const std::vector<Frame>& frames,
+                     const PlacedWishes& wishes) {
     std::vector<double> curvature, border(connection.transports.size(), 0.0);
     for (int f = 0; f < surface.face_count(); ++f) {
         const auto& corners = surface.triangles().col(f);
@@ -165,7 +166,7 @@ void turn(Connection& connection, const Surface& surface, const std::vector<Fram
             border[s] =
                 angle_of(times(connection.targets[surface.to(s)],
                                std::conj(times(connection.transports[s], connection.targets[surface.from(s)]))));
-    const TurnedConnection turned = turned_connection(surface, curvature, border, wishes);
+    TurnedConnection turned = turned_connection(surface, curvature, border, wishes);
     for (int s = 0; s < 3 * surface.face_count(); ++s)
         connection.transports[s] =
             times(connection.transports[s], {std::cos(turned.angles[s]), std::sin(turned.angles[s])});
@@ -173,6 +174,7 @@ void turn(Connection& connection, const Surface& surface, const std::vector<Fram
         if (turned.is_unaligned[v]) connection.weights[v] = k_unaligned_weight;
     for (const PlacedWishes::Pin& pin : wishes.pins) connection.is_pinned[pin.vertex] = true;
     if (wishes.only) hold_between_pins(connection, surface, frames, wishes);
+    return std::move(turned.potential);
 }
 
 /// Σ over edges |z_to − r z_from|² + Σ over the boundary and creases |z − b|² as a real system, two rows for each
@@ -252,6 +254,39 @@ Frame face_frame(const Surface& surface, int face) {
     return {normal, side.normalized()};
 }
 
+/// Of each triangle of a function that has one value on each, by its means at the vertices.
+Positions gradients(const Surface& surface, const Eigen::VectorXd& of_face) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(surface.vertex_count()), count = sum;
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
+        sum[surface.from(s)] += of_face[Surface::face_of(s)];
+        count[surface.from(s)] += 1;
+    }
+    Positions result = Positions::Zero(3, surface.face_count());
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
+        const int f = Surface::face_of(s), opposite = surface.triangles()((s + 2) % 3, f);
+        const Eigen::Vector3d along = surface.positions().col(surface.to(s)) - surface.positions().col(surface.from(s));
+        result.col(f) += sum[opposite] / count[opposite] * surface.face_normals().col(f).cross(along);
+    }
+    return result;  // times twice the area of the triangle
+}
+
+/// A field without singular vertices may turn as a whole. Its scale changes along the gradient of the potential, by
+/// which nothing can make up in lines that run along or across it: their edges would have other lengths. At 45° to it
+/// cells shear, and edges stay as they are: so a torus has a Chebyshev net.
+void turn_as_a_whole(std::vector<Complex>& at_vertices, const Surface& surface, const std::vector<Frame>& frames,
+                     const Eigen::VectorXd& potential) {
+    const Positions gradient = gradients(surface, potential);
+    Complex sum = 0;
+    for (int f = 0; f < surface.face_count(); ++f) {
+        const Frame frame = face_frame(surface, f);
+        Complex direction = 0;
+        for (const int v : surface.triangles().col(f)) direction += times(transport(frames[v], frame), at_vertices[v]);
+        const Complex along = frame.of(gradient.col(f));
+        sum -= std::norm(along) * times(fourth_power(unit(along)), std::conj(unit(direction)));
+    }
+    for (Complex& z : at_vertices) z = times(z, unit(sum));
+}
+
 /// The quarter turn of direction 0 beyond a side that comes nearest to direction 0 here, when both triangles are
 /// unfolded.
 int nearest_turn(const Surface& surface, const Positions& directions, int side) {
@@ -270,8 +305,12 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options) {
     const std::vector<Frame> frames = vertex_frames(surface, options.smoothing);
     Connection connection = natural_connection(surface, frames, options);
-    if (options.wishes) turn(connection, surface, frames, *options.wishes);
-    const std::vector<Complex> at_vertices = Smoother(surface, connection).run();
+    Eigen::VectorXd potential;
+    if (options.wishes) potential = turn(connection, surface, frames, *options.wishes);
+    const bool is_free = std::all_of(connection.targets.begin(), connection.targets.end(),
+                                     [](Complex target) { return target == Complex(0); });
+    std::vector<Complex> at_vertices = Smoother(surface, connection).run();
+    if (options.wishes && options.wishes->only && is_free) turn_as_a_whole(at_vertices, surface, frames, potential);
     DirectionField field;
     field.directions.resize(3, surface.face_count());
     for (int f = 0; f < surface.face_count(); ++f) {

@@ -26,6 +26,7 @@
 #include "remesh/creases.h"
 #include "remesh/direction_field.h"
 #include "remesh/even_triangles.h"
+#include "remesh/fewer_singular.h"
 #include "remesh/fit.h"
 #include "remesh/grid_map.h"
 
@@ -52,6 +53,10 @@ constexpr double k_near = 3;
 constexpr double k_pull = 10;
 // Ways to end at the border are told apart by nets of so many cells, or of those asked for if they are no more.
 constexpr int k_trial_cells = 1500;
+// How many singular vertices a net can do without is tried with so many cells, and how far it may be away from the
+// surface for it, in edges, on average.
+constexpr int k_fewest_cells = 800;
+constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
@@ -100,8 +105,8 @@ public:
         if (!m_options.singular.is_empty())
             m_wishes = placed(m_options.singular, m_even->surface, m_guide->tree(), m_cell);
         m_has_border = has_border(m_surface);
-        std::optional<Found> best = find_net();
-        if (best) return result(*best);
+        if (std::optional<Found> found = find_with_fewer()) return result(*found);
+        if (std::optional<Found> best = find_net()) return result(*best);
         throw Error(
             ErrorCode::bad_option,
             (m_wishes ? "no net was found with singular vertices as they are wished for; other wishes or smaller "
@@ -112,6 +117,7 @@ public:
 
 private:
     void begin(RemeshPhase phase) {
+        if (m_is_trying) return;
         end_phase();
         m_phase = phase;
         tell(0);
@@ -121,7 +127,7 @@ private:
         m_watch.restart();
     }
     void tell(double done) const {
-        if (m_progress) m_progress(m_phase, done);
+        if (m_progress) m_progress(m_phase, m_is_trying ? m_tried : done);
     }
 
     struct Found {
@@ -130,16 +136,78 @@ private:
         KeptWishes kept;
     };
 
+    /// Nothing if none can be left out, or small nets promise what larger ones do not keep.
+    std::optional<Found> find_with_fewer() {
+        const bool may_have_none =
+            !m_has_border && euler_characteristic(m_surface) == 0 && m_options.singular.is_empty();
+        if (!m_creases.sides.empty() || !(m_options.fewest || may_have_none)) return std::nullopt;
+        begin(RemeshPhase::singular);
+        const DirectionField field = field_along(m_options.smoothing);
+        if (singular_count(field) > k_most_singular_vertices) return std::nullopt;
+        const std::vector<SingularWishes> wishes = fewer_and_fewer(m_even->surface, field);
+        const std::optional<PlacedWishes> usual = m_wishes;
+        std::optional<Found> found;
+        for (int k = m_options.fewest ? last_good(wishes) : none_if_good(wishes); k > 0 && !found; k /= 2) {
+            m_wishes = placed(wishes[k], m_even->surface, m_guide->tree(), m_cell);
+            found = find_good_net();
+            m_found.clear();
+        }
+        m_first_failure.clear();
+        m_wishes = usual;
+        return found;
+    }
+
+    /// The last of the wishes, if it is for none at all.
+    int none_if_good(const std::vector<SingularWishes>& wishes) {
+        if (wishes.size() == 1 || !wishes.back().vertices.empty()) return 0;
+        m_is_trying = true;
+        const bool is_good = is_good_enough(wishes.back(), k_none_distance);
+        m_is_trying = false;
+        return is_good ? static_cast<int>(wishes.size()) - 1 : 0;
+    }
+
+    /// By halves: the last of the wishes for which a small net is good enough, as if all before it were so.
+    int last_good(const std::vector<SingularWishes>& wishes) {
+        m_is_trying = true;
+        int good = 0, bad = static_cast<int>(wishes.size());
+        for (int k = bad - 1; good + 1 < bad; k = (good + bad) / 2) {
+            (is_good_enough(wishes[k], k_fewest_distance) ? good : bad) = k;
+            m_tried = 1 - static_cast<double>(bad - good - 1) / static_cast<double>(wishes.size());
+        }
+        m_is_trying = false;
+        return good;
+    }
+
+    /// Whether a small net is, no farther from the surface than that, in edges.
+    bool is_good_enough(const SingularWishes& wishes, double farthest) {
+        const double size = std::max(1.0, std::sqrt(cells_asked_for(m_surface, m_options) / k_fewest_cells));
+        try {
+            m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
+            const Net net = fitted(mesh_along(size, m_options.smoothing), 0, false).net;
+            const DrapeReport report = measure_drape(m_surface, m_guide->tree(), net);
+            return report.smallest_angle >= m_options.smallest_angle - k_angle_tolerance &&
+                   report.mean_distance <= farthest * report.length;
+        } catch (const Error& error) {
+            if (error.code() == ErrorCode::too_large) throw;
+            return false;
+        }
+    }
+
     std::optional<Found> find_net() {
-        m_holds_lines = may_hold_border() || !m_creases.sides.empty();
-        if (m_holds_lines && try_all()) return std::move(m_found.back());
-        m_holds_lines = false;
-        if (m_found.empty() && try_all()) return std::move(m_found.back());
+        if (std::optional<Found> good = find_good_net()) return good;
         const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
             return a.kept.missed() < b.kept.missed();
         });
         if (best == m_found.end()) return std::nullopt;
         return std::move(*best);
+    }
+
+    std::optional<Found> find_good_net() {
+        m_holds_lines = may_hold_border() || !m_creases.sides.empty();
+        if (m_holds_lines && try_all()) return std::move(m_found.back());
+        m_holds_lines = false;
+        if (m_found.empty() && try_all()) return std::move(m_found.back());
+        return std::nullopt;
     }
 
     bool try_all() {
@@ -155,7 +223,7 @@ private:
         if (m_options.length > 0 && size < k_least_size_for_length) return false;
         try {
             const Mesh mesh = mesh_along(size, smoothing);
-            Found found = fitted(mesh, false);
+            Found found = fitted(mesh, m_options.length, false);
             if (std::optional<Found> other = following_creases(mesh, found)) found = std::move(*other);
             m_found.push_back(std::move(found));
             const Net& net = m_found.back().net;
@@ -168,26 +236,30 @@ private:
         return false;
     }
 
-    Mesh mesh_along(double size, double smoothing) {
-        begin(RemeshPhase::field);
+    DirectionField field_along(double smoothing) const {
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
-        const DirectionField field =
-            smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
-                                        m_options.border == RemeshOptions::Border::across});
+        return smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
+                                           m_options.border == RemeshOptions::Border::across});
+    }
+
+    Mesh mesh_along(double size, double smoothing) {
+        begin(RemeshPhase::field);
+        const DirectionField field = field_along(smoothing);
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
         begin(RemeshPhase::grid);
-        const Mesh mesh = mesh_of(cells_of(triangles, grid_along(field, size * m_cell)));
+        const Mesh mesh = mesh_of(cells_of(m_even->surface, grid_along(field, size * m_cell)));
         check(mesh);
         return mesh;
     }
 
-    Found fitted(const Mesh& mesh, bool suits_creases) {
+    /// `length`: of all edges; 0: the one that fits.
+    Found fitted(const Mesh& mesh, double length, bool suits_creases) {
         begin(RemeshPhase::fit);
-        const FitOptions options{m_options.length, m_options.smallest_angle,          pulls(mesh), m_creases.segments(),
-                                 suits_creases,    m_holds_lines && may_hold_border()};
+        const FitOptions options{length,        m_options.smallest_angle,          pulls(mesh), m_creases.segments(),
+                                 suits_creases, m_holds_lines && may_hold_border()};
         Net net = fit_net(m_guide, mesh, options, [this](double done) { tell(done); });
         std::vector<SingularVertex> singular = singular_vertices(net);
         KeptWishes kept = kept_wishes(net, singular, m_options.singular);
@@ -200,7 +272,7 @@ private:
         if (m_options.length > 0 || std::all_of(found.kept.creases.begin(), found.kept.creases.end(), is_followed))
             return std::nullopt;
         try {
-            Found other = fitted(mesh, true);
+            Found other = fitted(mesh, m_options.length, true);
             if (other.kept.missed() < found.kept.missed()) return other;
         } catch (const Error&) {  // that length fits nothing else
         }
@@ -286,6 +358,8 @@ private:
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;
     std::string m_first_failure;
+    bool m_is_trying = false;  // how many singular vertices can be left out
+    double m_tried = 0;        // part of it
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
     std::array<double, k_remesh_phases> m_milliseconds{};
@@ -305,14 +379,15 @@ public:
         Stopwatch watch;
         for (std::size_t k = 0; k < std::size(k_ways); ++k) try_way(k);
         const double milliseconds = watch.milliseconds();
-        if (are_few() && m_progress) m_progress(RemeshPhase::fit, 1);
+        const bool is_done = are_few() && !m_options.fewest;
+        if (is_done && m_progress) m_progress(RemeshPhase::fit, 1);
         std::stable_sort(m_trials.begin(), m_trials.end(), [](const Trial& a, const Trial& b) {
             return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
         });
         for (Trial& trial : m_trials) {
-            if (!are_few()) trial.made = made(trial.way, m_options, m_progress);
+            if (!is_done) trial.made = made(trial.way, m_options, m_progress);
             if (!trial.made) continue;
-            trial.made->milliseconds[static_cast<int>(RemeshPhase::border)] = are_few() ? 0 : milliseconds;
+            trial.made->milliseconds[static_cast<int>(RemeshPhase::border)] = is_done ? 0 : milliseconds;
             return std::move(*trial.made);
         }
         std::rethrow_exception(m_failure);
@@ -333,6 +408,7 @@ private:
 
     void try_way(std::size_t k) {
         RemeshOptions options = m_options;
+        options.fewest = false;
         if (!are_few()) {
             options.length = 0;
             options.cells = k_trial_cells;
@@ -379,7 +455,7 @@ private:
 }  // namespace
 
 const char* to_string(RemeshPhase phase) {
-    constexpr const char* k_names[] = {"border", "triangles", "field", "grid", "fit"};
+    constexpr const char* k_names[] = {"border", "triangles", "singular", "field", "grid", "fit"};
     return k_names[static_cast<int>(phase)];
 }
 
@@ -409,6 +485,8 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
         throw Error(ErrorCode::bad_scale,
                     "the surface is too large or too small for a net over the whole of it: scale it");
     check_wishes(guide, options.singular);
+    if (options.fewest && (options.singular.only || !options.singular.vertices.empty()))
+        throw Error(ErrorCode::bad_option, "either as few singular vertices as can be, or those that are wished for");
     check_marked(guide, options.marked_creases);
 }
 

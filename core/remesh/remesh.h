@@ -32,6 +32,11 @@ struct RemeshOptions {
     double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
+    /// As few singular vertices as a net can do with whose corners keep the limit, and that is no more than 0.2 edges
+    /// away from the surface on average: cells shear where others would have one. Takes longer, for it is tried with
+    /// fewer cells. Not together with vertices wished for, nor where creases are followed. Otherwise that is tried only
+    /// on closed surfaces that may do without any (of Euler characteristic 0), and taken within 0.1 edges.
+    bool fewest = false;
     SingularWishes singular = {};
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
     /// no edge is followed.
@@ -45,11 +50,12 @@ struct RemeshOptions {
 enum class RemeshPhase {
     border,     ///< the ways to end at it are tried, if there is one and no way is asked for
     triangles,  ///< the surface made anew of even triangles
+    singular,   ///< how many singular vertices the net can do without is tried, if that is asked for
     field,      ///< the directions of the net lines
     grid,       ///< the map that has whole numbers of cells between singular vertices
     fit         ///< edges of one length, near the surface
 };
-inline constexpr int k_remesh_phases = 5;
+inline constexpr int k_remesh_phases = 6;
 /// The name of the enumerator.
 const char* to_string(RemeshPhase phase);
 
@@ -71,9 +77,10 @@ struct Remesh {
 /// surface. The same input gives the same net. What is wished of its singular vertices is not always kept, nor is each
 /// marked crease followed; of the nets that are tried the one that keeps most of it is given, with what it keeps.
 ///
-/// Throws Error bad_option (numbers out of range; wishes as check_wishes does; marked creases as cut_line and cut_open
-/// do; a surface that is too thin or too narrow somewhere for cells of this size, with what and where; no such net
-/// found), non_finite, bad_scale, too_large, and as the constructor of Surface does.
+/// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
+/// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of
+/// this size, with what and where; no such net found), non_finite, bad_scale, too_large, and as the constructor of
+/// Surface does.
 Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 

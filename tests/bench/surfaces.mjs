@@ -39,11 +39,16 @@ const WAYS = [
     },
   },
   { name: 'remesh', args: ['remesh'], run: (surface) => surface.remesh({ cells }) },
+  {
+    name: 'remesh, fewest',
+    args: ['remesh', '--fewest'],
+    run: (surface) => surface.remesh({ cells, fewest: true }),
+  },
 ];
 
 const isLaid = ({ way }) => way.name === 'drape';
 const isBest = ({ way }) => way.name === 'drape, best';
-const isWhole = ({ way }) => way.name === 'remesh';
+const isWhole = ({ way }) => way.name.startsWith('remesh');
 const isOfFlatEnough = (row) => isBest(row) && FLAT_ENOUGH.includes(row.prospect);
 const isClosed = (row) => isWhole(row) && row.isClosed;
 

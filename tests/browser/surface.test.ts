@@ -561,9 +561,10 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   await length.fill(wished);
   await length.blur();
   await draper().getByRole('combobox', { name: 'Bumps' }).selectOption('smoothed 3 times as far');
+  await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('as few as it takes');
   await press('Make the net');
   await measured();
-  expect(await results()).toMatch(/Milliseconds\s+[\d.]+: triangles [\d.]+, directions/);
+  expect(await results()).toMatch(/Milliseconds\s+[\d.]+: triangles [\d.]+, how few [\d.]+, directions/);
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 

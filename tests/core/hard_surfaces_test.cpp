@@ -57,12 +57,15 @@ TEST_CASE("On surfaces of all kinds a laid net is exact, within its limit, and i
 }
 
 TEST_CASE("Surfaces of all kinds get a net over the whole of them, or a sentence that says why not", "[large]") {
+    const bool fewest = GENERATE(false, true);
+    CAPTURE(fewest);
     int made = 0;
     for (const auto& [name, mesh] : samples::hard_surfaces()) {
         INFO(name);
         const auto guide = std::make_shared<const Guide>(Surface(mesh));
         RemeshOptions options;
         options.cells = k_cells;
+        options.fewest = fewest;
         try {
             const Net net = remesh(guide, options).net;
             ++made;

@@ -167,6 +167,16 @@ describe('the worker', () => {
     expect(measured.report.coverage).toBeGreaterThan(0.95);
   });
 
+  test('tries how few singular vertices it takes, and says so, if that is asked for', () => {
+    const responses = answers(
+      { type: 'open', source: { own: 'pebble' } },
+      { type: 'remesh', options: { cells: 150, fewest: true } },
+    );
+    const phases = responses.flatMap((response) => (response.type === 'progress' ? [response.phase] : []));
+    expect([...new Set(phases)]).toEqual(['triangles', 'singular', 'field', 'grid', 'fit']);
+    expect(responses.at(-1)).toMatchObject({ type: 'remeshed', singularVertices: [{ valence: 3, count: 8 }] });
+  });
+
   test('says where a mark stands on the surface, and makes a net with singular vertices where they are pinned', () => {
     const down = { origin: [0.3, 0.2, 9] as Point, direction: [0, 0, -1] as Point };
     const responses = answers(

@@ -132,6 +132,7 @@ function readRemesh(options: Untrusted): RemeshOptions {
     length: options.at('length').maybe((each) => each.positive()),
     smallestAngle: options.at('smallestAngle').maybe((each) => each.number()),
     smoothing: options.at('smoothing').maybe((each) => each.number()),
+    fewest: options.at('fewest').maybe((each) => each.flag()),
     crease: options.at('crease').maybe((each) => each.number()),
     markedCreases: options.at('markedCreases').maybe((list) => list.list().map(readPoints)),
     border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),

@@ -77,6 +77,7 @@ RemeshOptions any_remesh(FuzzedDataProvider& input, const Surface& surface) {
         options.marked_creases.push_back(any_crease(input, surface));
     options.border = input.PickValueInArray({RemeshOptions::Border::always, RemeshOptions::Border::across,
                                              RemeshOptions::Border::never, RemeshOptions::Border::fitting});
+    options.fewest = input.ConsumeBool();
     return options;
 }
 

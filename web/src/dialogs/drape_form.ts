@@ -74,6 +74,11 @@ export class DrapeForm {
     SMOOTHINGS.map((smoothing) => ({ value: String(smoothing), text: TEXT.smoothings(smoothing) })),
     () => {},
   );
+  readonly #singular = makeSelect(
+    TEXT.howMany,
+    (['usual', 'fewest'] as const).map((value) => ({ value, text: TEXT.howManyOf[value] })),
+    () => {},
+  );
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
   readonly #kinds: ReturnType<typeof makeSelect>;
   /** What only a net from a seed has. */
@@ -108,7 +113,7 @@ export class DrapeForm {
     const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
     const reach = make('label', { class: 'row' }, make('span', {}, TEXT.reach), this.#reach);
     this.#pieceRows = [this.#turn.row, this.#angle.row, arms, reach, this.#border.row, this.#leave.row];
-    this.#wholeRows = [this.#line.row, this.#crease.row, this.#smoothing.row];
+    this.#wholeRows = [this.#line.row, this.#crease.row, this.#singular.row, this.#smoothing.row];
     this.#showRows();
     this.element = make(
       'div',
@@ -137,6 +142,7 @@ export class DrapeForm {
       ...(this.#isByLength ? { length } : { cells: Math.round(cellsOf(length, this.#area)) }),
       smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
       smoothing: Number(this.#smoothing.select.value),
+      fewest: this.#singular.select.value === 'fewest',
       crease: Number(this.#crease.select.value) * DEGREE,
       border: this.#line.select.value as (typeof LINES)[number],
     };

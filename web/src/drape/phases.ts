@@ -5,6 +5,7 @@ import type { RemeshPhase } from '../../../wasm/chebnet';
 const PHASES: readonly (readonly [RemeshPhase, number])[] = [
   ['border', 4],
   ['triangles', 1],
+  ['singular', 3],
   ['field', 1],
   ['grid', 1],
   ['fit', 8],

@@ -117,6 +117,7 @@ export const dialogs = {
     phases: {
       border: 'Trying how to meet the border…',
       triangles: 'Making even triangles…',
+      singular: 'How few singular vertices it takes…',
       field: 'Finding directions…',
       grid: 'Fitting a grid…',
       fit: 'Bringing all edges to one length…',
@@ -148,6 +149,8 @@ export const dialogs = {
     limit: 'Sharpest',
     reach: 'Cells each way',
     toBorder: 'to the border',
+    howMany: 'Singular vertices',
+    howManyOf: { usual: 'where it curves', fewest: 'as few as it takes' },
     smoothing: 'Bumps',
     smoothings: (smoothing: number) =>
       smoothing === 0
@@ -269,6 +272,7 @@ export const dialogs = {
       lay: 'laying',
       border: 'ways to end',
       triangles: 'triangles',
+      singular: 'how few',
       field: 'directions',
       grid: 'grid',
       fit: 'fitting',

@@ -129,6 +129,7 @@ export const dialogs: Widened<typeof en> = {
     phases: {
       border: '正在试各种边界处理方式…',
       triangles: '正在生成均匀三角形…',
+      singular: '正在试能少用几个奇异顶点…',
       field: '正在求方向场…',
       grid: '正在拟合网格…',
       fit: '正在使所有边等长…',
@@ -160,6 +161,8 @@ export const dialogs: Widened<typeof en> = {
     limit: '最尖角',
     reach: '各向格数',
     toBorder: '直到边界',
+    howMany: '奇异顶点',
+    howManyOf: { usual: '设在弯曲处', fewest: '尽量少' },
     smoothing: '起伏',
     smoothings: (smoothing) =>
       smoothing === 0 ? '全部保留' : smoothing === 1 ? '抹平小起伏' : `抹平范围放大 ${smoothing} 倍`,
@@ -259,6 +262,7 @@ export const dialogs: Widened<typeof en> = {
       lay: '铺设',
       border: '试边界',
       triangles: '三角形',
+      singular: '求最少奇异顶点',
       field: '方向场',
       grid: '网格',
       fit: '拟合',

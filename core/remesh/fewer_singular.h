@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "remesh/direction_field.h"
+#include "remesh/singular_wishes.h"
+#include "surface/surface.h"
+
+namespace chebnet {
+
+/// The singular vertices of a field, wished for alone, and then fewer and fewer: of each entry those two of opposite
+/// index that are nearest to each other, on one piece of the surface, have cancelled each other in the next. Of the
+/// last one only those are left that no net of that topology is without (Σ index = 4 χ).
+///
+/// A field of directions at right angles needs singular vertices wherever the surface curves, or its cells would have
+/// other lengths; in a Chebyshev net cells may shear instead. Which of these a net can do without only a net shows.
+std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field);
+
+}  // namespace chebnet
