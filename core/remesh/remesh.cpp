@@ -139,7 +139,7 @@ private:
     /// Nothing if none can be left out, or small nets promise what larger ones do not keep.
     std::optional<Found> find_with_fewer() {
         const bool may_have_none =
-            !m_has_border && euler_characteristic(m_surface) == 0 && m_options.singular.is_empty();
+            (m_has_border || euler_characteristic(m_surface) == 0) && m_options.singular.is_empty();
         if (!m_creases.sides.empty() || !(m_options.fewest || may_have_none)) return std::nullopt;
         begin(RemeshPhase::singular);
         const DirectionField field = field_along(m_options.smoothing);

@@ -34,8 +34,8 @@ struct RemeshOptions {
     double smoothing = 1;
     /// As few singular vertices as a net can do with whose corners keep the limit, and that is no more than 0.2 edges
     /// away from the surface on average: cells shear where others would have one. Takes longer, for it is tried with
-    /// fewer cells. Not together with vertices wished for, nor where creases are followed. Otherwise that is tried only
-    /// on closed surfaces that may do without any (of Euler characteristic 0), and taken within 0.1 edges.
+    /// fewer cells. Not together with vertices wished for, nor where creases are followed. Otherwise only a
+    /// net without any is tried, where there may be one, and taken if it is within 0.1 edges.
     bool fewest = false;
     SingularWishes singular = {};
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
