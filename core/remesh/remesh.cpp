@@ -29,6 +29,7 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/fit.h"
 #include "remesh/grid_map.h"
+#include "remesh/tilt.h"
 
 namespace chebnet {
 
@@ -57,6 +58,9 @@ constexpr int k_trial_cells = 1500;
 // surface for it, in edges, on average.
 constexpr int k_fewest_cells = 800;
 constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
+// Nor may its cells be tilted more against the surface than those of a net with the usual singular vertices, by this
+// factor: it would be crumpled.
+constexpr double k_most_tilted = 1.25;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
@@ -145,51 +149,58 @@ private:
         const DirectionField field = field_along(m_options.smoothing);
         if (singular_count(field) > k_most_singular_vertices) return std::nullopt;
         const std::vector<SingularWishes> wishes = fewer_and_fewer(m_even->surface, field);
+        if (wishes.size() == 1 || !(m_options.fewest || wishes.back().vertices.empty())) return std::nullopt;
         const std::optional<PlacedWishes> usual = m_wishes;
         std::optional<Found> found;
-        for (int k = m_options.fewest ? last_good(wishes) : none_if_good(wishes); k > 0 && !found; k /= 2) {
+        for (int k = last_good(wishes); k > 0 && !found; k /= 2) {
             m_wishes = placed(wishes[k], m_even->surface, m_guide->tree(), m_cell);
             found = find_good_net();
             m_found.clear();
+            if (found && mean_tilt(*m_guide, found->net) > m_most_tilt) found.reset();
         }
         m_first_failure.clear();
         m_wishes = usual;
         return found;
     }
 
-    /// The last of the wishes, if it is for none at all.
-    int none_if_good(const std::vector<SingularWishes>& wishes) {
-        if (wishes.size() == 1 || !wishes.back().vertices.empty()) return 0;
-        m_is_trying = true;
-        const bool is_good = is_good_enough(wishes.back(), k_none_distance);
-        m_is_trying = false;
-        return is_good ? static_cast<int>(wishes.size()) - 1 : 0;
-    }
-
-    /// By halves: the last of the wishes for which a small net is good enough, as if all before it were so.
+    /// The last of the wishes for which a small net is good enough. With `fewest` it is found by halves, as if all
+    /// before it were so, too; else it is the last of them or none.
     int last_good(const std::vector<SingularWishes>& wishes) {
         m_is_trying = true;
+        const std::optional<Net> usual = small_net();
+        m_most_tilt = usual ? k_most_tilted * mean_tilt(*m_guide, *usual) : std::numeric_limits<double>::infinity();
         int good = 0, bad = static_cast<int>(wishes.size());
         for (int k = bad - 1; good + 1 < bad; k = (good + bad) / 2) {
-            (is_good_enough(wishes[k], k_fewest_distance) ? good : bad) = k;
-            m_tried = 1 - static_cast<double>(bad - good - 1) / static_cast<double>(wishes.size());
+            m_tried = 1 - static_cast<double>(bad - good) / static_cast<double>(wishes.size() + 1);
+            (is_good_enough(wishes[k]) ? good : bad) = k;
+            if (!m_options.fewest) break;
         }
         m_is_trying = false;
         return good;
     }
 
-    /// Whether a small net is, no farther from the surface than that, in edges.
-    bool is_good_enough(const SingularWishes& wishes, double farthest) {
-        const double size = std::max(1.0, std::sqrt(cells_asked_for(m_surface, m_options) / k_fewest_cells));
+    bool is_good_enough(const SingularWishes& wishes) {
         try {
             m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
-            const Net net = fitted(mesh_along(size, m_options.smoothing), 0, false).net;
-            const DrapeReport report = measure_drape(m_surface, m_guide->tree(), net);
-            return report.smallest_angle >= m_options.smallest_angle - k_angle_tolerance &&
-                   report.mean_distance <= farthest * report.length;
+        } catch (const Error&) {  // two of them have one place
+            return false;
+        }
+        const std::optional<Net> net = small_net();
+        if (!net) return false;
+        const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
+        const double farthest = m_options.fewest ? k_fewest_distance : k_none_distance;
+        return report.smallest_angle >= m_options.smallest_angle - k_angle_tolerance &&
+               report.mean_distance <= farthest * report.length && mean_tilt(*m_guide, *net) <= m_most_tilt;
+    }
+
+    /// With the present wishes.
+    std::optional<Net> small_net() {
+        const double size = std::max(1.0, std::sqrt(cells_asked_for(m_surface, m_options) / k_fewest_cells));
+        try {
+            return fitted(mesh_along(size, m_options.smoothing), 0, false).net;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
-            return false;
+            return std::nullopt;
         }
     }
 
@@ -360,6 +371,7 @@ private:
     std::string m_first_failure;
     bool m_is_trying = false;  // how many singular vertices can be left out
     double m_tried = 0;        // part of it
+    double m_most_tilt = 0;    // of a net without them
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
     std::array<double, k_remesh_phases> m_milliseconds{};

@@ -32,10 +32,11 @@ struct RemeshOptions {
     double smallest_angle = std::numbers::pi / 6;  ///< no corner is sharper, nor blunter than π less it
     /// How large a bump may be that makes no singular vertices: 1 as usual, 0 for none, 10 for few singular vertices.
     double smoothing = 1;
-    /// As few singular vertices as a net can do with whose corners keep the limit, and that is no more than 0.2 edges
-    /// away from the surface on average: cells shear where others would have one. Takes longer, for it is tried with
-    /// fewer cells. Not together with vertices wished for, nor where creases are followed. Otherwise only a
-    /// net without any is tried, where there may be one, and taken if it is within 0.1 edges.
+    /// As few singular vertices as a net can do with whose corners keep the limit, that is no more than 0.2 edges away
+    /// from the surface on average and lies on it about as smoothly as the usual one: cells shear where others would
+    /// have one. Takes longer, for it is tried with fewer cells. Not together with vertices wished for, nor where
+    /// creases are followed. Otherwise only a net without any is tried, where there may be one, and taken if it is
+    /// within 0.1 edges.
     bool fewest = false;
     SingularWishes singular = {};
     /// Net lines follow edges of the surface that are sharper than this, in radians between the triangles' normals; 0:
