@@ -58,9 +58,9 @@ constexpr int k_trial_cells = 1500;
 // surface for it, in edges, on average.
 constexpr int k_fewest_cells = 800;
 constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
-// Nor may its cells be tilted more against the surface than those of a net with the usual singular vertices, by this
-// factor: it would be crumpled.
-constexpr double k_most_tilted = 1.25;
+// Nor may its cells be tilted more against the surface, by this factor, than those of such a net with the usual
+// singular vertices: it would be crumpled.
+constexpr double k_most_tilted = 1.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
@@ -156,7 +156,8 @@ private:
             m_wishes = placed(wishes[k], m_even->surface, m_guide->tree(), m_cell);
             found = find_good_net();
             m_found.clear();
-            if (found && mean_tilt(*m_guide, found->net) > m_most_tilt) found.reset();
+            // The larger the net, the less its cells are tilted.
+            if (found && mean_tilt(*m_guide, found->net) > m_usual_tilt) found.reset();
         }
         m_first_failure.clear();
         m_wishes = usual;
@@ -168,7 +169,7 @@ private:
     int last_good(const std::vector<SingularWishes>& wishes) {
         m_is_trying = true;
         const std::optional<Net> usual = small_net();
-        m_most_tilt = usual ? k_most_tilted * mean_tilt(*m_guide, *usual) : std::numeric_limits<double>::infinity();
+        m_usual_tilt = usual ? mean_tilt(*m_guide, *usual) : std::numeric_limits<double>::infinity();
         int good = 0, bad = static_cast<int>(wishes.size());
         for (int k = bad - 1; good + 1 < bad; k = (good + bad) / 2) {
             m_tried = 1 - static_cast<double>(bad - good) / static_cast<double>(wishes.size() + 1);
@@ -190,7 +191,8 @@ private:
         const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
         const double farthest = m_options.fewest ? k_fewest_distance : k_none_distance;
         return report.smallest_angle >= m_options.smallest_angle - k_angle_tolerance &&
-               report.mean_distance <= farthest * report.length && mean_tilt(*m_guide, *net) <= m_most_tilt;
+               report.mean_distance <= farthest * report.length &&
+               mean_tilt(*m_guide, *net) <= k_most_tilted * m_usual_tilt;
     }
 
     /// With the present wishes.
@@ -371,7 +373,7 @@ private:
     std::string m_first_failure;
     bool m_is_trying = false;  // how many singular vertices can be left out
     double m_tried = 0;        // part of it
-    double m_most_tilt = 0;    // of a net without them
+    double m_usual_tilt = 0;   // of a small net with all of them
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
     std::array<double, k_remesh_phases> m_milliseconds{};

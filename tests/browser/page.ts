@@ -11,6 +11,7 @@ export { dropFile } from './drop_file';
 export { DIST, MOVING, Script } from './site';
 export type { Visit } from './site';
 export const README_PICTURE = fileURLToPath(new URL('../../web/screenshot.png', import.meta.url));
+export const NETS_PICTURE = fileURLToPath(new URL('../../web/nets.jpg', import.meta.url));
 export const OUTPUT = fileURLToPath(new URL('../output', import.meta.url));
 mkdirSync(OUTPUT, { recursive: true });
 
