@@ -487,6 +487,39 @@ TEST_CASE("Equilibrium: a flat sheet squeezed within its plane arches upwards, a
     }
 }
 
+TEST_CASE("Equilibrium: a flat sheet that soft handles squeeze is not at rest before it has left its plane") {
+    const int n = 15;
+    const Net net = samples::patch(n, n, 0);
+    const double L = net.mean_length();
+    const std::vector<Handle> corners = samples::handles_at_rest(net, {0, n - 1, n * (n - 1), n * n - 1});
+    const auto squeezed = [&](double part, double weight) {
+        std::vector<Handle> handles = corners;
+        const Eigen::Vector3d centre = net.rest_positions().rowwise().mean();
+        for (Handle& handle : handles)
+            handle = {handle.vertex, handle.target + 0.1 * part * (centre - handle.target), weight};
+        return handles;
+    };
+    for (const double weight : {1.0, 10.0, 100.0}) {
+        INFO(weight);
+        Editor at_once(net), in_frames(net);
+        at_once.set_handles(squeezed(1, weight));
+        CHECK(at_once.solve().status == Status::converged);
+        CHECK(at_once.positions().row(2).maxCoeff() - at_once.positions().row(2).minCoeff() > 0.5 * L);
+        CHECK(corner_angle_range(net, at_once.positions()).smallest > 70 * std::numbers::pi / 180);
+        for (int frame = 1; frame <= 20; ++frame) {
+            in_frames.set_handles(squeezed(frame / 20., weight));
+            in_frames.solve({.iterations = 1});
+        }
+        CHECK(in_frames.solve().status == Status::converged);
+        CHECK((at_once.positions() - in_frames.positions()).norm() < 0.01 * L * n);
+    }
+    // What pulls it straight leaves it flat.
+    Editor pulled(net);
+    pulled.set_handles(squeezed(-1, 1));
+    CHECK(pulled.solve().status == Status::converged);
+    CHECK(pulled.positions().row(2).cwiseAbs().maxCoeff() < 1e-6 * L);
+}
+
 TEST_CASE("Equilibrium: straight rods between two supports that have come nearer bend into the elastica") {
     const int count = 40;
     const double edge = 1.0 / count;

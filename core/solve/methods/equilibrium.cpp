@@ -56,6 +56,9 @@ constexpr double k_idle_part = 1e-13, k_idle_force = 0.9;
 constexpr double k_no_force = 1e-9;
 // By how far a net has moved while a step took off this part of the force, it is told how far it has to go.
 constexpr double k_telling = 0.1;
+// Of the bow that a flat net gets which is at rest in its plane alone, in edge lengths.
+constexpr double k_first_bow = 1;
+constexpr int k_most_bows = 6;  // that are tried
 
 class Equilibrium : public Method {
 public:
@@ -95,10 +98,12 @@ private:
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
     void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
+    bool leave_plane(Positions& positions);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     bool is_net() const;
     Status stuck() const;
+    Status step_to_rest(Positions& positions, TraceRow& row);
     Status relax(Positions& positions, TraceRow& row);
     void enter_rest(const Positions& positions);
     bool follow_path(Positions& positions);
@@ -151,10 +156,11 @@ private:
     int m_idle_steps = 0;          // one after the other
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
     double m_gradient_before = 0, m_moved = 0;
-    PathExtrapolation m_path;   // of the descent in stage 3
-    Positions m_result;         // where the method last left the net; empty: nowhere
-    bool m_was_placed = false;  // the rest shape, in this solve: a walk has begun there
-    Positions m_stuck_at;       // where a walk before that ended early; empty: none did
+    PathExtrapolation m_path;       // of the descent in stage 3
+    Positions m_result;             // where the method last left the net; empty: nowhere
+    bool m_has_left_plane = false;  // in this solve
+    bool m_was_placed = false;      // the rest shape, in this solve: a walk has begun there
+    Positions m_stuck_at;           // where a walk before that ended early; empty: none did
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
     Eigen::Matrix3Xd m_gradient;
@@ -273,6 +279,7 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_steps = 0;
     m_was_placed = false;
+    m_has_left_plane = false;
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
@@ -547,6 +554,31 @@ bool Equilibrium::is_net() const {
 Status Equilibrium::stuck() const { return is_net() ? Status::exact : Status::stalled; }
 
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
+    if (m_steps == 0) leave_plane(positions);
+    const Status status = step_to_rest(positions, row);
+    return status != Status::running && leave_plane(positions) ? Status::running : status;
+}
+
+/// A flat net is without a force across its plane, however much it is squeezed within it. Where it would lose energy by
+/// bending out of the plane it is given a first bow. False if it stays.
+bool Equilibrium::leave_plane(Positions& positions) {
+    const auto normal = m_has_left_plane || !m_is_linearised ? std::nullopt : normal_of_flat(*m_net, positions);
+    if (!normal) return false;
+    Eigen::Matrix3Xd load(3, positions.cols()), bow;
+    load.colwise() = *normal;
+    m_newton->give_way(load, bow);
+    if (!m_newton->find_negative_curvature(m_rest_energy.terms(), k_most_bows, bow)) return false;
+    m_has_left_plane = true;
+    const bool is_up = normal->dot(bow.rowwise().sum()) >= 0, hangs = m_options.gravity > 0;
+    const double height = (is_up == hangs ? -1 : 1) * k_first_bow * m_net->mean_length();
+    Positions bent = positions + height / bow.colwise().norm().maxCoeff() * bow;
+    if (!project(bent)) return false;
+    positions = bent;
+    enter_rest(positions);
+    return true;
+}
+
+Status Equilibrium::step_to_rest(Positions& positions, TraceRow& row) {
     if (!m_is_linearised && !linearise(positions)) return stuck();
     if (is_at_rest()) return Status::converged;
     const double energy = m_energy;
@@ -770,7 +802,8 @@ constexpr auto k_options =
 ///   3  Newton steps for the energy among nets (TangentNewton), each turning the net where it turns (TurnedMove),
 ///      projected onto the lengths and out of corners that are too sharp (CornerLimit), until the gradient that the
 ///      constraints leave is below Options::rest_tolerance. Where they follow a valley, they are carried on along it
-///      (PathExtrapolation).
+///      (PathExtrapolation). A flat net that would lose energy by bending out of its plane, towards which nothing
+///      pushes it to first order, is not at rest: it leaves the plane.
 ///
 /// Before all of them, as stage 4, the rest shape is opened where it has corners that are too sharp.
 ///

@@ -248,6 +248,18 @@ double TangentNewton::restrict(Eigen::Matrix3Xd& move) {
     return m_normal_slope - dot(m_descent, move);
 }
 
+bool TangentNewton::find_negative_curvature(std::span<const std::unique_ptr<Term>> terms, int most_steps,
+                                            Eigen::Matrix3Xd& d) {
+    Eigen::Matrix3Xd step;
+    for (int k = 0;; ++k) {
+        apply_hessian(terms, Curvature::exact, d);
+        if (dot(d, m_image) < 0) return true;
+        if (k == most_steps) return false;
+        give_way(m_image, step);
+        d -= step;
+    }
+}
+
 /// To m_image.
 void TangentNewton::apply_hessian(std::span<const std::unique_ptr<Term>> terms, Curvature kind,
                                   const Eigen::Matrix3Xd& d) {

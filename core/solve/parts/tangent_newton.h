@@ -44,6 +44,10 @@ public:
     /// How what is free gives way to a load of these forces (3×V), by M; 0 where it is held.
     void give_way(const Eigen::Matrix3Xd& load, Eigen::Matrix3Xd& moves) const;
 
+    /// Turns a move d that keeps lengths to first order towards where H curves least beside M, by so many steps to
+    /// d − M⁻¹ H d at most, at the net of the last linearise(). True as soon as d·H d < 0.
+    bool find_negative_curvature(std::span<const std::unique_ptr<Term>> terms, int most_steps, Eigen::Matrix3Xd& d);
+
     /// Takes a net and the gradient of its energy there, and finds the multipliers λ of ∇E + Jᵀλ = 0 that fit best.
     /// False if that cannot be done.
     /// `lengths` is kept, its system is assembled and factored for x. It may have rows beside the edges.

@@ -22,7 +22,7 @@ import { type Appearance, NetDrawing } from './net_drawing';
 import { createBlankView, createNotice, probeGraphics } from './notice';
 import type { Place } from './overlay';
 import { type Projection, projectionOf } from './picking';
-import { ReachSurface } from './reach_surface';
+import type { ReachSurface } from './reach_surface';
 import type { StepArrows } from './step_arrows';
 import type { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
@@ -47,7 +47,6 @@ class SceneView implements View {
   readonly #rig: CameraRig;
   readonly #gizmo: Gizmo;
   readonly #markers = new HandleMarkers();
-  readonly #reach = new ReachSurface();
   readonly #drawing: NetDrawing;
   readonly #annotations: Annotations;
   readonly #report: DragReport;
@@ -74,6 +73,8 @@ class SceneView implements View {
   #axes: AxisDrag | null = null;
   #stepArrows: StepArrows | null = null;
   #sheet: SymmetrySheet | null = null;
+  #reach: ReachSurface | null = null;
+  #limits: readonly Limit[] | null = null;
   #firstVisit = isFirstVisit();
   #frame = 0;
   /** The camera is being set to that of another view. */
@@ -99,6 +100,12 @@ class SceneView implements View {
     this.#sheet = new SymmetrySheet();
     this.#sheet.setTheme(this.#theme);
     this.#scene.add(this.#sheet.object);
+  });
+  readonly #loadReach = lazy(async () => {
+    const { ReachSurface } = await import('./reach_surface');
+    this.#reach = new ReachSurface();
+    this.#reach.setTheme(this.#theme);
+    this.#scene.add(this.#reach.object);
   });
   readonly #loadPen = lazy(async () => ({ ...(await import('./pen')), ...(await import('./stroke')) }));
   #drawTimes: number[] = [];
@@ -141,7 +148,7 @@ class SceneView implements View {
       changed: () => this.#requestDraw(),
       failed: (error) => events.failed(error),
     });
-    for (const part of [this.#drawing, this.#markers, this.#reach]) this.#scene.add(part.object);
+    for (const part of [this.#drawing, this.#markers]) this.#scene.add(part.object);
     this.#scene.add(this.#gizmo.object, this.#rig.camera);
     this.#addLights();
     this.#gestures = this.#createGestures(canvas);
@@ -222,9 +229,14 @@ class SceneView implements View {
   }
 
   setReach(limits: readonly Limit[] | null): void {
-    if (!this.#netData || (limits === null && !this.#reach.object.visible)) return;
-    this.#reach.update(limits, this.#netData.space);
-    this.#requestDraw();
+    const isShown = this.#limits !== null;
+    this.#limits = limits;
+    if (limits === null && !isShown) return;
+    if (limits === null) this.#showReach();
+    else
+      this.#loadReach()
+        .then(() => this.#showReach())
+        .catch((error: unknown) => this.#events.failed(error));
   }
 
   setReadout(text: string): void {
@@ -317,19 +329,12 @@ class SceneView implements View {
     cancelAnimationFrame(this.#frame);
     this.#resizing.disconnect();
     this.#stopThemes();
-    for (const part of [
-      this.#gestures,
-      this.#gizmo,
-      this.#reach,
-      this.#rig,
-      this.#markers,
-      this.#drawing,
-      this.#renderer,
-    ])
+    for (const part of [this.#gestures, this.#gizmo, this.#rig, this.#markers, this.#drawing, this.#renderer])
       part.dispose();
     this.#renderer.domElement.remove();
     this.#stepArrows?.dispose();
     this.#sheet?.dispose();
+    this.#reach?.dispose();
     this.#annotations.overlay.element.remove();
     this.#notice.remove();
   }
@@ -425,7 +430,8 @@ class SceneView implements View {
     this.#found = null;
     this.#marks = [];
     this.#regionShown = false;
-    this.#reach.object.visible = false;
+    this.#limits = null;
+    if (this.#reach) this.#reach.object.visible = false;
   }
 
   /** Another axis is up: all scene positions change. */
@@ -454,15 +460,21 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
+  #showReach(): void {
+    if (this.#netData) this.#reach?.update(this.#limits, this.#netData.space);
+    this.#requestDraw();
+  }
+
   #readTheme(): void {
     this.#theme = readTheme(this.#container);
     this.#applyTheme();
   }
 
   #applyTheme(): void {
-    for (const part of [this.#drawing, this.#markers, this.#reach]) part.setTheme(this.#theme);
+    for (const part of [this.#drawing, this.#markers]) part.setTheme(this.#theme);
     this.#stepArrows?.setTheme(this.#theme);
     this.#sheet?.setTheme(this.#theme);
+    this.#reach?.setTheme(this.#theme);
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     this.#requestDraw();
   }
