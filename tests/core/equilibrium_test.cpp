@@ -1,3 +1,4 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -484,6 +485,25 @@ TEST_CASE("Equilibrium: a flat sheet squeezed within its plane arches upwards, a
         const double k = root(
             [&](double t) { return 2 * std::comp_ellint_2(t) / std::comp_ellint_1(t) - 1 - (1 - taken); }, 0.01, 0.9);
         CHECK(at_once.positions().row(2).maxCoeff() == Approx(size * k / std::comp_ellint_1(k)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("Equilibrium: where little may move, a net that would be opened up stays a net") {
+    const int n = 9;
+    Positions sharp(3, n * n);
+    for (int v = 0; v < n * n; ++v) {
+        const double angle = 20 * std::numbers::pi / 180, i = v % n, j = v / n;
+        sharp.col(v) << i + j * std::cos(angle), j * std::sin(angle), 0;
+    }
+    const Net net(sharp, samples::patch(n, n).faces());
+    for (const double radius : {1.0, 2.0, 3.0}) {
+        Editor editor(net);
+        editor.set_locality(radius, std::array{40});
+        Status status = Status::running;
+        while (status == Status::running) {
+            status = editor.solve({.iterations = 1}).status;
+            CHECK(max_deviation(net, editor.positions()) < 1e-6);
+        }
     }
 }
 

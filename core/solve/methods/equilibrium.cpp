@@ -159,6 +159,8 @@ private:
     PathExtrapolation m_path;       // of the descent in stage 3
     Positions m_result;             // where the method last left the net; empty: nowhere
     bool m_has_left_plane = false;  // in this solve
+    bool m_began_as_net = false;    // this solve, which walks to it all the same
+    Positions m_begun;              // if so
     bool m_was_placed = false;      // the rest shape, in this solve: a walk has begun there
     Positions m_stuck_at;           // where a walk before that ended early; empty: none did
     // At m_result, in stages 2 and 3:
@@ -292,6 +294,8 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
         if (m_stage == net) return status == Status::converged ? without_rest(positions) : status;
     }
     if (m_stage == follow) {
+        m_began_as_net = m_max_deviation < m_options.threshold;
+        if (m_began_as_net) m_begun = positions;
         m_walk.begin(m_result, positions, m_net->mean_length());
         if (!m_only_nets) begin_walk_home();
     } else {
@@ -438,9 +442,11 @@ Status Equilibrium::follow_handles(Positions& positions, TraceRow& row) {
     if (m_is_linearised) take_step(x, row);
     m_walk.note_move(x - m_result);
     m_result = x;
+    // What began as a net stays it until the walk has come to another one there.
+    const bool waits = m_began_as_net && m_walk.walked() < 1;
     if (m_only_nets)
         positions = x;
-    else
+    else if (!waits)
         for (int v : m_part->vertices()) m_walk.held().take_free(v, x.col(v), positions);
     m_max_deviation = max_deviation(*m_net, positions);
     if (m_walk.walked() < 1) {
@@ -492,10 +498,17 @@ void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
     moves += part_of_bow(*m_net, x, moves, bow, m_options.gravity > 0) * bow;
 }
 
-/// Where the way from the last net leads no farther: by the way from the rest shape, or else by `projection`.
+/// Where the way from the last net leads no farther: by the way from the rest shape, or else, if it was to end where
+/// all edges had their lengths, from there, or else by `projection`.
 Status Equilibrium::find_another_net(Positions& positions) {
     if (begin_at_rest_shape(std::numeric_limits<double>::infinity())) {
         m_stuck_at = positions;
+        return Status::running;
+    }
+    if (m_began_as_net) {
+        positions = m_result = m_begun;
+        m_began_as_net = false;
+        enter_rest(positions);
         return Status::running;
     }
     if (m_stuck_at.cols() > 0) positions = m_stuck_at;

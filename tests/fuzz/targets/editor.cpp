@@ -370,8 +370,9 @@ private:
         if (violations.empty()) return;
         for (const std::string& line : m_story) std::fprintf(stderr, "%s\n", line.c_str());
         for (const std::string& violation : violations) std::fprintf(stderr, "VIOLATED: %s\n", violation.c_str());
-        std::fprintf(stderr, "(method %s, %d vertices, mean edge %g)\n", m_editor.method().c_str(),
-                     m_editor.net().vertex_count(), m_editor.net().mean_length());
+        std::fprintf(stderr, "(method %s, begins %s, threshold %g, %td handles, %d vertices, mean edge %g)\n",
+                     m_editor.method().c_str(), m_editor.initialisation().c_str(), m_editor.options().threshold,
+                     std::ssize(m_editor.handles()), m_editor.net().vertex_count(), m_editor.net().mean_length());
         std::abort();
     }
 

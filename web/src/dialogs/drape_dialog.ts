@@ -127,7 +127,7 @@ export class DrapeDialog implements DraperLike {
     this.#form = new DrapeForm(given?.name ?? null, this.#arms.element, {
       surfaceChosen: (own) => this.#open(own),
       kindChanged: () => this.#changeKind(),
-      changed: () => this.#drape(),
+      changed: () => (this.#form.isWhole ? this.#outdate() : this.#drape()),
       shearChanged: (shown) => this.#picture.setShear(shown),
     });
     const figure = make('figure', {}, picture, this.#howTo, this.#proposals.element);
@@ -335,6 +335,13 @@ export class DrapeDialog implements DraperLike {
     if (seed !== null) this.#seed = seed;
     this.#form.setDirection(direction);
     this.#drape();
+  }
+
+  /** The net that is shown, or being made, is not of the settings any more. */
+  #outdate(): void {
+    if (this.#isMaking) this.#stop();
+    this.#maker.setWanted(true);
+    this.#results.outdateNet();
   }
 
   #drape(): void {

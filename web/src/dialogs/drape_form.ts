@@ -62,22 +62,22 @@ export class DrapeForm {
   readonly #line = makeSelect(
     TEXT.border,
     LINES.map((value) => ({ value, text: TEXT.lines[value] })),
-    () => {},
+    () => this.#events.changed(),
   );
   readonly #crease = makeSelect(
     TEXT.crease,
     CREASES.map((degrees) => ({ value: String(degrees), text: TEXT.creases(degrees) })),
-    () => {},
+    () => this.#events.changed(),
   );
   readonly #smoothing = makeSelect(
     TEXT.smoothing,
     SMOOTHINGS.map((smoothing) => ({ value: String(smoothing), text: TEXT.smoothings(smoothing) })),
-    () => {},
+    () => this.#events.changed(),
   );
   readonly #singular = makeSelect(
     TEXT.howMany,
     (['usual', 'fewest'] as const).map((value) => ({ value, text: TEXT.howManyOf[value] })),
-    () => {},
+    () => this.#events.changed(),
   );
   readonly #shear = makeSwitch(TEXT.showShear, (shown) => this.#events.shearChanged(shown));
   readonly #kinds: ReturnType<typeof makeSelect>;

@@ -96,6 +96,11 @@ export class DrapeResults {
     this.#facts.classList.remove('stale');
   }
 
+  /** The facts are of other settings than are chosen now. */
+  outdateNet(): void {
+    this.#facts.classList.add('stale');
+  }
+
   removeNet(): void {
     this.#expectNone();
     this.#net = null;

@@ -146,7 +146,11 @@ export class DrapeSingular {
     this.#selected = null;
     this.#before = [];
     this.#put({ ...this.#state, dots: [...pinned, ...free] });
-    this.#say(TEXT.kept(kept.vertices.filter((each) => !each).length, sum(kept.intruders), kept.others));
+    this.#say(
+      this.#state.dots.length === 0
+        ? TEXT.needsNone
+        : TEXT.kept(kept.vertices.filter((each) => !each).length, sum(kept.intruders), kept.others),
+    );
   }
 
   choose(mark: number | null): void {

@@ -40,8 +40,12 @@ export class GuideControls {
       this.#weight.row,
       this.#elsewhere,
       this.#shown.row,
-      makeButton(TEXT.putHandlesOn, () => events.putHandlesOn()),
-      makeButton(TEXT.letGo, () => events.letGo()),
+      make(
+        'div',
+        { class: 'buttons' },
+        makeButton(TEXT.putHandlesOn, () => events.putHandlesOn()),
+        makeButton(TEXT.letGo, () => events.letGo()),
+      ),
     );
   }
 

@@ -27,6 +27,8 @@ interface NetDrawingEvents {
 
 /** Of a surface beside the net: the net is what one looks at. */
 const GUIDE_OPACITY = 0.6;
+/** In edge lengths: a net's faces are flat, and so lie a little within what bulges out. */
+const BEHIND = 0.3;
 /** How far from the middle the section plane goes, in the scene. */
 const SECTION_RANGE = 1.1;
 const surfaceShade = lazy(() => import('./surface_shade'));
@@ -162,7 +164,10 @@ export class NetDrawing {
       this.object.add(this.#shade.object);
     }
     this.#shade.object.visible = this.#guide !== null;
-    if (this.#guide && this.#data) this.#shade.setSurface(this.#guide, this.#data.space);
+    if (this.#guide && this.#data) {
+      this.#shade.setSurface(this.#guide, this.#data.space);
+      this.#shade.setBehind(BEHIND * this.#data.edgeLength);
+    }
     this.#events.changed();
   }
 

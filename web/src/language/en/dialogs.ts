@@ -251,6 +251,7 @@ export const dialogs = {
         ]
           .filter((each) => each !== '')
           .join(' ') || 'Drag a numbered dot, and make the net again.',
+      needsNone: 'This net has no singular vertices.',
       missing: (count: number, edges: number) =>
         `These alone do not close: ${count} more with ${edges} edges ${count === 1 ? 'is' : 'are'} missing.`,
     },

@@ -243,6 +243,7 @@ export const dialogs: Widened<typeof en> = {
           intruders > 0 ? `禁区内仍有：${intruders} 个。` : '',
           others > 0 ? `此外还有：${others} 个。` : '',
         ].join('') || '拖动带数字的圆点，再生成一次网。',
+      needsNone: '这张网没有奇异顶点。',
       missing: (count, edges) => `只有这些无法闭合：还缺 ${count} 个 ${edges} 条边的奇异顶点。`,
     },
     coverage: '覆盖率',
