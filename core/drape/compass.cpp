@@ -25,6 +25,8 @@ constexpr int k_most_iterations = 60;
 constexpr double k_near = 1e-14, k_near_enough = 1e-9;
 // A geodesic this many edges long that has not come one edge far is going round in a fold.
 constexpr double k_longest_way = 3;
+// So is one that has crossed so many triangles, of a body that is thin as a thread beside the edge.
+constexpr int k_most_crossed = 20'000;
 // Of its largest size: below it a circle is a point, and the net locked.
 constexpr double k_least_radius = 1e-6;
 
@@ -51,6 +53,7 @@ std::optional<DrapedVertex> Compass::straight_on(const DrapedVertex& from, Eigen
         GeodesicWalk walk(m_surface, from.at, direction);
         Eigen::Vector3d here = from.position;
         double way = 0;
+        int crossed = 0;
         while (!walk.is_at_boundary()) {
             const int face = walk.point().face;
             const Eigen::Vector3d heading = walk.direction();
@@ -61,7 +64,7 @@ std::optional<DrapedVertex> Compass::straight_on(const DrapedVertex& from, Eigen
                 direction = heading;
                 return vertex_at(here + rest * heading, face);
             }
-            if (way > k_longest_way * m_length) return std::nullopt;
+            if (way > k_longest_way * m_length || ++crossed > k_most_crossed) return std::nullopt;
             here = walk.position();
         }
         direction = walk.direction();
