@@ -254,6 +254,15 @@ Frame face_frame(const Surface& surface, int face) {
     return {normal, side.normalized()};
 }
 
+/// The field in a triangle whose frame is given, of any length: what its corners have of it, but for pinned ones.
+Complex field_in(const Surface& surface, int face, const Frame& frame, const std::vector<Frame>& frames,
+                 const std::vector<bool>& is_pinned, const std::vector<Complex>& at_vertices) {
+    Complex sum = 0;
+    for (const int v : surface.triangles().col(face))
+        if (!is_pinned[v]) sum += times(transport(frames[v], frame), at_vertices[v]);
+    return sum;
+}
+
 /// Of each triangle of a function that has one value on each, by its means at the vertices.
 Positions gradients(const Surface& surface, const Eigen::VectorXd& of_face) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(surface.vertex_count()), count = sum;
@@ -274,13 +283,12 @@ Positions gradients(const Surface& surface, const Eigen::VectorXd& of_face) {
 /// which nothing can make up in lines that run along or across it: their edges would have other lengths. At 45° to it
 /// cells shear, and edges stay as they are: so a torus has a Chebyshev net.
 void turn_as_a_whole(std::vector<Complex>& at_vertices, const Surface& surface, const std::vector<Frame>& frames,
-                     const Eigen::VectorXd& potential) {
+                     const std::vector<bool>& is_pinned, const Eigen::VectorXd& potential) {
     const Positions gradient = gradients(surface, potential);
     Complex sum = 0;
     for (int f = 0; f < surface.face_count(); ++f) {
         const Frame frame = face_frame(surface, f);
-        Complex direction = 0;
-        for (const int v : surface.triangles().col(f)) direction += times(transport(frames[v], frame), at_vertices[v]);
+        const Complex direction = field_in(surface, f, frame, frames, is_pinned, at_vertices);
         const Complex along = frame.of(gradient.col(f));
         sum -= std::norm(along) * times(fourth_power(unit(along)), std::conj(unit(direction)));
     }
@@ -310,17 +318,14 @@ DirectionField smoothest_field(const Surface& surface, const FieldOptions& optio
     const bool is_free = std::all_of(connection.targets.begin(), connection.targets.end(),
                                      [](Complex target) { return target == Complex(0); });
     std::vector<Complex> at_vertices = Smoother(surface, connection).run();
-    if (options.wishes && options.wishes->only && is_free) turn_as_a_whole(at_vertices, surface, frames, potential);
+    if (options.wishes && options.wishes->only && is_free)
+        turn_as_a_whole(at_vertices, surface, frames, connection.is_pinned, potential);
     DirectionField field;
     field.directions.resize(3, surface.face_count());
     for (int f = 0; f < surface.face_count(); ++f) {
         const Frame frame = face_frame(surface, f);
-        Complex sum = 0;
-        for (int k = 0; k < 3; ++k) {
-            const int v = surface.triangles()(k, f);
-            if (!connection.is_pinned[v]) sum += times(transport(frames[v], frame), at_vertices[v]);
-        }
-        field.directions.col(f) = frame.direction(fourth_root(unit(sum)));
+        const Complex direction = field_in(surface, f, frame, frames, connection.is_pinned, at_vertices);
+        field.directions.col(f) = frame.direction(fourth_root(unit(direction)));
     }
     field.turns.assign(3 * static_cast<std::size_t>(surface.face_count()), 0);
     for (int s = 0; s < 3 * surface.face_count(); ++s) {

@@ -8,8 +8,6 @@ namespace chebnet {
 
 namespace {
 
-constexpr int k_regular_valence = 4;
-
 /// A singular vertex of index 1 or −1; two of them stand where a vertex has twice as much.
 struct Unit {
     Eigen::Vector3d point;

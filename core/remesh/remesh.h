@@ -51,7 +51,7 @@ struct RemeshOptions {
 enum class RemeshPhase {
     border,     ///< the ways to end at it are tried, if there is one and no way is asked for
     triangles,  ///< the surface made anew of even triangles
-    singular,   ///< how many singular vertices the net can do without is tried, if that is asked for
+    singular,   ///< how many singular vertices the net can do without is tried, if that is asked for or may be all
     field,      ///< the directions of the net lines
     grid,       ///< the map that has whole numbers of cells between singular vertices
     fit         ///< edges of one length, near the surface

@@ -15,7 +15,6 @@ namespace chebnet {
 
 namespace {
 
-constexpr int k_regular_valence = 4;
 constexpr int k_wishable[] = {3, 5, 6};
 constexpr int k_digits = 4;  // of coordinates in messages
 

@@ -568,6 +568,13 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(await results()).toMatch(/Singular vertices, of so many edges\s+8: 8 × 3/);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-whole.png') });
 
+  // Of other settings than it was made with: said by its figures, and what is to be done next by the button.
+  const make = draper().getByRole('button', { name: 'Make the net' });
+  expect(await make.getAttribute('class')).not.toContain('primary');
+  await draper().getByRole('combobox', { name: 'Singular vertices' }).selectOption('where it curves');
+  expect(await make.getAttribute('class')).toContain('primary');
+  await draper().locator('.facts.stale').waitFor();
+
   const net = await openExactNet(first);
   expect(net.length).toBeCloseTo(Number(wished), 6);
 });

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "net/measures.h"
+#include "net/mesh.h"
 #include "sample_nets.h"
 #include "solve/parts/arap_step.h"
 #include "solve/parts/local_global_step.h"
@@ -199,6 +200,21 @@ TEST_CASE("Local-global brings edges to their length and says so") {
     CHECK(report.status == Status::converged);
     CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
     CHECK(editor.handle_error() == 0);
+}
+
+TEST_CASE("An exact edge is not collapsed, however long others are beside it") {
+    const double wide = 1e60, thin = 1e-140;
+    Mesh mesh{Positions(3, 4), {}};
+    mesh.positions << 0, wide, wide, 0, 0, 0, thin, thin, 0, 0, 0, 0;
+    mesh.faces.add({0, 1, 2, 3});
+    const Net net(mesh.positions, mesh.faces, RestLengths::own);
+    for (const char* method : {"local_global", "projection", "li2022"}) {
+        INFO(method);
+        Editor editor(net);
+        editor.set_method(method);
+        CHECK(editor.solve().status == Status::converged);
+        CHECK(editor.positions() == net.rest_positions());
+    }
 }
 
 TEST_CASE("A piece without a handle is held by nothing and still has a solution") {

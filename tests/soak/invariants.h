@@ -67,13 +67,11 @@ inline bool is_drawn_from_afar(const Editor& editor) {
     });
 }
 
-/// Whether a net may be drawn out of its lengths for a while by soft handles: `projection` gives way to them and comes
-/// back, which is also what happens where they are drawn from afar. `equilibrium` goes from net to net. Or by how a
-/// solve is to begin, which other methods may not make good again where little may move.
+/// Whether soft handles may draw a net out of its lengths for a while: `projection` gives way to them and comes back,
+/// which is also what happens where they are drawn from afar. `equilibrium` goes from net to net.
 inline bool may_leave_lengths(const Editor& editor) {
     const auto draws = [&](const Handle& handle) { return !handle.is_exact(); };
-    if (editor.method() == "equilibrium") return is_drawn_from_afar(editor);
-    return editor.initialisation() != "naive" || std::ranges::any_of(editor.handles(), draws);
+    return editor.method() == "equilibrium" ? is_drawn_from_afar(editor) : std::ranges::any_of(editor.handles(), draws);
 }
 
 /// Of what one call of solve() did with `budget` from the positions `before`, beyond the invariants of the state.

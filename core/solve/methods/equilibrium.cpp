@@ -584,8 +584,12 @@ bool Equilibrium::leave_plane(Positions& positions) {
     m_has_left_plane = true;
     const bool is_up = normal->dot(bow.rowwise().sum()) >= 0, hangs = m_options.gravity > 0;
     const double height = (is_up == hangs ? -1 : 1) * k_first_bow * m_net->mean_length();
+    const std::vector<double> held = m_constraints->held();
     Positions bent = positions + height / bow.colwise().norm().maxCoeff() * bow;
-    if (!project(bent)) return false;
+    if (!project(bent)) {
+        m_constraints->hold(held);
+        return false;
+    }
     positions = bent;
     enter_rest(positions);
     return true;

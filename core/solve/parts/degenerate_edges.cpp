@@ -22,7 +22,8 @@ void open_degenerate_edges(const Net& net, const Topology& topology, const std::
     for (int e = 0; e < net.edge_count(); ++e) {
         const int a = net.edges()(0, e), b = net.edges()(1, e);
         const double L = net.rest_lengths()[e];
-        if ((positions.col(a) - positions.col(b)).norm() >= k_degenerate_ratio * L) continue;
+        // The square of a length beside which others are 1e199 times as long is 0.
+        if ((positions.col(a) - positions.col(b)).stableNorm() >= k_degenerate_ratio * L) continue;
         const int moved = is_free[b] ? b : a;
         if (!is_free[moved]) continue;
         const int anchor = moved == a ? b : a;

@@ -14,6 +14,7 @@ import type {
   UpAxis,
   ViewState,
 } from '../document/document';
+import { asMade } from '../document/defaults';
 import { longestMove } from '../document/longest_move';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
@@ -342,10 +343,10 @@ export class App {
       return { ...handle, target: [x, y, z] };
     };
     const { method, initialisation } = before;
-    const { length_scale: scale, ...options } = before.options;
+    const options = asMade(before.options);
     this.#state.history.record(before, ['reset']);
     this.#state.change({ handles: before.handles.map(atRest), positions: restPositions, options });
-    if (scale !== undefined) await this.#client.setOptions({ method, initialisation, options });
+    if ('length_scale' in before.options) await this.#client.setOptions({ method, initialisation, options });
     await this.#client.reset();
   }
 

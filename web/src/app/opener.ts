@@ -1,6 +1,6 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
-import { freshScene, usualMethod } from '../document/defaults';
+import { asMade, freshScene, usualMethod } from '../document/defaults';
 import type { NetSource, Scene, UpAxis } from '../document/document';
 import type { Project } from '../document/project';
 import type { Snapshot } from '../document/undo';
@@ -75,8 +75,7 @@ export class Opener {
     if (this.#state.opening === null) return this.openScene(fresh);
     const { document } = this.#state.opening;
     const { initialisation } = document;
-    // How long edges are made is of the net, not of the settings.
-    const { length_scale: _, ...options } = document.options;
+    const options = asMade(document.options);
     const { upAxis: __, ...view } = document.view;
     const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
     const scene = {

@@ -1,7 +1,7 @@
 /** The net to be changed, and the scene with what became of it. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import type { ChangeName } from '../document/naming';
-import { usualMethod } from '../document/defaults';
+import { asMade, usualMethod } from '../document/defaults';
 import type { ChebnetDocument, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { Selection } from '../handles/selection';
@@ -55,7 +55,7 @@ export function changedScene(
     return nearest;
   };
   const net = { mesh, name: fileNameOf(document.net, 'obj', formats) };
-  const { length_scale: _, ...options } = document.options;
+  const options = asMade(document.options);
   return {
     ...document,
     net,

@@ -1,5 +1,5 @@
 /** What the page opens with when nothing else is asked for. */
-import type { NetSource, Scene, ViewState } from './document';
+import type { NetSource, Scene, SolverOptions, ViewState } from './document';
 
 /** Every parameter is named: a link to it must not change when a default does. */
 const DEFAULT_RECIPE = 'dome:vertices=2000,reach=55';
@@ -22,6 +22,11 @@ export function usualMethod(net: NetSource): string {
 function vertexCount(net: NetSource): number {
   if ('recipe' in net) return Number(/\bvertices=(\d+)/.exec(net.recipe)?.[1] ?? 0);
   return 'mesh' in net ? net.mesh.positions.length / 3 : (net.obj.match(/^v\s/gm) ?? []).length;
+}
+
+/** Settings for a net as it was made: how long edges are is of the net that they were changed of. */
+export function asMade({ length_scale: _, ...options }: SolverOptions): SolverOptions {
+  return options;
 }
 
 /** A net as it comes: at rest, with the handles its recipe suggests. */
