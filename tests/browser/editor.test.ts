@@ -148,6 +148,34 @@ test('the first handle, dragged up to the tools, can be taken again: the view fo
   expect(distance((await handle()).target, before)).toBeGreaterThan(0);
 });
 
+test('so far up that the net is larger than the picture: all of it is seen afterwards, and what is said can be dismissed', async () => {
+  visit = await share({ viewport: { width: 390, height: 844 } });
+  ({ script } = visit);
+  const { page } = visit;
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const notice = page.getByText('does not reach where the hand was');
+  await expect
+    .poll(async () => {
+      const { y } = await script.screenPosition(vertex);
+      await dragBy(script, vertex, [60, 30 - y]);
+      await script.settled();
+      return notice.isVisible();
+    })
+    .toBe(true);
+  const outside = () =>
+    page.evaluate(() => {
+      const { right, bottom } = document.querySelector('#view')!.getBoundingClientRect();
+      const places = Array.from({ length: window.chebnet.stats().vertices }, (_, v) =>
+        window.chebnet.screenPosition(v),
+      );
+      return places.filter(({ x, y }) => x < 0 || x > right || y < 0 || y > bottom).length;
+    });
+  await expect.poll(outside).toBe(0);
+  await page.screenshot({ path: join(OUTPUT, 'far-up-phone.png') });
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  expect(await notice.isVisible()).toBe(false);
+});
+
 test('after undo the view follows a handle that would be out of sight', async () => {
   const { page } = visit;
   const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;

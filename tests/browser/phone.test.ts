@@ -111,6 +111,26 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     }
   });
 
+  test('what is selected is not covered by what can be done with it', async () => {
+    const { page, script } = await visit();
+    await script.settled();
+    await drawn(page);
+    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    const { x, y } = await script.screenPosition(vertex);
+    await (isMobile ? page.touchscreen.tap(x, y) : page.mouse.click(x, y));
+    await page.getByRole('group', { name: 'Selected handles' }).waitFor();
+    await drawn(page);
+    await picture(page, 'selected');
+    expect(await faults(page, '.selection-bar')).toEqual([]);
+    const covered = await page.evaluate(
+      () =>
+        Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v)).filter(
+          (at) => document.elementFromPoint(at.x, at.y)?.closest('.selection-bar') != null,
+        ).length,
+    );
+    expect(covered).toBe(0);
+  });
+
   test('the controls, with every section unfolded', async () => {
     const { page } = await visit();
     await page.locator('.sections > *').nth(8).waitFor({ state: 'attached' });

@@ -2,6 +2,7 @@
 import { App } from './app/app';
 import type { AppServices } from './app/app';
 import { download } from './files/download';
+import { dragged } from './files/dragged';
 import { fileNameOf } from './document/file_name';
 import type { SaveRequest } from './export/kinds';
 import { filmExtension, filmType } from './export/film_type';
@@ -93,7 +94,7 @@ addEventListener('dragover', (event) => {
 });
 addEventListener('drop', (event) => {
   event.preventDefault();
-  attempt(() => openFile(event.dataTransfer?.files[0] ?? null));
+  attempt(() => openFile(dragged(event)?.files[0] ?? null));
 });
 
 async function embed(script: Scripting): Promise<void> {

@@ -169,7 +169,7 @@ export const en = {
   },
   hints: {
     drag: 'Drag the orange sphere, and the net follows.',
-    add: 'Click the net to take hold of it anywhere.',
+    add: 'Press the net to take hold of it anywhere.',
     share: '“Share” makes a link to what you see, “Export” a file.',
     done: 'Got it',
   },

@@ -1,6 +1,7 @@
 /** While a file is dragged over the window: that it can be dropped, and what is taken. */
 import type { FormatInfo } from '../../../wasm/chebnet';
 import { make, setText } from '../elements/dom';
+import { dragged } from '../files/dragged';
 import { MODEL_FORMATS } from '../files/model_formats';
 import { panelWords } from '../language/panels';
 import './drop_place.css';
@@ -28,8 +29,8 @@ export function watchForFiles(root: HTMLElement, formats: () => readonly FormatI
     clearTimeout(timer);
     place.hidePopover();
   };
-  addEventListener('dragover', ({ dataTransfer }) => {
-    if (!dataTransfer?.types.some((type) => type === 'Files')) return;
+  addEventListener('dragover', (event) => {
+    if (!dragged(event)?.types.includes('Files')) return;
     if (!place.matches(':popover-open')) show();
     clearTimeout(timer);
     // Not every end of a drag is told.

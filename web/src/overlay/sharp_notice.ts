@@ -8,7 +8,7 @@ import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import './messages.css';
+import './stuck_notice.css';
 
 const LIMIT = 'shear_limit';
 /** In edge lengths: shorter moves are not seen. */

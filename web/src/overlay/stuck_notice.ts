@@ -1,12 +1,13 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
  *  hand was held back. Why, and the ways out; it stays for as long as that is so. Also what came of one of these ways: edges
- *  that have grown, for as long as they are so. */
+ *  that have grown, for as long as they are so. What is no fault of the net can be dismissed. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
+import { words } from '../language/language';
 import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
@@ -14,7 +15,7 @@ import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
-import './messages.css';
+import './stuck_notice.css';
 
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
 const SOFT = 0.01;
@@ -38,6 +39,7 @@ export class StuckNotice implements Panel {
   readonly #widen: HTMLButtonElement;
   readonly #stop: HTMLButtonElement;
   readonly #lengthsBack: HTMLButtonElement;
+  readonly #dismiss: HTMLButtonElement;
   readonly #line: HTMLElement;
   #document: ChebnetDocument | null = null;
   #handles: readonly HandleData[] = [];
@@ -51,6 +53,7 @@ export class StuckNotice implements Panel {
   #history: HistoryView | null = null;
   /** The places in the history whose shapes are known to be wrong. */
   readonly #wrong = new Set<number>();
+  readonly #dismissed = new Set<Standing>();
   /** The scale of lengths that was found here, as a way out, and that of before. */
   #grown: { to: number; from: number } | null = null;
 
@@ -66,12 +69,13 @@ export class StuckNotice implements Panel {
     });
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
+    this.#dismiss = makeButton('×', () => this.#putAway(), { class: 'plain', 'aria-label': words.messages.dismiss });
     const ways = make(
       'div',
       { class: 'buttons' },
       ...[this.#back, this.#soften, this.#grow, this.#widen, this.#stop, this.#lengthsBack],
     );
-    this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways));
+    this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways), this.#dismiss);
   }
 
   setTables({ options }: Tables): void {
@@ -103,7 +107,10 @@ export class StuckNotice implements Panel {
   }
 
   setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    if (solving) return;
+    if (solving) {
+      this.#dismissed.delete('short');
+      return;
+    }
     this.#frame = frame;
     this.#mark();
     if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#wrong.delete(this.#present);
@@ -138,8 +145,9 @@ export class StuckNotice implements Panel {
     this.#widen.hidden = standing !== 'stuck' || this.#document?.locality === undefined;
     this.#stop.hidden = standing !== 'growing';
     this.#lengthsBack.hidden = standing !== 'grown';
+    this.#dismiss.hidden = standing !== 'short' && standing !== 'grown';
     if (standing !== 'good' && standing !== 'growing') setText(this.#words, this.#reason(standing));
-    const isShown = standing !== 'good';
+    const isShown = standing !== 'good' && !this.#dismissed.has(standing);
     if (isShown !== this.element.hasChildNodes()) this.element.replaceChildren(...(isShown ? [this.#line] : []));
   }
 
@@ -187,9 +195,17 @@ export class StuckNotice implements Panel {
     // It is cancelled, without a message, if the net is edited meanwhile.
     const scale = await this.#events.adaptLengths(tell).catch(() => undefined);
     this.#isGrowing = false;
-    if (scale) this.#grown = { to: scale, from };
+    if (scale) {
+      this.#grown = { to: scale, from };
+      this.#dismissed.delete('grown');
+    }
     this.#show();
     if (scale === null) setText(this.#words, noLength);
+  }
+
+  #putAway(): void {
+    this.#dismissed.add(this.#standing);
+    this.#show();
   }
 
   #takeLengthsBack(): void {

@@ -394,7 +394,8 @@ class SceneView implements View {
     };
   }
 
-  /** The view follows a handle that came under the title or the tools, where it could not be taken again. */
+  /** The view follows a handle that came under the title or the tools, where it could not be taken again: as it showed
+   *  the whole net it goes on to, else it is moved along. */
   #keepInReach(vertex: number): void {
     const point = this.#markers.point(vertex);
     if (!point) return;
@@ -406,6 +407,7 @@ class SceneView implements View {
       x === within(x, COVERED * left * width, (1 - COVERED * right) * width) &&
       y === within(y, COVERED * top * height, (1 - COVERED * bottom) * height);
     if (isFree) return;
+    if (this.#rig.framed) return this.#rig.glideTo(this.#wholeNet());
     this.#rig.glideBy(
       within(x, left * width, (1 - right) * width) - x,
       within(y, top * height, (1 - bottom) * height) - y,
