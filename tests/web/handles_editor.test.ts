@@ -198,6 +198,18 @@ test('a part of the net is shown alone until it is shown whole, or another net i
   expect(history.canUndo).toBe(false);
 });
 
+test('what has gone since the view took hold of it is not dragged', () => {
+  editor.beginDrag();
+  change({ handles: [handle(0), handle(2, { anchor: true })] });
+  editor.drag([{ vertex: 7, target: [2, 1, 1] }]);
+  expect(asked).toEqual([]);
+  editor.drag([
+    { vertex: 7, target: [2, 1, 1] },
+    { vertex: 0, target: [0, 0, 1] },
+  ]);
+  expect(verticesAsked()).toEqual([0]);
+});
+
 describe('a drag that snaps', () => {
   const drag = (z: number) => editor.drag([{ vertex: 7, target: [2.4, 1.1, z] }]);
 

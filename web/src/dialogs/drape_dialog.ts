@@ -54,6 +54,7 @@ export class DrapeDialog implements DraperLike {
   readonly result: Promise<TakenNet | null>;
   readonly #dialog: HTMLDialogElement;
   readonly #given: GivenSurface | null;
+  readonly #up: ViewState['upAxis'];
   readonly #draping: Draping;
   readonly #picture: Picture;
   readonly #form: DrapeForm;
@@ -120,6 +121,7 @@ export class DrapeDialog implements DraperLike {
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
     this.#given = given;
+    this.#up = parts.upAxis;
     this.#surface = given ?? { own: FIRST };
     this.#name = given?.name ?? FIRST;
     const picture = make('div', { class: 'picture' });
@@ -242,7 +244,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #onProposed(proposals: Proposal[]): void {
-    this.#proposals.set(proposals);
+    this.#proposals.set(proposals, this.#up);
     this.#best = proposals[0]!;
     if (!this.#form.isWhole) this.#begin(this.#best);
   }

@@ -1,8 +1,10 @@
 /** Where a net would begin well, as pictures to choose from. */
+import type { UpAxis } from '../document/document';
 import type { Proposal } from '../drape/drape_protocol';
 import { make, makeButton } from '../elements/dom';
-import { drawThumbnail } from '../elements/thumbnail';
+import { drawThumbnail, type Wireframe } from '../elements/thumbnail';
 import { dialogWords } from '../language/dialogs';
+import { Space } from '../view/space';
 import { percentWords } from './file_words';
 
 const TEXT = dialogWords.drape;
@@ -20,7 +22,7 @@ export class DrapeProposals {
   }
 
   /** The best first. */
-  set(proposals: readonly Proposal[]): void {
+  set(proposals: readonly Proposal[], up?: UpAxis): void {
     const canvases = proposals.map(() => make('canvas'));
     this.element.replaceChildren(
       ...proposals.map((proposal, i) => {
@@ -32,6 +34,18 @@ export class DrapeProposals {
       }),
     );
     // Their size is that of the elements, once these are in the page.
-    proposals.forEach(({ wireframe }, i) => drawThumbnail(canvases[i]!, wireframe));
+    proposals.forEach(({ wireframe }, i) => drawThumbnail(canvases[i]!, upright(wireframe, up)));
   }
+}
+
+/** As the scene shows it. */
+function upright({ edges, positions }: Wireframe, up?: UpAxis): Wireframe {
+  const space = new Space(Float64Array.from(positions), up);
+  const place = { x: 0, y: 0, z: 0 };
+  const turned = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; i += 3) {
+    space.toScene(place, [positions[i]!, positions[i + 1]!, positions[i + 2]!]);
+    turned.set([place.x, place.y, place.z], i);
+  }
+  return { edges, positions: turned };
 }

@@ -17,6 +17,7 @@ import type {
   DrapeResponse,
   DrapeSettings,
   PhaseTimes,
+  Proposal,
   ProposalSettings,
   Ray,
   Seed,
@@ -93,9 +94,11 @@ export class Draper {
       type: 'proposed',
       proposals: proposals.map((proposal) => {
         const { seed, direction } = proposal;
-        const mesh = pictured(surface, { ...settings, seed, direction });
+        const options = { ...settings, seed, direction };
+        const mesh = pictured(surface, options);
         const edges = withEditor(this.#core, mesh, (editor) => editor.edges);
-        return { ...proposal, wireframe: { edges, positions: Float32Array.from(mesh.positions) } };
+        const wireframe = { edges, positions: Float32Array.from(mesh.positions) };
+        return { ...proposal, ...promised(surface, options), wireframe };
       }),
     };
   }
@@ -162,6 +165,12 @@ export class Draper {
     const shown = withEditor(this.#core, mesh, (editor) => ({ net: describe(editor), fields: editor.fields() }));
     return { ...shown, times: { ...times, open: performance.now() - start } };
   }
+}
+
+/** What is said of the net once it is chosen: trials count the area of their cells. */
+function promised(surface: Surface, options: DrapeOptions): Pick<Proposal, 'covered' | 'muchSheared' | 'meanDistance'> {
+  const { coverage, muchSheared, meanDistance, length } = surface.measure(surface.drape(options).mesh);
+  return { covered: coverage, muchSheared, meanDistance: meanDistance / length };
 }
 
 /** With large cells, unless none fits where the net begins. */

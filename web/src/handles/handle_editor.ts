@@ -372,12 +372,14 @@ export class HandleEditor implements HandleCommands {
     this.#history.beginGesture(before);
   }
 
-  /** `along`: what the drag is kept to, from now on. */
+  /** `along`: what the drag is kept to, from now on. Handles that have gone since the view took hold of them are left out. */
   drag(targets: readonly Handle[], along: Along | null = null): void {
-    if (!this.#history.inGesture) return;
-    this.#pendingTargets = targets;
+    const present = new Set(verticesOf(this.#handles));
+    const held = targets.filter(({ vertex }) => present.has(vertex));
+    if (!this.#history.inGesture || held.length === 0) return;
+    this.#pendingTargets = held;
     this.#guide.keepTo(along);
-    this.#carry(targets);
+    this.#carry(held);
   }
 
   /** A new solver has replaced a lost one, at its last positions. It is sent the targets of the drag once only: they may be

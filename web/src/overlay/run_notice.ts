@@ -3,7 +3,7 @@ import type { Run } from '../compare/run';
 import { make, makeButton, setText } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import type { Panel, PanelEvents } from '../panels';
-import './messages.css';
+import './run_notice.css';
 
 const WORDS = panelWords.comparison.ofRuns;
 
