@@ -358,6 +358,7 @@ val measure(const OpenSurface& open, val net) {
     object.set("largestAngle", report.largest_angle);
     object.set("sheared", report.sheared);
     object.set("muchSheared", report.much_sheared);
+    object.set("folds", report.folds);
     object.set("rods", report.rods);
     object.set("rodLength", report.rod_length);
     object.set("maxDeviation", report.max_deviation);

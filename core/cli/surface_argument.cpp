@@ -78,6 +78,7 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"largest_corner_angle_degrees", measured.largest_angle * 180 / std::numbers::pi},
             {"cells_sheared_over_15_degrees", measured.sheared},
             {"cells_sheared_over_30_degrees", measured.much_sheared},
+            {"folds_over_60_degrees", measured.folds},
             {"rods", measured.rods},
             {"rod_length", measured.rod_length}};
 }

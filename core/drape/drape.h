@@ -78,6 +78,8 @@ inline constexpr int k_most_draped_vertices = 2'000'000;
 
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
 inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
+/// A net that folds by more than this at an edge, radians, is crumpled there: none has to on a smooth surface.
+inline constexpr double k_fold = std::numbers::pi / 3;
 
 /// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
 double part_sheared(const Net& net, double shear);
@@ -98,6 +100,7 @@ struct DrapeReport {
     double smallest_angle, largest_angle;    ///< of corners of whole cells, radians
     double sheared, much_sheared;  ///< parts of the whole cells with a corner more than k_shear, k_much_shear from
                                    ///< a right angle
+    int folds;                     ///< edges at which the net folds by more than k_fold: it is crumpled there
     int rods;                      ///< net lines, each from end to end, but for those along a border that cuts
     double rod_length;             ///< of all of them together, in the surface's unit
     double max_deviation;          ///< the largest dL

@@ -224,6 +224,7 @@ DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const
     }
     report.sheared = part_sheared(cells, k_shear);
     report.much_sheared = part_sheared(cells, k_much_shear);
+    report.folds = sharp_folds(net, x, k_fold);
     add_rods(net, topology, report);
     report.max_deviation = max_deviation(net, x);
     return report;

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <span>
+#include <utility>
 
 namespace chebnet {
 
@@ -135,6 +138,32 @@ int sharp_quads(const Net& net, const Positions& positions, double angle) {
         if (net.faces()[f].size() == 4 && corner < angle) is_sharp[f] = true;
     });
     return static_cast<int>(std::count(is_sharp.begin(), is_sharp.end(), true));
+}
+
+int sharp_folds(const Net& net, const Positions& positions, double angle) {
+    struct Side {
+        Eigen::Vector3d normal;
+        bool is_forward;
+    };
+    std::map<std::pair<int, int>, Side> firsts;
+    int count = 0;
+    for (int f = 0; f < net.face_count(); ++f) {
+        const std::span<const int> face = net.faces()[f];
+        // Newell's sum: faces need not be plane.
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+            normal += (positions.col(face[k]) - positions.col(face[0]))
+                          .cross(positions.col(face[k + 1]) - positions.col(face[0]));
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            const int a = face[k], b = face[(k + 1) % face.size()];
+            const auto [at, is_first] = firsts.try_emplace(std::minmax({a, b}), Side{normal, a < b});
+            if (is_first) continue;
+            // Neighbours that are wound alike run along an edge both ways.
+            const Eigen::Vector3d other = at->second.is_forward == (a < b) ? -at->second.normal : at->second.normal;
+            if (std::atan2(normal.cross(other).norm(), normal.dot(other)) > angle) ++count;
+        }
+    }
+    return count;
 }
 
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {

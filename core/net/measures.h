@@ -42,6 +42,9 @@ AngleRange corner_angle_range(const Net& net, const Positions& positions);
 /// How many quads have a corner sharper than this angle, radians.
 int sharp_quads(const Net& net, const Positions& positions, double angle);
 
+/// How many edges have a face on either side whose normals are farther apart than this angle, radians.
+int sharp_folds(const Net& net, const Positions& positions, double angle);
+
 /// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows
 /// there. Of quads only, if there are any: the other faces are where a border has cut them, or at patches.
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions);

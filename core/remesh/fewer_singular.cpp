@@ -1,8 +1,9 @@
 #include "remesh/fewer_singular.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace chebnet {
 
@@ -34,28 +35,59 @@ SingularWishes wishes_of(const std::vector<Unit>& units) {
     return wishes;
 }
 
-/// Of opposite index and nearest to each other; the same twice if there are none.
-std::pair<std::size_t, std::size_t> nearest_pair(const std::vector<Unit>& units) {
-    std::pair<std::size_t, std::size_t> best = {0, 0};
-    double least = std::numeric_limits<double>::infinity();
+/// Of each piece, the vertices of its border.
+std::vector<std::vector<Eigen::Vector3d>> borders_of(const Surface& surface) {
+    const std::vector<int> of_face = surface.components();
+    std::vector<std::vector<Eigen::Vector3d>> borders(
+        static_cast<std::size_t>(of_face.empty() ? 0 : 1 + *std::max_element(of_face.begin(), of_face.end())));
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        if (surface.opposite(s) < 0)
+            borders[of_face[Surface::face_of(s)]].push_back(surface.positions().col(surface.from(s)));
+    return borders;
+}
+
+/// Two that cancel each other, or the same twice for one that goes over the border.
+struct Cancelled {
+    std::size_t i = 0, j = 0;
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+Cancelled nearest_pair(const std::vector<Unit>& units) {
+    Cancelled best;
     for (std::size_t i = 0; i < units.size(); ++i)
         for (std::size_t j = i + 1; j < units.size(); ++j) {
             const double distance = (units[i].point - units[j].point).norm();
-            if (units[i].index == units[j].index || units[i].piece != units[j].piece || !(distance < least)) continue;
-            best = {i, j}, least = distance;
+            if (units[i].index == units[j].index || units[i].piece != units[j].piece || !(distance < best.distance))
+                continue;
+            best = {i, j, distance};
+        }
+    return best;
+}
+
+Cancelled nearest_to_border(const std::vector<Unit>& units, const std::vector<std::vector<Eigen::Vector3d>>& borders) {
+    Cancelled best;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        for (const Eigen::Vector3d& point : borders[units[i].piece]) {
+            const double distance = (units[i].point - point).norm();
+            if (distance < best.distance) best = {i, i, distance};
         }
     return best;
 }
 
 }  // namespace
 
-std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field) {
+std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field,
+                                            bool may_go_over_border) {
     std::vector<Unit> units = units_of(surface, field);
+    std::vector<std::vector<Eigen::Vector3d>> borders = borders_of(surface);
+    if (!may_go_over_border)
+        for (auto& border : borders) border.clear();
     std::vector<SingularWishes> result = {wishes_of(units)};
     for (;;) {
-        const auto [i, j] = nearest_pair(units);
-        if (i == j) return result;
-        units.erase(units.begin() + static_cast<std::ptrdiff_t>(j));
+        const Cancelled pair = nearest_pair(units), single = nearest_to_border(units, borders);
+        const auto& [i, j, distance] = pair.distance <= single.distance ? pair : single;
+        if (!std::isfinite(distance)) return result;
+        if (i != j) units.erase(units.begin() + static_cast<std::ptrdiff_t>(j));
         units.erase(units.begin() + static_cast<std::ptrdiff_t>(i));
         result.push_back(wishes_of(units));
     }

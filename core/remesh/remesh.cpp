@@ -29,6 +29,7 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/fit.h"
 #include "remesh/grid_map.h"
+#include "remesh/one_piece.h"
 #include "remesh/tilt.h"
 
 namespace chebnet {
@@ -62,8 +63,9 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 // singular vertices: it would be crumpled.
 constexpr double k_most_tilted = 1.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
-// all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians.
-constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1;
+// all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
+// cells are tilted against the surface, in radians, on average.
+constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 // Of a cell, in the surface's unit, or its inverse: beyond it lengths are lost beside numbers that have no unit.
 constexpr double k_largest_cell = 1e15;
@@ -71,12 +73,6 @@ constexpr double k_largest_cell = 1e15;
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
 constexpr int k_digits = 4;  // of coordinates in messages
-
-int euler_characteristic(const Surface& surface) {
-    int edges = 0;
-    for (int s = 0; s < 3 * surface.face_count(); ++s) edges += surface.opposite(s) < s ? 1 : 0;
-    return surface.vertex_count() - edges + surface.face_count();
-}
 
 int piece_count(const Surface& surface) {
     const std::vector<int> pieces = surface.components();
@@ -140,15 +136,16 @@ private:
         KeptWishes kept;
     };
 
-    /// Nothing if none can be left out, or small nets promise what larger ones do not keep.
+    /// Nothing if none can be left out, or small nets promise what larger ones do not keep. Over a border that is one
+    /// of the net's lines none goes: it would have a corner there.
     std::optional<Found> find_with_fewer() {
         const bool may_have_none =
-            (m_has_border || euler_characteristic(m_surface) == 0) && m_options.singular.is_empty();
+            (m_has_border || m_surface.euler_characteristic() == 0) && m_options.singular.is_empty();
         if (!m_creases.sides.empty() || !(m_options.fewest || may_have_none)) return std::nullopt;
         begin(RemeshPhase::singular);
         const DirectionField field = field_along(m_options.smoothing);
         if (singular_count(field) > k_most_singular_vertices) return std::nullopt;
-        const std::vector<SingularWishes> wishes = fewer_and_fewer(m_even->surface, field);
+        const std::vector<SingularWishes> wishes = fewer_and_fewer(m_even->surface, field, !may_hold_border());
         if (wishes.size() == 1 || !(m_options.fewest || wishes.back().vertices.empty())) return std::nullopt;
         const std::optional<PlacedWishes> usual = m_wishes;
         std::optional<Found> found;
@@ -346,12 +343,12 @@ private:
                                                    " pieces, the surface has " +
                                                    std::to_string(piece_count(m_surface)));
         const int characteristic = net.vertex_count() - net.edge_count() + net.face_count();
-        if (characteristic != euler_characteristic(m_surface))
+        if (characteristic != m_surface.euler_characteristic())
             throw Error(ErrorCode::bad_option,
                         "the surface is somewhere thinner or narrower than a cell, and the net would be "
                         "closed or torn there (its Euler characteristic would be " +
                             std::to_string(characteristic) + ", not " +
-                            std::to_string(euler_characteristic(m_surface)) + ")");
+                            std::to_string(m_surface.euler_characteristic()) + ")");
     }
 
     Remesh result(Found& found) {
@@ -379,8 +376,8 @@ private:
     std::array<double, k_remesh_phases> m_milliseconds{};
 };
 
-/// The ways to end at the border, each tried with fewer cells, and the best made as it is asked for; or the next, where
-/// that leads to no net.
+/// The ways to end at the border, and the net that grows from one place over all of a disc, each tried with fewer
+/// cells, and the best made as it is asked for; or the next, where that leads to no net.
 class BorderTrials {
 public:
     BorderTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
@@ -392,6 +389,7 @@ public:
     Remesh run() {
         Stopwatch watch;
         for (std::size_t k = 0; k < std::size(k_ways); ++k) try_way(k);
+        try_one_piece();
         const double milliseconds = watch.milliseconds();
         const bool is_done = are_few() && !m_options.fewest;
         if (is_done && m_progress) m_progress(RemeshPhase::fit, 1);
@@ -399,7 +397,7 @@ public:
             return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
         });
         for (Trial& trial : m_trials) {
-            if (!is_done) trial.made = made(trial.way, m_options, m_progress);
+            if (!is_done) trial.made = trial.way ? made(*trial.way, m_options, m_progress) : made_in_one_piece();
             if (!trial.made) continue;
             trial.made->milliseconds[static_cast<int>(RemeshPhase::border)] = is_done ? 0 : milliseconds;
             return std::move(*trial.made);
@@ -410,9 +408,10 @@ public:
 private:
     using Border = RemeshOptions::Border;
     static constexpr Border k_ways[] = {Border::always, Border::across, Border::never};
+    static constexpr std::size_t k_trials = std::size(k_ways) + 1;
 
     struct Trial {
-        Border way;
+        std::optional<Border> way;  // none: in one piece
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
@@ -430,14 +429,42 @@ private:
         const RemeshProgress progress = [&](RemeshPhase phase, double done) {
             const int first = static_cast<int>(RemeshPhase::triangles);
             const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
-            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
+            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / k_trials);
         };
-        Trial trial{k_ways[k], made(k_ways[k], options, progress)};
+        add({k_ways[k], made(k_ways[k], options, progress)});
+    }
+
+    void try_one_piece() {
+        if (m_progress) m_progress(RemeshPhase::border, static_cast<double>(k_trials - 1) / k_trials);
+        add({std::nullopt, one_piece(std::min<double>(m_cells, k_trial_cells))});
+        if (m_progress) m_progress(RemeshPhase::border, 1);
+    }
+
+    void add(Trial trial) {
         if (trial.made) {
             trial.missed = trial.made->kept.missed();
             trial.cost = cost(trial.made->net);
         }
         m_trials.push_back(std::move(trial));
+    }
+
+    std::optional<Remesh> made_in_one_piece() const {
+        if (m_progress) m_progress(RemeshPhase::fit, 0);
+        return one_piece(m_cells);
+    }
+
+    /// Nothing where other surfaces, or wishes, ask for more than that; its length is found as that of the others is.
+    std::optional<Remesh> one_piece(double cells) const {
+        const bool is_free = m_options.singular.is_empty() && m_options.crease == 0 && m_options.marked_creases.empty();
+        if (!is_free) return std::nullopt;
+        Stopwatch watch;
+        const double length = cells < m_cells ? 0 : m_options.length;
+        std::optional<Net> net =
+            chebnet::one_piece(m_guide->surface(), m_guide->tree(), cells, length, m_options.smallest_angle);
+        if (!net) return std::nullopt;
+        Remesh result{std::move(*net), {}, {}, {}};
+        result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
+        return result;
     }
 
     /// Nothing where no such net is found.
@@ -455,7 +482,8 @@ private:
         const DrapeReport report = measure_drape(m_guide->surface(), m_guide->tree(), net);
         const double distances = report.mean_distance + k_border_weight * border_distance(m_guide->surface(), net);
         return k_gap_weight * (1 - report.coverage) + distances / report.length +
-               k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle);
+               k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle) +
+               k_tilt_weight * mean_tilt(*m_guide, net);
     }
 
     std::shared_ptr<const Guide> m_guide;

@@ -173,6 +173,12 @@ std::vector<std::vector<int>> Surface::boundary_loops() const {
     return loops;
 }
 
+int Surface::euler_characteristic() const {
+    int edges = 0;
+    for (int s = 0; s < 3 * face_count(); ++s) edges += opposite(s) < s ? 1 : 0;
+    return vertex_count() - edges + face_count();
+}
+
 std::vector<int> Surface::components() const {
     std::vector<int> component(static_cast<std::size_t>(face_count()), -1);
     int count = 0;

@@ -63,6 +63,8 @@ public:
 
     /// Closed walks along the boundary, each the sides in their order; the surface is on their left.
     std::vector<std::vector<int>> boundary_loops() const;
+    /// V − E + F: 2 for a sphere, 1 for a disc, 0 for a torus or a tube; of pieces the sum.
+    int euler_characteristic() const;
     /// F, the number of the piece in which each triangle is: pieces count from 0, by their first triangles.
     std::vector<int> components() const;
 

@@ -321,3 +321,20 @@ TEST_CASE("Faces are counted by their corners") {
     faces.add({4, 5, 6});
     CHECK(faces_by_arity(faces) == std::map<int, int>{{3, 2}, {4, 1}});
 }
+
+TEST_CASE("Edges are counted at which faces fold by more than an angle, however faces are wound") {
+    constexpr double k_degree = 3.14159265358979323846 / 180;
+    for (const double fold : {0., 50., 70., 179.})
+        for (const bool is_wound_alike : {true, false}) {
+            Positions x(3, 6);
+            const double c = std::cos(fold * k_degree), s = std::sin(fold * k_degree);
+            x << 0, 1, 1, 0, 1 + c, 1 + c,  //
+                0, 0, 1, 1, 0, 1,           //
+                0, 0, 0, 0, s, s;
+            Faces faces;
+            faces.add(std::vector{0, 1, 2, 3});
+            faces.add(is_wound_alike ? std::vector{1, 4, 5, 2} : std::vector{2, 5, 4, 1});
+            const Net net(x, faces);
+            CHECK(sharp_folds(net, x, 60 * k_degree) == (fold > 60 ? 1 : 0));
+        }
+}

@@ -136,6 +136,7 @@ export class DrapeResults {
       [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
       [TEXT.sheared, percentWords(report.sheared)],
       [TEXT.muchSheared, percentWords(report.muchSheared)],
+      [TEXT.folds, report.folds > 0 ? count(report.folds) : TEXT.none],
       'singularVertices' in this.#net
         ? [TEXT.singular, singularWords(this.#net)]
         : [TEXT.refused, refusedWords(this.#net)],

@@ -264,6 +264,7 @@ export const dialogs = {
     smallestAngle: 'Sharpest corner',
     sheared: 'Cells sheared over 15°',
     muchSheared: 'Cells sheared over 30°',
+    folds: 'Folds over 60°',
     gaps: 'Gaps',
     refused: 'Refused: too sharp, met itself',
     refusals: (locked: string, met: string) => `${locked}, ${met} places`,

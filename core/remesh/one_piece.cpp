@@ -1,0 +1,40 @@
+#include "remesh/one_piece.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "drape/drape.h"
+#include "drape/proposals.h"
+#include "net/topology.h"
+
+namespace chebnet {
+
+namespace {
+
+bool is_disc(const Net& net) {
+    return net.vertex_count() - net.edge_count() + net.face_count() == 1 && Topology(net).component_count() == 1;
+}
+
+}  // namespace
+
+std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, double cells, double length,
+                             double smallest_angle) {
+    if (surface.euler_characteristic() != 1 || surface.boundary_loops().size() != 1) return std::nullopt;
+    try {
+        DrapeOptions options = suggested_drape(surface, tree, 1);
+        options.length = length > 0 ? length : std::sqrt(surface.area() / cells);
+        options.smallest_angle = smallest_angle;
+        options = propose_drapes(surface, tree, options).front().options;
+        Net net = drape(surface, tree, options).net;
+        if (length == 0) {
+            // Sheared cells are smaller than square ones, and some go over the border.
+            options.length *= std::sqrt(net.face_count() / cells);
+            net = drape(surface, tree, options).net;
+        }
+        if (is_disc(net)) return net;
+    } catch (const Error&) {  // no cell fits where it would begin
+    }
+    return std::nullopt;
+}
+
+}  // namespace chebnet
