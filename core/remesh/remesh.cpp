@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -399,7 +400,9 @@ public:
         for (Trial& trial : m_trials) {
             if (!is_done) trial.made = trial.way ? made(*trial.way, m_options, m_progress) : made_in_one_piece();
             if (!trial.made) continue;
-            trial.made->milliseconds[static_cast<int>(RemeshPhase::border)] = is_done ? 0 : milliseconds;
+            std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
+            own[static_cast<int>(RemeshPhase::border)] =
+                is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
             return std::move(*trial.made);
         }
         std::rethrow_exception(m_failure);

@@ -132,7 +132,7 @@ export class DrapeDialog implements DraperLike {
       changed: () => (this.#form.isWhole ? this.#outdate() : this.#drape()),
       shearChanged: (shown) => this.#picture.setShear(shown),
     });
-    const figure = make('figure', {}, picture, this.#howTo, this.#proposals.element);
+    const figure = make('figure', {}, picture, this.#howTo, this.#proposals.element, this.#results.element);
     const side = make(
       'div',
       { class: 'side' },
@@ -142,7 +142,6 @@ export class DrapeDialog implements DraperLike {
       this.#cuts.element,
       this.#creases.element,
       this.#singular.element,
-      this.#results.element,
     );
     this.#dialog = make(
       'dialog',

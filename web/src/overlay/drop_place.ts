@@ -30,7 +30,7 @@ export function watchForFiles(root: HTMLElement, formats: () => readonly FormatI
     place.hidePopover();
   };
   addEventListener('dragover', (event) => {
-    if (!dragged(event)?.types.includes('Files')) return;
+    if (!dragged(event)?.types.some((type) => type === 'Files')) return;
     if (!place.matches(':popover-open')) show();
     clearTimeout(timer);
     // Not every end of a drag is told.

@@ -256,7 +256,7 @@ export const dialogs = {
         `These alone do not close: ${count} more with ${edges} edges ${count === 1 ? 'is' : 'are'} missing.`,
     },
     coverage: 'Covered',
-    openBorder: 'Open inside: gaps, both sides of slits',
+    openBorder: 'Open inside, slits on both sides',
     meanDistance: 'Distance, mean',
     largestDistance: 'Distance, largest',
     lengths: (number: string) => `${number} edges`,
