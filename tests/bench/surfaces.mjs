@@ -134,6 +134,7 @@ const NETS = [
   ['> 15°', ({ net }) => percent(net.cells_sheared_over_15_degrees)],
   ['> 30°', ({ net }) => percent(net.cells_sheared_over_30_degrees)],
   ['singular', ({ net }) => net.singular_vertices ?? ''],
+  ['folds', ({ net }) => net.folds_over_60_degrees],
   ['rods', ({ net }) => net.rods],
   ['their length', ({ net }) => net.rod_length.toPrecision(4)],
   ['max dL', ({ net }) => net.max_dL.toExponential(0)],

@@ -92,10 +92,7 @@ export const FIELDS = {
     ends: 'any',
     write: (numbers, { positions }, net) => writeCurvatures(numbers, positions, net),
     scale: ({ narrow, right, wide }, _, ends = [-360, 360]) => diverging([narrow, right, wide], 0, ends, '°'),
-    summary: (numbers) => {
-      const [low, high] = rangeOf(numbers).map((angle) => `${angle.toFixed(0)}°`);
-      return words.legend.net(words.legend.range(low!, high!));
-    },
+    summary: (numbers) => words.legend.net(rangeWords(numbers, 0, '°')),
   },
   /** At each vertex the corner angle farthest from 90°. */
   angle: {
@@ -105,10 +102,7 @@ export const FIELDS = {
       for (let vertex = 0; vertex < angle.length; vertex++) numbers[vertex] = angle[vertex]! * DEGREES;
     },
     scale: ({ narrow, right, wide }, _, ends = [45, 135]) => diverging([narrow, right, wide], 90, ends, '°'),
-    summary: (numbers) => {
-      const [low, high] = rangeOf(numbers).map((angle) => `${angle.toFixed(0)}°`);
-      return words.legend.net(words.legend.range(low!, high!));
-    },
+    summary: (numbers) => words.legend.net(rangeWords(numbers, 0, '°')),
   },
   /** Tension of each edge, below 0 compression. */
   force: {
@@ -119,9 +113,7 @@ export const FIELDS = {
     scale: ({ bad, right, good }, _, ends = [-0.5, 0.5]) => diverging([bad, right, good], 0, ends, ''),
     summary: (numbers) => {
       const [low, high] = rangeOf(numbers);
-      return low === 0 && high === 0
-        ? words.legend.noForces
-        : words.legend.net(words.legend.range(low.toFixed(2), high.toFixed(2)));
+      return low === 0 && high === 0 ? words.legend.noForces : words.legend.net(rangeWords(numbers, 2));
     },
   },
   /** Of each vertex over the surface beside the net, in edge lengths. */
@@ -134,12 +126,10 @@ export const FIELDS = {
     },
     scale: ({ narrow, right, wide }, _, ends = [-0.5, 0.5]) => diverging([narrow, right, wide], 0, ends, ''),
     summary: (numbers, { fields: { height } }) => {
-      const range = ([low, high]: Ends, digits: (x: number) => string): string =>
-        words.legend.range(digits(low), digits(high));
-      const inLengths = range(rangeOf(numbers), (x) => x.toFixed(2));
+      const [low, high] = rangeOf(height);
       return words.legend.inUnits(
-        words.legend.net(inLengths),
-        range(rangeOf(height), (x) => x.toPrecision(3)),
+        words.legend.net(rangeWords(numbers, 2)),
+        words.legend.range(low.toPrecision(3), high.toPrecision(3)),
       );
     },
   },
@@ -212,6 +202,12 @@ export function rangeOf(numbers: Float32Array): [number, number] {
     high = Math.max(high, each);
   }
   return [low, high];
+}
+
+/** From the smallest to the largest, rounded; none of them −0. */
+function rangeWords(numbers: Float32Array, decimals: number, unit = ''): string {
+  const [low, high] = rangeOf(numbers).map((x) => (Number(x.toFixed(decimals)) || 0).toFixed(decimals) + unit);
+  return words.legend.range(low!, high!);
 }
 
 function shearTicks(most: number): Scale['ticks'] {
