@@ -155,7 +155,7 @@ private:
             found = find_good_net();
             m_found.clear();
             // The larger the net, the less its cells are tilted.
-            if (found && mean_tilt(*m_guide, found->net) > m_usual_tilt) found.reset();
+            if (found && mean_tilt(*m_guide, found->net) > *m_usual_tilt) found.reset();
         }
         m_first_failure.clear();
         m_wishes = usual;
@@ -166,19 +166,20 @@ private:
     /// before it were so, too; else it is the last of them or none.
     int last_good(const std::vector<SingularWishes>& wishes) {
         m_is_trying = true;
-        const std::optional<Net> usual = small_net();
-        m_usual_tilt = usual ? mean_tilt(*m_guide, *usual) : std::numeric_limits<double>::infinity();
+        m_usual_tilt.reset();
+        const std::optional<PlacedWishes> usual = m_wishes;
         int good = 0, bad = static_cast<int>(wishes.size());
         for (int k = bad - 1; good + 1 < bad; k = (good + bad) / 2) {
             m_tried = 1 - static_cast<double>(bad - good) / static_cast<double>(wishes.size() + 1);
-            (is_good_enough(wishes[k]) ? good : bad) = k;
+            (is_good_enough(wishes[k], usual) ? good : bad) = k;
             if (!m_options.fewest) break;
         }
         m_is_trying = false;
         return good;
     }
 
-    bool is_good_enough(const SingularWishes& wishes) {
+    /// `usual`: wishes for the net that it must not be much worse than.
+    bool is_good_enough(const SingularWishes& wishes, const std::optional<PlacedWishes>& usual) {
         try {
             m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
         } catch (const Error&) {  // two of them have one place
@@ -188,9 +189,15 @@ private:
         if (!net) return false;
         const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
         const double farthest = m_options.fewest ? k_fewest_distance : k_none_distance;
-        return report.smallest_angle >= m_options.smallest_angle - k_angle_tolerance &&
-               report.mean_distance <= farthest * report.length &&
-               mean_tilt(*m_guide, *net) <= k_most_tilted * m_usual_tilt;
+        if (report.smallest_angle < m_options.smallest_angle - k_angle_tolerance ||
+            report.mean_distance > farthest * report.length)
+            return false;
+        if (!m_usual_tilt) {  // which takes as long as all before
+            m_wishes = usual;
+            const std::optional<Net> other = small_net();
+            m_usual_tilt = other ? mean_tilt(*m_guide, *other) : std::numeric_limits<double>::infinity();
+        }
+        return mean_tilt(*m_guide, *net) <= k_most_tilted * *m_usual_tilt;
     }
 
     /// With the present wishes.
@@ -369,9 +376,9 @@ private:
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;
     std::string m_first_failure;
-    bool m_is_trying = false;  // how many singular vertices can be left out
-    double m_tried = 0;        // part of it
-    double m_usual_tilt = 0;   // of a small net with all of them
+    bool m_is_trying = false;            // how many singular vertices can be left out
+    double m_tried = 0;                  // part of it
+    std::optional<double> m_usual_tilt;  // of a small net with all of them
     RemeshPhase m_phase = RemeshPhase::triangles;
     Stopwatch m_watch;
     std::array<double, k_remesh_phases> m_milliseconds{};
