@@ -31,7 +31,7 @@ std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, do
             options.length *= std::sqrt(net.face_count() / cells);
             net = drape(surface, tree, options).net;
         }
-        if (is_disc(net)) return net;
+        if (is_disc(net) && measure_drape(surface, tree, net).gaps == 0) return net;
     } catch (const Error&) {  // no cell fits where it would begin
     }
     return std::nullopt;
