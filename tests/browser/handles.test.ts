@@ -354,7 +354,7 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
   expect(Math.min(...sizes)).toBeGreaterThanOrEqual(44);
 
   const before = await script.screenPosition(corner);
-  await swipe({ x: 30, y: 600 }, 120, 0);
+  await swipe({ x: 30, y: 520 }, 120, 0);
   const after = await script.screenPosition(corner);
   expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeGreaterThan(5);
 
@@ -394,7 +394,7 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
   await visit.page.screenshot({ path: join(OUTPUT, 'lasso-phone.png') });
   await touch('touchEnd', []);
   expect(await chosen()).toMatch(/^2 selected/);
-  expect(await pinch({ x: 60, y: 560 })).toBeGreaterThan(1.1);
+  expect(await pinch({ x: 60, y: 480 })).toBeGreaterThan(1.1);
   expect(await chosen()).toMatch(/^2 selected/);
   await select.tap();
   expect(await select.getAttribute('aria-pressed')).toBe('false');
