@@ -115,11 +115,11 @@ test('a first visit is given three hints, one after another, each until it is do
   await page.screenshot({ path: join(OUTPUT, 'hint-drag.png') });
 
   await dragBy(script, (await page.evaluate(() => window.chebnet.handles().at(-1)!)).vertex, [0, 40]);
-  await hint.getByText('Click the net').waitFor();
+  await hint.getByText('Press the net').waitFor();
   await page.screenshot({ path: join(OUTPUT, 'hint-add.png') });
   await page.reload();
   await script.waitForNet();
-  await hint.getByText('Click the net').waitFor();
+  await hint.getByText('Press the net').waitFor();
   await hint.getByRole('button', { name: 'Got it' }).focus();
   await page.keyboard.press('Enter');
   await hint.getByText('a link to what you see').waitFor();

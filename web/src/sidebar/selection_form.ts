@@ -13,7 +13,7 @@ import { coordinate } from '../language/numbers';
 
 export class SelectionForm {
   readonly element: HTMLElement;
-  readonly #count = make('h3');
+  readonly #count = make('h2');
   readonly #name = make('input', { type: 'text', maxlength: LONGEST_NAME, title: panelWords.handles.groupHint });
   readonly #centre = AXES.map(() => numberField(''));
   readonly #by = AXES.map(() => numberField('0'));
