@@ -446,7 +446,7 @@ private:
 
     void try_one_piece() {
         if (m_progress) m_progress(RemeshPhase::border, static_cast<double>(k_trials - 1) / k_trials);
-        add({std::nullopt, one_piece(std::min<double>(m_cells, k_trial_cells))});
+        add({std::nullopt, in_one_piece(std::min<double>(m_cells, k_trial_cells))});
         if (m_progress) m_progress(RemeshPhase::border, 1);
     }
 
@@ -460,17 +460,17 @@ private:
 
     std::optional<Remesh> made_in_one_piece() const {
         if (m_progress) m_progress(RemeshPhase::fit, 0);
-        return one_piece(m_cells);
+        return in_one_piece(m_cells);
     }
 
     /// Nothing where other surfaces, or wishes, ask for more than that; its length is found as that of the others is.
-    std::optional<Remesh> one_piece(double cells) const {
+    std::optional<Remesh> in_one_piece(double cells) const {
         const bool is_free = m_options.singular.is_empty() && m_options.crease == 0 && m_options.marked_creases.empty();
         if (!is_free) return std::nullopt;
         Stopwatch watch;
         const double length = cells < m_cells ? 0 : m_options.length;
         std::optional<Net> net =
-            chebnet::one_piece(m_guide->surface(), m_guide->tree(), cells, length, m_options.smallest_angle);
+            one_piece(m_guide->surface(), m_guide->tree(), cells, length, m_options.smallest_angle);
         if (!net) return std::nullopt;
         Remesh result{std::move(*net), {}, {}, {}};
         result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();

@@ -215,10 +215,16 @@ TEST_CASE("Where there is a border singular vertices go over it, the nearest to 
     const Surface cap = make_own_surface("hemisphere");
     const std::vector<SingularWishes> wishes = fewer_and_fewer(cap, smoothest_field(cap, {}), true);
     REQUIRE(wishes.size() > 1);
+    const auto lowest = [](const SingularWishes& those) {
+        double z = std::numeric_limits<double>::infinity();
+        for (const auto& each : those.vertices) z = std::min(z, each.point.z());
+        return z;
+    };
     for (std::size_t k = 1; k < wishes.size(); ++k) {
         const std::size_t gone = wishes[k - 1].vertices.size() - wishes[k].vertices.size();
         CHECK((gone == 1 || gone == 2));
         check_wishes(Guide(cap), wishes[k]);
+        if (gone == 1) CHECK(lowest(wishes[k - 1]) <= lowest(wishes[k]));  // the border is at the foot
     }
     CHECK(wishes.back().vertices.empty());
 }
@@ -434,6 +440,11 @@ TEST_CASE("A net with one net line for its border has singular vertices within, 
     CHECK(border_corners(made).empty());
     CHECK(Topology(made).singular_vertices() == std::map<int, int>{{3, 4}});
     CHECK(off_border(round, made) < 0.6);
+    // One that ends in steps goes without them.
+    options.border = RemeshOptions::Border::never;
+    const Net stepped = remeshed(round, options, 1).net;
+    CHECK(singular_count(stepped) == 0);
+    CHECK(off_border(round, stepped) < 0.6);
 
     const Surface half = Surface(samples::sphere(16, true));
     options = of_cells(500);

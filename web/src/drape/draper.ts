@@ -167,10 +167,16 @@ export class Draper {
   }
 }
 
-/** What is said of the net once it is chosen: trials count the area of their cells. */
-function promised(surface: Surface, options: DrapeOptions): Pick<Proposal, 'covered' | 'muchSheared' | 'meanDistance'> {
-  const { coverage, muchSheared, meanDistance, length } = surface.measure(surface.drape(options).mesh);
-  return { covered: coverage, muchSheared, meanDistance: meanDistance / length };
+type Promised = Pick<Proposal, 'covered' | 'muchSheared' | 'meanDistance'>;
+
+/** What is said of the net once it is chosen: trials count the area of their cells. Nothing where it was only tried. */
+function promised(surface: Surface, options: DrapeOptions): Partial<Promised> {
+  try {
+    const { coverage, muchSheared, meanDistance, length } = surface.measure(surface.drape(options).mesh);
+    return { covered: coverage, muchSheared, meanDistance: meanDistance / length };
+  } catch {
+    return {};
+  }
 }
 
 /** With large cells, unless none fits where the net begins. */

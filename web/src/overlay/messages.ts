@@ -23,7 +23,10 @@ export class Messages implements Panel {
   /** A message that stays until the user accepts or dismisses it. */
   offer(message: string, button: string, accept: () => void): void {
     const line = make('p', { class: 'message' }, make('span', {}, message));
-    line.append(makeAct(line, { label: button, run: accept }), this.#makeDismiss(line));
+    line.append(
+      makeAct(line, { label: button, run: accept }),
+      makeDismiss(() => line.remove()),
+    );
     this.#errors.before(make('div', { role: 'status' }, line));
   }
 
@@ -37,13 +40,14 @@ export class Messages implements Panel {
 
   #sayError(message: string): void {
     const line = make('p', { class: 'message error' }, make('span', {}, message));
-    line.append(this.#makeDismiss(line));
+    line.append(makeDismiss(() => line.remove()));
     this.#errors.replaceChildren(line);
   }
+}
 
-  #makeDismiss(line: HTMLElement): HTMLButtonElement {
-    return makeButton('×', () => line.remove(), { class: 'plain', 'aria-label': words.messages.dismiss });
-  }
+/** The cross of what may be put away. */
+export function makeDismiss(run: () => void): HTMLButtonElement {
+  return makeButton('×', run, { class: 'plain', 'aria-label': words.messages.dismiss });
 }
 
 /** The button of a message, which goes once its decision is made. */

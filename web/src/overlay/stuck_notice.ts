@@ -7,10 +7,10 @@ import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
 import type { Choice } from '../handles/commands';
 import { unlocked } from '../handles/selection';
-import { words } from '../language/language';
 import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
+import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
@@ -69,7 +69,7 @@ export class StuckNotice implements Panel {
     });
     this.#stop = makeButton(stop, () => events.cancel());
     this.#lengthsBack = makeButton(lengthsBack, () => this.#takeLengthsBack());
-    this.#dismiss = makeButton('×', () => this.#putAway(), { class: 'plain', 'aria-label': words.messages.dismiss });
+    this.#dismiss = makeDismiss(() => this.#putAway());
     const ways = make(
       'div',
       { class: 'buttons' },
