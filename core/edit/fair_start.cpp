@@ -16,7 +16,9 @@ namespace chebnet {
 namespace {
 
 // Beside bending: stiff enough for edges to come within some percent of their length.
-constexpr double k_closeness = 2, k_stiffness = 300;
+constexpr double k_stiffness = 300;
+// Of bending, that of rods as they are laid: with less there are tips at singular vertices, with more lines waver.
+constexpr double k_laid = 0.5;
 // The limit aims higher by so much, since corners give way.
 constexpr double k_limit_margin = 2 * std::numbers::pi / 180;
 // In edge lengths: no vertex moves farther in a step; a step shorter than this is the last.
@@ -31,6 +33,7 @@ FairStart::FairStart(const Net& net, const Topology& topology, const Guide& guid
       m_topology(topology),
       m_guide(guide),
       m_options(std::move(options)),
+      m_laid(m_options.unit * positions),
       m_positions(std::move(positions)),
       m_is_free(free_vertices(net.vertex_count(), m_options.fixed)),
       m_part(net, m_is_free),
@@ -40,9 +43,14 @@ FairStart::FairStart(const Net& net, const Topology& topology, const Guide& guid
 
 void FairStart::choose_terms() {
     m_terms.clear();
-    m_terms.push_back(
-        std::make_unique<BendingTerm>(m_net, m_topology, m_positions, 1, BendingTerm::Reference::straight));
-    m_terms.push_back(make_closeness_term(m_net, m_guide, m_options.unit, k_closeness, ClosenessTerm::Side::both));
+    const auto [rods, unit] = std::pair(m_options.rods, m_options.unit);
+    const double laid = rods == Rods::as_laid ? k_laid : 0;
+    const auto add_bending = [&](double weight, BendingTerm::Reference reference) {
+        m_terms.push_back(std::make_unique<BendingTerm>(m_net, m_topology, m_laid / unit, weight, reference));
+    };
+    add_bending(1 - laid, BendingTerm::Reference::straight);
+    if (laid > 0) add_bending(laid, BendingTerm::Reference::rest);
+    m_terms.push_back(make_closeness_term(m_net, m_guide, unit, closeness_for(rods), ClosenessTerm::Side::both));
     m_terms.push_back(std::make_unique<PullTerm>(m_net, m_options.pulls));
     m_terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(m_net), k_stiffness));
     if (m_options.shear_limit > 0)

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "edit/rods.h"
 #include "net/net.h"
 #include "net/topology.h"
 #include "solve/parts/free_part.h"
@@ -24,6 +25,7 @@ public:
         double unit = 1;          ///< of the net, in the guide's
         double shear_limit = 0;   ///< radians; 0: none
         bool fits = false;        ///< the unit changes so that edges have their lengths on the average
+        Rods rods = Rods::straight;
     };
 
     /// `net`: with the lengths that edges are to have; it begins at `positions` (3×V). Keeps references to net,
@@ -48,6 +50,7 @@ private:
     const Topology& m_topology;
     const Guide& m_guide;
     Options m_options;
+    Positions m_laid;  // at first, in the guide's unit
     Positions m_positions;
     std::vector<bool> m_is_free;
     FreePart m_part;

@@ -13,19 +13,17 @@ namespace {
 constexpr const char* k_threshold = "1e-9";
 // Coming to rest makes it little fairer in the end.
 constexpr const char* k_rest_tolerance = "0.01";
-// Beside the bending of rods: how near the surface they come.
-constexpr const char* k_closeness = "2";
 
 }  // namespace
 
-Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit) {
+Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit, Rods rods) {
     Editor editor(std::move(net));
     editor.set_method("equilibrium");
     editor.set_guide(std::move(guide));
     editor.set_option("threshold", k_threshold);
     editor.set_option("rest_tolerance", k_rest_tolerance);
-    editor.set_option("straight_rods", "on");
-    editor.set_option("guide_weight", k_closeness);
+    editor.set_option("straight_rods", rods == Rods::straight ? "on" : "off");
+    editor.set_option("guide_weight", number_text(closeness_for(rods), 17));
     editor.set_option("shear_limit", number_text(shear_limit * 180 / std::numbers::pi, 17));
     return editor;
 }

@@ -3,12 +3,13 @@
 #include <memory>
 
 #include "edit/editor.h"
+#include "edit/rods.h"
 #include "surface/guide.h"
 
 namespace chebnet {
 
-/// An editor in which a net without handles comes to rest near a surface: straight rods by method `equilibrium`, no
-/// corner sharper than the limit (radians, from 0, none, to π/3; else Error bad_option).
-Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit);
+/// An editor in which a net without handles comes to rest near a surface, by method `equilibrium`, no corner sharper
+/// than the limit (radians, from 0, none, to π/3; else Error bad_option).
+Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit, Rods rods = Rods::straight);
 
 }  // namespace chebnet

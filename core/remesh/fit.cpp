@@ -19,6 +19,7 @@
 #include "linear/graph_system.h"
 #include "net/measures.h"
 #include "net/topology.h"
+#include "remesh/singular_wishes.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/length_projection.h"
 #include "surface/height.h"
@@ -30,15 +31,18 @@ namespace {
 // Lengths are reckoned in L. To even out the edges vertices are held on the surface, so that the lengths are found by
 // shear, which costs nothing but the straightness of net lines.
 constexpr double k_hold = 100, k_stiffness = 1;
-constexpr double k_border = 0.05;    // of the distance of borders, where that from the surface counts 1
-constexpr double k_straight = 0.02;  // of the second difference of a net line
-constexpr double k_inertia = 5e-4;   // what a step costs: nothing else keeps vertices from drifting along the surface
+constexpr double k_border = 0.05;  // of the distance of borders, where that from the surface counts 1
+// Of the second difference of a net line; with rods as they are laid, their edges come so much nearer to one length.
+constexpr double k_straight = 0.02, k_straight_as_laid = 0.005;
+constexpr double k_inertia = 5e-4;  // what a step costs: nothing else keeps vertices from drifting along the surface
 constexpr int k_least_steps = 4, k_most_steps = 40;
 constexpr double k_least_gain = 0.99;  // of what a step leaves of the error of lengths
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
-// Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
+// Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end. Where rods
+// will be as they are laid corners have to be open at once: by so much more, in radians, and beside edges that weigh 1.
 constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
+constexpr double k_laid_margin = 8 * std::numbers::pi / 180, k_laid_stiffness = 2;
 // A vertex that is so near to a crease, in L, is on it: as the mean of its cells, half of one away on either side, it
 // stands off from one at first, by the more the sharper that is.
 constexpr double k_on_crease = 0.7;
@@ -70,6 +74,7 @@ public:
           m_net(mesh.positions, mesh.faces, RestLengths::own),
           m_topology(m_net),
           m_options(options),
+          m_rods(rods_for(m_net, m_topology)),
           m_length(options.length > 0 ? options.length : m_net.mean_length()),
           m_positions(mesh.positions),
           m_guess(static_cast<std::size_t>(m_net.vertex_count()), -1) {
@@ -88,6 +93,15 @@ public:
     }
 
 private:
+    /// Of a closed net lines cannot all be straight near its surface, but where it has no singular vertex.
+    static Rods rods_for(const Net& net, const Topology& topology) {
+        for (int v = 0; v < net.vertex_count(); ++v)
+            if (topology.is_boundary(v)) return Rods::straight;
+        for (int v = 0; v < net.vertex_count(); ++v)
+            if (topology.valence(v) != k_regular_valence) return Rods::as_laid;
+        return Rods::straight;
+    }
+
     /// On the surface, until that hardly brings lengths nearer to each other any more.
     void spread_edges() {
         double error = std::numeric_limits<double>::infinity();
@@ -111,7 +125,8 @@ private:
         const Net net = with_length(m_length);
         m_evened = m_positions;
         find_pulls();
-        FairStart start(net, m_topology, *m_guide, m_positions, {{}, m_pulls, 1, m_options.smallest_angle, fits});
+        FairStart start(net, m_topology, *m_guide, m_positions,
+                        {{}, m_pulls, 1, m_options.smallest_angle, fits, m_rods});
         double done = 0;
         do {
             m_go_on(k_even_at + (k_fair_at - k_even_at) * done);
@@ -295,10 +310,12 @@ private:
         for (const Rail& rail : {m_border, m_creases}) draw_to(rail);
         draw_to_points();
         for (const Bend& bend : m_bends) straighten(bend);
-        for (const Bar& edge : m_edges) pull(edge, 1);
-        const double shortest = 2 * std::sin(m_options.smallest_angle / 2) + k_diagonal_margin;
+        for (const Bar& edge : m_edges) pull(edge, 1, 1);
+        const bool as_laid = m_rods == Rods::as_laid;
+        const double open = m_options.smallest_angle + (as_laid ? k_laid_margin : 0);
+        const double shortest = 2 * std::sin(open / 2) + k_diagonal_margin;
         for (const Bar& diagonal : m_diagonals)
-            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest);
+            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest, as_laid ? k_laid_stiffness : 1);
         if (!m_system->factorize()) return;
         const Eigen::Matrix3Xd moves = m_system->solve(m_force);
         for (int v = 0; v < m_positions.cols(); ++v) {
@@ -363,26 +380,27 @@ private:
     }
 
     void straighten(const Bend& bend) {
-        const Eigen::Matrix3d form = k_straight * Eigen::Matrix3d::Identity();
+        const double straight = m_rods == Rods::straight ? k_straight : k_straight_as_laid;
+        const Eigen::Matrix3d form = straight * Eigen::Matrix3d::Identity();
         m_system->add_at_link(bend.link_ab, 2 * form);
         m_system->add_at_link(bend.link_bc, 2 * form);
         m_system->add_at_link(bend.link_ac, -form);
         const Eigen::Vector3d difference =
-            k_straight / m_length * (m_positions.col(bend.a) - 2 * m_positions.col(bend.b) + m_positions.col(bend.c));
+            straight / m_length * (m_positions.col(bend.a) - 2 * m_positions.col(bend.b) + m_positions.col(bend.c));
         m_force.col(bend.a) -= difference;
         m_force.col(bend.b) += 2 * difference;
         m_force.col(bend.c) -= difference;
     }
 
     /// A spring between two vertices, as stiff across as it is stretched.
-    void pull(const Bar& bar, double rest) {
+    void pull(const Bar& bar, double rest, double weight) {
         const Eigen::Vector3d d = vector(bar);
         const double length = std::max(length_of(d), 1e-3);
         const Eigen::Vector3d along = d / length;
         const double across = std::max(0.0, 1 - rest / length);
         const Eigen::Matrix3d form = (1 - across) * (along * along.transpose()) + across * Eigen::Matrix3d::Identity();
-        m_system->add_at_link(bar.link, k_stiffness * form);
-        const Eigen::Vector3d force = k_stiffness * (length - rest) * along;
+        m_system->add_at_link(bar.link, weight * k_stiffness * form);
+        const Eigen::Vector3d force = weight * k_stiffness * (length - rest) * along;
         m_force.col(bar.a) -= force;
         m_force.col(bar.b) += force;
     }
@@ -415,7 +433,7 @@ private:
 
     /// Of all nets of this length the one that bends least near the surface, or what comes close to it.
     Net come_to_rest(const Net& net) {
-        Editor editor = resting_near(net, m_guide, m_options.smallest_angle);
+        Editor editor = resting_near(net, m_guide, m_options.smallest_angle, m_rods);
         std::vector<Handle> handles;
         for (const Pull& pull : m_pulls) handles.push_back({pull.vertex, pull.target, pull.weight});
         editor.set_handles(handles);
@@ -441,6 +459,7 @@ private:
     Net m_net;  // the mesh
     Topology m_topology;
     FitOptions m_options;
+    Rods m_rods;
     double m_length;
     Positions m_positions, m_evened;
     std::vector<int> m_guess;

@@ -25,10 +25,11 @@ struct FitOptions {
 /// A net with the mesh's faces near the surface, all edges of one length and no corner sharper than the limit.
 ///
 /// First edges are evened out while vertices slide over the surface and corners stay open (Gauss–Newton steps); then
-/// net lines bend as little as they can near it (FairStart); then edges and corners are projected onto what they have
-/// to be (LengthProjection, CornerLimit), and the net comes to rest near the surface (method `equilibrium`). `go_on` is
-/// told the part that is done, and may end it all by an exception. Throws Error as Net does, and bad_option where no
-/// such net is found.
+/// net lines bend as little as they can near it (FairStart), on closed surfaces also as they are laid on it, for about
+/// singular vertices straight ones would raise tips; then edges and corners are projected onto what they have to be
+/// (LengthProjection, CornerLimit), and the net comes to rest near the surface (method `equilibrium`). `go_on` is told
+/// the part that is done, and may end it all by an exception. Throws Error as Net does, and bad_option where no such
+/// net is found.
 Net fit_net(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
             const std::function<void(double)>& go_on);
 

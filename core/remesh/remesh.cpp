@@ -60,9 +60,9 @@ constexpr int k_trial_cells = 1500;
 // surface for it, in edges, on average.
 constexpr int k_fewest_cells = 800;
 constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
-// Nor may its cells be tilted more against the surface, by this factor, than those of such a net with the usual
-// singular vertices: it would be crumpled.
-constexpr double k_most_tilted = 1.1;
+// Nor may its cells be tilted more against the surface than this, in radians, or, where that surface is rough, by this
+// factor more than those of such a net with the usual singular vertices: it would be crumpled.
+constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
 // cells are tilted against the surface, in radians, on average.
@@ -154,8 +154,7 @@ private:
             m_wishes = placed(wishes[k], m_even->surface, m_guide->tree(), m_cell);
             found = find_good_net();
             m_found.clear();
-            // The larger the net, the less its cells are tilted.
-            if (found && mean_tilt(*m_guide, found->net) > *m_usual_tilt) found.reset();
+            if (found && !is_smooth(found->net, usual)) found.reset();
         }
         m_first_failure.clear();
         m_wishes = usual;
@@ -178,7 +177,6 @@ private:
         return good;
     }
 
-    /// `usual`: wishes for the net that it must not be much worse than.
     bool is_good_enough(const SingularWishes& wishes, const std::optional<PlacedWishes>& usual) {
         try {
             m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
@@ -192,12 +190,20 @@ private:
         if (report.smallest_angle < m_options.smallest_angle - k_angle_tolerance ||
             report.mean_distance > farthest * report.length)
             return false;
+        return is_smooth(*net, usual);
+    }
+
+    /// As `usual` is, wishes for a net that is found for it if need be.
+    bool is_smooth(const Net& net, const std::optional<PlacedWishes>& usual) {
+        const double tilt = mean_tilt(*m_guide, net);
+        if (tilt <= k_smooth_tilt) return true;
         if (!m_usual_tilt) {  // which takes as long as all before
-            m_wishes = usual;
+            const std::optional<PlacedWishes> present = std::exchange(m_wishes, usual);
             const std::optional<Net> other = small_net();
+            m_wishes = present;
             m_usual_tilt = other ? mean_tilt(*m_guide, *other) : std::numeric_limits<double>::infinity();
         }
-        return mean_tilt(*m_guide, *net) <= k_most_tilted * *m_usual_tilt;
+        return tilt <= k_most_tilted * *m_usual_tilt;
     }
 
     /// With the present wishes.
