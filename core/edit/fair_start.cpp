@@ -43,14 +43,14 @@ FairStart::FairStart(const Net& net, const Topology& topology, const Guide& guid
 
 void FairStart::choose_terms() {
     m_terms.clear();
-    const auto [rods, unit] = std::pair(m_options.rods, m_options.unit);
-    const double laid = rods == Rods::as_laid ? k_laid : 0;
+    const double unit = m_options.unit, laid = m_options.rods == Rods::as_laid ? k_laid : 0;
     const auto add_bending = [&](double weight, BendingTerm::Reference reference) {
         m_terms.push_back(std::make_unique<BendingTerm>(m_net, m_topology, m_laid / unit, weight, reference));
     };
     add_bending(1 - laid, BendingTerm::Reference::straight);
     if (laid > 0) add_bending(laid, BendingTerm::Reference::rest);
-    m_terms.push_back(make_closeness_term(m_net, m_guide, unit, closeness_for(rods), ClosenessTerm::Side::both));
+    m_terms.push_back(
+        make_closeness_term(m_net, m_guide, unit, closeness_for(m_options.rods), ClosenessTerm::Side::both));
     m_terms.push_back(std::make_unique<PullTerm>(m_net, m_options.pulls));
     m_terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(m_net), k_stiffness));
     if (m_options.shear_limit > 0)

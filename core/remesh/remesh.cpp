@@ -65,8 +65,9 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
-// cells are tilted against the surface, in radians, on average.
+// cells are tilted against the surface, in radians, on average. With less than the last in all no other is looked for.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
+constexpr double k_good_cost = 0.08;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 // Of a cell, in the surface's unit, or its inverse: beyond it lengths are lost beside numbers that have no unit.
 constexpr double k_largest_cell = 1e15;
@@ -390,8 +391,8 @@ private:
     std::array<double, k_remesh_phases> m_milliseconds{};
 };
 
-/// The ways to end at the border, and the net that grows from one place over all of a disc, each tried with fewer
-/// cells, and the best made as it is asked for; or the next, where that leads to no net.
+/// The ways to end at the border, and the net that grows from one place over all of a disc, tried with fewer cells one
+/// after the other until one is good; and the best made as it is asked for, or the next, where that leads to no net.
 class BorderTrials {
 public:
     BorderTrials(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
@@ -401,33 +402,24 @@ public:
     }
 
     Remesh run() {
-        Stopwatch watch;
-        for (std::size_t k = 0; k < std::size(k_ways); ++k) try_way(k);
-        try_one_piece();
-        const double milliseconds = watch.milliseconds();
-        const bool is_done = are_few() && !m_options.fewest;
-        if (is_done && m_progress) m_progress(RemeshPhase::fit, 1);
-        std::stable_sort(m_trials.begin(), m_trials.end(), [](const Trial& a, const Trial& b) {
-            return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
-        });
-        for (Trial& trial : m_trials) {
-            if (!is_done) trial.made = trial.way ? made(*trial.way, m_options, m_progress) : made_in_one_piece();
-            if (!trial.made) continue;
-            std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
-            own[static_cast<int>(RemeshPhase::border)] =
-                is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
-            return std::move(*trial.made);
+        for (std::size_t k = 0; k < std::size(k_ways); ++k) {
+            try_way(k);
+            if (k + 1 < k_rivals || best()->missed != 0 || best()->cost > k_good_cost) continue;
+            if (std::optional<Remesh> net = finish_best()) return std::move(*net);
         }
+        while (!m_trials.empty())
+            if (std::optional<Remesh> net = finish_best()) return std::move(*net);
         std::rethrow_exception(m_failure);
     }
 
 private:
     using Border = RemeshOptions::Border;
-    static constexpr Border k_ways[] = {Border::always, Border::across, Border::never};
-    static constexpr std::size_t k_trials = std::size(k_ways) + 1;
+    using Way = std::optional<Border>;  // none: in one piece
+    static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::across, Border::never};
+    static constexpr std::size_t k_rivals = 2;  // so many are tried at least
 
     struct Trial {
-        std::optional<Border> way;  // none: in one piece
+        Way way;
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
@@ -445,15 +437,34 @@ private:
         const RemeshProgress progress = [&](RemeshPhase phase, double done) {
             const int first = static_cast<int>(RemeshPhase::triangles);
             const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
-            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / k_trials);
+            if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
         };
         add({k_ways[k], made(k_ways[k], options, progress)});
     }
 
-    void try_one_piece() {
-        if (m_progress) m_progress(RemeshPhase::border, static_cast<double>(k_trials - 1) / k_trials);
-        add({std::nullopt, in_one_piece(std::min<double>(m_cells, k_trial_cells))});
+    std::vector<Trial>::iterator best() {
+        return std::min_element(m_trials.begin(), m_trials.end(), [](const Trial& a, const Trial& b) {
+            return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
+        });
+    }
+
+    /// As it is asked for. Nothing where that leads to no net; the next is the best then.
+    std::optional<Remesh> finish_best() {
+        const auto place = best();
+        Trial trial = std::move(*place);
+        m_trials.erase(place);
         if (m_progress) m_progress(RemeshPhase::border, 1);
+        const double milliseconds = m_watch.milliseconds();
+        const bool is_done = are_few() && !m_options.fewest;
+        if (!is_done)
+            trial.made = made(trial.way, m_options, m_progress);
+        else if (m_progress)
+            m_progress(RemeshPhase::fit, 1);
+        if (!trial.made) return std::nullopt;
+        std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
+        own[static_cast<int>(RemeshPhase::border)] =
+            is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
+        return std::move(trial.made);
     }
 
     void add(Trial trial) {
@@ -464,34 +475,31 @@ private:
         m_trials.push_back(std::move(trial));
     }
 
-    std::optional<Remesh> made_in_one_piece() const {
-        if (m_progress) m_progress(RemeshPhase::fit, 0);
-        return in_one_piece(m_cells);
-    }
-
-    /// Nothing where other surfaces, or wishes, ask for more than that; its length is found as that of the others is.
-    std::optional<Remesh> in_one_piece(double cells) const {
-        const bool is_free = m_options.singular.is_empty() && m_options.crease == 0 && m_options.marked_creases.empty();
-        if (!is_free) return std::nullopt;
-        Stopwatch watch;
-        const double length = cells < m_cells ? 0 : m_options.length;
-        std::optional<Net> net =
-            one_piece(m_guide->surface(), m_guide->tree(), cells, length, m_options.smallest_angle);
-        if (!net) return std::nullopt;
-        Remesh result{std::move(*net), {}, {}, {}};
-        result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
-        return result;
-    }
-
     /// Nothing where no such net is found.
-    std::optional<Remesh> made(Border way, RemeshOptions options, const RemeshProgress& progress) {
-        options.border = way;
+    std::optional<Remesh> made(Way way, RemeshOptions options, const RemeshProgress& progress) {
+        if (!way) return made_in_one_piece(options, progress);
+        options.border = *way;
         try {
             return Remesher(m_guide, options, progress).run();
         } catch (const Error&) {
             if (!m_failure) m_failure = std::current_exception();
             return std::nullopt;
         }
+    }
+
+    /// Nothing where other surfaces, or wishes, ask for more than that.
+    std::optional<Remesh> made_in_one_piece(const RemeshOptions& options, const RemeshProgress& progress) const {
+        const bool is_free = options.singular.is_empty() && options.crease == 0 && options.marked_creases.empty();
+        if (!is_free) return std::nullopt;
+        if (progress) progress(RemeshPhase::fit, 0);
+        Stopwatch watch;
+        std::optional<Net> net =
+            one_piece(m_guide->surface(), m_guide->tree(), cells_asked_for(m_guide->surface(), options), options.length,
+                      options.smallest_angle);
+        if (!net) return std::nullopt;
+        Remesh result{std::move(*net), {}, {}, {}};
+        result.milliseconds[static_cast<int>(RemeshPhase::fit)] = watch.milliseconds();
+        return result;
     }
 
     double cost(const Net& net) const {
@@ -506,6 +514,7 @@ private:
     RemeshOptions m_options;
     const RemeshProgress& m_progress;
     double m_cells;
+    Stopwatch m_watch;
     std::vector<Trial> m_trials;
     std::exception_ptr m_failure;  // the first
 };

@@ -19,10 +19,10 @@ struct RemeshOptions {
     /// cells fall; or its net lines run up to the border at 45°. Then the border may be longer or shorter than those
     /// beside it, for which cells shear: a ring is covered without singular vertices.
     enum class Border {
-        fitting,  ///< as fits best: each of the others is tried with fewer cells, and on a disc the net that grows from
-                  ///< one place (see one_piece), unless vertices or lines are wished for. Measured are what is covered,
-                  ///< how far net and surface are apart, and their borders, how much cells are tilted against the
-                  ///< surface, and corners sharper than 40 degrees
+        fitting,  ///< as fits best: the others are tried with fewer cells, and on a disc the net that grows from one
+                  ///< place (see one_piece), unless vertices or lines are wished for; not all where one is good.
+                  ///< Measured are what is covered, how far net and surface are apart, and their borders, how much
+                  ///< cells are tilted against the surface, and corners sharper than 40 degrees
         always,   ///< in a net line, along all of the border that the field follows
         across,   ///< at 45°
         never     ///< in steps
