@@ -579,6 +579,24 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(net.length).toBeCloseTo(Number(wished), 6);
 });
 
+test('a net that folds says why, and what lies smoother', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Torso');
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
+  const atBorder = draper().getByRole('combobox', { name: 'At the border' });
+  await atBorder.selectOption('a net line');
+  await press('Make the net');
+  await draper()
+    .getByText(/^Sharp folds at [\d,]+ edges .*“What fits best” lies smoother\.$/)
+    .waitFor();
+  await atBorder.selectOption('what fits best');
+  await press('Make the net');
+  await measured();
+  expect(await results()).toMatch(/Folds over 60°\s+none/);
+  await draper().getByText('Sharp folds').waitFor({ state: 'hidden' });
+});
+
 test('net lines over a whole surface follow lines that are drawn, by hand and by keys', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();

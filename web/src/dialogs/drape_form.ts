@@ -135,6 +135,11 @@ export class DrapeForm {
     return this.#kinds.select.value === 'whole';
   }
 
+  /** Whether a net over the whole surface may end at the border, if there is one, as fits best. */
+  get isFitting(): boolean {
+    return !this.#hasBorder || this.#line.select.value === 'fitting';
+  }
+
   /** Of a net over the whole surface. */
   readWhole(): RemeshOptions {
     const length = this.#length.valueAsNumber;

@@ -13,6 +13,8 @@ const DEGREES = 180 / Math.PI;
 const PATIENCE_MS = 600;
 /** Part of the surface: a net that covers less is not what its prospect promised. */
 const COVERS = 0.97;
+/** Of the edges, as many as cells twice: a net with more folds looks crumpled. */
+const FOLDED = 0.005;
 
 /** Where no vertex could be set. */
 function refusedWords({ locked, met }: DrapedNet): string {
@@ -46,6 +48,7 @@ export class DrapeResults {
   readonly element = make('div', { class: 'results' }, this.#fault, this.#facts, this.#making);
   #surface: SurfaceReport | null = null;
   #net: DrapedNet | RemeshedNet | null = null;
+  #againstFolds = '';
   #patience: ReturnType<typeof setTimeout> | undefined;
 
   get prospect(): HTMLElement {
@@ -70,10 +73,13 @@ export class DrapeResults {
     setText(this.#prospect, this.#surface === null ? TEXT.opening : prospectWords(this.#surface) + addition);
   }
 
-  /** Of one piece, beside a net: where it covers less than was promised, what to do about it. */
-  #reviseProspect(net: DrapedNet | RemeshedNet, coverage: number): void {
+  /** Of one piece, beside a net: where it covers less than was promised, what to do about it. Of the whole surface only
+   *  where it is crumpled. */
+  #reviseProspect(net: DrapedNet | RemeshedNet, { coverage, folds }: DrapeReport): void {
     const isWhole = 'singularVertices' in net;
-    this.#prospect.hidden = isWhole;
+    const isCrumpled = isWhole && folds > FOLDED * 2 * net.net.info.faces;
+    this.#prospect.hidden = isWhole && !isCrumpled;
+    if (isCrumpled) return setText(this.#prospect, TEXT.crumpled(count(folds), this.#againstFolds));
     const promised = this.#surface?.prospect === 'one_piece' || this.#surface?.prospect === 'tight';
     this.#sayProspect(!isWhole && promised && coverage < COVERS ? ` ${TEXT.coversLess}` : '');
   }
@@ -109,9 +115,11 @@ export class DrapeResults {
     this.#fault.hidden = true;
   }
 
-  setNet(net: DrapedNet | RemeshedNet): void {
+  /** @param againstFolds of a net over the whole surface, what to do if it folds. */
+  setNet(net: DrapedNet | RemeshedNet, againstFolds = ''): void {
     this.#expectNone();
     this.#net = net;
+    this.#againstFolds = againstFolds;
     this.#fault.hidden = true;
     // The other rows stay until they are measured anew: they would flicker while the seed is dragged.
     this.#facts.classList.add('stale');
@@ -121,7 +129,7 @@ export class DrapeResults {
   setReport(report: DrapeReport, measuring: number): void {
     if (this.#net === null) return;
     this.#facts.classList.remove('stale');
-    this.#reviseProspect(this.#net, report.coverage);
+    this.#reviseProspect(this.#net, report);
     const { net } = this.#net;
     const { faces, vertices } = net.info;
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
