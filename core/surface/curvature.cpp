@@ -142,7 +142,9 @@ std::string sentence_of(const SurfaceReport& report) {
                    ", and one net can take 2 π.";
             break;
         case Prospect::a_seam:
-            text = "One uncut piece will meet itself, where it goes round a hole: expect a seam there.";
+            text =
+                "One uncut piece will meet itself, where it goes round a hole or a handle: expect a seam there, or "
+                "make a net over the whole.";
             break;
         case Prospect::too_curved:
             text = "More curvature than one net can take (" + has +

@@ -176,7 +176,8 @@ export const dialogs = {
       one_piece: (_has: string) => 'One uncut piece will cover it.',
       tight: (has: string) =>
         `One uncut piece may cover it, with sharp corners: its total curvature is ${has}\u00a0π, and one net can take 2\u00a0π.`,
-      a_seam: (_has: string) => 'One piece goes round it and meets itself: expect a seam.',
+      a_seam: (_has: string) =>
+        'One piece goes round a hole or a handle and meets itself: expect a seam. The whole surface can do without.',
       too_curved: (has: string) =>
         `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
     },
