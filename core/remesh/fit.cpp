@@ -35,8 +35,11 @@ constexpr double k_border = 0.05;  // of the distance of borders, where that fro
 // Of the second difference of a net line; with rods as they are laid, their edges come so much nearer to one length.
 constexpr double k_straight = 0.02, k_straight_as_laid = 0.005;
 constexpr double k_inertia = 5e-4;  // what a step costs: nothing else keeps vertices from drifting along the surface
-constexpr int k_least_steps = 4, k_most_steps = 40;
-constexpr double k_least_gain = 0.99;  // of what a step leaves of the error of lengths
+// Until so many leave more than this of the error of lengths. With rods as they are laid what it still is will have to
+// be folded away.
+constexpr int k_last_steps = 1, k_last_steps_as_laid = 10;
+constexpr double k_least_gain = 0.99;
+constexpr int k_least_steps = 4, k_most_steps = 70;
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end. Where rods
@@ -104,12 +107,13 @@ private:
 
     /// On the surface, until that hardly brings lengths nearer to each other any more.
     void spread_edges() {
-        double error = std::numeric_limits<double>::infinity();
+        const int last = m_rods == Rods::straight ? k_last_steps : k_last_steps_as_laid;
+        std::vector<double> errors;
         for (int k = 0; k < k_most_steps; ++k) {
             m_go_on(k_even_at * k / k_most_steps);
             if (m_options.length == 0) m_length = fitting_length();
-            const double last = std::exchange(error, length_error());
-            if (k >= k_least_steps && error > k_least_gain * last) return;
+            errors.push_back(length_error());
+            if (k >= std::max(k_least_steps, last) && errors[k] > k_least_gain * errors[k - last]) return;
             step();
         }
     }
