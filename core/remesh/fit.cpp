@@ -35,7 +35,7 @@ constexpr double k_border = 0.05;  // of the distance of borders, where that fro
 // Of the second difference of a net line; with rods as they are laid, their edges come so much nearer to one length.
 constexpr double k_straight = 0.02, k_straight_as_laid = 0.005;
 constexpr double k_inertia = 5e-4;  // what a step costs: nothing else keeps vertices from drifting along the surface
-// Until so many leave more than this of the error of lengths. With rods as they are laid what it still is will have to
+// Until so many steps leave more than this of the error of lengths. With rods as they are laid, what is left of it will
 // be folded away.
 constexpr int k_last_steps = 1, k_last_steps_as_laid = 10;
 constexpr double k_least_gain = 0.99;
@@ -96,7 +96,8 @@ public:
     }
 
 private:
-    /// Of a closed net lines cannot all be straight near its surface, but where it has no singular vertex.
+    /// Near a closed surface straight rods raise tips at singular vertices. Over a border they may leave it, and do so
+    /// where else they would fold.
     static Rods rods_for(const Net& net, const Topology& topology) {
         for (int v = 0; v < net.vertex_count(); ++v)
             if (topology.is_boundary(v)) return Rods::straight;

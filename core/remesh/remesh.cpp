@@ -65,7 +65,7 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
-// cells are tilted against the surface, in radians, on average. With less than the last in all no other is looked for.
+// cells are tilted against the surface, in radians, on average. A net with less than k_good_cost in all needs no rival.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
 constexpr double k_good_cost = 0.08;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
@@ -416,7 +416,8 @@ private:
     using Border = RemeshOptions::Border;
     using Way = std::optional<Border>;  // none: in one piece
     static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::across, Border::never};
-    static constexpr std::size_t k_rivals = 2;  // so many are tried at least
+    // So many are tried at least: each of the first two may be perfect where the other is only good.
+    static constexpr std::size_t k_rivals = 2;
 
     struct Trial {
         Way way;
