@@ -31,21 +31,23 @@ namespace {
 // Lengths are reckoned in L. To even out the edges vertices are held on the surface, so that the lengths are found by
 // shear, which costs nothing but the straightness of net lines.
 constexpr double k_hold = 100, k_stiffness = 1;
-constexpr double k_border = 0.05;  // of the distance of borders, where that from the surface counts 1
-// Of the second difference of a net line; with rods as they are laid, their edges come so much nearer to one length.
-constexpr double k_straight = 0.02, k_straight_as_laid = 0.005;
+constexpr double k_border = 0.05;   // of the distance of borders, where that from the surface counts 1
 constexpr double k_inertia = 5e-4;  // what a step costs: nothing else keeps vertices from drifting along the surface
-// Until so many steps leave more than this of the error of lengths. With rods as they are laid, what is left of it will
-// be folded away.
-constexpr int k_last_steps = 1, k_last_steps_as_laid = 10;
-constexpr double k_least_gain = 0.99;
 constexpr int k_least_steps = 4, k_most_steps = 70;
+constexpr double k_least_gain = 0.99;  // of what the last steps leave of the error of lengths
+/// How edges are evened out.
+struct Evening {
+    double straight;         // weight of the second difference of a net line
+    int last_steps;          // it ends when so many gain too little
+    double open;             // corners are kept open by so much more than the limit, in radians
+    double limit_stiffness;  // beside edges that weigh 1
+};
+// With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
+constexpr Evening k_for_straight = {0.02, 1, 0, 1}, k_for_laid = {0.005, 10, 8 * std::numbers::pi / 180, 2};
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
-// Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end. Where rods
-// will be as they are laid corners have to be open at once: by so much more, in radians, and beside edges that weigh 1.
+// Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
 constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
-constexpr double k_laid_margin = 8 * std::numbers::pi / 180, k_laid_stiffness = 2;
 // A vertex that is so near to a crease, in L, is on it: as the mean of its cells, half of one away on either side, it
 // stands off from one at first, by the more the sharper that is.
 constexpr double k_on_crease = 0.7;
@@ -78,6 +80,7 @@ public:
           m_topology(m_net),
           m_options(options),
           m_rods(rods_for(m_net, m_topology)),
+          m_evening(m_rods == Rods::straight ? k_for_straight : k_for_laid),
           m_length(options.length > 0 ? options.length : m_net.mean_length()),
           m_positions(mesh.positions),
           m_guess(static_cast<std::size_t>(m_net.vertex_count()), -1) {
@@ -108,7 +111,7 @@ private:
 
     /// On the surface, until that hardly brings lengths nearer to each other any more.
     void spread_edges() {
-        const int last = m_rods == Rods::straight ? k_last_steps : k_last_steps_as_laid;
+        const int last = m_evening.last_steps;
         std::vector<double> errors;
         for (int k = 0; k < k_most_steps; ++k) {
             m_go_on(k_even_at * k / k_most_steps);
@@ -316,11 +319,10 @@ private:
         draw_to_points();
         for (const Bend& bend : m_bends) straighten(bend);
         for (const Bar& edge : m_edges) pull(edge, 1, 1);
-        const bool as_laid = m_rods == Rods::as_laid;
-        const double open = m_options.smallest_angle + (as_laid ? k_laid_margin : 0);
+        const double open = m_options.smallest_angle + m_evening.open;
         const double shortest = 2 * std::sin(open / 2) + k_diagonal_margin;
         for (const Bar& diagonal : m_diagonals)
-            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest, as_laid ? k_laid_stiffness : 1);
+            if (length_of(vector(diagonal)) < shortest) pull(diagonal, shortest, m_evening.limit_stiffness);
         if (!m_system->factorize()) return;
         const Eigen::Matrix3Xd moves = m_system->solve(m_force);
         for (int v = 0; v < m_positions.cols(); ++v) {
@@ -385,7 +387,7 @@ private:
     }
 
     void straighten(const Bend& bend) {
-        const double straight = m_rods == Rods::straight ? k_straight : k_straight_as_laid;
+        const double straight = m_evening.straight;
         const Eigen::Matrix3d form = straight * Eigen::Matrix3d::Identity();
         m_system->add_at_link(bend.link_ab, 2 * form);
         m_system->add_at_link(bend.link_bc, 2 * form);
@@ -465,6 +467,7 @@ private:
     Topology m_topology;
     FitOptions m_options;
     Rods m_rods;
+    Evening m_evening;
     double m_length;
     Positions m_positions, m_evened;
     std::vector<int> m_guess;

@@ -588,7 +588,7 @@ test('a net that folds says why, and what lies smoother', async () => {
   await atBorder.selectOption('a net line');
   await press('Make the net');
   await draper()
-    .getByText(/^Sharp folds at [\d,]+ edges .*“What fits best” lies smoother\.$/)
+    .getByText(/^Sharp folds at [\d,]+ edges \(over 60°\): “what fits best” at the border often lies smoother\.$/)
     .waitFor();
   await atBorder.selectOption('what fits best');
   await press('Make the net');

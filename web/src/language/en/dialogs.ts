@@ -185,8 +185,8 @@ export const dialogs = {
     coversLess: 'This one covers less: drag the seed, turn it, or take a proposal.',
     crumpled: (folds: string, instead: string) => `Sharp folds at ${folds} edges (over 60°): ${instead}`,
     againstFolds: {
-      border: 'here the border asks for too much. “What fits best” lies smoother.',
-      cells: 'they stand where the surface curves much within a few cells. More cells lie smoother.',
+      border: '“what fits best” at the border often lies smoother.',
+      cells: 'more cells often lie smoother.',
     },
     pieces: (sentence: string, pieces: number) =>
       `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,

@@ -185,8 +185,8 @@ export const dialogs: Widened<typeof en> = {
     coversLess: '目前这张覆盖得较少：请拖动起点、转动方向，或选用一个建议。',
     crumpled: (folds, instead) => `有 ${folds} 条边的折痕超过 60°：${instead}`,
     againstFolds: {
-      border: '边界要求过高。选“最合适者”会更平顺。',
-      cells: '曲面在几格之内弯曲太大。格数越多越平顺。',
+      border: '边界处选“最合适者”往往更平顺。',
+      cells: '格数多些往往更平顺。',
     },
     pieces: (sentence, pieces) => `${sentence}它有 ${pieces} 个连通部分；网位于起点所在的那一部分。`,
     cuts: {
