@@ -579,6 +579,23 @@ test('a closed body gets a net over the whole of it, with progress and a stop', 
   expect(net.length).toBeCloseTo(Number(wished), 6);
 });
 
+test('no net is made of a surface that is still being opened', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  // In one step: the first of the two is being opened, the second waits.
+  await draper().evaluate((dialog) => {
+    for (const value of ['torso', 'hemisphere', 'whole']) {
+      const select = dialog.querySelector(`option[value=${value}]`)!.closest('select')!;
+      select.value = value;
+      select.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+    [...dialog.querySelectorAll('button')].find((button) => button.textContent === 'Make the net')!.click();
+  });
+  await press('Make the net');
+  await measured();
+  expect(await results()).toMatch(/Singular vertices/);
+});
+
 test('a net that folds says why, and what lies smoother', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

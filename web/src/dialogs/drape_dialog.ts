@@ -225,6 +225,7 @@ export class DrapeDialog implements DraperLike {
     if (this.#isMaking) this.#stop();
     this.#setNet(null);
     this.#best = null;
+    this.#maker.setReady(false);
     this.#results.setSurface(null);
     this.#proposals.set([]);
     this.#draping.open(source);
@@ -238,6 +239,7 @@ export class DrapeDialog implements DraperLike {
     this.#singular.reset(surface);
     this.#results.setSurface(surface.report);
     this.#form.setSurface(surface.report, length);
+    this.#maker.setReady(true);
     if (!this.#form.isWhole) this.#results.expectNet();
     this.#draping.propose(this.#form.read());
   }

@@ -29,6 +29,11 @@ export class DrapeMaker {
     this.element.hidden = !shown;
   }
 
+  /** Whether there is a surface to make a net on. */
+  setReady(ready: boolean): void {
+    this.#make.disabled = !ready;
+  }
+
   /** Whether to make the net is what comes next. */
   setWanted(wanted: boolean): void {
     this.#make.classList.toggle('primary', wanted);
