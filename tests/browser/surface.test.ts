@@ -723,6 +723,13 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
   const again = await run((script) => script.report());
   expect(again.meanDistance).toBeCloseTo(laid.meanDistance, 6);
   expect(again.rods).toBe(laid.rods);
+  const [uncut, cut] = await run(async (script) => [
+    await script.drape({ own: 'pebble' }, { cells: 300 }),
+    await script.drape({ own: 'pebble' }, { cells: 300, cuts: 'proposed' }),
+  ]);
+  expect(uncut!.cuts).toEqual([]);
+  expect(cut!.cuts.length).toBeGreaterThan(0);
+  expect(cut!.coverage).toBeGreaterThan(uncut!.coverage);
   const whole = await run((script) => script.remesh({ own: 'pebble' }, { cells: 300 }));
   expect(whole.singularVertices).toEqual([{ valence: 3, count: 8 }]);
   expect((await script.stats()).faces).toBeGreaterThan(200);

@@ -63,6 +63,7 @@ test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   ['drape', [{ own: 'hypar' }, { border: 'fitting' }], 'options.border must be one of inside, beyond, cut'],
   ['drape', [{ own: 'hypar' }, { arms: 'bent' }], 'options.arms must be one of geodesic, least_shear, curve'],
   ['drape', [{ own: 'hypar' }, { along: [[0, 0]] }], 'options.along[0] must be a point: three numbers'],
+  ['drape', [{ own: 'hypar' }, { cuts: 'drawn' }], 'options.cuts must be a list'],
   ['drape', [{ own: 'hypar' }, { length: 0 }], 'options.length must be a number above 0'],
   ['remesh', [{ own: 'hypar' }, { cells: 1.5 }], 'options.cells must be a whole number from 0 to 2147483647'],
   ['remesh', [{ own: 'hypar' }, { markedCreases: [3] }], 'options.markedCreases[0] must be a list'],

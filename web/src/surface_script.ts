@@ -15,7 +15,7 @@ import type { GuideSource } from './document/document';
 import type { Untrusted } from './document/untrusted';
 import { AskedDraper } from './drape/asking';
 import { SUGGESTED_CELLS } from './drape/cells';
-import type { DrapedNet, SurfaceSource } from './drape/drape_protocol';
+import type { DrapedNet, DrapeSettings, SurfaceSource } from './drape/drape_protocol';
 import { proposedHandles } from './handles/proposal';
 import { Failure } from './failure';
 import { dialogWords } from './language/dialogs';
@@ -27,12 +27,14 @@ export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
   seed?: Point;
   direction?: Point;
   cells?: number;
-  /** Each by its points: the surface is cut open along them, and each piece of it gets a net. */
-  cuts?: Point[][];
+  /** Each by its points: the surface is cut open along them, and each piece of it gets a net. "proposed": along those with which
+   *  more is covered, if there are such, which takes a while to find. */
+  cuts?: Point[][] | 'proposed';
 };
 
 /** How the net that has been opened lies on its surface. */
-export type LaidReport = DrapeReport & Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms' | 'pieces' | 'bare'>;
+export type LaidReport = DrapeReport &
+  Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms' | 'pieces' | 'bare'> & { cuts: Point[][] };
 export type WholeReport = DrapeReport & { singularVertices: { valence: number; count: number }[] };
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
@@ -45,12 +47,13 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
   return withSurface(guide, async (draper, { report: { area } }) => {
     const how = { ...rest, length: length ?? Math.sqrt(area / cells) };
     const begun = seed ? { seed, direction: [1, 0, 0] as Point } : await best(draper, how);
-    const settings = { ...how, ...begun, ...(direction && { direction }), cuts };
-    const draped = await draper.ask({ type: 'drape', settings }, 'draped');
+    const uncut = { ...how, ...begun, ...(direction && { direction }), cuts: [] };
+    const along = cuts === 'proposed' ? await proposedCuts(draper, uncut) : cuts;
+    const draped = await draper.ask({ type: 'drape', settings: { ...uncut, cuts: along } }, 'draped');
     const { locked, met, cutEnds, arms, pieces, bare } = draped;
     const { report } = await draper.ask({ type: 'measure' }, 'measured');
     await open(app, draped, guide, proposedHandles(draped.net));
-    return { ...report, locked, met, cutEnds, arms, pieces, bare };
+    return { ...report, locked, met, cutEnds, arms, pieces, bare, cuts: along };
   });
 }
 
@@ -79,6 +82,11 @@ async function best(draper: AskedDraper, settings: Omit<ScriptDrape, 'cells'> & 
   const { proposals } = await draper.ask({ type: 'propose', settings }, 'proposed');
   const { seed, direction } = proposals[0]!;
   return { seed, direction };
+}
+
+async function proposedCuts(draper: AskedDraper, settings: DrapeSettings): Promise<Point[][]> {
+  const { cuts } = await draper.ask({ type: 'proposeCuts', settings }, 'cutsProposed');
+  return cuts.map(({ points }) => points);
 }
 
 /** With a worker of its own, as long as that takes. */
@@ -121,7 +129,7 @@ function readDrape(options: Untrusted): ScriptDrape {
     border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
     arms: options.at('arms').maybe((each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const)),
     along: options.at('along').maybe(readPoints),
-    cuts: options.at('cuts').maybe((list) => list.list().map(readPoints)),
+    cuts: options.at('cuts').maybe((each) => (each.value === 'proposed' ? each.value : each.list().map(readPoints))),
     leave: options.at('leave').maybe((each) => each.number()),
   });
 }
