@@ -341,6 +341,14 @@ DirectionField smoothest_field(const Surface& surface, const FieldOptions& optio
     return field;
 }
 
+DirectionField turned(const Surface& surface, DirectionField field, double angle) {
+    for (int f = 0; f < surface.face_count(); ++f) {
+        const Eigen::Vector3d direction = field.directions.col(f), normal = surface.face_normals().col(f);
+        field.directions.col(f) = std::cos(angle) * direction + std::sin(angle) * normal.cross(direction);
+    }
+    return field;
+}
+
 int singular_count(const DirectionField& field) {
     return static_cast<int>(
         std::count_if(field.holonomy.begin(), field.holonomy.end(), [](int turns) { return turns != 0; }));

@@ -31,6 +31,9 @@ struct FieldOptions {
 /// for it.
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options);
 
+/// All directions turned by one angle, radians, which is as smooth, and has the same singular vertices.
+DirectionField turned(const Surface& surface, DirectionField field, double angle);
+
 /// The vertices whose holonomy is not 0.
 int singular_count(const DirectionField& field);
 

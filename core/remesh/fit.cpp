@@ -31,9 +31,8 @@ namespace {
 // Lengths are reckoned in L. To even out the edges vertices are held on the surface, so that the lengths are found by
 // shear, which costs nothing but the straightness of net lines.
 constexpr double k_hold = 100, k_stiffness = 1;
-constexpr double k_border = 0.05;   // of the distance of borders, where that from the surface counts 1
-constexpr double k_inertia = 5e-4;  // what a step costs: nothing else keeps vertices from drifting along the surface
-constexpr int k_least_steps = 4, k_most_steps = 70;
+constexpr double k_border = 0.05;  // of the distance of borders, where that from the surface counts 1
+constexpr int k_least_steps = 4, k_most_steps = 70, k_trial_steps = 20;
 constexpr double k_least_gain = 0.99;  // of what the last steps leave of the error of lengths
 /// How edges are evened out.
 struct Evening {
@@ -41,9 +40,10 @@ struct Evening {
     int last_steps;          // it ends when so many gain too little
     double open;             // corners are kept open by so much more than the limit, in radians
     double limit_stiffness;  // beside edges that weigh 1
+    double inertia;          // what a step costs: nothing else keeps vertices from drifting along the surface
 };
 // With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
-constexpr Evening k_for_straight = {0.02, 1, 0, 1}, k_for_laid = {0.005, 10, 8 * std::numbers::pi / 180, 2};
+constexpr Evening k_for_straight = {0.02, 1, 0, 1, 5e-4}, k_for_laid = {0.005, 10, 8 * std::numbers::pi / 180, 2, 1e-4};
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
@@ -93,9 +93,14 @@ public:
     }
 
     Net run() {
-        spread_edges();
+        spread_edges(k_most_steps);
         make_fair();
         return come_to_rest(exact());
+    }
+
+    double evened_error() {
+        spread_edges(k_trial_steps);
+        return length_error();
     }
 
 private:
@@ -110,11 +115,11 @@ private:
     }
 
     /// On the surface, until that hardly brings lengths nearer to each other any more.
-    void spread_edges() {
+    void spread_edges(int most_steps) {
         const int last = m_evening.last_steps;
         std::vector<double> errors;
-        for (int k = 0; k < k_most_steps; ++k) {
-            m_go_on(k_even_at * k / k_most_steps);
+        for (int k = 0; k < most_steps; ++k) {
+            m_go_on(k_even_at * k / most_steps);
             if (m_options.length == 0) m_length = fitting_length();
             errors.push_back(length_error());
             if (k >= std::max(k_least_steps, last) && errors[k] > k_least_gain * errors[k - last]) return;
@@ -341,7 +346,8 @@ private:
             const Height height = height_of(m_surface, m_tree, m_positions.col(v), m_guess[v]);
             m_guess[v] = height.at.face;
             const Eigen::Vector3d normal = height.normal;
-            m_system->add_at_node(v, k_hold * normal * normal.transpose() + k_inertia * Eigen::Matrix3d::Identity());
+            m_system->add_at_node(
+                v, k_hold * normal * normal.transpose() + m_evening.inertia * Eigen::Matrix3d::Identity());
             m_force.col(v) -= k_hold * height.height / m_length * normal;
         }
     }
@@ -485,6 +491,13 @@ private:
 Net fit_net(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
             const std::function<void(double)>& go_on) {
     return Fitter(guide, mesh, options, go_on).run();
+}
+
+double evened_error(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, double smallest_angle) {
+    const std::function<void(double)> go_on = [](double) {};
+    FitOptions options;
+    options.smallest_angle = smallest_angle;
+    return Fitter(guide, mesh, options, go_on).evened_error();
 }
 
 }  // namespace chebnet

@@ -33,4 +33,9 @@ struct FitOptions {
 Net fit_net(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, const FitOptions& options,
             const std::function<void(double)>& go_on);
 
+/// What lengths of edges err by, root mean square, in L, once they have been evened out on the surface for a while:
+/// where it does not allow for edges of one length, a net has to fold. `smallest_angle` as for fit_net(). Throws Error
+/// as Net does.
+double evened_error(const std::shared_ptr<const Guide>& guide, const Mesh& mesh, double smallest_angle);
+
 }  // namespace chebnet

@@ -63,6 +63,8 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 // Nor may its cells be tilted more against the surface than this, in radians, or, where that surface is rough, by this
 // factor more than those of such a net with the usual singular vertices: it would be crumpled.
 constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
+// A field that nothing holds is as smooth turned by any angle up to 90°. So many are tried, with k_fewest_cells.
+constexpr int k_turns_tried = 4;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
 // cells are tilted against the surface, in radians, on average. A net with less than k_good_cost in all needs no rival.
@@ -209,9 +211,8 @@ private:
 
     /// With the present wishes.
     std::optional<Net> small_net() {
-        const double size = std::max(1.0, std::sqrt(cells_asked_for(m_surface, m_options) / k_fewest_cells));
         try {
-            return fitted(mesh_along(size, m_options.smoothing), 0, false).net;
+            return fitted(mesh_along(small_size(), m_options.smoothing), 0, false).net;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
             return std::nullopt;
@@ -270,14 +271,51 @@ private:
 
     Mesh mesh_along(double size, double smoothing) {
         begin(RemeshPhase::field);
-        const DirectionField field = field_along(smoothing);
+        DirectionField field = field_along(smoothing);
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
+        if (!m_is_trying && may_turn(field)) field = well_turned(std::move(field));
         begin(RemeshPhase::grid);
-        const Mesh mesh = mesh_of(cells_of(m_even->surface, grid_along(field, size * m_cell)));
+        return checked_mesh(field, size);
+    }
+
+    Mesh checked_mesh(const DirectionField& field, double size) const {
+        Mesh mesh = mesh_of(cells_of(m_even->surface, grid_along(field, size * m_cell)));
         check(mesh);
         return mesh;
+    }
+
+    /// As a whole: nothing of the field is along anything.
+    bool may_turn(const DirectionField& field) const {
+        return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only) && singular_count(field) > 0;
+    }
+
+    /// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on
+    /// how the field is turned: what is left is folded away in the end.
+    DirectionField well_turned(DirectionField field) const {
+        DirectionField best = field;
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < k_turns_tried; ++k) {
+            tell(static_cast<double>(k + 1) / (k_turns_tried + 1));
+            DirectionField other = turned(m_even->surface, field, k * std::numbers::pi / 2 / k_turns_tried);
+            const double error = small_error(other);
+            if (error < least) least = error, best = std::move(other);
+        }
+        return best;
+    }
+
+    /// Of edges that are evened out, in a small net; infinite if there is none.
+    double small_error(const DirectionField& field) const {
+        try {
+            return evened_error(m_guide, checked_mesh(field, small_size()), m_options.smallest_angle);
+        } catch (const Error&) {
+            return std::numeric_limits<double>::infinity();
+        }
+    }
+
+    double small_size() const {
+        return std::max(1.0, std::sqrt(cells_asked_for(m_surface, m_options) / k_fewest_cells));
     }
 
     /// `length`: of all edges; 0: the one that fits.

@@ -174,6 +174,14 @@ TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too
     CHECK(sum / 8 > 250 * std::numbers::pi / 180);
 }
 
+TEST_CASE("Directions on a sphere are turned so that edges of one length need few folds, whatever its triangles") {
+    const int around = GENERATE(12, 16, 20, 24);
+    const auto guide = std::make_shared<const Guide>(Surface(samples::sphere(around)));
+    const Net net = remesh(guide, of_cells(1500)).net;
+    CAPTURE(around);
+    CHECK(measure_drape(guide->surface(), guide->tree(), net).folds < 0.008 * net.edge_count());
+}
+
 TEST_CASE("A cube of twelve triangles gets a net with eight singular vertices") {
     CHECK(Topology(remeshed(cube(), of_cells(600), 2).net).singular_vertices() == std::map<int, int>{{3, 8}});
 }
@@ -559,6 +567,19 @@ TEST_CASE("Creases, borders and singular vertices wished for go together") {
 TEST_CASE("A field on a sphere has the holonomy of its curvature") {
     const DirectionField field = smoothest_field(Surface(samples::sphere(12)), {});
     CHECK(chebnet::singular_count(field) == 8);
+}
+
+TEST_CASE("A field that is turned as a whole stays in the triangles' planes, and as smooth") {
+    const Surface surface(samples::sphere(12));
+    const DirectionField field = smoothest_field(surface, {});
+    const double angle = 0.3;
+    const DirectionField other = turned(surface, field, angle);
+    for (int f = 0; f < surface.face_count(); ++f) {
+        CHECK(other.directions.col(f).dot(field.directions.col(f)) == Approx(std::cos(angle)));
+        CHECK(std::abs(other.directions.col(f).dot(surface.face_normals().col(f))) < 1e-12);
+    }
+    CHECK(other.turns == field.turns);
+    CHECK(other.holonomy == field.holonomy);
 }
 
 TEST_CASE("Eight singular vertices wished for at a cube's corners give a sphere the cube's pattern, and no others") {
