@@ -4,7 +4,9 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "base/error.h"
 #include "remesh/integers.h"
 
 namespace chebnet {
@@ -16,6 +18,8 @@ constexpr double k_shift = 1e-8;
 // The weights of sides are cotangents, but no less than this.
 constexpr double k_least_weight = 0.1;
 
+// To choose them takes time by the third power of their number, and memory by the second.
+constexpr int k_most_integers = 2000;
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
 constexpr double k_along = 0.3;
 
@@ -167,6 +171,7 @@ public:
         number_unknowns();
         place_corners();
         if (!on_lines.empty()) hold(on_lines);
+        check_integers();
     }
 
     GridMap run() {
@@ -299,6 +304,13 @@ private:
             if (std::abs(along[component.axis]) < k_along * edge.norm()) return axis;
         }
         return -1;
+    }
+
+    void check_integers() const {
+        if (m_integers > k_most_integers)
+            throw Error(ErrorCode::bad_option, "creases, borders and singular vertices leave " +
+                                                   std::to_string(m_integers) + " whole numbers to choose, more than " +
+                                                   std::to_string(k_most_integers) + ": follow fewer creases");
     }
 
     /// Along a crease or border that the field follows one coordinate is a whole number of cells. It is that of a

@@ -153,8 +153,8 @@ private:
         if (wishes.size() == 1 || !(m_options.fewest || wishes.back().vertices.empty())) return std::nullopt;
         const std::optional<PlacedWishes> usual = m_wishes;
         std::optional<Found> found;
-        for (int k = last_good(wishes); k > 0 && !found; k /= 2) {
-            m_wishes = placed(wishes[k], m_even->surface, m_guide->tree(), m_cell);
+        for (int k = last_good(wishes); k > 0 && !found; k = m_options.fewest ? k / 2 : 0) {
+            if (!place(wishes[k])) continue;
             found = find_good_net();
             m_found.clear();
             if (found && !is_smooth(found->net, usual)) found.reset();
@@ -181,11 +181,7 @@ private:
     }
 
     bool is_good_enough(const SingularWishes& wishes, const std::optional<PlacedWishes>& usual) {
-        try {
-            m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
-        } catch (const Error&) {  // two of them have one place
-            return false;
-        }
+        if (!place(wishes)) return false;
         const std::optional<Net> net = small_net();
         if (!net) return false;
         const DrapeReport report = measure_drape(m_surface, m_guide->tree(), *net);
@@ -194,6 +190,16 @@ private:
             report.mean_distance > farthest * report.length)
             return false;
         return is_smooth(*net, usual);
+    }
+
+    /// False where two of them have one place.
+    bool place(const SingularWishes& wishes) {
+        try {
+            m_wishes = placed(wishes, m_even->surface, m_guide->tree(), m_cell);
+        } catch (const Error&) {
+            return false;
+        }
+        return true;
     }
 
     /// As `usual` is, wishes for a net that is found for it if need be.

@@ -247,6 +247,15 @@ describe('a worker that is lost', () => {
     },
   );
 
+  test('in mid-drag takes with it what waits of the drag: there is no net yet to drag where it comes back', async () => {
+    const drags = [1, 2].map((x) => client.drag([{ vertex: 7, target: [x, 0, 0] }]));
+    crash('error');
+    for (const drag of drags) await expect(drag).rejects.toMatchObject({ code: 'worker_lost' });
+    expect(worker().sent.map(({ type }) => type)).toEqual(['open']);
+    await worker().open();
+    expect(worker().sent).toEqual([]);
+  });
+
   test('is not listened to any more', async () => {
     const lost = worker();
     crash('error');

@@ -181,14 +181,14 @@ describe('the worker', () => {
     const down = { origin: [0.3, 0.2, 9] as Point, direction: [0, 0, -1] as Point };
     const responses = answers(
       { type: 'open', source: { own: 'pebble' } },
-      { type: 'place', at: down, mark: 2 },
-      { type: 'place', at: { ...down, direction: [0, 0, 1] }, mark: null },
+      { type: 'place', at: down, mark: 2, revision: 5 },
+      { type: 'place', at: { ...down, direction: [0, 0, 1] }, mark: null, revision: 6 },
     );
     const [, placed, missed] = responses;
     if (placed?.type !== 'placed' || placed.place === null) return expect.fail();
-    expect(placed.mark).toBe(2);
+    expect(placed).toMatchObject({ mark: 2, revision: 5 });
     expect(placed.place.position.slice(0, 2)).toEqual([expect.closeTo(0.3), expect.closeTo(0.2)]);
-    expect(missed).toEqual({ type: 'placed', place: null, mark: null });
+    expect(missed).toEqual({ type: 'placed', place: null, mark: null, revision: 6 });
 
     const singular = [{ point: placed.place.position, valence: 3 as const }];
     const remeshed = answers(
@@ -310,7 +310,7 @@ describe('while a net is being laid', () => {
       progressed: (phase) => told.push(phase),
       remeshed: () => told.push('remeshed'),
       measured: () => told.push('measured'),
-      refused: ({ code }) => told.push(code),
+      refused: ({ code }, request) => told.push(request === null ? code : `${code} ${request}`),
     });
     const lengths = () =>
       worker.asked.map((request) => (request.type === 'drape' ? request.settings.length : request.type));
@@ -368,6 +368,45 @@ describe('while a net is being laid', () => {
     draping.close();
   });
 
+  test('a surface that is being opened is not given the requests of the one before, nor with what is set for that', () => {
+    const { worker, told, draping, lengths } = start();
+    draping.open({ own: 'torso' });
+    draping.drape(SETTINGS);
+    worker.answer(opened);
+    draping.drape(SETTINGS);
+    expect(lengths()).toEqual(['open', SETTINGS.length]);
+    expect(told).toEqual(['opened']);
+    draping.close();
+  });
+
+  test('each new mark gets a place, and one that is moved only its last', () => {
+    const { worker, draping } = start();
+    const at: Point = [0, 0, 0];
+    draping.drape(SETTINGS);
+    for (const mark of [null, null, 3, 4, 3]) draping.place(at, mark, 0);
+    for (let answered = 0; answered < 4; answered++) worker.answer(draped);
+    expect(worker.asked.slice(1).map((request) => request.type === 'place' && request.mark)).toEqual([
+      null,
+      null,
+      4,
+      3,
+    ]);
+    draping.close();
+  });
+
+  test('a worker that is lost says so once, and another one opens what is chosen next', () => {
+    const { worker, told, draping, lengths } = start();
+    draping.open({ own: 'torso' });
+    worker.onerror?.({ message: 'no script' } as ErrorEvent);
+    expect(told).toEqual(['worker_lost']);
+    draping.open({ own: 'pebble' });
+    worker.answer(opened);
+    draping.drape(SETTINGS);
+    expect(lengths()).toEqual(['open', 'open', SETTINGS.length]);
+    expect(told).toEqual(['worker_lost', 'opened']);
+    draping.close();
+  });
+
   test('to stop opens the surface again in another worker, and says nothing of it', () => {
     const { worker, told, draping, lengths } = start();
     draping.open({ own: 'pebble' });
@@ -390,7 +429,7 @@ describe('while a net is being laid', () => {
     worker.answer(draped);
     await expect.poll(lengths).toEqual([SETTINGS.length, 'measure']);
     worker.answer({ type: 'error', code: 'internal', message: 'no' });
-    expect(told).toEqual(['draped', 'internal']);
+    expect(told).toEqual(['draped', 'internal measure']);
     draping.close();
   });
 });

@@ -69,6 +69,13 @@ test.each([
   ['a vertex that is text', 'bad_arguments', 'move', ['0', [0, 0, 0]]],
   ['a point at infinity', 'bad_arguments', 'move', [0, [0, 0, Infinity]]],
   ['a point that is sparse', 'bad_arguments', 'move', [0, Array(3)]],
+  [
+    'a face that is there ever again',
+    'bad_arguments',
+    'describe',
+    [{ vertices: [[0, 0, 0]], faces: Array(100_000).fill(Array(100_000).fill(0)) }],
+  ],
+  ['a point of many numbers', 'bad_arguments', 'move', [0, Array(1e6).fill(0)]],
   ['too many handles', 'bad_arguments', 'setHandles', [Array(10_001).fill({ vertex: 0 })]],
   ['an option that is an object', 'bad_arguments', 'setOptions', [{ threshold: {} }]],
   ['an event that is none', 'bad_arguments', 'on', ['click']],

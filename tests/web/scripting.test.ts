@@ -81,6 +81,23 @@ test.each<[call: keyof Scripting, given: unknown[], said: string]>([
   expect(app.opening).toBe(before);
 });
 
+/** One list many times: it takes no room until somebody reads it. */
+const times = (count: number, each: unknown) => Array(count).fill(each) as unknown[];
+
+test.each<[what: string, call: 'drape' | 'remesh', options: object, said: string]>([
+  ['a line of many points', 'drape', { along: times(1e6, [0, 0, 0]) }, 'options.along must be a list'],
+  ['many cuts', 'drape', { cuts: times(1e5, times(1000, [0, 0, 0])) }, 'options.cuts must be a list'],
+  ['many creases', 'remesh', { markedCreases: times(1e5, []) }, 'options.markedCreases must be a list'],
+  ['many marks', 'remesh', { singular: times(1e6, { valence: 3 }) }, 'options.singular must be a list'],
+  ['many regions', 'remesh', { forbidden: times(1e6, { radius: 3 }) }, 'options.forbidden must be a list'],
+])('%s on a surface is refused', async (_, call, options, message) => {
+  const { script } = await pageWithDome();
+  const refused = await refusal(() =>
+    (script[call] as (...given: unknown[]) => Promise<unknown>)({ own: 'hypar' }, options),
+  );
+  expect(refused).toMatchObject({ code: 'bad_arguments', message });
+});
+
 test.each<[call: keyof Scripting, given: unknown[], code: string]>([
   ['open', [{ recipe: 'no such shape' }], 'bad_option'],
   ['open', [{ obj: 'v 0 0 0\nf 1 2 3\n' }], 'index_out_of_range'],

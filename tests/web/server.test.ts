@@ -279,6 +279,17 @@ describe('a drag', () => {
     expect(settled().frame).toMatchObject({ fellShort: true });
   });
 
+  test('a search for other lengths that is ended in vain lets the solve go on that it interrupted', () => {
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+    run(1, 1);
+    const before = frames('settled').length;
+    ask({ type: 'adapt' });
+    ask({ type: 'open', scene: freshScene({ recipe: 'no such shape' }) });
+    run();
+    expect(frames('settled').length).toBe(before + 1);
+    expect(at(settled().frame.positions, dragged)).toEqual(away);
+  });
+
   test('is answered at once and ends settled', () => {
     const id = ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
     expect(said).toEqual([{ id, type: 'done' }]);

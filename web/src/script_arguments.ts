@@ -31,6 +31,8 @@ export type ScriptOptions = { method?: string; initialisation?: string } & Recor
 >;
 
 const LONGEST_TEXT = 1000;
+/** Of a surface's faces, for each that it may have. A list may stand in another one many times, and take no more room there. */
+const MOST_CORNERS = 10;
 
 /** @param longest characters of an OBJ. */
 export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
@@ -84,6 +86,7 @@ export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface 
   const own = surface.at('own').maybe(readText);
   if (own !== undefined) return { own };
   const name = surface.at('name').maybe(readText);
+  let corners = MOST_CORNERS * most;
   return {
     vertices: surface
       .at('vertices')
@@ -92,7 +95,11 @@ export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface 
     faces: surface
       .at('faces')
       .list(most)
-      .map((face) => face.list().map(readVertex)),
+      .map((face) => {
+        const ring = face.list(corners).map(readVertex);
+        corners -= ring.length;
+        return ring;
+      }),
     ...(name === undefined ? {} : { name }),
   };
 }

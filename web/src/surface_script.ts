@@ -21,6 +21,9 @@ import { Failure } from './failure';
 import { dialogWords } from './language/dialogs';
 import { guideOf, readSurface } from './script_arguments';
 
+/** What a call may have of them: each takes time, and others may have sent them. */
+const [MOST_LINES, MOST_POINTS, MOST_MARKS] = [100, 1000, 1000];
+
 /** Without a length, about so many cells would cover the surface; without a seed, the net begins where the best of several trials
  *  does. */
 export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
@@ -129,7 +132,7 @@ function readDrape(options: Untrusted): ScriptDrape {
     border: options.at('border').maybe((each) => each.oneOf(['inside', 'beyond', 'cut'] as const)),
     arms: options.at('arms').maybe((each) => each.oneOf(['geodesic', 'least_shear', 'curve'] as const)),
     along: options.at('along').maybe(readPoints),
-    cuts: options.at('cuts').maybe((each) => (each.value === 'proposed' ? each.value : each.list().map(readPoints))),
+    cuts: options.at('cuts').maybe((each) => (each.value === 'proposed' ? each.value : readLines(each))),
     leave: options.at('leave').maybe((each) => each.number()),
   });
 }
@@ -142,12 +145,12 @@ function readRemesh(options: Untrusted): RemeshOptions {
     smoothing: options.at('smoothing').maybe((each) => each.number()),
     fewest: options.at('fewest').maybe((each) => each.flag()),
     crease: options.at('crease').maybe((each) => each.number()),
-    markedCreases: options.at('markedCreases').maybe((list) => list.list().map(readPoints)),
+    markedCreases: options.at('markedCreases').maybe(readLines),
     border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),
     only: options.at('only').maybe((each) => each.flag()),
     singular: options.at('singular').maybe((list) =>
       // Whether there can be such, the core says.
-      list.list().map((each) => ({
+      list.list(MOST_MARKS).map((each) => ({
         point: each.at('point').point(),
         valence: each.at('valence').index(100) as WishedSingular['valence'],
       })),
@@ -155,13 +158,19 @@ function readRemesh(options: Untrusted): RemeshOptions {
     forbidden: options
       .at('forbidden')
       .maybe((list) =>
-        list.list().map((each) => ({ centre: each.at('centre').point(), radius: each.at('radius').positive() })),
+        list
+          .list(MOST_MARKS)
+          .map((each) => ({ centre: each.at('centre').point(), radius: each.at('radius').positive() })),
       ),
   });
 }
 
+function readLines(lines: Untrusted): Point[][] {
+  return lines.list(MOST_LINES).map(readPoints);
+}
+
 function readPoints(points: Untrusted): Point[] {
-  return points.list().map((each) => each.point());
+  return points.list(MOST_POINTS).map((each) => each.point());
 }
 
 /** Without what was not given. */

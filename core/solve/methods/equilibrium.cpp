@@ -195,8 +195,9 @@ void Equilibrium::prepare(const Problem& problem) {
 /// Made when first asked for: most edits do without. It keeps what slides where it stands.
 Method& Equilibrium::projection() {
     if (!m_projection) {
-        m_projection = make_method("projection");
-        m_projection->prepare(problem());
+        auto projection = make_method("projection");
+        projection->prepare(problem());
+        m_projection = std::move(projection);
     }
     return *m_projection;
 }
@@ -257,20 +258,21 @@ bool Equilibrium::begin_opening() {
     if (!m_opens || (max_deviation(*m_net, m_rest_shape) < m_options.threshold &&
                      limit().largest_lack(m_rest_shape) <= CornerLimit::k_tolerance))
         return false;
-    m_opening = std::make_unique<Equilibrium>(RestShape::as_it_is);
-    m_opening->prepare({*m_net, *m_topology, {}});
-    m_opening_steps = 0;
+    auto opening = std::make_unique<Equilibrium>(RestShape::as_it_is);
+    opening->prepare({*m_net, *m_topology, {}});
     Options options;
     options.threshold = m_options.threshold;
     options.shear_limit = m_options.shear_limit;
-    if (m_opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) == Status::running) return true;
-    m_opening.reset();
-    return false;
+    if (opening->start({*m_net, *m_topology, {}}, m_rest_shape, options) != Status::running) return false;
+    m_opening = std::move(opening);
+    m_opening_steps = 0;
+    return true;
 }
 
 /// One step of it. Where no such net is found, the rest shape is what it was.
 Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
     const Status status = m_opening->iterate(m_rest_shape, row);
+    row.stage = open;
     row.max_deviation = m_max_deviation;
     if (status == Status::running && ++m_opening_steps < k_most_steps_of_opening) return Status::running;
     if (!(max_deviation(*m_net, m_rest_shape) < m_options.threshold)) m_rest_shape = m_net->rest_positions();

@@ -51,6 +51,8 @@ export class DrapeCuts {
   readonly #line: DrawnLine;
   #cuts: readonly Cut[] = [];
   #isCutting = false;
+  /** To which helpful ones are looked for; null: they are not, or not any more. */
+  #proposed: readonly Cut[] | null = null;
   /** Of the surface, uncut. */
   #borders = 0;
 
@@ -85,7 +87,9 @@ export class DrapeCuts {
   }
 
   setProposed(cuts: readonly Cut[], coverage: readonly number[]): void {
-    this.#propose.disabled = false;
+    const isWanted = this.#proposed === this.#cuts;
+    this.#endProposing();
+    if (!isWanted) return setText(this.#words, this.#isCutting ? TEXT.howTo : '');
     const [before, after] = [coverage[0]!, coverage.at(-1)!];
     if (cuts.length > 0) this.#change(cuts);
     setText(this.#words, cuts.length > 0 ? TEXT.helped(percentWords(before), percentWords(after)) : TEXT.noneHelps);
@@ -93,7 +97,7 @@ export class DrapeCuts {
 
   /** The core has refused something. */
   giveUp(): void {
-    this.#propose.disabled = false;
+    this.#endProposing();
     this.#line.giveUp();
     setText(this.#words, this.#isCutting ? TEXT.howTo : '');
   }
@@ -104,6 +108,12 @@ export class DrapeCuts {
     this.#cuts = [];
     this.#line.clear();
     this.giveUp();
+    this.setCutting(false);
+  }
+
+  /** A net over the whole surface is wanted, which no cut is for. */
+  rest(): void {
+    this.#proposed = null;
     this.setCutting(false);
   }
 
@@ -142,8 +152,14 @@ export class DrapeCuts {
 
   #wantProposals(): void {
     this.#propose.disabled = true;
+    this.#proposed = this.#cuts;
     setText(this.#words, TEXT.proposing);
     this.#events.proposalsWanted();
+  }
+
+  #endProposing(): void {
+    this.#propose.disabled = false;
+    this.#proposed = null;
   }
 
   #show(): void {

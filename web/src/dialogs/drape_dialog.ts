@@ -6,6 +6,7 @@ import { createPicture } from '../drape/drape_picture';
 import type { Picture } from '../drape/drape_picture';
 import type {
   DrapedNet,
+  DrapeRequest,
   DrapeSettings,
   Proposal,
   RemeshedNet,
@@ -90,7 +91,7 @@ export class DrapeDialog implements DraperLike {
       if (pointing) this.#creases.setDrawing(false);
       this.#picture.setCutting(pointing);
     },
-    placeWanted: (at, mark) => this.#draping.place(at, mark),
+    placeWanted: (at, mark, revision) => this.#draping.place(at, mark, revision),
     edgeLength: () => this.#form.read().length,
     faced: (place) => this.#picture.face(place),
   });
@@ -183,14 +184,14 @@ export class DrapeDialog implements DraperLike {
         this.#creases.setTraced(line, revision);
       },
       cutFound: (cut, revision) => this.#cuts.setFound(cut, revision),
-      placed: (place, mark) => this.#singular.setPlace(place, mark),
+      placed: (place, mark, revision) => this.#singular.setPlace(place, mark, revision),
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
-      missed: () => this.#results.keepNet(),
+      missed: () => this.#onMissed(),
       measured: (report, milliseconds) => this.#results.setReport(report, milliseconds),
       progressed: (phase, done) => this.#maker.setProgress(phase, done),
       remeshed: (net) => this.#onRemeshed(net),
-      refused: ({ message }) => this.#onRefused(message),
+      refused: ({ message }, request) => this.#onRefused(message, request),
     });
     this.result = this.#untilFinished();
     this.#open(given === null ? FIRST : null);
@@ -250,8 +251,16 @@ export class DrapeDialog implements DraperLike {
     if (!this.#form.isWhole) this.#begin(this.#best);
   }
 
-  #onRefused(message: string): void {
-    this.#setMaking(false);
+  /** The net stays, and is of the seed that is shown: what is set next is tried there. */
+  #onMissed(): void {
+    this.#seed = this.#seedShown();
+    this.#results.keepNet();
+  }
+
+  /** @param request that is refused; null: what has been asked for is lost. */
+  #onRefused(message: string, request: DrapeRequest['type'] | null): void {
+    if (request === null || request === 'remesh') this.#setMaking(false);
+    if (request === null) this.#maker.setReady(false);
     this.#arms.giveUp();
     this.#cuts.giveUp();
     this.#creases.giveUp();
@@ -264,6 +273,7 @@ export class DrapeDialog implements DraperLike {
     const { isWhole } = this.#form;
     if (this.#isMaking) this.#stop();
     if (isWhole) this.#arms.stopDrawing();
+    if (isWhole) this.#cuts.rest();
     this.#maker.show(isWhole);
     this.#proposals.element.hidden = isWhole;
     this.#cuts.element.hidden = isWhole;

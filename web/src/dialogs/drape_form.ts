@@ -86,6 +86,8 @@ export class DrapeForm {
   /** What only a net over the whole surface has. */
   readonly #wholeRows: HTMLElement[];
   #area = 1;
+  /** The length of edges: what is in the field, unless that is refused. */
+  #edge = 1;
   /** A length was asked for, not a number of cells. */
   #isByLength = false;
   #hasBorder = false;
@@ -142,7 +144,7 @@ export class DrapeForm {
 
   /** Of a net over the whole surface. */
   readWhole(): RemeshOptions {
-    const length = this.#length.valueAsNumber;
+    const length = this.#edge;
     return {
       ...(this.#isByLength ? { length } : { cells: Math.round(cellsOf(length, this.#area)) }),
       smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
@@ -182,7 +184,7 @@ export class DrapeForm {
   read(): Omit<DrapeSettings, 'seed' | 'cuts'> {
     return {
       direction: this.#direction,
-      length: this.#length.valueAsNumber,
+      length: this.#edge,
       angle: this.#angle.input.valueAsNumber * DEGREE,
       smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
       ...(this.#reach.validity.valid && this.#reach.value !== '' ? { reach: this.#reach.valueAsNumber } : {}),
@@ -241,6 +243,7 @@ export class DrapeForm {
 
   #setLength(length: number): void {
     this.#length.value = lengthWords(length);
+    this.#edge = this.#length.valueAsNumber;
     this.#length.setCustomValidity('');
     this.#cells.input.value = String(stepOf(cellsOf(length, this.#area)));
     this.#show(false);
@@ -253,7 +256,7 @@ export class DrapeForm {
   }
 
   #show(isChange = true): void {
-    const cells = count(Math.round(cellsOf(this.#length.valueAsNumber || 1, this.#area)));
+    const cells = count(Math.round(cellsOf(this.#edge, this.#area)));
     show(this.#cells, cells);
     show(this.#turn, `${this.#turn.input.value}°`);
     show(this.#angle, `${this.#angle.input.value}°`);

@@ -22,7 +22,7 @@ export interface SingularEvents {
   /** Whether clicks on the surface set points. */
   pointingChanged(pointing: boolean): void;
   /** Where that is on the surface, for a mark; null: for a new one. */
-  placeWanted(at: Point | Ray, mark: number | null): void;
+  placeWanted(at: Point | Ray, mark: number | null, revision: number): void;
   /** Of the next net, about. */
   edgeLength(): number;
   /** A mark has been chosen in the list, not in the picture: it may have to be turned to the eye. */
@@ -74,6 +74,9 @@ export class DrapeSingular {
     this.#balance,
   );
   #state = NOTHING;
+  /** Of the marks' numbers: with another one, a number may mean another mark. */
+  #revision = 0;
+  #isBusy = false;
   /** What undo goes back to. */
   #before: State[] = [];
   #selected: number | null = null;
@@ -114,6 +117,7 @@ export class DrapeSingular {
 
   /** A net is being made: what it is to have stays. */
   setBusy(busy: boolean): void {
+    this.#isBusy = busy;
     this.element.toggleAttribute('inert', busy);
     if (busy) this.#setTool('none');
   }
@@ -162,32 +166,34 @@ export class DrapeSingular {
 
   /** A mark is taken hold of. */
   begin(): void {
-    this.#remember();
+    if (!this.#isBusy) this.#remember();
   }
 
   /** It is let go of where it was before. */
   back(): void {
+    if (this.#isBusy) return;
     const before = this.#before.pop();
     if (before) this.#put(before);
   }
 
   move(mark: number, at: Ray): void {
-    this.#events.placeWanted(at, mark);
+    if (!this.#isBusy) this.#events.placeWanted(at, mark, this.#revision);
   }
 
   point(at: Point | Ray): void {
-    this.#events.placeWanted(at, null);
+    if (!this.#isBusy) this.#events.placeWanted(at, null, this.#revision);
   }
 
-  setPlace(place: SurfacePlace, mark: number | null): void {
+  setPlace(place: SurfacePlace, mark: number | null, revision: number): void {
+    if (this.#isBusy) return;
     if (mark === null) this.#addAt(place);
-    else this.#moveTo(place, mark);
+    else if (revision === this.#revision) this.#moveTo(place, mark);
   }
 
   /** The one that is chosen. */
   remove(): void {
     const mark = this.#selected;
-    if (mark === null) return;
+    if (mark === null || this.#isBusy) return;
     this.#remember();
     const { dots, discs, only } = this.#state;
     const dot = this.#dot(mark);
@@ -200,6 +206,7 @@ export class DrapeSingular {
   }
 
   undo(): void {
+    if (this.#isBusy) return;
     const before = this.#before.pop();
     this.#selected = null;
     if (before) this.#put(before);
@@ -234,12 +241,12 @@ export class DrapeSingular {
   #moveTo(place: SurfacePlace, mark: number): void {
     const { dots, discs, only } = this.#state;
     if (mark >= dots.length)
-      return this.#put({
+      return this.#change({
         dots,
         only,
         discs: discs.map((disc, i) => (i === mark - dots.length ? { ...disc, place } : disc)),
       });
-    this.#put({ discs, only, dots: dots.map((dot, i) => (i === mark ? pinned({ ...dot, place }) : dot)) });
+    this.#change({ discs, only, dots: dots.map((dot, i) => (i === mark ? pinned({ ...dot, place }) : dot)) });
     this.#say(TEXT.moved);
   }
 
@@ -291,7 +298,14 @@ export class DrapeSingular {
     this.#before.push(this.#state);
   }
 
+  /** Other marks, or those of before. */
   #put(state: State): void {
+    this.#revision += 1;
+    this.#change(state);
+  }
+
+  /** The same marks, one of them at another place. */
+  #change(state: State): void {
     this.#state = state;
     this.#show();
   }

@@ -76,8 +76,9 @@ export class Untrusted {
   }
 
   point(): Vec3 {
-    const [x, y, z, ...more] = this.list();
-    if (x === undefined || y === undefined || z === undefined || more.length > 0) this.fail(words.fields.point);
+    if (Array.isArray(this.value) && this.value.length > 3) this.fail(words.fields.point);
+    const [x, y, z] = this.list();
+    if (x === undefined || y === undefined || z === undefined) this.fail(words.fields.point);
     return [x.number(), y.number(), z.number()];
   }
 

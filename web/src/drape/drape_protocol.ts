@@ -107,7 +107,7 @@ export type DrapeRequest =
    *  `cutFound` or `error`. */
   | { type: 'shortestCut'; from: Point | null; cuts: Point[][]; revision: number }
   /** A point of the surface, for a mark on it; null: for a new one. Answered with `placed`. */
-  | { type: 'place'; at: Point | Ray; mark: number | null }
+  | { type: 'place'; at: Point | Ray; mark: number | null; revision: number }
   /** Cuts that help a net. Answered with `cutsProposed` or `error`. */
   | { type: 'proposeCuts'; settings: DrapeSettings }
   /** Answered with `remeshed` or `error`, and `progress` before. */
@@ -122,8 +122,8 @@ export type DrapeResponse =
   | { type: 'traced'; cut: Cut; revision: number }
   /** `revision` is that of the `shortestCut`. */
   | { type: 'cutFound'; cut: Cut; revision: number }
-  /** null: the ray does not meet the surface. */
-  | { type: 'placed'; place: SurfacePlace | null; mark: number | null }
+  /** null: the ray does not meet the surface. `mark` and `revision` are those of the `place`. */
+  | { type: 'placed'; place: SurfacePlace | null; mark: number | null; revision: number }
   /** @see CutProposals of wasm/chebnet.d.ts about `coverage`. */
   | { type: 'cutsProposed'; cuts: Cut[]; coverage: number[] }
   | ({ type: 'draped' } & DrapedNet)

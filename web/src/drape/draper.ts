@@ -63,7 +63,12 @@ export class Draper {
     if (request.type === 'trace') return trace(this.#surface, request.points, request.revision);
     if (request.type === 'shortestCut') return this.#shortestCut(this.#surface, request);
     if (request.type === 'place')
-      return { type: 'placed', place: placeOf(this.#surface, request.at), mark: request.mark };
+      return {
+        type: 'placed',
+        place: placeOf(this.#surface, request.at),
+        mark: request.mark,
+        revision: request.revision,
+      };
     if (request.type === 'proposeCuts') return this.#proposeCuts(this.#surface, request.settings);
     if (request.type === 'remesh') return this.#cover(this.#surface, request.options);
     const mesh = request.mesh ?? this.#mesh;

@@ -1,4 +1,4 @@
-/** The page's side of the draping worker. While it is busy the latest request of each kind waits. */
+/** The page's side of the draping worker. While it is busy the latest request of each kind waits, and all for new marks. */
 import type { DrapeReport, Point, RemeshOptions, RemeshPhase, SurfacePlace } from '../../../wasm/chebnet';
 import { Failure } from '../failure';
 import { words } from '../language/language';
@@ -37,7 +37,7 @@ export interface DrapingEvents {
   /** The shortest one that was asked for. */
   cutFound(cut: Cut, revision: number): void;
   /** Where a mark is to stand; null: for a new one. */
-  placed(place: SurfacePlace, mark: number | null): void;
+  placed(place: SurfacePlace, mark: number | null, revision: number): void;
   /** Cuts that help; `coverage` is one longer, without them and with each further one. */
   cutsProposed(cuts: Cut[], coverage: number[]): void;
   draped(net: DrapedNet): void;
@@ -48,8 +48,9 @@ export interface DrapingEvents {
   remeshed(net: RemeshedNet): void;
   /** Of the last net. @param milliseconds that it took to measure it. */
   measured(report: DrapeReport, milliseconds: number): void;
-  /** With the core's sentence; the net of before stays. */
-  refused(error: Failure): void;
+  /** With the core's sentence; the net of before stays.
+   *  @param request that is refused; null: the worker is lost, and with it whatever was asked for. */
+  refused(error: Failure, request: DrapeRequest['type'] | null): void;
 }
 
 export class Draping {
@@ -59,8 +60,10 @@ export class Draping {
   #source: SurfaceSource | null = null;
   /** The surface that is being opened was open before, in a worker that has been stopped. */
   #isReopening = false;
-  #isBusy = false;
-  /** At most one of each type, in the order in which they came; with another surface all before it are gone. */
+  #isLost = false;
+  /** Not answered yet. */
+  #asked: DrapeRequest | null = null;
+  /** At most one of each kind, in the order in which they came; with another surface all before it are gone. */
   #waiting: readonly DrapeRequest[] = [];
   #isMeasured = true;
   #still: ReturnType<typeof setTimeout> | undefined;
@@ -72,6 +75,7 @@ export class Draping {
   }
 
   open(source: SurfaceSource): void {
+    if (this.#isLost) this.#begin();
     this.#source = source;
     this.#isReopening = false;
     this.#ask({ type: 'open', source });
@@ -91,8 +95,8 @@ export class Draping {
   }
 
   /** Where a ray, or what is nearest to a point, is on the surface: for a mark there, or for a new one, null. */
-  place(at: Point | Ray, mark: number | null): void {
-    this.#askOfSurface({ type: 'place', at, mark });
+  place(at: Point | Ray, mark: number | null, revision: number): void {
+    this.#askOfSurface({ type: 'place', at, mark, revision });
   }
 
   /** Takes a while. */
@@ -112,10 +116,7 @@ export class Draping {
   /** Gives up what is being made; the surface stays open. */
   stop(): void {
     this.close();
-    this.#worker = this.#start();
-    this.#isBusy = false;
-    this.#waiting = [];
-    this.#isMeasured = true;
+    this.#begin();
     if (this.#source === null) return;
     this.#isReopening = true;
     this.#ask({ type: 'open', source: this.#source });
@@ -130,24 +131,43 @@ export class Draping {
   #start(): DrapeWorkerLike {
     const worker = this.#spawn();
     worker.onmessage = ({ data }) => this.#receive(data);
-    worker.onerror = ({ message }) => this.#events.refused(new Failure('worker_lost', message));
+    worker.onerror = ({ message }) => this.#lose(message);
     return worker;
   }
 
-  /** While another surface is to be opened, it would be of the surface before. */
+  /** With another worker, which has nothing to do. */
+  #begin(): void {
+    this.#worker = this.#start();
+    this.#isLost = false;
+    this.#asked = null;
+    this.#waiting = [];
+    this.#isMeasured = true;
+  }
+
+  /** There is another worker once a surface is opened: one after the other might be lost. */
+  #lose(message: string): void {
+    this.close();
+    this.#isLost = true;
+    this.#asked = null;
+    this.#waiting = [];
+    this.#events.refused(new Failure('worker_lost', message), null);
+  }
+
+  /** While another surface is to be opened, or is being, it would be of the surface before. */
   #askOfSurface(request: DrapeRequest): void {
-    if (!this.#waits('open')) this.#ask(request);
+    const isOpening = this.#asked?.type === 'open' && !this.#isReopening;
+    if (!isOpening && !this.#waits('open')) this.#ask(request);
   }
 
   #ask(request: DrapeRequest): void {
     clearTimeout(this.#still);
-    if (!this.#isBusy) this.#post(request);
+    if (this.#asked === null) this.#post(request);
     else if (request.type === 'open') this.#waiting = [request];
-    else this.#waiting = [...this.#waiting.filter(({ type }) => type !== request.type), request];
+    else this.#waiting = [...this.#waiting.filter((each) => !replaces(request, each)), request];
   }
 
   #post(request: DrapeRequest): void {
-    this.#isBusy = true;
+    this.#asked = request;
     if (request.type === 'open' || request.type === 'measure') this.#isMeasured = true;
     this.#worker.postMessage(request);
   }
@@ -158,38 +178,47 @@ export class Draping {
 
   #receive(response: DrapeResponse): void {
     if (response.type === 'progress') return this.#events.progressed(response.phase, response.done);
-    this.#isBusy = false;
+    const request = this.#asked;
+    this.#asked = null;
     const isOld = this.#waits('open') || (response.type === 'measured' && this.#waits('drape', 'remesh'));
     if (response.type === 'draped' || response.type === 'remeshed' || (response.type === 'measured' && isOld))
       this.#isMeasured = false;
     const [next, ...others] = this.#waiting;
     this.#waiting = others;
     if (next !== undefined) this.#post(next);
-    if (!isOld) this.#tell(response);
-    if (!this.#isBusy && !this.#isMeasured) this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
+    if (!isOld) this.#tell(response, request?.type ?? null);
+    if (this.#asked === null && !this.#isMeasured)
+      this.#still = setTimeout(() => this.#ask({ type: 'measure' }), STILL_MS);
   }
 
-  #tell(response: DrapeResponse): void {
+  #tell(response: DrapeResponse, request: DrapeRequest['type'] | null): void {
     if (response.type === 'opened') this.#tellOpened(response.surface, response.length);
     else if (response.type === 'proposed') this.#events.proposed(response.proposals);
     else if (response.type === 'traced') this.#events.traced(response.cut, response.revision);
     else if (response.type === 'cutFound') this.#events.cutFound(response.cut, response.revision);
-    else if (response.type === 'placed') this.#tellPlaced(response.place, response.mark);
+    else if (response.type === 'placed') this.#tellPlaced(response.place, response.mark, response.revision);
     else if (response.type === 'cutsProposed') this.#events.cutsProposed(response.cuts, response.coverage);
     else if (response.type === 'draped') this.#events.draped(response);
     else if (response.type === 'missed') this.#events.missed();
     else if (response.type === 'remeshed') this.#events.remeshed(response);
     else if (response.type === 'measured') this.#events.measured(response.report, response.milliseconds);
     else if (response.type === 'error')
-      this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)));
+      this.#events.refused(new Failure(response.code, words.core.failure(response.code, response.message)), request);
   }
 
-  #tellPlaced(place: SurfacePlace | null, mark: number | null): void {
-    if (place !== null) this.#events.placed(place, mark);
+  #tellPlaced(place: SurfacePlace | null, mark: number | null, revision: number): void {
+    if (place !== null) this.#events.placed(place, mark, revision);
   }
 
   #tellOpened(surface: ShownSurface, length: number): void {
     if (!this.#isReopening) this.#events.opened(surface, length);
     this.#isReopening = false;
   }
+}
+
+/** Whether a request makes one that waits needless: not for another mark, nor, for a new one, at all. */
+function replaces(request: DrapeRequest, waiting: DrapeRequest): boolean {
+  if (request.type === 'place' && waiting.type === 'place')
+    return request.mark !== null && request.mark === waiting.mark;
+  return request.type === waiting.type;
 }

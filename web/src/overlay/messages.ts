@@ -1,4 +1,4 @@
-/** Toasts, read out by screen readers. An error stays until it is dismissed. */
+/** Toasts, read out by screen readers. An error stays until it is dismissed, or there is another net. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import type { Action, Panel } from '../panels';
@@ -18,6 +18,12 @@ export class Messages implements Panel {
   say(message: string, kind: 'info' | 'error', action?: Action): void {
     if (kind === 'error') this.#sayError(message);
     else this.#sayInfo(message, action);
+  }
+
+  /** What was said is of another one. */
+  setNet(): void {
+    this.#errors.replaceChildren();
+    if (!this.#infos.querySelector('button')) this.#infos.replaceChildren();
   }
 
   /** A message that stays until the user accepts or dismisses it. */

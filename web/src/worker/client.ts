@@ -365,6 +365,8 @@ export class Client {
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
     for (const { reject } of waiting) reject(why);
+    this.#pendingDrag?.refused(why);
+    this.#pendingDrag = null;
   }
 
   /** Opens the document in a new worker. */

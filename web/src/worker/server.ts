@@ -79,7 +79,8 @@ export class Server {
   #inHand: Drag | null = null;
   /** What the last hand asked for. */
   #asked: readonly Handle[] = [];
-  #search: { id: number; adapter: LengthAdapter } | null = null;
+  /** `goesOn`: it interrupted a solve, which goes on if nothing comes of it. */
+  #search: { id: number; adapter: LengthAdapter; goesOn: boolean } | null = null;
   #status: FrameData['status'] = 'running';
   /** The newest row of the present solve; null before its first iteration. */
   #row: TraceRow | null = null;
@@ -280,7 +281,7 @@ export class Server {
         .handles()
         .some((handle) => handle.vertex === vertex),
     );
-    this.#search = { id, adapter: this.#net().lengthAdapter(wanted) };
+    this.#search = { id, adapter: this.#net().lengthAdapter(wanted), goesOn: this.#solving };
     this.#solving = false;
     this.#searchSoon();
   }
@@ -292,9 +293,7 @@ export class Server {
       try {
         this.#searchOn(search);
       } catch (error) {
-        this.#search = null;
-        search.adapter.dispose();
-        this.#refuse(search.id, error);
+        this.#giveUpSearch(error);
       }
     });
   }
@@ -317,11 +316,16 @@ export class Server {
   }
 
   #endSearch(): void {
+    this.#giveUpSearch(new Failure('cancelled', 'The net is being edited.'));
+  }
+
+  #giveUpSearch(why: unknown): void {
     if (this.#search === null) return;
-    const { id, adapter } = this.#search;
+    const { id, adapter, goesOn } = this.#search;
     this.#search = null;
     adapter.dispose();
-    this.#refuse(id, new Failure('cancelled', 'The net is being edited.'));
+    this.#refuse(id, why);
+    if (goesOn) this.#go(true);
   }
 
   /** Whether handles stand elsewhere than the last hand asked. */
@@ -380,6 +384,7 @@ export class Server {
     }
     this.#late = null;
     next();
+    if (this.#solving) this.#sliceSoon();
     for (const each of late) this.handle(each);
   }
 
@@ -419,7 +424,7 @@ export class Server {
     this.#sliceWaits = true;
     this.#host.soon(() => {
       this.#sliceWaits = false;
-      if (!this.#solving) return;
+      if (!this.#solving || this.#late !== null) return;
       try {
         this.#slice();
       } catch (error) {

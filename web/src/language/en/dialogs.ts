@@ -153,11 +153,7 @@ export const dialogs = {
     howManyOf: { usual: 'where it curves', fewest: 'as few as it takes' },
     smoothing: 'Bumps',
     smoothings: (smoothing: number) =>
-      smoothing === 0
-        ? 'all count'
-        : smoothing === 1
-          ? 'small ones smoothed away'
-          : `smoothed ${smoothing} times as far`,
+      smoothing === 0 ? 'all count' : smoothing === 1 ? 'small ones smoothed' : `smoothed ${smoothing} times as far`,
     border: 'At the border',
     locked: 'Where it locks',
     leaves: (height: number) =>
