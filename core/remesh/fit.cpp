@@ -32,18 +32,20 @@ namespace {
 // shear, which costs nothing but the straightness of net lines.
 constexpr double k_hold = 100, k_stiffness = 1;
 constexpr double k_border = 0.05;  // of the distance of borders, where that from the surface counts 1
-constexpr int k_least_steps = 4, k_most_steps = 70, k_trial_steps = 20;
-constexpr double k_least_gain = 0.99;  // of what the last steps leave of the error of lengths
+constexpr int k_least_steps = 4, k_trial_steps = 10;
 /// How edges are evened out.
 struct Evening {
-    double straight;         // weight of the second difference of a net line
-    int last_steps;          // it ends when so many gain too little
+    double straight;  // weight of the second difference of a net line
+    int most_steps;
+    int last_steps;  // it ends when so many leave more than this part of the error of lengths
+    double least_gain;
     double open;             // corners are kept open by so much more than the limit, in radians
     double limit_stiffness;  // beside edges that weigh 1
     double inertia;          // what a step costs: nothing else keeps vertices from drifting along the surface
 };
 // With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
-constexpr Evening k_for_straight = {0.02, 1, 0, 1, 5e-4}, k_for_laid = {0.005, 10, 8 * std::numbers::pi / 180, 2, 1e-4};
+constexpr Evening k_for_straight = {0.02, 70, 1, 0.99, 0, 1, 5e-4},
+                  k_for_laid = {0.005, 45, 6, 0.994, 8 * std::numbers::pi / 180, 2, 1e-4};
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.
@@ -93,7 +95,7 @@ public:
     }
 
     Net run() {
-        spread_edges(k_most_steps);
+        spread_edges(m_evening.most_steps);
         make_fair();
         return come_to_rest(exact());
     }
@@ -122,7 +124,7 @@ private:
             m_go_on(k_even_at * k / most_steps);
             if (m_options.length == 0) m_length = fitting_length();
             errors.push_back(length_error());
-            if (k >= std::max(k_least_steps, last) && errors[k] > k_least_gain * errors[k - last]) return;
+            if (k >= std::max(k_least_steps, last) && errors[k] > m_evening.least_gain * errors[k - last]) return;
             step();
         }
     }

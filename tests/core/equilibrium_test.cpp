@@ -319,6 +319,7 @@ TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests
     CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 57.99 * k_degree);
     REQUIRE(!opened.trace.empty());
     CHECK(opened.trace.back().energy < 1e-9);
+    CHECK(opened.trace.front().stage == 4);  // opening corners
 
     Editor interrupted(edit.net);
     interrupted.set_method("equilibrium");
