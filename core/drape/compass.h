@@ -29,7 +29,6 @@ public:
     double length() const { return m_length; }
     /// What rounding makes of a distance, so far from the origin as the surface is.
     double rounding() const { return m_rounding; }
-    bool keeps_to_slits() const { return m_slits != nullptr; }
 
     /// As height_of, but as seen from a triangle near the point: on this side of slits.
     Height height(const Eigen::Vector3d& point, int from) const;

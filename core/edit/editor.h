@@ -60,7 +60,7 @@ public:
     const std::vector<Handle>& handles() const { return m_handles; }
     /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
     const Positions& last_net() const { return m_last_net; }
-    /// The same, those in hand where they stand.
+    /// handles(), but those in hand where they stand.
     std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }
     const std::string& method() const { return m_method_name; }

@@ -15,7 +15,7 @@ Eigen::VectorXd deviations(const Editor& editor) {
 /// V (see vertex_corner_angles()).
 Eigen::VectorXd corner_angles(const Editor& editor) { return vertex_corner_angles(editor.net(), editor.positions()); }
 
-/// E (see Method::edge_forces()).
+/// E (see Editor::edge_forces()).
 Eigen::VectorXd edge_forces(const Editor& editor) { return editor.edge_forces(); }
 
 /// V, heights over the guide (see heights_over()); zeros without one.

@@ -76,10 +76,13 @@ void Surface::check(const Mesh& mesh) const {
 void Surface::cut(const Mesh& mesh) {
     const std::vector<Triangle> triangles = triangulated(mesh.positions, mesh.faces);
     m_triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-        for (int k = 0; k < 3; ++k) check_side(mesh, static_cast<int>(f), triangles[f][k], triangles[f][(k + 1) % 3]);
-        m_triangles.col(static_cast<Eigen::Index>(f)) << triangles[f][0], triangles[f][1], triangles[f][2];
-    }
+    int t = 0;
+    for (int f = 0; f < mesh.faces.size(); ++f)
+        for (std::size_t corner = 2; corner < mesh.faces[f].size(); ++corner, ++t) {
+            const Triangle& triangle = triangles[t];
+            for (int k = 0; k < 3; ++k) check_side(mesh, f, triangle[k], triangle[(k + 1) % 3]);
+            m_triangles.col(t) << triangle[0], triangle[1], triangle[2];
+        }
 }
 
 /// Sides of one edge are found among those whose lesser end is the same.

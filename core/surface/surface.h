@@ -27,10 +27,10 @@ class Surface {
 public:
     /// Polygons are cut (see triangulated). Vertices keep their numbers; where pieces touch at a vertex only, all but
     /// the first of them get a vertex of their own at its place, with a number behind those of the mesh.
-    /// Throws Error: no_faces, index_out_of_range, repeated_vertex, non_finite, zero_length_edge, bad_scale (a size
-    /// beyond k_largest_surface, or below its inverse), unused_vertex, non_manifold_edge (more than two faces at an
-    /// edge, or two that wind against each other, as somewhere on every surface with one side only). Each message names
-    /// face, vertex or edge, from 0.
+    /// Throws Error: no_faces, small_face, index_out_of_range, repeated_vertex, non_finite, zero_length_edge, bad_scale
+    /// (a size beyond k_largest_surface, or below its inverse), unused_vertex, non_manifold_edge (more than two faces
+    /// at an edge, or two that wind against each other, as somewhere on every surface with one side only). Each message
+    /// names face, vertex or edge of the mesh, from 0.
     explicit Surface(const Mesh& mesh);
 
     int vertex_count() const { return static_cast<int>(m_positions.cols()); }

@@ -127,6 +127,8 @@ TEST_CASE("A surface refuses what is none, and says where") {
     CHECK(refusal_of(Mesh{Positions::Zero(3, 3), {}}) == "no_faces the surface has no face");
     CHECK_THAT(refusal_of(with_face(tent(), {1, 2, 9})), Contains("index_out_of_range") && Contains("face 3"));
     CHECK_THAT(refusal_of(with_face(tent(), {1, 2, 1})), Contains("repeated_vertex") && Contains("vertex 1"));
+    CHECK_THAT(refusal_of(with_face(with_face(tent(), {0, 1, 2, 3}), {0, 1, 0, 2})),
+               Contains("face 4 names vertex 0 twice"));
     CHECK_THAT(refusal_of(with_face(tent(), {1, 2})), Contains("small_face"));
     CHECK_THAT(refusal_of(with_coordinate(tent(), nan)), Contains("non_finite") && Contains("vertex 2"));
     CHECK_THAT(refusal_of(with_coordinate(tent(), huge)), Contains("bad_scale"));

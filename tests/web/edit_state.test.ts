@@ -184,6 +184,25 @@ test('with anything wrong in it changes nothing', async () => {
   }
 });
 
+test('keeps a name that is given while other lengths are looked for, also when those are taken back', async () => {
+  const { app } = page;
+  await app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });
+  await page.solve();
+  await app.handles.move([{ vertex: dragged, target: at(dragged, 20) }]);
+  await page.solve();
+  const growing = app.adaptLengths(() => {});
+  app.handles.change([dragged], { name: 'top' });
+  await page.solve();
+  expect(await growing).toBeGreaterThan(1);
+  await page.solve();
+  const name = () => app.opening!.document.handles.find(({ vertex }) => vertex === dragged)?.name;
+  expect(name()).toBe('top');
+  app.undo();
+  await page.solve();
+  expect(app.opening!.document.options).not.toHaveProperty('length_scale');
+  expect(name()).toBe('top');
+});
+
 test('has the surface beside the net, which undo, a project and a worker after the first keep', async () => {
   page = await openPage(watched(first), watched(whole));
   await page.app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });

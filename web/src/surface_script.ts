@@ -9,7 +9,7 @@ import type {
   WishedSingular,
 } from '../../wasm/chebnet';
 import type { App } from './app/app';
-import { takenScene } from './dialogs/taken_scene';
+import { netName, takenScene } from './dialogs/taken_scene';
 import type { TakenNet } from './dialogs/file_opener';
 import type { GuideSource } from './document/document';
 import type { Untrusted } from './document/untrusted';
@@ -109,7 +109,7 @@ async function withSurface<T>(
 
 async function open(app: App, { net }: Pick<DrapedNet, 'net'>, guide: GuideSource, handles: TakenNet['handles']) {
   const { restPositions: positions, faceStart, faceVertices } = net;
-  const name = `${'own' in guide ? guide.own : guide.name}-net.obj`;
+  const name = netName('own' in guide ? guide.own : guide.name);
   const taken = { net: { mesh: { positions, faceStart, faceVertices }, name }, handles, guide };
   await app.openScene(takenScene(taken, app.opening?.document));
 }

@@ -17,8 +17,6 @@ public:
 
     /// The fixed ones first.
     const std::vector<int>& vertices() const { return m_vertices; }
-    /// Along which a vertex is free: all of one that is not held.
-    Axes free_axes(int vertex) const { return m_free_axes[vertex]; }
     /// What of a vertex's move is the handles' to say.
     Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const {
         return across(m_free_axes[vertex], move);

@@ -284,8 +284,9 @@ export class App {
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
    *  if none does, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
   async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
-    const before = this.#state.snapshot();
     const scale = await this.#client.adaptLengths(progress);
+    // Names, and what else leaves the net alone, may have changed meanwhile.
+    const before = this.#state.snapshot();
     if (before === null || scale === null) return scale;
     this.#state.history.record(before, ['option', { option: 'length_scale' }, scale.toPrecision(4)]);
     this.#state.change({ options: { ...before.options, length_scale: scale } });

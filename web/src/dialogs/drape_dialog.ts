@@ -29,6 +29,7 @@ import { DrapeMaker } from './drape_maker';
 import { DrapeProposals } from './drape_proposals';
 import { DrapeResults } from './drape_results';
 import { DrapeSingular } from './drape_singular';
+import { netName } from './taken_scene';
 import './dialog.css';
 import './pictured.css';
 import './drape_dialog.css';
@@ -383,9 +384,4 @@ export class DrapeDialog implements DraperLike {
       guide: this.#surface,
     };
   }
-}
-
-/** Not the name of the surface itself, which a saved net would overwrite. */
-function netName(surface: string): string {
-  return `${surface.replace(/\.[^.]*$/, '')}-net.obj`;
 }

@@ -3,6 +3,11 @@ import { freshScene } from '../document/defaults';
 import type { ChebnetDocument, Scene } from '../document/document';
 import type { TakenNet } from './file_opener';
 
+/** Of a file for a net on a surface: not the name of the surface itself, which a saved net would overwrite. */
+export function netName(surface: string): string {
+  return `${surface.replace(/\.[^.]*$/, '')}-net.obj`;
+}
+
 export function takenScene(
   { net, handles, guide, upAxis = 'z' }: TakenNet,
   present: ChebnetDocument | undefined,

@@ -15,8 +15,6 @@ const OWN = [
 
 /** Each has a hint in `panelWords.exports.hints`. */
 export type OwnKind = (typeof OWN)[number]['name'];
-/** Those that the export worker makes; the view gives `png`, the solver's worker the others. */
-export type MadeKind = '3dm' | 'glb' | 'svg';
 /** A name of either table. */
 export type FileKind = string;
 
