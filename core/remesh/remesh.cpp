@@ -218,7 +218,7 @@ private:
     /// With the present wishes.
     std::optional<Net> small_net() {
         try {
-            return fitted(mesh_along(small_size(), m_options.smoothing), 0, false).net;
+            return fitted(mesh_along(small_size(), m_options.smoothing, false), 0, false).net;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
             return std::nullopt;
@@ -243,18 +243,19 @@ private:
     }
 
     bool try_all() {
+        if (may_turn() && try_once(1, m_options.smoothing, true)) return true;
         for (const double size : k_sizes)
             for (const double smoothing : k_smoothings)
-                if (try_once(size, smoothing * m_options.smoothing)) return true;
+                if (try_once(size, smoothing * m_options.smoothing, false)) return true;
         return false;
     }
 
     /// Whether the last net found is as it should be.
-    bool try_once(double size, double smoothing) {
+    bool try_once(double size, double smoothing, bool turns) {
         if (std::ssize(m_found) == k_most_lesser_nets) return false;
         if (m_options.length > 0 && size < k_least_size_for_length) return false;
         try {
-            const Mesh mesh = mesh_along(size, smoothing);
+            const Mesh mesh = mesh_along(size, smoothing, turns);
             Found found = fitted(mesh, m_options.length, false);
             if (std::optional<Found> other = following_creases(mesh, found)) found = std::move(*other);
             m_found.push_back(std::move(found));
@@ -275,13 +276,14 @@ private:
                                            m_options.border == RemeshOptions::Border::across});
     }
 
-    Mesh mesh_along(double size, double smoothing) {
+    /// `turns`: the field as a whole, if it pays.
+    Mesh mesh_along(double size, double smoothing, bool turns) {
         begin(RemeshPhase::field);
         DirectionField field = field_along(smoothing);
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
-        if (!m_is_trying && may_turn(field)) field = well_turned(std::move(field));
+        if (turns && singular_count(field) > 0) field = well_turned(std::move(field));
         begin(RemeshPhase::grid);
         return checked_mesh(field, size);
     }
@@ -292,10 +294,8 @@ private:
         return mesh;
     }
 
-    /// As a whole: nothing of the field is along anything.
-    bool may_turn(const DirectionField& field) const {
-        return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only) && singular_count(field) > 0;
-    }
+    /// Nothing of the field is along anything.
+    bool may_turn() const { return !m_has_border && m_creases.sides.empty() && !(m_wishes && m_wishes->only); }
 
     /// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on
     /// how the field is turned: what is left is folded away in the end.
