@@ -14,14 +14,16 @@ export class Messages implements Panel {
   readonly #errors = make('div', { role: 'alert' });
   readonly element = make('div', { class: 'messages' }, this.#infos, this.#errors);
   #timer = 0;
+  #hasNet = false;
 
   say(message: string, kind: 'info' | 'error', action?: Action): void {
     if (kind === 'error') this.#sayError(message);
     else this.#sayInfo(message, action);
   }
 
-  /** What was said is of another one. */
+  /** What was said is of another one; before the first, it is why that is shown. */
   setNet(): void {
+    if (!this.#hasNet) return void (this.#hasNet = true);
     this.#errors.replaceChildren();
     if (!this.#infos.querySelector('button')) this.#infos.replaceChildren();
   }
