@@ -37,7 +37,7 @@ export const zh: Words = {
   view: {
     net: '网。方向键转动视图或移动选中的手柄，加号和减号缩放，Home 键显示整张网。',
     pictureLost: '显卡丢失了画面，正在等待恢复…',
-    noGraphics: '绘制网需要 WebGL 2，而此浏览器没有它。面板和求解器仍可使用。',
+    noGraphics: '绘制网需要 WebGL 2，此浏览器没有。面板和求解器仍可用。',
     noPicture: '没有 WebGL 2 就没有图像。',
     pictureFailed: '无法生成图像。',
     strain: (distance, reach) => `相距 ${distance}，网只够 ${reach}`,
@@ -95,7 +95,7 @@ export const zh: Words = {
       `打开 ${formats.join('、').replace(/、([^、]*)$/, ' 或 $1')} 文件，也可将文件拖放到页面上`,
   },
   handles: {
-    lockedStay: '锁定的手柄保持不动，请先解锁。',
+    lockedStay: '锁定的手柄不动，请先解锁。',
   },
   behaviour: {
     choice: '网',
@@ -107,7 +107,7 @@ export const zh: Words = {
       own: '使用自定的数值',
     },
     about: {
-      lengths: '最快。只保持边长；网的分布取决于拖动的过程。',
+      lengths: '最快。只保持边长；网取决于拖动的过程。',
       shape: '静止在相对原形弯曲与剪切最小之处，与手走过的路径无关。',
       rods: '静止在网线尽可能直之处，如同网壳的板条。',
       cloth: '容易弯曲与剪切。给它重量，它就下垂。',
@@ -165,7 +165,7 @@ export const zh: Words = {
   },
   hints: {
     drag: '拖动橙色小球，网会随之而动。',
-    add: '点击网上任意一处，即可抓住它。',
+    add: '点击网上任意处即可抓住它。',
     share: '“分享”生成当前画面的链接，“导出”生成文件。',
     done: '知道了',
   },

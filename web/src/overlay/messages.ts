@@ -21,11 +21,10 @@ export class Messages implements Panel {
     else this.#sayInfo(message, action);
   }
 
-  /** What was said is of another one; before the first, it is why that is shown. */
+  /** An error is of another one; before the first, it is why that is shown. */
   setNet(): void {
-    if (!this.#hasNet) return void (this.#hasNet = true);
-    this.#errors.replaceChildren();
-    if (!this.#infos.querySelector('button')) this.#infos.replaceChildren();
+    if (this.#hasNet) this.#errors.replaceChildren();
+    this.#hasNet = true;
   }
 
   /** A message that stays until the user accepts or dismisses it. */
