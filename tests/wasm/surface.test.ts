@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, test } from 'vitest';
-import type { Mesh, Point, RemeshOptions, SingularVertex, Surface } from '../../wasm/chebnet';
+import type { Mesh, Point, RemeshOptions, Surface } from '../../wasm/chebnet';
 import { objText } from '../../web/src/document/obj_text';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { ROOT, failure, largestDistance, load } from './load';
@@ -282,19 +282,26 @@ describe('a net over a whole surface', () => {
         markedCreases: [],
         sentences: [],
       });
-      const [{ position: centre }, { position: point }] = first.singular as [SingularVertex, SingularVertex];
       const { length } = pebble.measure(first.mesh);
-      const made = pebble.remesh({
-        cells: 300,
-        singular: [{ point, valence: 3 }],
-        forbidden: [{ centre, radius: 3 * length }],
+      let intruded = 0;
+      first.singular.forEach(({ position: centre }, i) => {
+        const point = first.singular[(i + 1) % 8]!.position;
+        const made = pebble.remesh({
+          cells: 300,
+          singular: [{ point, valence: 3 }],
+          forbidden: [{ centre, radius: 3 * length }],
+        });
+        const away = (to: Point) =>
+          Math.min(...made.singular.map(({ position }) => Math.hypot(...position.map((x, k) => x - to[k]!))));
+        expect(made.kept.vertices).toEqual([true]);
+        expect(made.kept.distances[0]).toBeLessThan(1.5);
+        expect(away(point)).toBeLessThan(1.5 * length);
+        expect(made.kept.sentences).toHaveLength(made.kept.intruders[0]!);
+        expect(away(centre) > 3 * length).toBe(made.kept.intruders[0] === 0);
+        intruded += made.kept.intruders[0]!;
       });
-      expect(made.kept).toMatchObject({ vertices: [true], intruders: [0], sentences: [] });
-      expect(made.kept.distances[0]).toBeLessThan(1.5);
-      const away = (to: Point) =>
-        made.singular.map(({ position }) => Math.hypot(...position.map((x, i) => x - to[i]!)));
-      expect(Math.min(...away(centre))).toBeGreaterThan(3 * length);
-      expect(Math.min(...away(point))).toBeLessThan(1.5 * length);
+      // With so few cells there may not be room everywhere, which is said.
+      expect(intruded).toBeLessThanOrEqual(1);
     });
   });
 
