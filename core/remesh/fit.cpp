@@ -45,7 +45,7 @@ struct Evening {
 };
 // With rods as they are laid, what lengths still err by will be folded away, and corners have to be open at once.
 constexpr Evening k_for_straight = {0.02, 70, 1, 0.99, 0, 1, 5e-4},
-                  k_for_laid = {0.005, 45, 6, 0.994, 8 * std::numbers::pi / 180, 2, 1e-4};
+                  k_for_laid = {0.005, 45, 10, 0.99, 8 * std::numbers::pi / 180, 2, 1e-4};
 // No vertex moves farther in one step.
 constexpr double k_most_move = 0.4;
 // Corners are kept open by more than the limit, in diagonals and in degrees, so that they are in the end.

@@ -65,6 +65,8 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
 // A field that nothing holds is as smooth turned by any angle up to 90°. So many are tried, with k_fewest_cells.
 constexpr int k_turns_tried = 4;
+// Only what is clearly better is worth another angle, and survives rounding.
+constexpr double k_clearly_less = 0.95;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
 // cells are tilted against the surface, in radians, on average. A net with less than k_good_cost in all needs no rival.
@@ -306,7 +308,7 @@ private:
             tell(static_cast<double>(k + 1) / (k_turns_tried + 1));
             DirectionField other = turned(m_even->surface, field, k * std::numbers::pi / 2 / k_turns_tried);
             const double error = small_error(other);
-            if (error < least) least = error, best = std::move(other);
+            if (error < k_clearly_less * least) least = error, best = std::move(other);
         }
         return best;
     }

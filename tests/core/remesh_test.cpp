@@ -338,9 +338,8 @@ TEST_CASE("Far from the origin a surface gets the net that it gets there") {
     of_length.length = 0.25;
     const double near_by_length = distance(mesh, of_length);
     mesh.positions.colwise() += far;
-    // Digits that are lost may turn directions by another angle that is as good.
-    CHECK(distance(mesh, of_cells(200)) == Approx(near_by_cells).epsilon(0.1));
-    CHECK(distance(mesh, of_length) == Approx(near_by_length).epsilon(0.1));
+    CHECK(distance(mesh, of_cells(200)) == Approx(near_by_cells).epsilon(0.02));
+    CHECK(distance(mesh, of_length) == Approx(near_by_length).epsilon(0.02));
 }
 
 TEST_CASE("The same surface gives the same net, whose progress is told in order and can be ended") {
