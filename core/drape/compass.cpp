@@ -19,7 +19,7 @@ struct Steps {
 };
 // Of 16°. They pass unseen through a body that is thinner than they are long; where they find nothing, steps of 1.6°
 // do, if only on this side of it.
-constexpr Steps k_steps = {24. / 25, 7. / 25, 5, -1}, k_fine_steps = {4899. / 4901, 140. / 4901, 25, 0.5};
+constexpr Steps k_round_steps = {24. / 25, 7. / 25, 5, -1}, k_fine_steps = {4899. / 4901, 140. / 4901, 25, 0.5};
 constexpr int k_most_iterations = 60;
 // In edge lengths: how near a vertex comes to the surface at the least, and at the most where the surface is rough.
 constexpr double k_near = 1e-14, k_near_enough = 1e-9;
@@ -137,7 +137,7 @@ std::optional<DrapedVertex> Compass::across(const DrapedVertex& d, const DrapedV
     const Circle::Point start = circle.at(away.normalized());
     const bool is_above = start.height.height > 0;
     const bool is_downwards = half.cross(start.direction).dot(start.height.normal) < 0;
-    for (const Steps& steps : {k_steps, k_fine_steps}) {
+    for (const Steps& steps : {k_round_steps, k_fine_steps}) {
         Circle::Point forwards = start, backwards = start;
         for (int k = 0; k < steps.most; ++k)
             for (const bool forward : {is_above == is_downwards, is_above != is_downwards}) {

@@ -16,15 +16,15 @@ namespace chebnet {
 
 namespace {
 
-constexpr int k_trial_cells = 1000;
-constexpr int k_most_samples = 2000;
+constexpr int k_cut_trial_cells = 1000;
+constexpr int k_cut_samples = 2000;
 constexpr int k_places = 6;
 // Of the surface's size: over what faults are gathered, and how far places keep apart.
 constexpr double k_gathered = 0.08, k_apart = 0.2;
 // How many cuts are tried with the edges asked for.
-constexpr std::size_t k_finals = 3;
+constexpr std::size_t k_cut_finals = 3;
 // A sheared cell counts as so much of an uncovered one, to choose between cuts.
-constexpr double k_shear_weight = 0.05;
+constexpr double k_cut_shear_weight = 0.05;
 
 double size_of(const Surface& surface) {
     return (surface.positions().rowwise().maxCoeff() - surface.positions().rowwise().minCoeff()).norm();
@@ -39,7 +39,7 @@ DrapedPieces laid(const Surface& surface, const std::vector<CutLine>& cuts, Drap
     return drape_pieces(cut_open(surface, cuts), options);
 }
 
-double worth(const DrapedPieces& made) { return made.report.coverage - k_shear_weight * made.report.much_sheared; }
+double worth(const DrapedPieces& made) { return made.report.coverage - k_cut_shear_weight * made.report.much_sheared; }
 
 // ------------------------------------------------------------------------------------------------------ where it fails
 
@@ -76,7 +76,7 @@ struct Faults {
 Faults faults_of(const Surface& surface, const Net& net, double length) {
     const Cells cells = cells_of(net);
     Faults faults;
-    const int stride = 1 + (surface.face_count() - 1) / k_most_samples;
+    const int stride = 1 + (surface.face_count() - 1) / k_cut_samples;
     for (int f = 0; f < surface.face_count(); f += stride) faults.at.push_back({f, Eigen::Vector3d::Constant(1. / 3)});
     faults.positions.resize(3, std::ssize(faults.at));
     faults.fault.resize(std::ssize(faults.at));
@@ -174,14 +174,14 @@ std::vector<Trial> tried(const Surface& surface, const std::vector<CutLine>& cut
 }  // namespace
 
 CutProposals propose_cuts(const Surface& surface, const DrapeOptions& options, int most) {
-    const double trial_length = std::max(options.length, std::sqrt(surface.area() / k_trial_cells));
+    const double trial_length = std::max(options.length, std::sqrt(surface.area() / k_cut_trial_cells));
     CutProposals proposals{{}, {laid(surface, {}, options, options.length).report.coverage}};
     while (std::ssize(proposals.cuts) < most) {
         const DrapedPieces now = laid(surface, proposals.cuts, options, trial_length);
         const std::vector<SurfacePoint> places = worst_places(surface, faults_of(surface, now.net, trial_length));
         std::vector<Trial> trials =
             tried(surface, proposals.cuts, candidates(surface, proposals.cuts, places), options, trial_length);
-        trials.resize(std::min(trials.size(), k_finals), {});
+        trials.resize(std::min(trials.size(), k_cut_finals), {});
         double best = proposals.coverage.back() + k_least_gain;
         const CutLine* found = nullptr;
         for (const Trial& trial : trials) {

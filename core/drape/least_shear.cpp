@@ -18,8 +18,8 @@ namespace chebnet {
 
 namespace {
 
-constexpr double k_trial_cells = 1000;
-constexpr int k_most_rounds = 12, k_halvings = 4;
+constexpr double k_arm_trial_cells = 1000;
+constexpr int k_most_rounds = 12, k_step_halvings = 4;
 // A round that makes less than this part of the shear go is the last.
 constexpr double k_least_gain = 0.003;
 // Arms turn as evenly as over this part of the net's width.
@@ -91,7 +91,7 @@ public:
     /// `power` of shear whose sum is to be small.
     Search(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options, double power)
         : m_surface(surface), m_tree(tree), m_options(options), m_power(power) {
-        m_options.length = std::max(options.length, std::sqrt(surface.area() / k_trial_cells));
+        m_options.length = std::max(options.length, std::sqrt(surface.area() / k_arm_trial_cells));
         m_options.border = DrapeOptions::Border::beyond;
         m_options.reach = static_cast<int>(std::min<double>(
             std::numeric_limits<int>::max(), std::ceil(options.reach * (options.length / m_options.length))));
@@ -138,7 +138,7 @@ private:
     /// As far towards what fits as the sum gets smaller.
     std::optional<Trial> better_than(const Trial& best) const {
         const BentArms fit = fitted(best);
-        for (double part = 1; part > std::pow(0.5, k_halvings); part /= 2) {
+        for (double part = 1; part > std::pow(0.5, k_step_halvings); part /= 2) {
             std::optional<Trial> next = tried(mixed(best.bent, fit, part));
             if (next && next->sum < best.sum) return next;
         }

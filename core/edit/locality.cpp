@@ -8,12 +8,12 @@ namespace {
 
 // The weight of an edge: there a pull's influence ends about one edge away from it.
 constexpr double k_most_weight = 1;
-constexpr double k_rounding = 1e-9;
+constexpr double k_within = 1e-9;
 
 /// How firmly a vertex is held so many edges away: 0 up to half the radius, 1 from the radius on.
 double firmness(double edges_away, double radius) {
     // Sums of lengths are as long as a whole number of edges but for their rounding.
-    if (edges_away >= (1 - k_rounding) * radius) return 1;
+    if (edges_away >= (1 - k_within) * radius) return 1;
     const double zone = radius / 2;
     return std::max(0.0, (edges_away - zone) / zone);
 }

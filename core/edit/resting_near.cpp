@@ -10,7 +10,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr const char* k_threshold = "1e-9";
+constexpr const char* k_rest_threshold = "1e-9";
 // Coming to rest makes it little fairer in the end.
 constexpr const char* k_rest_tolerance = "0.01";
 
@@ -20,7 +20,7 @@ Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_li
     Editor editor(std::move(net));
     editor.set_method("equilibrium");
     editor.set_guide(std::move(guide));
-    editor.set_option("threshold", k_threshold);
+    editor.set_option("threshold", k_rest_threshold);
     editor.set_option("rest_tolerance", k_rest_tolerance);
     editor.set_option("straight_rods", rods == Rods::straight ? "on" : "off");
     editor.set_option("guide_weight", number_text(closeness_for(rods), 17));

@@ -27,7 +27,7 @@ constexpr double k_between_weight = 0.01, k_as_near = 1.15;
 constexpr int k_held_points = 16;
 // Added to the diagonal, relative to an edge: inverse iteration takes it off as many times as it is smaller than the
 // eigenvalues.
-constexpr double k_shift = 1e-5;
+constexpr double k_field_shift = 1e-5;
 constexpr int k_iterations = 12;
 // Rounds in which all directions are made of length 1 and diffused over about so many edges, squared.
 constexpr int k_diffusions = 6;
@@ -213,9 +213,9 @@ public:
         std::mt19937 random;  // any beginning that is the same everywhere
         for (double& number : z)
             number = static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5;
-        factorize(k_shift);
+        factorize(k_field_shift);
         for (int k = 0; k < k_iterations; ++k) {
-            z = m_factor.solve(m_has_boundary ? Eigen::VectorXd(m_target + k_shift * z) : z);
+            z = m_factor.solve(m_has_boundary ? Eigen::VectorXd(m_target + k_field_shift * z) : z);
             z /= z.lpNorm<Eigen::Infinity>();
         }
         factorize(1 / k_diffusion);

@@ -14,14 +14,14 @@ namespace chebnet {
 namespace {
 
 // Added to the diagonal, relative to a side: fixes where a piece without singular vertices lies.
-constexpr double k_shift = 1e-8;
+constexpr double k_grid_shift = 1e-8;
 // The weights of sides are cotangents, but no less than this.
 constexpr double k_least_weight = 0.1;
 
 // To choose them takes time by the third power of their number, and memory by the second.
 constexpr int k_most_integers = 2000;
 // What is to be on a line of the grid is so if the field's direction is nearer to it than this: a sine.
-constexpr double k_along = 0.3;
+constexpr double k_on_line = 0.3;
 
 /// A component ± variable of one coordinate.
 struct Component {
@@ -187,7 +187,7 @@ public:
             Eigen::MatrixXd S = N.transpose() * Eigen::MatrixXd(m_D * N) -
                                 coupling.transpose() * factor.solve(Eigen::MatrixXd(coupling));
             S = (S + S.transpose().eval()) / 2;
-            S.diagonal().array() += k_shift * (1 + S.diagonal().maxCoeff());
+            S.diagonal().array() += k_grid_shift * (1 + S.diagonal().maxCoeff());
             integers = N * nearest_integers(S, coupling.transpose() * free - N.transpose() * m_d).cast<double>();
         }
         const Eigen::VectorXd rest = m_C * integers;
@@ -301,7 +301,7 @@ private:
         const double along[2] = {edge.dot(x), edge.dot(y)};
         for (int axis = 0; axis < 2; ++axis) {
             const Component component = turned_component(axis, (4 - m_cut.face_turns()[f]) % 4);
-            if (std::abs(along[component.axis]) < k_along * edge.norm()) return axis;
+            if (std::abs(along[component.axis]) < k_on_line * edge.norm()) return axis;
         }
         return -1;
     }
@@ -396,7 +396,7 @@ private:
                 add_row(row, w, target, A, C);
             }
         }
-        for (int k = 0; k < m_reals; ++k) A.emplace_back(k, k, k_shift);
+        for (int k = 0; k < m_reals; ++k) A.emplace_back(k, k, k_grid_shift);
         m_A.resize(m_reals, m_reals);
         m_A.setFromTriplets(A.begin(), A.end());
         m_C.resize(m_reals, m_integers);

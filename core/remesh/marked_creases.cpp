@@ -16,7 +16,7 @@ namespace {
 const std::string k_name = "marked crease";
 
 // Of the squared cosine of the angle between a crease and an edge that runs along it.
-constexpr double k_along = 0.75;
+constexpr double k_along_crease = 0.75;
 constexpr double k_samples = 4;  // of each edge length
 
 /// Points of a way, and its direction there.
@@ -87,7 +87,7 @@ double distance_along(const Net& net, const Positions& way) {
         for (int e = 0; e < net.edge_count(); ++e) {
             const Eigen::Vector3d from = x.col(net.edges()(0, e)), to = x.col(net.edges()(1, e));
             const double cosine = (to - from).dot(along);
-            if (cosine * cosine > k_along * (to - from).squaredNorm())
+            if (cosine * cosine > k_along_crease * (to - from).squaredNorm())
                 least = std::min(least, squared_distance(point, from, to));
         }
         sum += std::sqrt(least);

@@ -78,7 +78,7 @@ constexpr double k_largest_cell = 1e15;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
-constexpr int k_digits = 4;  // of coordinates in messages
+constexpr int k_wish_digits = 4;  // of coordinates in messages
 
 int piece_count(const Surface& surface) {
     const std::vector<int> pieces = surface.components();
@@ -395,7 +395,7 @@ private:
                     ErrorCode::bad_option,
                     "the surface is thinner than a cell near " +
                         row_text(std::span(mesh.positions.col(face[0] == face[2] ? face[0] : face[1]).data(), 3),
-                                 k_digits));
+                                 k_wish_digits));
         }
         const Net net(mesh.positions, mesh.faces, RestLengths::own);
         const int pieces = Topology(net).component_count();

@@ -16,9 +16,9 @@ namespace chebnet {
 namespace {
 
 constexpr int k_wishable[] = {3, 5, 6};
-constexpr int k_digits = 4;  // of coordinates in messages
+constexpr int k_place_digits = 4;  // of coordinates in messages
 
-std::string place_text(const Eigen::Vector3d& point) { return row_text(std::span(point.data(), 3), k_digits); }
+std::string place_text(const Eigen::Vector3d& point) { return row_text(std::span(point.data(), 3), k_place_digits); }
 
 void check_numbers(const SingularWishes& wishes) {
     if (std::ssize(wishes.vertices) > k_most_wishes || std::ssize(wishes.forbidden) > k_most_wishes)
@@ -56,7 +56,7 @@ struct Piece {
     int characteristic() const { return vertices - (sides + border) / 2 + faces; }
 };
 
-std::vector<Piece> pieces_of(const Surface& surface) {
+std::vector<Piece> closed_pieces_of(const Surface& surface) {
     const std::vector<int> of_face = surface.components();
     std::vector<Piece> pieces(1 + static_cast<std::size_t>(*std::max_element(of_face.begin(), of_face.end())));
     for (int v = 0; v < surface.vertex_count(); ++v)
@@ -72,7 +72,7 @@ std::vector<Piece> pieces_of(const Surface& surface) {
 
 void check_indices(const Guide& guide, const SingularWishes& wishes) {
     const std::vector<int> of_face = guide.surface().components();
-    std::vector<Piece> pieces = pieces_of(guide.surface());
+    std::vector<Piece> pieces = closed_pieces_of(guide.surface());
     for (const WishedSingular& wish : wishes.vertices)
         pieces[of_face[guide.tree().nearest(wish.point).at.face]].index += k_regular_valence - wish.valence;
     for (std::size_t k = 0; k < pieces.size(); ++k) {

@@ -8,7 +8,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_canopy_parameters[] = {
     vertices_parameter(2000),
     {"rise", 0.18, 0.02, 0.3, "Height of the arch divided by its width."},
     {"aspect", 1.2, 0.4, 4, "Length of the canopy divided by the length of its arch."},
@@ -26,7 +26,7 @@ double slope_at(double part) {
     return -after / (2 * before) * std::sin(std::numbers::pi * (part - before) / after);
 }
 
-Shape make(const Values& values) {
+Shape make_canopy(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     // A circular arch of this rise begins and ends at this slope.
     const double springing = 2 * std::atan(2 * values["rise"]);
@@ -49,7 +49,8 @@ Shape make(const Values& values) {
 
 constinit const Family k_canopy = {
     {"canopy", "Canopy",
-     "A free-form shell: an arch carried along a line that rises from a foot and runs out into a lip.", k_parameters},
-    make};
+     "A free-form shell: an arch carried along a line that rises from a foot and runs out into a lip.",
+     k_canopy_parameters},
+    make_canopy};
 
 }  // namespace chebnet

@@ -12,7 +12,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_dome_parameters[] = {
     vertices_parameter(2000),
     {"reach", 55, 10, 70, "How far the two main arches reach down from the top, in degrees."},
 };
@@ -50,7 +50,7 @@ Positions quarter(GridSize size, double reach) {
 
 int nearest_odd(double count) { return 2 * static_cast<int>(std::lround((count - 1) / 2)) + 1; }
 
-Shape make(const Values& values) {
+Shape make_dome(const Values& values) {
     const int rows = nearest_odd(std::sqrt(values["vertices"]));
     const int columns = nearest_odd(values["vertices"] / rows);
     const GridSize half{columns / 2 + 1, rows / 2 + 1};
@@ -74,7 +74,8 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_dome = {
-    {"dome", "Dome", "A part of a sphere, netted with a compass from two arches that cross at the top.", k_parameters},
-    make};
+    {"dome", "Dome", "A part of a sphere, netted with a compass from two arches that cross at the top.",
+     k_dome_parameters},
+    make_dome};
 
 }  // namespace chebnet

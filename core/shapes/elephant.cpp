@@ -6,14 +6,14 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_elephant_parameters[] = {
     vertices_parameter(3000),
     {"legs", 2.5, 1, 6, "Length of the legs, where the body is 4 high."},
     {"trunk", 4.5, 1, 6, "Length of the trunk, where the body is 4 high."},
     smooth_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_elephant(const Values& values) {
     const double belly = values["legs"];
     Boxes boxes;
     const auto add = [&](double x_low, double x_high, double y_low, double y_high, double z_low, double z_high) {
@@ -43,7 +43,7 @@ Shape make(const Values& values) {
 
 constinit const Family k_elephant = {
     {"elephant", "Elephant", "An elephant of blocks. At its corners three, five or six edges meet instead of four.",
-     k_parameters},
-    make};
+     k_elephant_parameters},
+    make_elephant};
 
 }  // namespace chebnet

@@ -5,12 +5,12 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_horse_parameters[] = {
     vertices_parameter(4000),
     rounding_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_horse(const Values& values) {
     Boxes boxes;
     boxes.add_pair(0.5, 1.75, -6, 6, 0, 1);       // rails
     boxes.add_pair(0.5, 1.75, 2.5, 4, 1, 4.5);    // hind legs
@@ -30,7 +30,7 @@ Shape make(const Values& values) {
 constinit const Family k_horse = {
     {"horse", "Horse",
      "A rocking horse, smooth but for cones where three, five or six edges meet. Two holes go through it.",
-     k_parameters, "horse:rounding=1"},
-    make};
+     k_horse_parameters, "horse:rounding=1"},
+    make_horse};
 
 }  // namespace chebnet

@@ -6,13 +6,13 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_jack_parameters[] = {
     vertices_parameter(2000),
     {"arm", 1.2, 0.3, 5, "Length of each arm divided by its width."},
     smooth_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_jack(const Values& values) {
     const double reach = 1 + 2 * values["arm"];
     const Eigen::Vector3d ones(1, 1, 1);
     Box boxes[3];
@@ -31,7 +31,7 @@ Shape make(const Values& values) {
 
 constinit const Family k_jack = {
     {"jack", "Jack", "Six square arms around a cube. At its corners three or six edges meet instead of four.",
-     k_parameters},
-    make};
+     k_jack_parameters},
+    make_jack};
 
 }  // namespace chebnet

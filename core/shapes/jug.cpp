@@ -5,12 +5,12 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_jug_parameters[] = {
     vertices_parameter(2500),
     rounding_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_jug(const Values& values) {
     Boxes boxes, openings;
     boxes.add(-2.5, 2.5, -2.5, 2.5, 0, 6);        // belly
     boxes.add(-1.25, 1.25, -1.25, 1.25, 6, 8.5);  // neck
@@ -28,7 +28,7 @@ Shape make(const Values& values) {
 constinit const Family k_jug = {
     {"jug", "Jug",
      "A jug with a handle, smooth but for cones where three or five edges meet instead of four. It is open at the top.",
-     k_parameters, "jug:rounding=1"},
-    make};
+     k_jug_parameters, "jug:rounding=1"},
+    make_jug};
 
 }  // namespace chebnet

@@ -5,12 +5,12 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_rabbit_parameters[] = {
     vertices_parameter(4000),
     rounding_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_rabbit(const Values& values) {
     Boxes boxes;
     boxes.add(-2, 2, -1.75, 2.75, 0, 4.75);             // body
     boxes.add(-1.75, 1.75, -3, 1, 4.75, 8.25);          // head
@@ -27,7 +27,7 @@ Shape make(const Values& values) {
 
 constinit const Family k_rabbit = {
     {"rabbit", "Rabbit", "A sitting rabbit, smooth but for cones where three, five or six edges meet instead of four.",
-     k_parameters, "rabbit:rounding=1"},
-    make};
+     k_rabbit_parameters, "rabbit:rounding=1"},
+    make_rabbit};
 
 }  // namespace chebnet

@@ -7,13 +7,13 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_saddle_parameters[] = {
     vertices_parameter(2000),
     {"rise", 0.2, 0.02, 0.35, "Height of each arc divided by its width."},
     {"aspect", 1, 0.4, 2.5, "Length of the hanging arc divided by that of the standing one."},
 };
 
-Shape make(const Values& values) {
+Shape make_saddle(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     // A circular arc of this rise begins and ends at this slope.
     const double steepest = 2 * std::atan(2 * values["rise"]);
@@ -31,6 +31,7 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_saddle = {
-    {"saddle", "Saddle", "A saddle over a rectangle: a standing arc carried along a hanging one.", k_parameters}, make};
+    {"saddle", "Saddle", "A saddle over a rectangle: a standing arc carried along a hanging one.", k_saddle_parameters},
+    make_saddle};
 
 }  // namespace chebnet

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_round = 2 * std::numbers::pi;
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_scroll_parameters[] = {
     vertices_parameter(2000),
     {"turns", 1.75, 0.5, 2.5, "How often it is rolled around."},
     {"aspect", 0.6, 0.3, 3, "Width divided by length."},
@@ -28,7 +28,7 @@ double length_until(double angle) { return k_core * angle + angle * angle / (2 *
 /// The inverse of `length_until`.
 double angle_after(double length) { return k_round * (std::sqrt(k_core * k_core + 2 * length / k_round) - k_core); }
 
-Shape make(const Values& values) {
+Shape make_scroll(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     const double whole = k_round * values["turns"], rolled = length_until(whole), length = rolled / (1 - k_unrolled);
     const Positions spiral = guide(size.columns, [=](double t) {
@@ -47,6 +47,7 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_scroll = {
-    {"scroll", "Scroll", "A sheet rolled up, its loose end on the ground.", k_parameters}, in_this_build(make)};
+    {"scroll", "Scroll", "A sheet rolled up, its loose end on the ground.", k_scroll_parameters},
+    in_this_build(make_scroll)};
 
 }  // namespace chebnet

@@ -5,12 +5,12 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_sheet_parameters[] = {
     vertices_parameter(1600),
     {"aspect", 1, 0.25, 4, "Length of the sheet divided by its width."},
 };
 
-Shape make(const Values& values) {
+Shape make_sheet(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     const Positions across = guide(size.columns, [](double) { return Eigen::Vector3d::UnitX(); }),
                     along = guide(size.rows, [](double) { return Eigen::Vector3d::UnitY(); });
@@ -25,6 +25,6 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_sheet = {
-    {"sheet", "Sheet", "A flat sheet of squares, as wire mesh comes from the roll.", k_parameters}, make};
+    {"sheet", "Sheet", "A flat sheet of squares, as wire mesh comes from the roll.", k_sheet_parameters}, make_sheet};
 
 }  // namespace chebnet

@@ -5,11 +5,11 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_shirt_parameters[] = {
     vertices_parameter(3000),
 };
 
-Shape make(const Values& values) {
+Shape make_shirt(const Values& values) {
     Boxes boxes, openings;
     boxes.add(-3, 3, -1.5, 1.5, 0, 7.5);
     openings.add(-3, 3, -1.5, 1.5, 0, 0);          // below
@@ -23,6 +23,7 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_shirt = {
-    {"shirt", "Shirt", "A shirt without sleeves, open below, at the neck and at the arms.", k_parameters}, make};
+    {"shirt", "Shirt", "A shirt without sleeves, open below, at the neck and at the arms.", k_shirt_parameters},
+    make_shirt};
 
 }  // namespace chebnet

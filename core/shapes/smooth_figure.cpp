@@ -14,8 +14,8 @@ namespace chebnet {
 
 namespace {
 
-constexpr int k_first_iterations = 120;  // in the coarsest net
-constexpr int k_next_iterations = 80;    // in those that begin where a coarser one has led
+constexpr int k_figure_iterations = 120;  // in the coarsest net
+constexpr int k_next_iterations = 80;     // in those that begin where a coarser one has led
 // Rounding asks for more of every cell, which takes longer to agree on.
 constexpr int k_longer_when_rounded = 2;
 // The coarsest net would be at least as many faces wide if it were a square.
@@ -42,7 +42,7 @@ BlockNet relaxed(const BlockLattice& lattice, double rounding) {
     BlockNet net{lattice.surface(), {}};
     net.positions = net.blocks.positions;
     for (int uncut = 128 * longest; uncut > longest; uncut /= 2) net = cut(net, uncut);
-    net = refined(net, longest, width, rounding, k_first_iterations);
+    net = refined(net, longest, width, rounding, k_figure_iterations);
     while (longest > 1) net = refined(net, longest /= 2, width, rounding, k_next_iterations);
     return net;
 }

@@ -7,13 +7,13 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_steps_parameters[] = {
     vertices_parameter(2000),
     {"steps", 4, 2, 10, "How many steps lead to the top."},
     {"height", 1.2, 0.3, 3, "Height of a step divided by its depth."},
 };
 
-Shape make(const Values& values) {
+Shape make_steps(const Values& values) {
     const int steps = static_cast<int>(std::lround(values["steps"]));
     const double height = values["height"];
     std::vector<Box> boxes;
@@ -30,7 +30,8 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_steps = {
-    {"steps", "Steps", "A stepped pyramid. At its corners three or five edges meet instead of four.", k_parameters},
-    make};
+    {"steps", "Steps", "A stepped pyramid. At its corners three or five edges meet instead of four.",
+     k_steps_parameters},
+    make_steps};
 
 }  // namespace chebnet

@@ -5,12 +5,12 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_teddy_parameters[] = {
     vertices_parameter(4000),
     rounding_parameter(),
 };
 
-Shape make(const Values& values) {
+Shape make_teddy(const Values& values) {
     Boxes boxes;
     boxes.add(-2.5, 2.5, -2, 1.75, 0, 5);              // body
     boxes.add(-3, 3, -2.25, 2.25, 5, 9.5);             // head
@@ -27,8 +27,8 @@ Shape make(const Values& values) {
 
 constinit const Family k_teddy = {
     {"teddy", "Teddy",
-     "A sitting teddy bear, smooth but for cones where three, five or six edges meet instead of four.", k_parameters,
-     "teddy:rounding=1"},
-    make};
+     "A sitting teddy bear, smooth but for cones where three, five or six edges meet instead of four.",
+     k_teddy_parameters, "teddy:rounding=1"},
+    make_teddy};
 
 }  // namespace chebnet

@@ -8,7 +8,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_torus_parameters[] = {
     vertices_parameter(2000),
     {"thickness", 0.35, 0.15, 1, "Length around the upright ring divided by that around the lying one."},
 };
@@ -25,7 +25,7 @@ Positions lens(int vertices) {
     return ring;
 }
 
-Shape make(const Values& values) {
+Shape make_torus(const Values& values) {
     const int rows = 2 * static_cast<int>(std::lround(std::sqrt(values["vertices"] * values["thickness"]) / 2));
     const int columns = static_cast<int>(std::lround(values["vertices"] / rows));
 
@@ -37,6 +37,6 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_torus = {
-    {"torus", "Torus", "A small upright ring carried along a large lying one.", k_parameters}, make};
+    {"torus", "Torus", "A small upright ring carried along a large lying one.", k_torus_parameters}, make_torus};
 
 }  // namespace chebnet

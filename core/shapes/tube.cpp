@@ -8,13 +8,13 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_tube_parameters[] = {
     vertices_parameter(2000),
     {"aspect", 1.2, 0.3, 6, "Length of the tube divided by the length around it."},
     {"bend", 30, 0, 50, "How far the tube leans to either side, in degrees."},
 };
 
-Shape make(const Values& values) {
+Shape make_tube(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     const double bend = values["bend"] * std::numbers::pi / 180;
     const Positions axis = guide(size.rows, [=](double t) {
@@ -30,6 +30,6 @@ Shape make(const Values& values) {
 
 }  // namespace
 
-constinit const Family k_tube = {{"tube", "Tube", "A leaning tube, open at both ends.", k_parameters}, make};
+constinit const Family k_tube = {{"tube", "Tube", "A leaning tube, open at both ends.", k_tube_parameters}, make_tube};
 
 }  // namespace chebnet

@@ -9,7 +9,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_vase_parameters[] = {
     vertices_parameter(2000),
     {"aspect", 1.4, 1.1, 2.5, "Height divided by width, about."},
     {"waist", 0.5, 0.45, 1, "Width of the neck divided by that of the belly."},
@@ -61,7 +61,7 @@ Faces standing_quads(GridSize size) {
     return faces;
 }
 
-Shape make(const Values& values) {
+Shape make_vase(const Values& values) {
     // Rows are about this much closer than columns.
     const GridSize size = grid_size(values["vertices"], values["aspect"] / 1.5);
     const auto foot = [size](int third) { return third * size.columns / 3; };
@@ -71,7 +71,7 @@ Shape make(const Values& values) {
 
 }  // namespace
 
-constinit const Family k_vase = {{"vase", "Vase", "A vase of wires that wind up both ways.", k_parameters},
-                                 in_this_build(make)};
+constinit const Family k_vase = {{"vase", "Vase", "A vase of wires that wind up both ways.", k_vase_parameters},
+                                 in_this_build(make_vase)};
 
 }  // namespace chebnet

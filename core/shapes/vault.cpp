@@ -8,7 +8,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_vault_parameters[] = {
     vertices_parameter(2000),
     {"rise", 0.3, 0.02, 0.6, "Height of the arch divided by its width."},
     {"aspect", 1.4, 0.4, 4, "Length of the vault divided by the length of its arch."},
@@ -16,7 +16,7 @@ constexpr ShapeParameter k_parameters[] = {
     {"slope", 30, 0, 45, "How steep the waves are, in degrees."},
 };
 
-Shape make(const Values& values) {
+Shape make_vault(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     // A circular arch of this rise begins and ends at this slope.
     const double springing = 2 * std::atan(2 * values["rise"]);
@@ -39,6 +39,7 @@ Shape make(const Values& values) {
 }  // namespace
 
 constinit const Family k_vault = {
-    {"vault", "Vault", "A vault over a rectangle: one arch carried along a waving line.", k_parameters}, make};
+    {"vault", "Vault", "A vault over a rectangle: one arch carried along a waving line.", k_vault_parameters},
+    make_vault};
 
 }  // namespace chebnet

@@ -9,14 +9,14 @@ namespace chebnet {
 
 namespace {
 
-constexpr ShapeParameter k_parameters[] = {
+constexpr ShapeParameter k_wave_parameters[] = {
     vertices_parameter(2000),
     {"waves", 2, 1, 5, "How many times it rises."},
     {"slope", 35, 5, 45, "How steep the waves are, in degrees."},
     {"aspect", 1, 0.4, 2.5, "Length divided by width."},
 };
 
-Shape make(const Values& values) {
+Shape make_wave(const Values& values) {
     const GridSize size = grid_size(values["vertices"], values["aspect"]);
     const int waves = static_cast<int>(std::lround(values["waves"]));
     const double steepest = values["slope"] * std::numbers::pi / 180;
@@ -37,7 +37,7 @@ Shape make(const Values& values) {
 
 }  // namespace
 
-constinit const Family k_wave = {{"wave", "Waves", "A roof of waves, one carried along the other.", k_parameters},
-                                 in_this_build(make)};
+constinit const Family k_wave = {{"wave", "Waves", "A roof of waves, one carried along the other.", k_wave_parameters},
+                                 in_this_build(make_wave)};
 
 }  // namespace chebnet

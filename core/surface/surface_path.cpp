@@ -14,7 +14,7 @@ namespace chebnet {
 
 namespace {
 
-constexpr double k_snap = 1e-3;
+constexpr double k_snap_to_corner = 1e-3;
 // A detour is worth taking if the path gets shorter by more than this part of it.
 constexpr double k_shorter = 1e-9;
 
@@ -281,7 +281,7 @@ std::optional<Strip> shorter_strip(const Surface& surface, const Strip& strip, c
 SurfacePoint snapped(const SurfacePoint& point) {
     SurfacePoint near = point;
     for (double& weight : near.weights)
-        if (weight < k_snap) weight = 0;
+        if (weight < k_snap_to_corner) weight = 0;
     near.weights /= near.weights.sum();
     return near;
 }

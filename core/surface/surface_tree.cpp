@@ -15,7 +15,7 @@ constexpr int k_leaf_size = 4;
 // A cut through the middle of the box that leaves less than this part on one side gives way to one through the median,
 // so that the tree is never deep.
 constexpr int k_least_part = 8;
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
+constexpr double k_farthest = std::numeric_limits<double>::infinity();
 
 /// The barycentric coordinates of the point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 2005,
 /// section 5.1.5).
@@ -68,7 +68,7 @@ SurfaceTree::SurfaceTree(const Surface& surface)
 /// The node around the triangles at these places, and all below it; returns its number.
 int SurfaceTree::build(int first, int last, const Positions& centres) {
     const int number = static_cast<int>(m_nodes.size());
-    m_nodes.push_back({Eigen::Vector3d::Constant(k_infinity), Eigen::Vector3d::Constant(-k_infinity), first, 0});
+    m_nodes.push_back({Eigen::Vector3d::Constant(k_farthest), Eigen::Vector3d::Constant(-k_farthest), first, 0});
     if (last - first <= k_leaf_size) {
         Node& leaf = m_nodes.back();
         leaf.count = last - first;
@@ -115,7 +115,7 @@ SurfaceTree::Nearest SurfaceTree::nearest(const Eigen::Vector3d& point) const { 
 
 SurfaceTree::Nearest SurfaceTree::nearest(const Eigen::Vector3d& point, int guess) const {
     Nearest best{};
-    double least = k_infinity;
+    double least = k_farthest;
     consider(guess, point, least, best);
     visit_nearest(0, point, least, best);
     best.distance = std::sqrt(least);
@@ -135,7 +135,7 @@ void SurfaceTree::visit_nearest(int number, const Eigen::Vector3d& point, double
 
 SurfaceTree::Nearest SurfaceTree::nearest_in(int face, const Eigen::Vector3d& point) const {
     Nearest nearest{};
-    double square = k_infinity;
+    double square = k_farthest;
     consider(face, point, square, nearest);
     nearest.distance = std::sqrt(square);
     return nearest;
@@ -160,7 +160,7 @@ struct SurfaceTree::Ray {
 
     /// Where the ray enters a box; infinity if it misses it.
     double entry(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const {
-        double enter = 0, leave = k_infinity;
+        double enter = 0, leave = k_farthest;
         for (int axis = 0; axis < 3; ++axis) {
             double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
             if (a > b) std::swap(a, b);
@@ -169,7 +169,7 @@ struct SurfaceTree::Ray {
             if (b < leave) leave = b;
         }
         // What rounding may take off the far side must not lose a triangle that fills the box.
-        return enter <= leave * (1 + 1e-14) ? enter : k_infinity;
+        return enter <= leave * (1 + 1e-14) ? enter : k_farthest;
     }
 };
 
@@ -185,7 +185,7 @@ void SurfaceTree::visit_ray(int number, const Ray& ray, std::optional<Hit>& best
     for (int i = 0; i < node.count; ++i) consider(m_faces[node.first + i], ray, best);
     if (node.count > 0) return;
     const auto entry = [&](int child) { return ray.entry(m_nodes[child].low, m_nodes[child].high); };
-    const auto is_worth_it = [&](double way) { return way < (best ? best->way : k_infinity); };
+    const auto is_worth_it = [&](double way) { return way < (best ? best->way : k_farthest); };
     std::pair<double, int> near{entry(number + 1), number + 1}, far{entry(node.first), node.first};
     if (far < near) std::swap(near, far);
     if (is_worth_it(near.first)) visit_ray(near.second, ray, best);

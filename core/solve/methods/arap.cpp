@@ -7,7 +7,7 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() { return std::make_unique<Alternating>(make_alternating_step<ArapStep>); }
+std::unique_ptr<Method> make_arap() { return std::make_unique<Alternating>(make_alternating_step<ArapStep>); }
 
 }  // namespace
 
@@ -18,6 +18,6 @@ constinit const MethodInfo k_arap = {
     "Sorkine, Alexa: As-Rigid-As-Possible Surface Modeling. Symposium on Geometry Processing 2007",
     k_alternating_names,
     k_tolerances,
-    in_this_build(make)};
+    in_this_build(make_arap)};
 
 }  // namespace chebnet

@@ -8,11 +8,11 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_composite_majorization() {
     return std::make_unique<StagedDescent>(make_energy<CompositePowerEnergy>, std::make_unique<NewtonDirection>());
 }
 
-constexpr auto k_options = joined(k_tolerances, k_exponents, k_reduction);
+constexpr auto k_composite_majorization_options = joined(k_tolerances, k_exponents, k_reduction);
 
 }  // namespace
 
@@ -23,7 +23,7 @@ constinit const MethodInfo k_composite_majorization = {
     "Shtengel, Poranne, Sorkine-Hornung, Kovalsky, Lipman: Geometric Optimization via Composite Majorization. ACM "
     "Transactions on Graphics 36(4), 2017",
     k_staged_names,
-    k_options,
-    in_this_build(make)};
+    k_composite_majorization_options,
+    in_this_build(make_composite_majorization)};
 
 }  // namespace chebnet

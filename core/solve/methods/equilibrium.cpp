@@ -794,11 +794,11 @@ std::optional<RestState> Equilibrium::rest_state() const {
                      m_newton->multipliers()};
 }
 
-std::unique_ptr<Method> make() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }
+std::unique_ptr<Method> make_equilibrium() { return std::make_unique<Equilibrium>(Equilibrium::RestShape::opened); }
 
-constexpr std::array k_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
+constexpr std::array k_equilibrium_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
 // The tolerances where a net is found by `projection`.
-constexpr auto k_options =
+constexpr auto k_equilibrium_options =
     joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "straight_rods", "rod_curvature",
                                     "warp_stiffness", "weft_stiffness", "square_corners", "gravity", "guide_mode",
                                     "guide_weight", "rest_tolerance"});
@@ -838,9 +838,9 @@ constinit const MethodInfo k_equilibrium = {
     "The net at rest: bending and shear at their least under exact lengths and a limit of the corners.",
     "Gould, Hribar, Nocedal: On the Solution of Equality Constrained Quadratic Programming Problems Arising in "
     "Optimization. SIAM Journal on Scientific Computing 23(4), 2001",
-    k_stages,
-    k_options,
-    in_this_build(make),
+    k_equilibrium_stages,
+    k_equilibrium_options,
+    in_this_build(make_equilibrium),
     true};
 
 }  // namespace chebnet

@@ -8,7 +8,7 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_gauss_newton() {
     const auto make_springs = [](double, const Options&) -> std::unique_ptr<EdgeEnergy> {
         return std::make_unique<SpringEnergy>();
     };
@@ -20,7 +20,7 @@ std::unique_ptr<Method> make() {
 }
 
 /// Of the two with all vertices the second alone: there is no exponent to begin with.
-constexpr std::array k_stages{"", "Newton steps"};
+constexpr std::array k_gauss_newton_stages{"", "Newton steps"};
 
 }  // namespace
 
@@ -31,8 +31,8 @@ constinit const MethodInfo k_gauss_newton = {
     "gauss_newton",
     "Edges as springs, with steps of Gauss and Newton in a slightly smooth metric: few and costly.",
     "Nocedal, Wright: Numerical Optimization, second edition. Springer 2006, section 10.3",
-    k_stages,
+    k_gauss_newton_stages,
     k_tolerances,
-    in_this_build(make)};
+    in_this_build(make_gauss_newton)};
 
 }  // namespace chebnet

@@ -8,12 +8,12 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_gradient_descent() {
     return std::make_unique<StagedDescent>(make_energy<PowerEnergy>, std::make_unique<GradientDirection>(),
                                            keep_all_vertices);
 }
 
-constexpr auto k_options = joined(k_tolerances, k_exponents);
+constexpr auto k_gradient_descent_options = joined(k_tolerances, k_exponents);
 
 }  // namespace
 
@@ -24,7 +24,7 @@ constinit const MethodInfo k_gradient_descent = {
     "Armijo: Minimization of functions having Lipschitz continuous first partial derivatives. Pacific Journal of "
     "Mathematics 16(1), 1966",
     k_staged_names,
-    k_options,
-    in_this_build(make)};
+    k_gradient_descent_options,
+    in_this_build(make_gradient_descent)};
 
 }  // namespace chebnet

@@ -8,12 +8,12 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_lbfgs() {
     return std::make_unique<StagedDescent>(make_energy<PowerEnergy>, std::make_unique<LbfgsDirection>(),
                                            keep_all_vertices);
 }
 
-constexpr auto k_options = joined(k_tolerances, k_exponents);
+constexpr auto k_lbfgs_options = joined(k_tolerances, k_exponents);
 
 }  // namespace
 
@@ -23,7 +23,7 @@ constinit const MethodInfo k_lbfgs = {
     "L-BFGS on the paper's energy: learns the curvature from the last ten gradients.",
     "Liu, Nocedal: On the limited memory BFGS method for large scale optimization. Mathematical Programming 45, 1989",
     k_staged_names,
-    k_options,
-    in_this_build(make)};
+    k_lbfgs_options,
+    in_this_build(make_lbfgs)};
 
 }  // namespace chebnet

@@ -9,14 +9,14 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_li2022() {
     const auto energy = [](double p, const Options& options) {
         return options.direct_energy ? make_energy<DirectEnergy>(p, options) : make_energy<PowerEnergy>(p, options);
     };
     return std::make_unique<StagedDescent>(energy, std::make_unique<NewtonDirection>());
 }
 
-constexpr auto k_options = joined(k_tolerances, k_exponents, k_reduction, std::array{"direct_energy"});
+constexpr auto k_li2022_options = joined(k_tolerances, k_exponents, k_reduction, std::array{"direct_energy"});
 
 }  // namespace
 
@@ -27,7 +27,7 @@ constinit const MethodInfo k_li2022 = {
     "The paper's: the energy r^p + r^-p, Newton steps on its convex majorizer, in three stages.",
     "Li, Guo, Wang, Chai, Liu, Fu: Interactive Editing of Discrete Chebyshev Nets. Computer Graphics Forum 41(2), 2022",
     k_staged_names,
-    k_options,
-    in_this_build(make)};
+    k_li2022_options,
+    in_this_build(make_li2022)};
 
 }  // namespace chebnet

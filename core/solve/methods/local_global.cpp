@@ -7,7 +7,9 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() { return std::make_unique<Alternating>(make_alternating_step<LocalGlobalStep>); }
+std::unique_ptr<Method> make_local_global() {
+    return std::make_unique<Alternating>(make_alternating_step<LocalGlobalStep>);
+}
 
 }  // namespace
 
@@ -19,6 +21,6 @@ constinit const MethodInfo k_local_global = {
     "Transactions on Graphics 32(6), 2013",
     k_alternating_names,
     k_tolerances,
-    in_this_build(make)};
+    in_this_build(make_local_global)};
 
 }  // namespace chebnet

@@ -8,11 +8,11 @@ namespace chebnet {
 
 namespace {
 
-std::unique_ptr<Method> make() {
+std::unique_ptr<Method> make_projected_newton() {
     return std::make_unique<StagedDescent>(make_energy<ProjectedPowerEnergy>, std::make_unique<NewtonDirection>());
 }
 
-constexpr auto k_options = joined(k_tolerances, k_exponents, k_reduction);
+constexpr auto k_projected_newton_options = joined(k_tolerances, k_exponents, k_reduction);
 
 }  // namespace
 
@@ -24,7 +24,7 @@ constinit const MethodInfo k_projected_newton = {
     "Teran, Sifakis, Irving, Fedkiw: Robust Quasistatic Finite Elements and Flesh Simulation. Symposium on Computer "
     "Animation 2005",
     k_staged_names,
-    k_options,
-    in_this_build(make)};
+    k_projected_newton_options,
+    in_this_build(make_projected_newton)};
 
 }  // namespace chebnet

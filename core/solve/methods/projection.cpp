@@ -337,9 +337,9 @@ void Projection::give_up_projecting(Positions& positions) {
 
 namespace {
 
-std::unique_ptr<Method> make() { return std::make_unique<Projection>(); }
+std::unique_ptr<Method> make_projection() { return std::make_unique<Projection>(); }
 
-constexpr std::array k_stages{"Rigid start", "Springs", "Exact lengths", "Newton steps"};
+constexpr std::array k_projection_stages{"Rigid start", "Springs", "Exact lengths", "Newton steps"};
 
 }  // namespace
 
@@ -370,9 +370,9 @@ constinit const MethodInfo k_projection = {
     "A rigid start, springs, then projection onto the exact lengths: our own way to go fast and bend little.",
     "Sorkine, Alexa 2007; Liu, Bouaziz, Kavan 2017; Goldenthal, Harmon, Fattal, Bercovier, Grinspun: Efficient "
     "Simulation of Inextensible Cloth. ACM Transactions on Graphics 26(3), 2007",
-    k_stages,
+    k_projection_stages,
     k_tolerances,
-    in_this_build(make),
+    in_this_build(make_projection),
     true};
 
 }  // namespace chebnet

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "linear/dense_kernels.h"
+#include "linear/ordered_dot.h"
 
 namespace chebnet {
 
@@ -14,11 +14,6 @@ constexpr double k_tolerance = 3e-2;
 // More iterations than this cost more than a new factor.
 constexpr int k_most_iterations = 12;
 
-/// In an order that does not depend on the compiler, as Eigen's do.
-double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return dense::dot(a.data(), b.data(), static_cast<int>(a.size()));
-}
-
 }  // namespace
 
 LengthProjection::LengthProjection(const Net& net, const Topology& topology, std::span<const Distance> more)
@@ -27,7 +22,7 @@ LengthProjection::LengthProjection(const Net& net, const Topology& topology, std
         vector->setZero(m_system.row_count());
 }
 
-double LengthProjection::squared_error() const { return dot(m_rhs, m_rhs); }
+double LengthProjection::squared_error() const { return ordered_dot(m_rhs, m_rhs); }
 
 bool LengthProjection::project(Positions& positions) {
     m_system.assemble(positions);
@@ -72,20 +67,20 @@ bool LengthProjection::solve_by_conjugate_gradients(const Eigen::VectorXd* guess
         m_multipliers.setZero();
     }
     const double enough = tolerance * tolerance * squared_error();
-    if (dot(m_residual, m_residual) <= enough) return true;  // also where nothing is asked for
+    if (ordered_dot(m_residual, m_residual) <= enough) return true;  // also where nothing is asked for
     double product = 0;
     for (int k = 0; k < k_most_iterations; ++k) {
         m_system.precondition(m_residual, m_preconditioned);
-        const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
+        const double previous = std::exchange(product, ordered_dot(m_residual, m_preconditioned));
         if (k == 0)
             m_search = m_preconditioned;
         else
             m_search = m_preconditioned + product / previous * m_search;
         m_system.multiply(m_search, m_image);
-        const double step = product / dot(m_search, m_image);
+        const double step = product / ordered_dot(m_search, m_image);
         m_multipliers += step * m_search;
         m_residual -= step * m_image;
-        if (dot(m_residual, m_residual) <= enough) return m_multipliers.allFinite();
+        if (ordered_dot(m_residual, m_residual) <= enough) return m_multipliers.allFinite();
     }
     return false;
 }

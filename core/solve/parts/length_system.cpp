@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "linear/limits.h"
+#include "linear/ordered_dot.h"
 #include "linear/ordering.h"
 #include "solve/parts/valence_limit.h"
 
@@ -25,9 +26,6 @@ void check_size(const Net& net, const Topology& topology) {
     check_factor_bytes(net.edge_count(), couplings * (40 + 8 + 12));
     check_valences(net, topology);
 }
-
-/// In an order that does not depend on the compiler, as Eigen's do.
-double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
 }  // namespace
 
@@ -82,7 +80,7 @@ void LengthSystem::assemble(const Positions& positions) {
     for (int row = 0; row < row_count(); ++row) {
         const auto& [a, b, distance, unit] = m_rows[row];
         const Eigen::Vector3d d = positions.col(a) - positions.col(b);
-        const double length = std::sqrt(dot(d, d)), weight = m_weight[a] + m_weight[b];
+        const double length = std::sqrt(ordered_dot(d, d)), weight = m_weight[a] + m_weight[b];
         m_jacobian.col(row) = d / (length * unit);
         if (!m_is_on[row]) m_jacobian.col(row).setZero();
         // What cannot change is a row of its own, with nothing to ask for.
@@ -92,14 +90,15 @@ void LengthSystem::assemble(const Positions& positions) {
     }
     for (std::size_t k = 0; k < m_couplings.size(); ++k) {
         const auto& [a, b, vertex, sign] = m_couplings[k];
-        m_off_diagonal[k][0] = m_weight[vertex] * sign * dot(m_jacobian.col(a), m_jacobian.col(b));
+        m_off_diagonal[k][0] = m_weight[vertex] * sign * ordered_dot(m_jacobian.col(a), m_jacobian.col(b));
     }
     if (!m_kept.empty()) take_off_what_is_kept();
 }
 
 void LengthSystem::stretch(const Eigen::Matrix3Xd& moves, Eigen::VectorXd& changes) const {
     for (int row = 0; row < row_count(); ++row)
-        changes[row] = dot(m_jacobian.col(row), moves.col(m_rows[row].vertex_a) - moves.col(m_rows[row].vertex_b));
+        changes[row] =
+            ordered_dot(m_jacobian.col(row), moves.col(m_rows[row].vertex_a) - moves.col(m_rows[row].vertex_b));
 }
 
 void LengthSystem::add_pull(const Eigen::VectorXd& y, Eigen::Matrix3Xd& moves) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "linear/ordered_dot.h"
 #include "solve/parts/coordinate_metric.h"
 #include "solve/parts/length_system.h"
 #include "solve/parts/neighbour_system.h"
@@ -16,9 +17,6 @@ namespace {
 
 // An edge that lies so much across where its ends slide, by the square of its sine, cannot change.
 constexpr double k_least_part = 1e-8;
-
-/// In an order that does not depend on the compiler, as Eigen's do.
-double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
 
 bool moves_in(const Slide& slide, Axes coordinates) { return (slide.along & coordinates) != k_no_axes; }
 
@@ -58,7 +56,8 @@ void LengthSystem::set_slides(std::span<const Slide> slides) {
 void LengthSystem::take_off_what_is_kept() {
     const auto kept = [this](int vertex, int row_a, int row_b) {
         const Axes moving = k_all_axes - m_kept[vertex];
-        return m_weight[vertex] * dot(across(moving, m_jacobian.col(row_a)), across(moving, m_jacobian.col(row_b)));
+        return m_weight[vertex] *
+               ordered_dot(across(moving, m_jacobian.col(row_a)), across(moving, m_jacobian.col(row_b)));
     };
     for (int row : m_rows_that_slide) {
         const auto& [a, b, distance, unit] = m_rows[row];

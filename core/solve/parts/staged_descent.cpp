@@ -14,8 +14,8 @@ namespace chebnet {
 
 namespace {
 
-constexpr double k_sufficient_decrease = 1e-4;  // of Armijo's rule
-constexpr int k_max_halvings = 40;
+constexpr double k_stage_decrease = 1e-4;  // of Armijo's rule
+constexpr int k_stage_halvings = 40;
 // A reduced iteration must bring max dL below this part of what it was. One with all vertices free brings it to about a
 // ninth: the majorizer's step is 2/3 of what is needed, and dL is quadratic.
 constexpr double k_reduced_progress = 0.5;
@@ -180,12 +180,12 @@ double StagedDescent::search_line(const FreePart& part, Positions& positions, co
     const double before = energy(part, positions);
     const Positions origin = positions;
     double step = 1;
-    for (int halving = 0; halving <= k_max_halvings; ++halving, step /= 2) {
+    for (int halving = 0; halving <= k_stage_halvings; ++halving, step /= 2) {
         for (int i = 0; i < part.size(); ++i) {
             const int v = part.vertices()[i];
             positions.col(v) = origin.col(v) + step * direction.col(i);
         }
-        if (energy(part, positions) <= before + k_sufficient_decrease * step * slope) return step;
+        if (energy(part, positions) <= before + k_stage_decrease * step * slope) return step;
     }
     positions = origin;
     return 0;

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "linear/dense_kernels.h"
+#include "linear/ordered_dot.h"
 
 namespace chebnet {
 
@@ -16,18 +16,12 @@ namespace {
 // What M adds for lengths, in the unit of energies: between 0.1 and 20 the iterations differ little.
 constexpr double k_length_stiffness = 2;
 // Keeps M's factor in single precision definite where a net is large and held at few vertices.
-constexpr double k_shift = 1e-6;
+constexpr double k_metric_shift = 1e-6;
 // What the factored Hessian adds for lengths, in the unit of energies, and to its diagonal. Single precision has room
 // for what is between.
 constexpr double k_penalty = 500;
 constexpr double k_block_shift = 1e-4;
 constexpr double k_multiplier_tolerance = 1e-7;
-
-/// In an order that does not depend on the compiler, as Eigen's do.
-template <typename Matrix>
-double dot(const Matrix& a, const Matrix& b) {
-    return dense::dot(a.data(), b.data(), static_cast<int>(a.size()));
-}
 
 }  // namespace
 
@@ -56,7 +50,7 @@ void TangentNewton::set_metric(std::span<const std::unique_ptr<Term>> terms) {
     const double unit = m_net.mean_length();
     for (int e = 0; e < m_net.edge_count(); ++e)
         m_form.add_link(m_net.edges()(0, e), m_net.edges()(1, e), k_length_stiffness / (unit * unit));
-    for (const auto& metric : m_metrics) metric->factorize(m_form, k_shift / (unit * unit), 1 / (unit * unit));
+    for (const auto& metric : m_metrics) metric->factorize(m_form, k_metric_shift / (unit * unit), 1 / (unit * unit));
 }
 
 void TangentNewton::extend(Eigen::Matrix3Xd& moves) {
@@ -94,8 +88,8 @@ bool TangentNewton::linearise(const Positions& x, const Eigen::Matrix3Xd& gradie
     weigh(-1, m_descent);
     m_normal.setZero(3, m_net.vertex_count());
     m_normal_slope = 0;
-    m_gradient_norm = std::sqrt(dot(m_descent, m_descent));
-    m_error_cost = dot(m_multipliers, system.errors());
+    m_gradient_norm = std::sqrt(ordered_dot(m_descent, m_descent));
+    m_error_cost = ordered_dot(m_multipliers, system.errors());
     return std::isfinite(m_gradient_norm);
 }
 
@@ -104,7 +98,7 @@ bool TangentNewton::shorten(const Eigen::VectorXd& rows) {
     if (!m_lengths->solve(rows, k_multiplier_tolerance, y)) return false;
     m_normal.setZero();
     m_lengths->system().add_pull(-y, m_normal);
-    m_normal_slope = dot(m_multipliers, rows);
+    m_normal_slope = ordered_dot(m_multipliers, rows);
     return true;
 }
 
@@ -187,7 +181,7 @@ double TangentNewton::find_move(std::span<const std::unique_ptr<Term>> terms, Cu
     m_residual = m_descent;
     if (m_normal_slope != 0) find_residual(terms, kind, move);
     precondition(m_residual, m_preconditioned);
-    m_enough = tolerance * tolerance * dot(m_residual, m_preconditioned);
+    m_enough = tolerance * tolerance * ordered_dot(m_residual, m_preconditioned);
     return descend(terms, kind, most_iterations, radius, move);
 }
 
@@ -221,12 +215,12 @@ double TangentNewton::descend(std::span<const std::unique_ptr<Term>> terms, Curv
                               double radius, Eigen::Matrix3Xd& move) {
     m_ended_at_radius = m_met_negative_curvature = false;
     m_search = m_preconditioned;
-    double product = dot(m_residual, m_preconditioned);
+    double product = ordered_dot(m_residual, m_preconditioned);
     m_inner_iterations = 0;
     while (m_inner_iterations < most_iterations && product > m_enough && !m_ended_at_radius) {
         ++m_inner_iterations;
         apply_hessian(terms, kind, m_search);
-        const double curvature = dot(m_search, m_image);
+        const double curvature = ordered_dot(m_search, m_image);
         m_met_negative_curvature = !(curvature > 0);
         const double whole = curvature > 0 ? product / curvature : std::numeric_limits<double>::infinity();
         const double step = part_to_radius(move, m_search, whole, radius);
@@ -236,16 +230,16 @@ double TangentNewton::descend(std::span<const std::unique_ptr<Term>> terms, Curv
         m_residual -= step * m_image;
         project_forces(m_residual);
         precondition(m_residual, m_preconditioned);
-        const double previous = std::exchange(product, dot(m_residual, m_preconditioned));
+        const double previous = std::exchange(product, ordered_dot(m_residual, m_preconditioned));
         m_search = m_preconditioned + product / previous * m_search;
     }
-    return m_normal_slope - dot(m_descent, move);
+    return m_normal_slope - ordered_dot(m_descent, move);
 }
 
 double TangentNewton::restrict(Eigen::Matrix3Xd& move) {
     project(move);
     move += m_normal;
-    return m_normal_slope - dot(m_descent, move);
+    return m_normal_slope - ordered_dot(m_descent, move);
 }
 
 bool TangentNewton::find_negative_curvature(std::span<const std::unique_ptr<Term>> terms, int most_steps,
@@ -253,7 +247,7 @@ bool TangentNewton::find_negative_curvature(std::span<const std::unique_ptr<Term
     Eigen::Matrix3Xd step;
     for (int k = 0;; ++k) {
         apply_hessian(terms, Curvature::exact, d);
-        if (dot(d, m_image) < 0) return true;
+        if (ordered_dot(d, m_image) < 0) return true;
         if (k == most_steps) return false;
         give_way(m_image, step);
         d -= step;

@@ -6,8 +6,8 @@ namespace chebnet {
 
 namespace {
 
-constexpr double k_shift = 1e-4;  // of the diagonal, in the unit of energies
-constexpr double k_sufficient_decrease = 1e-4;
+constexpr double k_term_shift = 1e-4;  // of the diagonal, in the unit of energies
+constexpr double k_term_decrease = 1e-4;
 constexpr int k_most_halvings = 12;
 
 }  // namespace
@@ -26,7 +26,7 @@ double TermDescent::step(std::span<const std::unique_ptr<Term>> terms, double ra
     const double before = evaluate(terms, positions), L = m_net.mean_length();
     m_system.set_zero();
     for (const auto& term : terms) term->add_blocks(m_system);
-    for (const int v : m_part.vertices()) m_system.add_vertex(v, k_shift / (L * L) * Eigen::Matrix3d::Identity());
+    for (const int v : m_part.vertices()) m_system.add_vertex(v, k_term_shift / (L * L) * Eigen::Matrix3d::Identity());
     if (!m_system.factorize()) return 0;
     Eigen::Matrix3Xd direction = Eigen::Matrix3Xd::Zero(3, positions.cols());
     m_system.solve(-m_gradient, direction);
@@ -36,7 +36,7 @@ double TermDescent::step(std::span<const std::unique_ptr<Term>> terms, double ra
     double part = std::min(1.0, radius / longest);
     for (int trial = 0; trial <= k_most_halvings; ++trial, part /= 2) {
         positions = origin + part * direction;
-        if (evaluate(terms, positions) <= before + k_sufficient_decrease * part * slope) return part * longest;
+        if (evaluate(terms, positions) <= before + k_term_decrease * part * slope) return part * longest;
     }
     positions = origin;
     return 0;

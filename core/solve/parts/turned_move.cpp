@@ -8,7 +8,7 @@ namespace chebnet {
 namespace {
 
 // Keeps the turn about edges that lie in one line small, in squared edge lengths.
-constexpr double k_inertia = 1e-3;
+constexpr double k_turn_inertia = 1e-3;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ void TurnedMove::begin(const Net& net, const Topology& topology, const Positions
     m_from = &x;
     m_move = &move;
     m_turns.resize(3, net.vertex_count());
-    const double least = k_inertia * net.mean_length() * net.mean_length();
+    const double least = k_turn_inertia * net.mean_length() * net.mean_length();
     for (int v = 0; v < net.vertex_count(); ++v) {
         Eigen::Matrix3d inertia = least * Eigen::Matrix3d::Identity();
         Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
