@@ -60,7 +60,10 @@ std::vector<std::array<int, 4>> good_cells(const Net& net, const Positions& posi
 std::optional<Drape> opened_drape(const Guide& guide, const DrapeOptions& options, double sharper, double most_height) {
     DrapeOptions to_open = options;
     to_open.smallest_angle *= sharper;
-    if (options.border == DrapeOptions::Border::cut) to_open.border = DrapeOptions::Border::beyond;
+    if (options.border == DrapeOptions::Border::cut) {
+        to_open.border = DrapeOptions::Border::beyond;
+        to_open.beyond_cuts = true;
+    }
     const Drape laid = drape(guide.surface(), guide.tree(), to_open);
     const std::optional<Positions> positions = with_opened_corners(laid.net, guide, options.smallest_angle);
     if (!positions) return std::nullopt;

@@ -38,18 +38,18 @@ constexpr int k_near_steps = 2;
 constexpr double k_upright = 0.9;
 
 /// Steps along the two families from the seed.
-struct Place {
+struct GridPlace {
     int i, j;
 
-    Place operator+(const Place& step) const { return {i + step.i, j + step.j}; }
+    GridPlace operator+(const GridPlace& step) const { return {i + step.i, j + step.j}; }
     int steps() const { return std::abs(i) + std::abs(j); }
     /// The nearest to the seed come first, and all four quadrants alike.
     auto rank() const { return std::tuple(steps(), std::abs(i), i, j); }
-    bool operator>(const Place& other) const { return rank() > other.rank(); }
+    bool operator>(const GridPlace& other) const { return rank() > other.rank(); }
 };
 
-constexpr std::array<Place, 4> k_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-constexpr std::array<Place, 4> k_diagonals = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+constexpr std::array<GridPlace, 4> k_steps = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+constexpr std::array<GridPlace, 4> k_diagonals = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// A hash of integers.
 std::uint64_t key_of(std::int64_t a, std::int64_t b, std::int64_t c = 0) {
@@ -143,7 +143,7 @@ private:
         while (is_on_surface(m_vertices[last])) {
             bend(arm, last, direction);
             const auto vertex = m_compass.straight_on(m_vertices[last], direction);
-            const Place place = m_places[last] + k_steps[arm];
+            const GridPlace place = m_places[last] + k_steps[arm];
             if (!vertex || !is_allowed(place, *vertex)) return;
             last = add(place, *vertex);
         }
@@ -179,7 +179,7 @@ private:
         int last = 0;
         while (const auto next = m_curve->after(here, m_options.length, forwards)) {
             const DrapedVertex vertex = m_compass.vertex_at(next->position, m_vertices[last].at.face);
-            const Place place = m_places[last] + k_steps[forwards ? 0 : 2];
+            const GridPlace place = m_places[last] + k_steps[forwards ? 0 : 2];
             if (!is_allowed(place, vertex)) return -1;
             last = add(place, vertex);
             here = *next;
@@ -190,7 +190,7 @@ private:
     /// Sets every vertex that has three of a cell's before it.
     void fill() {
         while (!m_waiting.empty()) {
-            const Place place = m_waiting.top();
+            const GridPlace place = m_waiting.top();
             m_waiting.pop();
             for (const Corner& corner : corners_at(place))
                 if (const auto vertex = vertex_across(place, corner)) add(place, *vertex);
@@ -202,7 +202,7 @@ private:
         int d, a, b;
     };
 
-    std::optional<DrapedVertex> vertex_across(const Place& place, const Corner& corner) {
+    std::optional<DrapedVertex> vertex_across(const GridPlace& place, const Corner& corner) {
         if (find(place, corner.a) >= 0) return std::nullopt;
         const DrapedVertex &d = m_vertices[corner.d], &a = m_vertices[corner.a], &b = m_vertices[corner.b];
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
@@ -217,11 +217,11 @@ private:
 
     /// Of the cells at a place whose other three vertices are known: the one nearest to the seed; on a surface with
     /// slits, where there can be several vertices at a place, all of them, that one first.
-    std::vector<Corner> corners_at(const Place& place) const {
+    std::vector<Corner> corners_at(const GridPlace& place) const {
         std::vector<Corner> corners;
-        for (const Place& diagonal : k_diagonals)
+        for (const GridPlace& diagonal : k_diagonals)
             for (int d = find(place + diagonal); d >= 0; d = m_other_at[d]) {
-                const int a = find(place + Place{diagonal.i, 0}, d), b = find(place + Place{0, diagonal.j}, d);
+                const int a = find(place + GridPlace{diagonal.i, 0}, d), b = find(place + GridPlace{0, diagonal.j}, d);
                 if (a >= 0 && b >= 0) corners.push_back({d, a, b});
             }
         std::stable_sort(corners.begin(), corners.end(),
@@ -236,7 +236,7 @@ private:
         while (!m_rim.empty()) {
             const auto [place, from] = m_rim.top();
             m_rim.pop();
-            const Place here = m_places[from];
+            const GridPlace here = m_places[from];
             const int back = find({2 * here.i - place.i, 2 * here.j - place.j}, from);
             if (back < 0 || !is_in_the_open(place, here) || !is_on_surface(m_vertices[from])) continue;
             Eigen::Vector3d direction = m_vertices[from].position - m_vertices[back].position;
@@ -249,23 +249,44 @@ private:
     }
 
     /// Whether nothing is known at a place and around it but `from`, and nothing was refused there.
-    bool is_in_the_open(const Place& place, const Place& from) const {
+    bool is_in_the_open(const GridPlace& place, const GridPlace& from) const {
         if (find(place) >= 0 || is_refused(place)) return false;
-        for (const Place& step : k_steps) {
-            const Place next = place + step;
+        for (const GridPlace& step : k_steps) {
+            const GridPlace next = place + step;
             const bool is_from = next.i == from.i && next.j == from.j;
             if (is_refused(next) || (find(next) >= 0 && !is_from)) return false;
         }
         return true;
     }
 
-    bool is_allowed(const Place& place, const DrapedVertex& vertex) {
+    bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
         if (std::abs(place.i) > m_options.reach || std::abs(place.j) > m_options.reach) return false;
-        if (m_options.border == DrapeOptions::Border::inside && !is_on_surface(vertex)) return false;
+        if (!is_on_surface(vertex) && is_bound(vertex.at)) return false;
         if (meets_net(place, vertex)) {
             refuse(place, m_met);
             return false;
         }
+        return true;
+    }
+
+    /// Whether the net ends inside at a point of the border: everywhere, or as at a cut, behind which more of it lies.
+    bool is_bound(const SurfacePoint& at) const {
+        switch (m_options.border) {
+            case DrapeOptions::Border::inside:
+                return true;
+            case DrapeOptions::Border::beyond:
+                return !m_options.beyond_cuts && is_at_cut(at);
+            case DrapeOptions::Border::cut:
+                return false;  // where rods are cut they end on it from either side
+        }
+        return false;
+    }
+
+    bool is_at_cut(const SurfacePoint& at) const {
+        if (m_slits && m_slits->is_on_bank(at)) return true;
+        if (m_options.seam.empty()) return false;
+        for (int k = 0; k < 3; ++k)
+            if (at.weights[k] > 0 && !m_options.seam[m_compass.surface().triangles()(k, at.face)]) return false;
         return true;
     }
 
@@ -274,8 +295,8 @@ private:
     bool is_on_surface(const DrapedVertex& vertex) const { return vertex.overhang <= tolerance(); }
 
     /// Whether a new vertex is not one edge away from a neighbour, or on what other vertices have covered.
-    bool meets_net(const Place& place, const DrapedVertex& next) const {
-        for (const Place& step : k_steps)
+    bool meets_net(const GridPlace& place, const DrapedVertex& next) const {
+        for (const GridPlace& step : k_steps)
             for (int neighbour = find(place + step); neighbour >= 0; neighbour = m_other_at[neighbour])
                 if (!is_one_edge(m_vertices[neighbour], next) &&
                     !m_compass.is_slit_between(m_vertices[neighbour], next))
@@ -283,7 +304,7 @@ private:
         for (int same = find(place); same >= 0; same = m_other_at[same])
             if (!m_compass.is_slit_between(m_vertices[same], next)) return true;
         return m_surroundings.any_near(next.position, [&](int other) {
-            const Place& there = m_places[other];
+            const GridPlace& there = m_places[other];
             return std::abs(there.i - place.i) + std::abs(there.j - place.j) > k_near_steps &&
                    (m_vertices[other].position - next.position).norm() < k_least_distance * m_options.length &&
                    m_vertices[other].normal.dot(next.normal) > 0 && !m_compass.is_slit_between(m_vertices[other], next);
@@ -303,7 +324,7 @@ private:
         return true;
     }
 
-    int add(const Place& place, const DrapedVertex& vertex) {
+    int add(const GridPlace& place, const DrapedVertex& vertex) {
         if (std::ssize(m_vertices) == k_most_draped_vertices)
             throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
                                                   " vertices: the edges are too short for this surface");
@@ -313,14 +334,14 @@ private:
         m_other_at.push_back(find(place));
         m_at[key(place)] = number;
         m_surroundings.add(vertex.position, number);
-        const auto wait_for = [&](const Place& next) {
+        const auto wait_for = [&](const GridPlace& next) {
             if (m_slits || find(next) < 0) m_waiting.push(next);
         };
-        for (const Place& step : k_steps) {
+        for (const GridPlace& step : k_steps) {
             m_rim.push({place + step, number});
             wait_for(place + step);
         }
-        for (const Place& diagonal : k_diagonals) wait_for(place + diagonal);
+        for (const GridPlace& diagonal : k_diagonals) wait_for(place + diagonal);
         return number;
     }
 
@@ -352,10 +373,10 @@ private:
     std::vector<std::array<int, 4>> complete_cells() const {
         std::vector<std::array<int, 4>> cells;
         for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-            const Place& place = m_places[v];
+            const GridPlace& place = m_places[v];
             const int d = static_cast<int>(v);
-            const int a = find(place + Place{1, 0}, d), b = find(place + Place{0, 1}, d);
-            const std::array<int, 4> cell{d, a, a < 0 ? -1 : find(place + Place{1, 1}, a), b};
+            const int a = find(place + GridPlace{1, 0}, d), b = find(place + GridPlace{0, 1}, d);
+            const std::array<int, 4> cell{d, a, a < 0 ? -1 : find(place + GridPlace{1, 1}, a), b};
             const auto at = [&](int k) { return m_vertices[cell[k]].position; };
             if (*std::min_element(cell.begin(), cell.end()) < 0) continue;
             if (m_compass.is_slit_between(m_vertices[b], m_vertices[cell[2]])) continue;
@@ -396,16 +417,16 @@ private:
         return reached;
     }
 
-    static std::uint64_t key(const Place& place) {
+    static std::uint64_t key(const GridPlace& place) {
         return static_cast<std::uint64_t>(static_cast<std::uint32_t>(place.i)) << 32 |
                static_cast<std::uint32_t>(place.j);
     }
-    int find(const Place& place) const {
+    int find(const GridPlace& place) const {
         const auto found = m_at.find(key(place));
         return found == m_at.end() ? -1 : found->second;
     }
     /// The vertex at a place beside that of another: of several, the one on its side of slits. −1 if there is none.
-    int find(const Place& place, int beside) const {
+    int find(const GridPlace& place, int beside) const {
         int vertex = find(place);
         if (!m_slits) return vertex;
         const DrapedVertex& other = m_vertices[beside];
@@ -426,13 +447,13 @@ private:
         if (slits && slits->none()) slits.reset();
         return slits;
     }
-    void refuse(const Place& place, int& count) {
+    void refuse(const GridPlace& place, int& count) {
         if (m_refused.emplace(key(place), true).second) ++count;
     }
-    bool is_refused(const Place& place) const { return m_refused.contains(key(place)); }
+    bool is_refused(const GridPlace& place) const { return m_refused.contains(key(place)); }
 
     struct Extension {
-        Place place;
+        GridPlace place;
         int from;  // a vertex
         bool operator>(const Extension& other) const { return place > other.place; }
     };
@@ -445,12 +466,12 @@ private:
     std::optional<Slits> m_slits;       // if there are any to keep to
     Compass m_compass;
     std::vector<DrapedVertex> m_vertices;
-    std::vector<Place> m_places;
+    std::vector<GridPlace> m_places;
     std::unordered_map<std::uint64_t, int> m_at;  // by places: the last vertex there
     std::vector<int> m_other_at;  // the one before at the same place, beyond a slit; −1 if there is none
     std::unordered_map<std::uint64_t, bool> m_refused;
     Surroundings m_surroundings;
-    Queue<Place> m_waiting;
+    Queue<GridPlace> m_waiting;
     Queue<Extension> m_rim;
     double m_largest_cosine;
     int m_locked = 0, m_met = 0;
@@ -471,6 +492,8 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
         refuse("the angle at the seed must keep within the shear limit");
     if (options.arms == DrapeOptions::Arms::curve && options.along.cols() < 2)
         refuse("a curve for the arms to run along needs at least two points");
+    if (!options.seam.empty() && std::ssize(options.seam) != surface.vertex_count())
+        refuse("the seam must be told of each vertex of the surface");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
 }
 

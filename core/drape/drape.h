@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "net/net.h"
 #include "surface/surface.h"
@@ -15,7 +16,8 @@ struct DrapeOptions {
     /// What happens where the surface ends.
     enum class Border {
         inside,  ///< no vertex stands beyond it
-        beyond,  ///< cells go over it that have a vertex on the surface; there it goes on as flat as it is there
+        beyond,  ///< cells go over it that have a vertex on the surface; there it goes on as flat as it is there. Not
+                 ///< over a cut, behind which another part of the net lies: see `slits` and `seam`
         cut,     ///< likewise, and then rods are cut at the boundary curve (see cut_at_border)
     };
     /// How the net lines through the seed run, from which all others follow.
@@ -38,6 +40,9 @@ struct DrapeOptions {
     Positions along{};
     /// Where boundary runs along boundary, as along a cut, no edge goes across. Else what is near enough is joined.
     bool slits = false;
+    /// Of each vertex of the surface, whether it was cut from another there; empty where it was nowhere.
+    std::vector<bool> seam{};
+    bool beyond_cuts = false;  ///< with Border::beyond cells go over cuts, too: for rods that are to be cut there later
 };
 
 /// A beginning for want of a better one: from the point nearest to the centre of mass, along the x axis or, where that
@@ -78,8 +83,6 @@ inline constexpr int k_most_draped_vertices = 2'000'000;
 
 /// Shear, radians: at 15° programs for draping cloth begin to warn, at 30° they call it the most that cloth bears.
 inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::numbers::pi / 6;
-/// A net that folds by more than this at an edge, radians, is crumpled there: none has to on a smooth surface.
-inline constexpr double k_fold = std::numbers::pi / 3;
 
 /// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
 double part_sheared(const Net& net, double shear);

@@ -1,10 +1,12 @@
 #include "drape/drape_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
@@ -94,6 +96,32 @@ bool is_on(const Guide& piece, const Positions& points, double tolerance) {
                        [&](const Eigen::Vector3d& point) { return piece.tree().nearest(point).distance <= tolerance; });
 }
 
+const std::string k_no_seed = "no seed is on it";
+
+using SpacePlace = std::array<double, 3>;
+
+SpacePlace place_of(const Surface& surface, int vertex) {
+    const Eigen::Vector3d position = surface.positions().col(vertex);
+    return {position.x(), position.y(), position.z()};
+}
+
+/// Where a surface has been cut.
+std::set<SpacePlace> cut_places(const Surface& surface) {
+    std::set<SpacePlace> places;
+    const std::vector<int> facing = facing_sides(surface);
+    for (int side = 0; side < std::ssize(facing); ++side)
+        if (facing[side] >= 0)
+            for (const int vertex : {surface.from(side), surface.to(side)}) places.insert(place_of(surface, vertex));
+    return places;
+}
+
+/// The vertices of a piece at some places.
+std::vector<bool> vertices_at(const Surface& piece, const std::set<SpacePlace>& places) {
+    std::vector<bool> is_there(static_cast<std::size_t>(piece.vertex_count()));
+    for (int v = 0; v < piece.vertex_count(); ++v) is_there[v] = places.contains(place_of(piece, v));
+    return is_there;
+}
+
 DrapedPiece draped_from(int number, const std::shared_ptr<const Guide>& piece, DrapeOptions own, double leave) {
     own.slits = true;
     const bool has_curve = own.arms == DrapeOptions::Arms::curve;
@@ -136,6 +164,7 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
     if (wants_curve) options.drape.along = laid_onto(surface, wanted.drape.along);
     const std::map<int, Eigen::Vector3d> seeds = seeds_by_piece(surface, options.seeds);
     std::vector<Surface> pieces = pieces_of(surface);
+    const std::set<SpacePlace> cuts = cut_places(surface);
     const int first = options.first_seed ? piece_of(surface, options.drape.seed) : -1;
     std::vector<DrapedPiece> draped;
     std::vector<BarePiece> bare;
@@ -144,10 +173,11 @@ DrapedPieces drape_pieces(const Surface& surface, const PiecesOptions& wanted) {
         const double area = pieces[number].area();
         const auto seed = seeds.find(number);
         if (!seeds.empty() && seed == seeds.end()) {
-            bare.push_back({number, area, "no seed is on it"});
+            bare.push_back({number, area, k_no_seed});
             continue;
         }
         try {
+            options.drape.seam = vertices_at(pieces[number], cuts);
             const auto piece = std::make_shared<const Guide>(std::move(pieces[number]));
             draped.push_back(number == first
                                  ? draped_from(number, piece, options.drape, options.leave)

@@ -1,12 +1,10 @@
 #include "drape/slits.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <utility>
 
 #include "base/error.h"
 #include "surface/geodesics.h"
+#include "surface/surface_cut.h"
 
 namespace chebnet {
 
@@ -15,9 +13,7 @@ namespace {
 // A weight below it counts as 0.
 constexpr double k_on_side = 1e-9;
 // Triangles no farther from a slit than so many edges of the net are near it.
-constexpr double k_near = 3;
-
-using Ends = std::array<double, 6>;
+constexpr double k_near_slit = 3;
 
 }  // namespace
 
@@ -26,32 +22,20 @@ Slits::Slits(const Surface& surface, const SurfaceTree& tree, double reach) : m_
     if (!none()) find_near(reach);
 }
 
-/// Sides at the boundary whose ends are those of another one, the other way round, and their vertices, numbered by runs
-/// along the boundary. At the end of a slit it turns back.
+/// Vertices of sides that face another, numbered by runs along the boundary. At the end of a slit it turns back.
 void Slits::find_banks() {
-    const auto ends = [&](int from, int to) {
-        const Eigen::Vector3d a = m_surface.positions().col(from), b = m_surface.positions().col(to);
-        return Ends{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
-    };
-    std::map<Ends, int> side_at;
-    const std::vector<std::vector<int>> loops = m_surface.boundary_loops();
-    for (const std::vector<int>& loop : loops)
-        for (const int side : loop) side_at.emplace(ends(m_surface.from(side), m_surface.to(side)), side);
-    const auto twin = [&](int side) {
-        const auto found = side_at.find(ends(m_surface.to(side), m_surface.from(side)));
-        return found == side_at.end() ? -1 : found->second;
-    };
-    const auto turns_back = [&](int side, int next) { return twin(side) == next; };
+    const std::vector<int> facing = facing_sides(m_surface);
+    const auto turns_back = [&](int side, int next) { return facing[side] == next; };
     int bank = 0;
-    for (const std::vector<int>& loop : loops) {
+    for (const std::vector<int>& loop : m_surface.boundary_loops()) {
         const std::size_t n = loop.size();
         std::size_t start = 0;  // behind a place where no bank goes on
         for (std::size_t k = 0; k < n; ++k)
-            if (twin(loop[k]) < 0 || turns_back(loop[k], loop[(k + 1) % n])) start = (k + 1) % n;
+            if (facing[loop[k]] < 0 || turns_back(loop[k], loop[(k + 1) % n])) start = (k + 1) % n;
         ++bank;
         for (std::size_t k = 0; k < n; ++k) {
             const int side = loop[(start + k) % n], next = loop[(start + k + 1) % n];
-            if (twin(side) < 0) {
+            if (facing[side] < 0) {
                 ++bank;
                 continue;
             }
@@ -78,7 +62,7 @@ void Slits::find_near(double reach) {
     for (int f = 0; f < m_surface.face_count(); ++f) {
         const Eigen::Vector3i corners = m_surface.triangles().col(f);
         const double nearest = std::min({distances[corners[0]], distances[corners[1]], distances[corners[2]]});
-        m_is_near[f] = nearest <= k_near * reach;
+        m_is_near[f] = nearest <= k_near_slit * reach;
     }
 }
 

@@ -22,6 +22,9 @@ public:
     /// The point of the surface nearest to `point`, as seen from a triangle near it: on this side of slits.
     SurfaceTree::Nearest nearest(const Eigen::Vector3d& point, int from) const;
 
+    /// Whether a point of the surface lies on a bank, but for the ends of slits.
+    bool is_on_bank(const SurfacePoint& point) const { return !none() && bank_of(point) > 0; }
+
     /// Whether a slit runs between two vertices of a net: none sees the other, or they stand on different banks, or
     /// beyond them.
     bool part(const DrapedVertex& a, const DrapedVertex& b) const;

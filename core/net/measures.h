@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <numbers>
 
 #include "net/net.h"
 #include "net/topology.h"
@@ -41,6 +42,9 @@ AngleRange corner_angle_range(const Net& net, const Positions& positions);
 
 /// How many quads have a corner sharper than this angle, radians.
 int sharp_quads(const Net& net, const Positions& positions, double angle);
+
+/// A net that folds by more than this at an edge, radians, is crumpled there: none has to on a smooth surface.
+inline constexpr double k_fold = std::numbers::pi / 3;
 
 /// How many edges have a face on either side whose normals are farther apart than this angle, radians.
 int sharp_folds(const Net& net, const Positions& positions, double angle);

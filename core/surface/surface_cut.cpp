@@ -419,6 +419,23 @@ SurfaceWithLines with_lines(const Surface& surface, std::span<const CutLine> lin
     return {split.surface, is_on_line};
 }
 
+std::vector<int> facing_sides(const Surface& surface) {
+    using Ends = std::array<double, 6>;
+    const auto ends = [&](int from, int to) {
+        const Eigen::Vector3d a = surface.positions().col(from), b = surface.positions().col(to);
+        return Ends{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+    };
+    std::map<Ends, int> side_at;
+    for (const std::vector<int>& loop : surface.boundary_loops())
+        for (const int side : loop) side_at.emplace(ends(surface.from(side), surface.to(side)), side);
+    std::vector<int> facing(3 * static_cast<std::size_t>(surface.face_count()), -1);
+    for (const auto& [places, side] : side_at) {
+        const auto found = side_at.find(ends(surface.to(side), surface.from(side)));
+        if (found != side_at.end()) facing[side] = found->second;
+    }
+    return facing;
+}
+
 std::vector<Surface> pieces_of(const Surface& surface) {
     const std::vector<int> component = surface.components();
     const int count = *std::max_element(component.begin(), component.end()) + 1;

@@ -39,6 +39,10 @@ struct SurfaceWithLines {
 /// called `name` and their number.
 SurfaceWithLines with_lines(const Surface& surface, std::span<const CutLine> lines, const std::string& name);
 
+/// Where boundary runs along boundary, as on both sides of a cut: of each side of a triangle the one that runs the
+/// other way between the same two places in space; −1 for all others.
+std::vector<int> facing_sides(const Surface& surface);
+
 /// Each piece as a surface of its own, in the order of Surface::components().
 std::vector<Surface> pieces_of(const Surface& surface);
 

@@ -56,6 +56,15 @@ int edges_across(const Net& net, const Eigen::Vector3d& from, const Eigen::Vecto
     return count;
 }
 
+/// Pairs of edges that cross within the plane.
+int crossing_edges(const Net& net) {
+    const auto at = [&](int end, int e) { return Eigen::Vector3d(net.rest_positions().col(net.edges()(end, e))); };
+    int count = 0;
+    for (int e = 0; e < net.edge_count(); ++e)
+        for (int f = 0; f < e; ++f) count += do_cross(at(0, e), at(1, e), at(0, f), at(1, f));
+    return count;
+}
+
 }  // namespace
 
 TEST_CASE("A surface cut in two takes two nets, which lie in one and share nothing") {
@@ -89,6 +98,19 @@ TEST_CASE("Rods cut at a seam end on it, from either side") {
         CHECK(piece.drape.cut_ends > 10);
     }
     CHECK(made.report.coverage == Approx(1));
+}
+
+TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
+    const Surface square(samples::plane(15, 1));
+    const Surface halves = cut(square, {{-1, 0.03, 0}, {0.1, -0.2, 0}, {1, 0.23, 0}});
+    const Surface slit = cut(square, {{-1, 0.031, 0}, {0.417, 0.052, 0}});
+    for (const Surface* surface : {&halves, &slit})
+        for (const Border border : {Border::inside, Border::beyond}) {
+            CAPTURE(border, surface == &slit);
+            const DrapedPieces made = drape_pieces(*surface, wish(0.11, border));
+            CHECK(crossing_edges(made.net) == 0);
+            CHECK(made.report.coverage > (border == Border::inside ? 0.85 : 0.95));
+        }
 }
 
 TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
