@@ -493,6 +493,9 @@ export interface EqualizeReport {
   distance: { mean: number; largest: number } | null;
   /** Of corners, in radians. */
   smallestAngle: number;
+  /** Edges at which the mesh and the net fold by more than 60°: a net is crumpled there. */
+  foldsBefore: number;
+  folds: number;
   /** Of vertices from where they were, in edge lengths. */
   meanMove: number;
   maxMove: number;
@@ -578,8 +581,9 @@ export interface DrapeOptions {
   smallestAngle?: number;
   /** Cells from the seed along each family; as far as it goes unless said otherwise. */
   reach?: number;
-  /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it; `cut`,
-   *  these are cut at the boundary curve, with edges as long as what is left. */
+  /** What happens where the surface ends: `beyond`, unless said otherwise, cells go over it that have a vertex on it, but not
+   *  over cuts, behind which more of the net lies; `cut`, these are cut at the boundary curve, with edges as long as what is
+   *  left. */
   border?: 'inside' | 'beyond' | 'cut';
   /** How the net lines through the seed run; `geodesic` unless said otherwise. */
   arms?: DrapeArms;

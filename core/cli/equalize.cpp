@@ -72,6 +72,8 @@ Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equali
             {"mean_distance_in_lengths", distance ? Json(distance->mean) : Json()},
             {"largest_distance_in_lengths", distance ? Json(distance->largest) : Json()},
             {"smallest_corner_angle_degrees", equalized.smallest_angle / k_degree},
+            {"folds_over_60_degrees_before", equalized.folds_before},
+            {"folds_over_60_degrees", equalized.folds},
             {"lengths_before", spread_report(equalized.before)},
             {"lengths_after", spread_report(equalized.after)},
             {"worst_edges", worst_edges_report(equalized, equalizer.original(), equalizer.positions())},

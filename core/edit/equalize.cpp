@@ -381,6 +381,8 @@ EqualizeReport Equalizer::report() const {
     report.mean_move = moves.mean();
     report.max_move = moves.maxCoeff();
     report.smallest_angle = corner_angle_range(m_original, m_positions).smallest;
+    report.folds_before = sharp_folds(m_original, m_original.rest_positions(), k_fold);
+    report.folds = sharp_folds(m_original, m_positions, k_fold);
     if (m_surface) report.distance = distance_from_surface();
     return report;
 }

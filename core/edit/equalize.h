@@ -56,6 +56,7 @@ struct EqualizeReport {
     /// triangles are no surface. A given length without handles scales that surface too, but no guide.
     std::optional<GuideDistance> distance;
     double smallest_angle = 0;           ///< of corners, radians
+    int folds_before = 0, folds = 0;     ///< edges at which the original and the net fold by more than k_fold
     double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
     /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
     /// others that were too short: the net then had to crumple, which makes it smaller.

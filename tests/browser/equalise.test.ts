@@ -15,6 +15,30 @@ const mean = meanLength(sheet.restPositions, sheet);
 /** All ten pairs of five vertices joined: space has no five points at one distance from each other. */
 const FIVE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n';
 
+/** Six squares of n × n quads, blown up to a sphere. */
+function cubeSphere(n: number): string {
+  const numbers = new Map<string, number>();
+  const lines: string[] = [];
+  const vertex = (place: number[]): number => {
+    const known = numbers.get(place.join());
+    if (known) return known;
+    const raised = place.map((x) => Math.tan((Math.PI / 4) * ((2 * x) / n - 1)));
+    lines.push(`v ${raised.map((x) => x / Math.hypot(...raised)).join(' ')}`);
+    numbers.set(place.join(), numbers.size + 1);
+    return numbers.size;
+  };
+  for (let axis = 0; axis < 3; ++axis)
+    for (const far of [0, n])
+      for (let i = 0; i < n; ++i)
+        for (let j = 0; j < n; ++j) {
+          const corner = (a: number, b: number) =>
+            vertex([0, 1, 2].map((k) => [far, i + a, j + b][(k - axis + 3) % 3]!));
+          const around = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+          lines.push(`f ${(far > 0 ? around : around.reverse()).join(' ')}`);
+        }
+  return lines.join('\n');
+}
+
 const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
@@ -140,6 +164,21 @@ test('the net that is open is equalised where it stands, and keeps its handles',
   ]);
   for (const { vertex, target } of handles)
     expect(largestError(Float64Array.from(target), sheet.restPositions.subarray(3 * vertex, 3 * vertex + 3))).toBe(0);
+});
+
+test('a net that folds sharply says so, and leads to a new net on the surface of its mesh', async () => {
+  await dropAndEqualise('cube-sphere.obj', cubeSphere(12));
+  await press('Equalise');
+  await equalizer()
+    .getByText(/^The net folds sharply/)
+    .waitFor();
+  expect(await equalizer().innerText()).toMatch(/Folds over 60°\s+\d+, before 0/);
+  await visit.page.screenshot({ path: join(OUTPUT, 'equalise-folds.png') });
+  await press('A new net on this surface…');
+  await equalizer().waitFor({ state: 'detached' });
+  await dialog(/^A net on a surface$/)
+    .locator('.results .facts:not(.stale)', { hasText: 'Largest dL' })
+    .waitFor();
 });
 
 test('beside a surface the net is equalised near that, unless told otherwise', async () => {

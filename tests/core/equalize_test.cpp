@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <span>
 #include <string>
@@ -266,6 +267,28 @@ TEST_CASE("A net with edges of one length comes back bit for bit") {
     CHECK(report.iterations == 0);
     CHECK(report.max_move == 0);
     CHECK(equalizer.positions() == net.rest_positions());
+}
+
+TEST_CASE("Folds over 60 degrees are counted, in the mesh and in the net") {
+    const double turns[] = {0, 50, -70, 120, 59, 61};  // degrees, between unit squares in a row
+    const int count = static_cast<int>(std::size(turns)) + 1;
+    Positions x(3, 2 * count);
+    Faces faces;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double heading = 0;
+    for (int k = 0; k < count; ++k) {
+        x.col(2 * k) = at;
+        x.col(2 * k + 1) = at + Eigen::Vector3d::UnitY();
+        if (k > 0) faces.add({2 * k - 2, 2 * k, 2 * k + 1, 2 * k - 1});
+        heading += turns[k % std::size(turns)] * std::numbers::pi / 180;
+        at += Eigen::Vector3d(std::cos(heading), 0, std::sin(heading));
+    }
+    const EqualizeReport ribbon = Equalizer(Net(x, faces)).solve();
+    CHECK(ribbon.folds_before == 3);
+    CHECK(ribbon.folds == 3);
+    const EqualizeReport crumpled = Equalizer(split_triangles(samples::patch(6, 5))).solve();
+    CHECK(crumpled.folds_before == 0);
+    CHECK(crumpled.folds > 0);
 }
 
 TEST_CASE("A length that is given is the length of all edges, without handles only the size depends on it") {

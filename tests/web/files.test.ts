@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import type { Mesh } from '../../wasm/chebnet';
 import type { GuideSource, HandleSeed, NetSource } from '../../web/src/document/document';
-import type { Equalized, Subject } from '../../web/src/equalize/subject';
+import type { Subject } from '../../web/src/equalize/subject';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { fileNameOf } from '../../web/src/document/file_name';
 import { kindsFor, typeOf } from '../../web/src/export/kinds';
@@ -14,6 +14,7 @@ import { FileImporter } from '../../web/src/files/file_importer';
 import { FileOpener, LARGEST_FILE } from '../../web/src/dialogs/file_opener';
 import type {
   DraperLike,
+  EqualizerEnd,
   EqualizerLike,
   FileChoice,
   FileDialogLike,
@@ -165,7 +166,7 @@ const AS_IT_IS: FileChoice = { repaired: false, restLengths: 'automatic' };
 /** Opens files one after the other; `answer` is what the user does. */
 function makeOpener(
   answer: (dialog: FakeDialog) => Promise<FileChoice> = () => Promise.resolve(AS_IT_IS),
-  equalized: (subject: Subject, closed: Promise<null>) => Promise<Equalized | null> = () => Promise.resolve(null),
+  equalized: (subject: Subject, closed: Promise<null>) => Promise<EqualizerEnd> = () => Promise.resolve(null),
   draped: (surface: { name: string; mesh: Mesh }, closed: Promise<null>) => Promise<TakenNet | null> = () =>
     Promise.resolve(null),
 ) {
@@ -319,6 +320,19 @@ describe('a file', () => {
     expect(dialogs[0]?.report?.surface).toMatchObject({ triangles: 2, prospect: 'one_piece' });
     expect(surfaces).toEqual(['net.obj', 'net.obj']);
     expect([opened, held]).toEqual([[net], handles]);
+  });
+
+  test('that folds sharply once it is equalised may have a new net made on its surface', async () => {
+    const surfaces: Mesh[] = [];
+    const net = { mesh: meshOf(SQUARES), name: 'net-net.obj' };
+    const { open, opened } = makeOpener(
+      () => Promise.resolve({ repaired: false, restLengths: 'equalized' as const }),
+      () => Promise.resolve('newNet'),
+      ({ mesh }) => Promise.resolve(surfaces.push(mesh) === 1 ? null : { net, handles: [] }),
+    );
+    await open(SQUARES);
+    expect(surfaces).toEqual([meshOf(SQUARES), meshOf(SQUARES)]);
+    expect(opened).toEqual([net]);
   });
 
   test('that cannot be a surface says why', async () => {

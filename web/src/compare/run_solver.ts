@@ -1,6 +1,7 @@
 /** A worker for comparisons: it solves one scene after another while the user's own worker stays free for edits. */
 import type { Scene } from '../document/document';
 import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { WorkerLike } from '../worker/client';
 import type { FrameData, Measures, OpenedNet, Request, Response } from '../worker/protocol';
 import { Failure } from '../failure';
@@ -56,7 +57,7 @@ export class RunSolver {
   /** Terminates the worker at once; pending promises reject. Not usable afterwards. */
   dispose(): void {
     this.#worker.terminate();
-    this.#reject(new Failure('cancelled', words.comparison.wasCancelled));
+    this.#reject(new Failure('cancelled', panelWords.comparison.wasCancelled));
   }
 
   #receive(response: Response): void {

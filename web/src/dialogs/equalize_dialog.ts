@@ -1,6 +1,6 @@
 /** A net being equalised: options at the side, the net in a view of its own; afterwards a slider blends between
  *  before and after. Escape or Cancel ends it at any time. */
-import type { Mesh } from '../../../wasm/chebnet';
+import type { EqualizeReport, Mesh } from '../../../wasm/chebnet';
 import { between, meanLength, stillFrame } from '../equalize/before_after';
 import type { Shape } from '../equalize/before_after';
 import type { EqualizeEnd, EqualizeNews } from '../equalize/equalize_protocol';
@@ -10,7 +10,7 @@ import type { Equalized, Subject } from '../equalize/subject';
 import { guideTitle } from '../document/changes';
 import { MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { ViewState } from '../document/document';
-import type { EqualizerLike } from './file_opener';
+import type { EqualizerEnd, EqualizerLike } from './file_opener';
 import { dialogWords } from '../language/dialogs';
 import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
@@ -24,6 +24,8 @@ import './pictured.css';
 import './equalize_dialog.css';
 
 const TEXT = dialogWords.equalize;
+/** Of all edges. */
+const MANY_FOLDS = 0.005;
 
 export interface EqualizeDialogParts {
   spawnWorker(): EqualizeWorkerLike;
@@ -32,7 +34,7 @@ export interface EqualizeDialogParts {
 }
 
 export class EqualizeDialog implements EqualizerLike {
-  readonly result: Promise<Equalized | null>;
+  readonly result: Promise<EqualizerEnd>;
   readonly #before: Shape;
   #after: Shape | null = null;
   readonly #dialog: HTMLDialogElement;
@@ -57,7 +59,7 @@ export class EqualizeDialog implements EqualizerLike {
   #equalizing: Equalizing | null = null;
   /** Null until its edges have become equal. */
   #equalized: Equalized | null = null;
-  #finish!: (equalized: Equalized | null) => void;
+  #finish!: (end: EqualizerEnd) => void;
   readonly #subject: Subject;
   readonly #parts: EqualizeDialogParts;
 
@@ -99,8 +101,8 @@ export class EqualizeDialog implements EqualizerLike {
     this.#finish(null);
   }
 
-  async #untilFinished(): Promise<Equalized | null> {
-    const equalized = await new Promise<Equalized | null>((resolve) => {
+  async #untilFinished(): Promise<EqualizerEnd> {
+    const end = await new Promise<EqualizerEnd>((resolve) => {
       this.#finish = resolve;
       this.#dialog.addEventListener('close', () => resolve(null));
     });
@@ -108,7 +110,7 @@ export class EqualizeDialog implements EqualizerLike {
     this.#view.dispose();
     this.#dialog.close();
     this.#dialog.remove();
-    return equalized;
+    return end;
   }
 
   #openView(picture: HTMLElement): View {
@@ -172,12 +174,20 @@ export class EqualizeDialog implements EqualizerLike {
     const surface = surfacePositions && this.#meshAt(surfacePositions);
     this.#equalized = report.status === 'converged' ? { mesh: this.#meshAt(positions), surface, isResized } : null;
     this.#results.renderEnd(report, this.#before.length, this.#form.method);
+    if (report.status === 'converged' && this.#isCrumpled(report))
+      this.#results.renderFolds(makeButton(TEXT.newNet, () => this.#finish('newNet')));
     this.#form.renderFittingLength(report);
     setText(this.#farEnd, this.#equalized === null ? TEXT.attempt : TEXT.equalised);
     this.#arrange('ended');
     this.#slider.value = '1';
     this.#drawBetween();
     (this.#equalized === null ? this.#slider : this.#take).focus();
+  }
+
+  /** Whether it folds sharply where its mesh did not, and that is a surface on which another net can be made. */
+  #isCrumpled({ folds, foldsBefore, distance }: EqualizeReport): boolean {
+    const edges = this.#subject.net.edges.length / 2;
+    return distance !== null && folds - foldsBefore > MANY_FOLDS * edges;
   }
 
   // ------------------------------------------------------------------------------------------------------------ drawing

@@ -57,6 +57,11 @@ export class EqualizeResults {
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
+  /** Its sharp folds, and the way out. */
+  renderFolds(wayOut: HTMLElement): void {
+    this.#end.append(make('p', {}, TEXT.crumpled), wayOut);
+  }
+
   renderFault(sentence: string): void {
     this.clear();
     this.#end.append(make('p', { class: 'refusal' }, TEXT.fault(words.core.sentence(sentence))));
@@ -80,6 +85,7 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
           [TEXT.largestDistance, TEXT.edgeLengths(small(report.distance.largest))],
         ] satisfies [string, string][])),
     [TEXT.smallestAngle, TEXT.degrees(small((report.smallestAngle * 180) / Math.PI))],
+    [TEXT.folds, TEXT.foldsOf(count(report.folds), count(report.foldsBefore))],
     [TEXT.meanMove, TEXT.edgeLengths(small(report.meanMove))],
     [TEXT.maxMove, TEXT.edgeLengths(small(report.maxMove))],
   ];

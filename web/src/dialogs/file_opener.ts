@@ -32,10 +32,12 @@ export interface FileDialogLike {
   close(): void;
 }
 
+/** The net that the user takes, or null; `newNet`: another one, on the surface of the mesh. */
+export type EqualizerEnd = Equalized | 'newNet' | null;
+
 /** The dialog that equalises a net. */
 export interface EqualizerLike {
-  /** The net that the user takes, or null. */
-  readonly result: Promise<Equalized | null>;
+  readonly result: Promise<EqualizerEnd>;
   close(): void;
 }
 
@@ -98,15 +100,15 @@ export class FileOpener {
     const report = await reading.report(file, name);
     for (;;) {
       const { repaired, restLengths, upAxis = 'z' } = await dialog.ask(report);
-      if (restLengths === 'draped') {
-        const taken = await this.#draped({ name, mesh: await reading.mesh(repaired) }, upAxis, dialog);
-        if (taken !== null) return { ...taken, upAxis };
-      } else if (restLengths === 'equalized') {
-        const equalized = await this.#equalized(name, await reading.net(repaired), upAxis, dialog);
-        if (equalized !== null) return { ...takenNet(name, equalized), upAxis };
-      } else {
+      if (restLengths !== 'draped' && restLengths !== 'equalized')
         return { net: { mesh: await reading.mesh(repaired), name, restLengths }, handles: [], upAxis };
-      }
+      const equalized =
+        restLengths === 'draped' ? 'newNet' : await this.#equalized(name, await reading.net(repaired), upAxis, dialog);
+      const taken =
+        equalized === 'newNet'
+          ? await this.#draped({ name, mesh: await reading.mesh(repaired) }, upAxis, dialog)
+          : equalized && takenNet(name, equalized);
+      if (taken !== null) return { ...taken, upAxis };
     }
   }
 
@@ -116,7 +118,7 @@ export class FileOpener {
     return draper.result;
   }
 
-  #equalized(name: string, net: OpenedNet, upAxis: UpAxis, dialog: FileDialogLike): Promise<Equalized | null> {
+  #equalized(name: string, net: OpenedNet, upAxis: UpAxis, dialog: FileDialogLike): Promise<EqualizerEnd> {
     const equalizer = this.#parts.createEqualizer({ name, net, positions: net.restPositions, handles: [] }, upAxis);
     void dialog.closed.then(() => equalizer.close());
     return equalizer.result;

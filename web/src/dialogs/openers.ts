@@ -63,7 +63,15 @@ export class Openers {
     const { document, net } = this.#app.opening;
     const subject = subjectOfNet(document, net, formats);
     const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
-    if (equalized !== null) await this.#app.openScene(equalizedScene(document, equalized, formats));
+    if (equalized === 'newNet') await this.#newNetOn(subject, document.view.upAxis);
+    else if (equalized !== null) await this.#app.openScene(equalizedScene(document, equalized, formats));
+  }
+
+  async #newNetOn({ name, net, positions }: Subject, upAxis: UpAxis | undefined): Promise<void> {
+    const { faceStart, faceVertices } = net;
+    const mesh = { positions, faceStart, faceVertices };
+    const taken = await this.#createDraper({ name, mesh }, upAxis ?? 'z').result;
+    if (taken !== null) await this.#open({ ...taken, ...(upAxis && { upAxis }) });
   }
 
   /** On one of our own surfaces, or on one from a file. */

@@ -4,7 +4,7 @@
  * share are written once.
  */
 import { Failure } from '../failure';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import { fromBase64, toBase64 } from './base64';
 import { netAsText, writeState, writeView } from './codec';
 import type { GuideFile, HandleData, HandleSeed, NetSource, ViewState } from './document';
@@ -136,13 +136,19 @@ function bytesOf({ buffer, byteOffset, byteLength }: Float64Array | Int32Array):
 
 // ------------------------------------------------------------------------------------------------------------- reading
 
+/** Throws a Failure if a project is larger than one may be. */
+export function checkSize(name: string, bytes: number): void {
+  if (bytes > LARGEST_PROJECT)
+    throw new Failure('too_large', panelWords.project.tooLarge(name, Math.ceil(bytes / 1e6), LARGEST_PROJECT / 1e6));
+}
+
 /** The project of a file. Throws a Failure that says what is wrong with it, and where. */
 export function parseProject(text: string): Project {
   let value: unknown;
   try {
     value = JSON.parse(text);
   } catch {
-    throw new Failure('bad_project', words.projects.noJson);
+    throw new Failure('bad_project', panelWords.project.noJson);
   }
   return readProject(value);
 }
@@ -158,16 +164,17 @@ export function readProject(value: unknown): Project {
   const positions = project.at('positions').list().map(readPositions);
   const guides = project.at('guides').maybe((list) => list.list().map(readGuide)) ?? [];
   const states = project.at('states').list();
-  if (states.length === 0 || states.length > MOST_STATES) project.at('states').fail(words.fields.states(MOST_STATES));
+  if (states.length === 0 || states.length > MOST_STATES)
+    project.at('states').fail(panelWords.project.states(MOST_STATES));
   const entries = states.map((state) => readEntry(reader, state, nets, positions, guides));
   return { entries, present: project.at('present').index(entries.length), view: reader.view(project.at('view')) };
 }
 
 function readerOfProject(project: Untrusted): Reader {
   const version = project.isRecord ? project.at('chebnet').value : undefined;
-  if (version === undefined) throw new Failure('bad_project', words.projects.foreign);
+  if (version === undefined) throw new Failure('bad_project', panelWords.project.foreign);
   const reader = readerOf(version);
-  if (reader === undefined) throw new Failure('bad_project', words.projects.otherVersion);
+  if (reader === undefined) throw new Failure('bad_project', panelWords.project.otherVersion);
   return reader;
 }
 
@@ -193,7 +200,7 @@ function readEntry(
 }
 
 function withTarget({ target, ...handle }: HandleSeed, handles: Untrusted): HandleData {
-  return { ...handle, target: target ?? handles.fail(words.fields.targets) };
+  return { ...handle, target: target ?? handles.fail(panelWords.project.targets) };
 }
 
 /** Whether it is a surface, the core says. */
@@ -214,7 +221,7 @@ function readGuide(guide: Untrusted): GuideFile {
 function readPositions(field: Untrusted): Float64Array {
   const positions =
     field.value instanceof Float64Array ? field.value : decode(field, (buffer) => new Float64Array(buffer));
-  if (positions.length % 3 !== 0 || !positions.every(Number.isFinite)) field.fail(words.fields.positions);
+  if (positions.length % 3 !== 0 || !positions.every(Number.isFinite)) field.fail(panelWords.project.positions);
   return positions;
 }
 
@@ -223,6 +230,6 @@ function decode<T>(field: Untrusted, arrayOf: (buffer: ArrayBufferLike) => T): T
   try {
     return arrayOf(fromBase64(text).buffer);
   } catch {
-    return field.fail(words.fields.positions);
+    return field.fail(panelWords.project.positions);
   }
 }

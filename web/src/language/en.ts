@@ -154,7 +154,6 @@ export const en = {
   },
   comparison: {
     net: 'Nets of a comparison',
-    wasCancelled: 'The comparison was cancelled.',
   },
   link: {
     otherVersion: 'This link was made by another version of chebnet.',
@@ -207,11 +206,6 @@ export const en = {
     openAnyway: 'Open it',
     notKept: 'This browser does not let the page keep your net. Save it as a project (Ctrl+S) before you leave.',
     fault: (file: string, reason: string) => `${file}: ${reason}`,
-    noJson: 'this is no chebnet project, or a part of it is missing.',
-    foreign: 'this is no chebnet project.',
-    otherVersion: 'this project was made by another version of chebnet.',
-    tooLarge: (file: string, megabytes: number, largest: number) =>
-      `${file} has ${megabytes} MB; projects have ${largest} MB at most.`,
   },
   fields: {
     must: (path: string, expected: string) => `${path || 'the file'} must be ${expected}`,
@@ -227,9 +221,6 @@ export const en = {
     camera: 'two points: six numbers',
     ends: 'two numbers, the lower one first, above 0 for deviations',
     handle: '[vertex, 0 or 1, x, y, z]',
-    targets: 'handles with targets',
-    states: (most: number) => `a list of 1 to ${most} states`,
-    positions: 'the base64 of 64-bit floats, three finite ones a vertex',
     oneOf: (choices: readonly string[]) => `one of ${choices.join(', ')}`,
   },
 };

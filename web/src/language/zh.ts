@@ -150,7 +150,6 @@ export const zh: Words = {
   },
   comparison: {
     net: '用于比较的网',
-    wasCancelled: '比较已取消。',
   },
   link: {
     otherVersion: '此链接由另一版本的 chebnet 生成。',
@@ -202,10 +201,6 @@ export const zh: Words = {
     openAnyway: '仍然打开',
     notKept: '浏览器不允许本页保存您的网。离开前请保存项目（Ctrl+S）。',
     fault: (file, reason) => `${file}：${reason}`,
-    noJson: '这不是 chebnet 项目，或文件不完整。',
-    foreign: '这不是 chebnet 项目。',
-    otherVersion: '此项目由另一版本的 chebnet 生成。',
-    tooLarge: (file, megabytes, largest) => `${file} 大小为 ${megabytes} MB；项目文件最大为 ${largest} MB。`,
   },
   fields: {
     must: (path, expected) => `${path || '文件'} 必须是${expected}`,
@@ -221,9 +216,6 @@ export const zh: Words = {
     camera: '两个点：六个数值',
     ends: '两个数值，小的在前；偏差的两端须大于 0',
     handle: ' [顶点, 0 或 1, x, y, z]',
-    targets: '带有目标位置的手柄',
-    states: (most) => `含 1 到 ${most} 个状态的列表`,
-    positions: ' 64 位浮点数的 base64 编码，每个顶点三个有限数',
     oneOf: (choices) => `以下之一：${choices.join('、')}`,
   },
 };

@@ -140,13 +140,13 @@ export class Projects {
 
   /** Fails if it is too large. */
   async save(): Promise<void> {
-    const { LARGEST_PROJECT, PROJECT_ENDING, projectText } = await projectFormat();
+    const { PROJECT_ENDING, checkSize, projectText } = await projectFormat();
     const project = this.#app.project();
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
     const name = baseNameOf(net, this.#app.formats) + PROJECT_ENDING;
     const text = projectText(project);
-    checkSize(name, text.length, LARGEST_PROJECT);
+    checkSize(name, text.length);
     download(name, text, 'application/json');
   }
 
@@ -157,8 +157,8 @@ export class Projects {
 
   async openFile(file: File): Promise<void> {
     await this.#autosave.save();
-    const { LARGEST_PROJECT, parseProject } = await projectFormat();
-    checkSize(file.name, file.size, LARGEST_PROJECT);
+    const { checkSize, parseProject } = await projectFormat();
+    checkSize(file.name, file.size);
     try {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
@@ -221,9 +221,4 @@ export class Projects {
     if (!this.#saidNotKept) this.#app.offer(words.projects.notKept, words.projects.menu.save.title, save);
     this.#saidNotKept = true;
   }
-}
-
-function checkSize(name: string, bytes: number, largest: number): void {
-  if (bytes <= largest) return;
-  throw new Failure('too_large', words.projects.tooLarge(name, Math.ceil(bytes / 1e6), largest / 1e6));
 }

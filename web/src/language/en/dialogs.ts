@@ -371,6 +371,11 @@ export const dialogs = {
     largestDistance: 'Largest distance from the surface',
     smallestAngle: 'Smallest corner',
     degrees: (degrees: string) => `${degrees}°`,
+    folds: 'Folds over 60°',
+    foldsOf: (folds: string, before: string) => `${folds}, before ${before}`,
+    crumpled:
+      'The net folds sharply where the edges of the original cannot all have one length near its surface. A net with edges of its own lies there more smoothly.',
+    newNet: 'A new net on this surface…',
     meanMove: 'Average move',
     maxMove: 'Farthest move',
   },

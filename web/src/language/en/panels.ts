@@ -307,6 +307,7 @@ export const panels = {
       `${stage}${p === null ? '' : `, exponent p = ${p}`}, ${vertices} vertices move`,
   },
   comparison: {
+    wasCancelled: 'The comparison was cancelled.',
     ofRuns: {
       yourNet: 'your net',
       back: 'Back to your net',
@@ -416,6 +417,16 @@ export const panels = {
     undone: (what: string) => `Undone: ${what}`,
     selected: (who: string) => `Selected: ${who}`,
     withResult: (news: string, standing: string) => `${news}. ${standing}.`,
+  },
+  project: {
+    tooLarge: (file: string, megabytes: number, largest: number) =>
+      `${file} has ${megabytes} MB; projects have ${largest} MB at most.`,
+    targets: 'handles with targets',
+    states: (most: number) => `a list of 1 to ${most} states`,
+    positions: 'the base64 of 64-bit floats, three finite ones a vertex',
+    noJson: 'this is no chebnet project, or a part of it is missing.',
+    foreign: 'this is no chebnet project.',
+    otherVersion: 'this project was made by another version of chebnet.',
   },
   saving: {
     layers: { mesh: 'Mesh', lines: 'Net lines' },

@@ -497,6 +497,7 @@ export const panels: Widened<typeof en> = {
     stage: (stage, p, vertices) => `${stage}${p === null ? '' : `，指数 p = ${p}`}，${vertices} 个顶点移动`,
   },
   comparison: {
+    wasCancelled: '比较已取消。',
     ofRuns: {
       yourNet: '您的网',
       back: '回到您的网',
@@ -593,6 +594,15 @@ export const panels: Widened<typeof en> = {
     undone: (what) => `已撤销：${what}`,
     selected: (who) => `已选中：${who}`,
     withResult: (news, standing) => `${news}。${standing}。`,
+  },
+  project: {
+    tooLarge: (file, megabytes, largest) => `${file} 大小为 ${megabytes} MB；项目文件最大为 ${largest} MB。`,
+    targets: '带有目标位置的手柄',
+    states: (most) => `含 1 到 ${most} 个状态的列表`,
+    positions: ' 64 位浮点数的 base64 编码，每个顶点三个有限数',
+    noJson: '这不是 chebnet 项目，或文件不完整。',
+    foreign: '这不是 chebnet 项目。',
+    otherVersion: '此项目由另一版本的 chebnet 生成。',
   },
   saving: {
     layers: { mesh: '网格', lines: '网线' },
