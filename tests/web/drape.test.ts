@@ -116,9 +116,9 @@ describe('the worker', () => {
     const across = { origin: [9, 0.3, 0] as Point, direction: [-1, 0, 0] as Point };
     const [, first, second, missed] = answers(
       OPEN,
-      { type: 'trace', points: [from], revision: 1 },
-      { type: 'trace', points: [from, [3.35, 0.4, 0]], revision: 2 },
-      { type: 'trace', points: [from, { ...across, direction: [1, 0, 0] }], revision: 3 },
+      { type: 'trace', line: 'cuts', points: [from], revision: 1 },
+      { type: 'trace', line: 'cuts', points: [from, [3.35, 0.4, 0]], revision: 2 },
+      { type: 'trace', line: 'cuts', points: [from, { ...across, direction: [1, 0, 0] }], revision: 3 },
     );
     if (first?.type !== 'traced' || second?.type !== 'traced') return expect.fail();
     expect([first.cut.points.length, first.cut.path.length]).toEqual([1, 3]);
@@ -207,7 +207,12 @@ describe('the worker', () => {
     const crease: Point[] = [-2, -1, 0, 1, 2].map((x) => [x, 0.4 + 0.1 * x, 3]);
     const [, traced] = answers(
       { type: 'open', source: { own: 'hemisphere' } },
-      { type: 'trace', points: crease.map(([x, y]) => ({ origin: [x, y, 9], direction: [0, 0, -1] })), revision: 1 },
+      {
+        type: 'trace',
+        line: 'cuts',
+        points: crease.map(([x, y]) => ({ origin: [x, y, 9], direction: [0, 0, -1] })),
+        revision: 1,
+      },
     );
     if (traced?.type !== 'traced') return expect.fail();
     const remeshed = answers(
@@ -337,7 +342,7 @@ describe('while a net is being laid', () => {
     const { worker, told, draping, lengths } = start();
     draping.drape({ ...SETTINGS, length: 1 });
     draping.drape({ ...SETTINGS, length: 2 });
-    draping.trace([[0, 0, 0]], 1);
+    draping.trace('cuts', [[0, 0, 0]], 1);
     draping.proposeCuts(SETTINGS);
     worker.answer(draped);
     worker.answer(draped);
@@ -390,6 +395,19 @@ describe('while a net is being laid', () => {
       null,
       4,
       3,
+    ]);
+    draping.close();
+  });
+
+  test('lines of different kinds are each traced, and of one that grows only the last', () => {
+    const { worker, draping } = start();
+    draping.drape(SETTINGS);
+    (['cuts', 'arms', 'cuts', 'creases'] as const).forEach((line, i) => draping.trace(line, [[i, 0, 0]], i));
+    for (let answered = 0; answered < 3; answered++) worker.answer(draped);
+    expect(worker.asked.slice(1)).toMatchObject([
+      { line: 'arms', revision: 1 },
+      { line: 'cuts', revision: 2 },
+      { line: 'creases', revision: 3 },
     ]);
     draping.close();
   });

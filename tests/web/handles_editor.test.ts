@@ -22,6 +22,7 @@ let editor: HandleEditor;
 let asked: Handle[][];
 let said: string[];
 let returning: boolean;
+let refuses: boolean;
 let readout: string;
 /** What the solver was told of the hand. */
 let handSays: Parameters<Client['drag']>[2];
@@ -55,10 +56,13 @@ function undo() {
 const change = (part: object) => void (opening = { ...opening, document: { ...opening.document, ...part } });
 
 beforeEach(() => {
-  [asked, said, history, returning, released, readout] = [[], [], new UndoHistory(), false, 0, ''];
+  [asked, said, history, returning, refuses, released, readout] = [[], [], new UndoHistory(), false, false, 0, ''];
   const document = { ...documentAt(net.restPositions), handles: [handle(0), handle(2, { anchor: true }), handle(7)] };
   opening = { net, frame: { positions: net.restPositions }, document } as unknown as Opening;
-  const take = async (targets: Handle[]) => void asked.push(targets);
+  const take = async (targets: Handle[]) => {
+    if (refuses) throw new Error('refused');
+    asked.push(targets);
+  };
   const client = {
     drag: (targets: Handle[], _inHand: boolean, hand: typeof handSays) => {
       handSays = hand;
@@ -108,6 +112,22 @@ test('locked handles are neither turned nor removed, and this is said', async ()
   await tick();
   expect(vertices()).toEqual([2, 7]);
   expect(said).toHaveLength(1);
+});
+
+test('a move can be undone before the solver has taken it, and one that it refuses leaves no trace', async () => {
+  const moving = editor.move([{ vertex: 0, target: [0, 0, 1] }]);
+  expect(handles()[0]!.target).toEqual([0, 0, 1]);
+  undo();
+  await moving;
+  expect(handles()[0]!.target).toEqual(at(0));
+  expect(history).toMatchObject({ canUndo: false, canRedo: true });
+
+  refuses = true;
+  await expect(editor.move([{ vertex: 0, target: [0, 0, 2] }])).rejects.toThrow('refused');
+  await expect(editor.set([handle(7)])).rejects.toThrow('refused');
+  expect(vertices()).toEqual([0, 2, 7]);
+  expect(handles()[0]!.target).toEqual(at(0));
+  expect(history).toMatchObject({ canUndo: false, canRedo: true });
 });
 
 test('Escape ends selecting several, and only then the selection', () => {

@@ -69,6 +69,25 @@ test('a new change forgets what could be redone', () => {
   expect(history.redo(state(2))).toBeNull();
 });
 
+test('a change that failed is taken back with what it had put an end to; not where another came after it', () => {
+  const history = new UndoHistory();
+  history.record(state(0), 'move');
+  history.record(state(1), 'option');
+  history.undo(state(2));
+  const before = state(1);
+  history.record(before, 'handles');
+  expect(history.canRedo).toBe(false);
+  history.takeBack(before);
+  history.takeBack(before);
+  expect(history).toMatchObject({ names: ['', 'move', 'option'], present: 1 });
+  expect(history.redo(state(1))?.positions?.[0]).toBe(2);
+  expect(history.undo(state(2))?.positions?.[0]).toBe(1);
+  history.record(before, 'handles');
+  history.record(state(3), 'reset');
+  history.takeBack(before);
+  expect(history.names).toEqual(['', 'move', 'handles', 'reset']);
+});
+
 test('changes of the same key join, until another comes between', () => {
   const history = new UndoHistory();
   history.record(state(0), 'move', 'move 7');

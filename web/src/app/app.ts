@@ -267,18 +267,19 @@ export class App {
     const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
     const after = { ...settings, options: Object.fromEntries(unusual) };
     const asked = this.#client.setOptions(settings);
+    const change = before && settingsChange(before, after);
+    if (change) this.#state.history.record(before, change.name, change.key);
     this.#state.change(after);
     try {
       await asked;
     } catch (error) {
+      if (change) this.#state.history.takeBack(before);
       if (before && this.opening?.document.options === after.options) {
         const { method, initialisation, options } = before;
         this.#state.change({ method, initialisation, options });
       }
       throw error;
     }
-    const change = before && settingsChange(before, after);
-    if (change) this.#state.history.record(before, change.name, change.key);
   }
 
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
@@ -298,13 +299,14 @@ export class App {
     const before = this.#state.snapshot();
     if (before === null || before.guide === guide) return;
     const { guide: _, ...without } = before;
+    this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
     try {
       await this.#opener.restore({ ...without, ...(guide ? { guide } : {}), settled: false });
     } catch (error) {
+      this.#state.history.takeBack(before);
       await this.#opener.restore(before);
       throw error;
     }
-    this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
   }
 
   /** Moves the handles that are not locked onto the surface beside the net. */
@@ -322,8 +324,8 @@ export class App {
     const opening = this.opening;
     if (before === null || opening === null) return null;
     const from = opening.frame.positions.slice();
-    await this.#opener.restore({ ...before, positions, settled: false });
     this.#state.history.record(before, ['flip']);
+    await this.#opener.restore({ ...before, positions, settled: false });
     await this.settled();
     const to = this.opening?.frame.positions;
     return to?.length === from.length ? longestMove(from, to) / opening.net.info.meanLength : null;

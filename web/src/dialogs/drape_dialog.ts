@@ -71,7 +71,7 @@ export class DrapeDialog implements DraperLike {
     shown: (curve, points) => {
       if (!this.#form.isWhole) this.#picture.setCurves(curve === null ? [] : [curve], points);
     },
-    traceWanted: (points, revision) => this.#draping.trace(points, revision),
+    traceWanted: (points, revision) => this.#draping.trace('arms', points, revision),
     changed: () => this.#drape(),
   });
   readonly #cuts = new DrapeCuts({
@@ -80,7 +80,7 @@ export class DrapeDialog implements DraperLike {
       this.#picture.setCutting(cutting);
     },
     shown: (cuts, points) => this.#picture.setCuts(cuts, points),
-    traceWanted: (points, revision) => this.#draping.trace(points, revision),
+    traceWanted: (points, revision) => this.#draping.trace('cuts', points, revision),
     shortestWanted: (from, cuts, revision) => this.#draping.findShortestCut(from, cuts, revision),
     seed: () => this.#seedShown(),
     changed: () => this.#drape(),
@@ -104,7 +104,7 @@ export class DrapeDialog implements DraperLike {
     shown: (creases, points) => {
       if (this.#form.isWhole) this.#picture.setCurves(creases, points);
     },
-    traceWanted: (points, revision) => this.#draping.trace(points, revision),
+    traceWanted: (points, revision) => this.#draping.trace('creases', points, revision),
   });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
   readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });

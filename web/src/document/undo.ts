@@ -37,6 +37,9 @@ export class UndoHistory implements HistoryView {
   #present = 0;
   #gesture: Snapshot | null = null;
   #lastKey: string | null = null;
+  /** Those that could be gone forward to when a change was last recorded. */
+  #namesAhead: ChangeName[] = [];
+  #statesAhead: (Snapshot | null)[] = [];
   #revision = 0;
   readonly #changed: () => void;
 
@@ -102,6 +105,17 @@ export class UndoHistory implements HistoryView {
     this.#revised();
   }
 
+  /** Takes back the change last recorded, which began at `before`: it failed. What it had put an end to can be gone to again.
+   *  Where it was not the last, or joined one before, its entry stays. */
+  takeBack(before: Snapshot): void {
+    if (this.#gesture !== null || this.#states[this.#present - 1] !== before) return;
+    this.#lastKey = null;
+    this.#names.splice(this.#present, Infinity, ...this.#namesAhead);
+    this.#present -= 1;
+    this.#states.splice(this.#present, Infinity, null, ...this.#statesAhead);
+    this.#revised();
+  }
+
   /** Before the first change of a gesture. */
   beginGesture(before: Snapshot): void {
     this.#gesture ??= before;
@@ -158,8 +172,8 @@ export class UndoHistory implements HistoryView {
   }
 
   #push(before: Snapshot, name: ChangeName): void {
-    this.#states.splice(this.#present, Infinity, before, null);
-    this.#names.splice(this.#present + 1, Infinity, name);
+    this.#statesAhead = this.#states.splice(this.#present, Infinity, before, null).slice(1);
+    this.#namesAhead = this.#names.splice(this.#present + 1, Infinity, name);
     this.#present += 1;
     const forgotten = firstKept(this.#states, this.#present - 1);
     this.#states.splice(0, forgotten);

@@ -94,6 +94,9 @@ export interface SingularPlace extends SurfacePlace {
   valence: number;
 }
 
+/** What a line is drawn for. */
+export type DrawnKind = 'arms' | 'cuts' | 'creases';
+
 export type DrapeRequest =
   /** Answered with `opened`. */
   | { type: 'open'; source: SurfaceSource }
@@ -101,8 +104,8 @@ export type DrapeRequest =
   | { type: 'drape'; settings: DrapeSettings }
   /** Where a net would begin well. Answered with `proposed`. */
   | { type: 'propose'; settings: ProposalSettings }
-  /** A cut through some points, without those that are beside the surface. Answered with `traced` or `error`. */
-  | { type: 'trace'; points: (Point | Ray)[]; revision: number }
+  /** A line through some points, without those that are beside the surface. Answered with `traced` or `error`. */
+  | { type: 'trace'; line: DrawnKind; points: (Point | Ray)[]; revision: number }
   /** The shortest cut from a point to the border, or between two borders, of the surface cut open along others. Answered with
    *  `cutFound` or `error`. */
   | { type: 'shortestCut'; from: Point | null; cuts: Point[][]; revision: number }

@@ -8,6 +8,7 @@ import type {
   DrapeRequest,
   DrapeResponse,
   DrapeSettings,
+  DrawnKind,
   Proposal,
   ProposalSettings,
   Ray,
@@ -85,8 +86,8 @@ export class Draping {
     this.#ask({ type: 'propose', settings });
   }
 
-  trace(points: (Point | Ray)[], revision: number): void {
-    this.#askOfSurface({ type: 'trace', points, revision });
+  trace(line: DrawnKind, points: (Point | Ray)[], revision: number): void {
+    this.#askOfSurface({ type: 'trace', line, points, revision });
   }
 
   /** From a point to the border, or between two borders; the cuts that are there are border, too. */
@@ -216,9 +217,10 @@ export class Draping {
   }
 }
 
-/** Whether a request makes one that waits needless: not for another mark, nor, for a new one, at all. */
+/** Whether a request makes one that waits needless: not for another line or mark, nor, for a new mark, at all. */
 function replaces(request: DrapeRequest, waiting: DrapeRequest): boolean {
   if (request.type === 'place' && waiting.type === 'place')
     return request.mark !== null && request.mark === waiting.mark;
+  if (request.type === 'trace' && waiting.type === 'trace') return request.line === waiting.line;
   return request.type === waiting.type;
 }

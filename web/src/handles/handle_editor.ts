@@ -140,17 +140,17 @@ export class HandleEditor implements HandleCommands {
    *  @param name what the history calls it. */
   async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
     const before = this.#host.snapshot();
+    if (before) this.#history.record(before, name);
     this.#host.change({ handles: [...handles] });
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
       // A solver that replaces a lost one takes them from the document.
       if (!this.#client.returning) {
-        if (before) this.#host.change({ handles: [...before.handles] });
+        if (before) this.#takeBack(before);
         throw error;
       }
     }
-    if (before) this.#history.record(before, name);
   }
 
   add(vertex: number, also: Selection = []): void {
@@ -352,11 +352,23 @@ export class HandleEditor implements HandleCommands {
   async move(targets: readonly Handle[], key: string | null = null, inHand = false): Promise<void> {
     const before = this.#host.snapshot();
     const both = this.#onBothSides(targets);
+    if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
     // The requests are sent now, in this order, so that a caller's next request comes after them.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
-    await Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
-    if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
+    const asked = Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
     this.#host.change({ handles: this.#withTargets(both) });
+    try {
+      await asked;
+    } catch (error) {
+      if (before) this.#takeBack(before);
+      throw error;
+    }
+  }
+
+  /** A change of handles, which began at `before`, was refused. */
+  #takeBack(before: Snapshot): void {
+    this.#history.takeBack(before);
+    this.#host.change({ handles: [...before.handles] });
   }
 
   /** Likewise, as far as the net goes if drags are kept within reach. */
