@@ -31,17 +31,10 @@ std::vector<DrapedVertex> draped_vertices(const Guide& guide, const Positions& p
     return vertices;
 }
 
-bool keeps_limit(const std::array<Eigen::Vector3d, 4>& cell, double limit) {
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Eigen::Vector3d a = cell[(k + 1) % 4] - cell[k], b = cell[(k + 3) % 4] - cell[k];
-        if (std::abs(a.dot(b)) > std::cos(limit) * a.norm() * b.norm()) return false;
-    }
-    return true;
-}
-
 /// The cells that are near enough and within the limit, joined to the seed.
 std::vector<std::array<int, 4>> good_cells(const Net& net, const Positions& positions, const Eigen::VectorXd& heights,
                                            double most_height, double limit) {
+    const double largest_cosine = std::cos(limit);
     std::vector<std::vector<int>> good;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
@@ -49,7 +42,7 @@ std::vector<std::array<int, 4>> good_cells(const Net& net, const Positions& posi
         std::transform(face.begin(), face.end(), corners.begin(), [&](int v) { return positions.col(v); });
         const bool is_near =
             std::all_of(face.begin(), face.end(), [&](int v) { return std::abs(heights[v]) <= most_height; });
-        if (is_near && keeps_limit(corners, limit)) good.emplace_back(face.begin(), face.end());
+        if (is_near && keeps_limit(corners, largest_cosine)) good.emplace_back(face.begin(), face.end());
     }
     std::vector<std::array<int, 4>> cells;
     for (const std::vector<int>& face : joined_to_seed(good)) cells.push_back({face[0], face[1], face[2], face[3]});

@@ -120,10 +120,7 @@ std::vector<SurfacePoint> worst_places(const Surface& surface, const Faults& fau
 std::vector<SurfacePoint> ends_on(const Surface& surface, const std::vector<CutLine>& cuts) {
     std::vector<SurfacePoint> ends;
     for (const std::vector<int>& loop : surface.boundary_loops())
-        for (const int side : loop) {
-            ends.push_back({Surface::face_of(side), Eigen::Vector3d::Zero()});
-            ends.back().weights[side % 3] = 1;
-        }
+        for (const int side : loop) ends.push_back(Surface::start_of(side));
     for (const CutLine& cut : cuts) ends.insert(ends.end(), cut.begin(), cut.end());
     return ends;
 }

@@ -207,8 +207,8 @@ private:
         const DrapedVertex &d = m_vertices[corner.d], &a = m_vertices[corner.a], &b = m_vertices[corner.b];
         if (!is_on_surface(d) && !is_on_surface(a) && !is_on_surface(b)) return std::nullopt;
         const auto c = m_compass.across(d, a, b);
-        if (!c || !keeps_limit({d.position, a.position, c->position, b.position}) || m_compass.is_slit_between(a, *c) ||
-            m_compass.is_slit_between(b, *c)) {
+        if (!c || !is_within_limit({d.position, a.position, c->position, b.position}) ||
+            m_compass.is_slit_between(a, *c) || m_compass.is_slit_between(b, *c)) {
             refuse(place, m_locked);
             return std::nullopt;
         }
@@ -316,12 +316,8 @@ private:
     }
 
     /// Of the corners of a cell.
-    bool keeps_limit(const std::array<Eigen::Vector3d, 4>& cell) const {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Eigen::Vector3d a = cell[(k + 1) % 4] - cell[k], b = cell[(k + 3) % 4] - cell[k];
-            if (std::abs(a.dot(b)) > m_largest_cosine * a.norm() * b.norm()) return false;
-        }
-        return true;
+    bool is_within_limit(const std::array<Eigen::Vector3d, 4>& cell) const {
+        return keeps_limit(cell, m_largest_cosine);
     }
 
     int add(const GridPlace& place, const DrapedVertex& vertex) {
@@ -381,7 +377,7 @@ private:
             if (*std::min_element(cell.begin(), cell.end()) < 0) continue;
             if (m_compass.is_slit_between(m_vertices[b], m_vertices[cell[2]])) continue;
             if (std::none_of(cell.begin(), cell.end(), [&](int c) { return is_on_surface(m_vertices[c]); })) continue;
-            if (keeps_limit({at(0), at(1), at(2), at(3)})) cells.push_back(cell);
+            if (is_within_limit({at(0), at(1), at(2), at(3)})) cells.push_back(cell);
         }
         return cells;
     }

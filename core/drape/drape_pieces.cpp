@@ -51,10 +51,7 @@ constexpr double k_along_x = 0.9;
 std::vector<double> distances_from_border(const Surface& surface) {
     std::vector<SurfacePoint> sources;
     for (const std::vector<int>& loop : surface.boundary_loops())
-        for (const int side : loop) {
-            sources.push_back({Surface::face_of(side), Eigen::Vector3d::Zero()});
-            sources.back().weights[side % 3] = 1;
-        }
+        for (const int side : loop) sources.push_back(Surface::start_of(side));
     return geodesic_distances(surface, sources);
 }
 

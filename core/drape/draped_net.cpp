@@ -1,6 +1,9 @@
 #include "drape/draped_net.h"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -18,6 +21,14 @@ void for_each_edge(const std::vector<int>& face, Visit visit) {
 }
 
 }  // namespace
+
+bool keeps_limit(const std::array<Eigen::Vector3d, 4>& cell, double largest_cosine) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Vector3d a = cell[(k + 1) % 4] - cell[k], b = cell[(k + 3) % 4] - cell[k];
+        if (std::abs(a.dot(b)) > largest_cosine * a.norm() * b.norm()) return false;
+    }
+    return true;
+}
 
 std::vector<std::vector<int>> joined_to_seed(const std::vector<std::vector<int>>& faces) {
     std::map<std::pair<int, int>, std::vector<std::size_t>> faces_at;

@@ -53,10 +53,7 @@ void Slits::find_banks() {
 void Slits::find_near(double reach) {
     std::vector<SurfacePoint> sources;
     for (int side = 0; side < 3 * m_surface.face_count(); ++side)
-        if (m_bank_of[m_surface.from(side)] > 0) {
-            sources.push_back({Surface::face_of(side), Eigen::Vector3d::Zero()});
-            sources.back().weights[side % 3] = 1;
-        }
+        if (m_bank_of[m_surface.from(side)] > 0) sources.push_back(Surface::start_of(side));
     const std::vector<double> distances = geodesic_distances(m_surface, sources);
     m_is_near.resize(static_cast<std::size_t>(m_surface.face_count()));
     for (int f = 0; f < m_surface.face_count(); ++f) {
