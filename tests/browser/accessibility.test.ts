@@ -140,7 +140,7 @@ describe.each([
     await page.getByText('The largest dL of its').waitFor();
     const frame = page.frame({ url: /\?embed/ })!;
     const [lesson, asleep] = [await faults(page), await faults(page, frame)];
-    await frame.getByRole('button', { name: 'Click to drag the net' }).click();
+    await frame.getByRole('button', { name: 'Press to drag the net' }).click();
     expect({ lesson, asleep, awake: await faults(page, frame) }).toEqual({ lesson: [], asleep: [], awake: [] });
   });
 });

@@ -15,7 +15,7 @@ beforeEach(async () => {
 });
 
 const settled = () => frame.evaluate(() => window.chebnet.settled());
-const shield = () => frame.getByRole('button', { name: 'Click to drag the net' });
+const shield = () => frame.getByRole('button', { name: 'Press to drag the net' });
 const scrolled = () => page.evaluate(() => scrollY);
 const crown = () => frame.evaluate(() => window.chebnet.handles().at(-1)!);
 

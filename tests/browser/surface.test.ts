@@ -396,7 +396,7 @@ test('lines through the seed bend to shear less, or follow a curve that is drawn
   const uncurved = await places();
   await through.selectOption('one follows a curve');
   await draper()
-    .getByText(/^Click points of the curve/)
+    .getByText(/^Pick points of the curve/)
     .waitFor();
   await clickPicture([0.3, 0.45], [0.02, 0.02], [0.5, 0.6], [0.7, 0.45]);
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-curve-drawing.png') });
@@ -421,7 +421,7 @@ test('lines through the seed bend to shear less, or follow a curve that is drawn
   // A cut and a curve are not drawn at once.
   await press('Draw the curve');
   await draper()
-    .getByText(/^Click points of the curve/)
+    .getByText(/^Pick points of the curve/)
     .waitFor();
   await press('Draw a cut');
   await draper().getByText('No curve is drawn yet: lines run straight on.').waitFor();
@@ -452,7 +452,7 @@ test('on a phone a curve is drawn by touch', async () => {
   await measured();
   await draper().getByRole('combobox', { name: 'Through the seed' }).selectOption('one follows a curve');
   await draper()
-    .getByText(/^Click points of the curve/)
+    .getByText(/^Pick points of the curve/)
     .waitFor();
   const { x, y, width, height } = (await draper().locator('.picture canvas').boundingBox())!;
   for (const [across, down] of [
@@ -628,7 +628,7 @@ test('net lines over a whole surface follow lines that are drawn, by hand and by
   const bare = (await canvas.screenshot()).toString('base64');
 
   await button('Draw a line').click();
-  await lines.getByText(/^Click points of the line/).waitFor();
+  await lines.getByText(/^Pick points of the line/).waitFor();
   // The second is beside the surface, and none.
   await clickPicture([0.3, 0.45], [0.02, 0.02], [0.5, 0.5], [0.7, 0.45]);
   await button('Close the line').waitFor();

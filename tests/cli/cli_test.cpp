@@ -138,7 +138,6 @@ TEST_CASE("info describes a recipe, and the same for the file made from it") {
         CHECK(of_recipe.at("max_dL") < 1e-20);
         CHECK(of_recipe.at("chebyshev") == true);
         for (const char* key : {"vertices", "edges", "faces", "components"}) CHECK(of_recipe.at(key) > 0);
-        CHECK(of_recipe.at("boundary_loops") >= 0);
         CHECK(of_recipe.at("mean_length") > 0);
         CHECK(of_recipe.at("singular_vertices_by_valence").is_object());
         of_recipe.erase("net"), of_file.erase("net");
@@ -369,7 +368,7 @@ TEST_CASE("drag reports every frame") {
         CHECK(frames[i].at("frame") == i + 1);
         CHECK(frames[i].at("status") == "converged");
         CHECK(frames[i].at("max_dL") < 1e-6);
-        CHECK(frames[i].at("milliseconds") >= 0);
+        CHECK(frames[i].at("milliseconds").is_number());
         iterations += frames[i].at("iterations").get<int>();
     }
     CHECK(handle_distance(read_obj(box.read("out.obj"), "out.obj").positions, edit) == 0);
@@ -715,7 +714,7 @@ TEST_CASE("remesh makes a net over a whole surface, reports and writes") {
     CHECK(net.at("smallest_corner_angle_degrees") >= 30);
     CHECK(net.at("singular_vertices_by_valence").at("3") >= 8);
     for (const char* phase : {"tree", "triangles", "field", "grid", "fit"})
-        CHECK(report.at("milliseconds").at(phase) >= 0);
+        CHECK(report.at("milliseconds").at(phase).is_number());
 
     const json info = box.run("info net.obj").json();
     CHECK(info.at("chebyshev") == true);

@@ -16,12 +16,12 @@ export const en = {
   },
   intro: {
     drag: { before: 'Drag the ', sphere: 'orange sphere', after: '. Every edge keeps its length.' },
-    click: 'Click a vertex to take hold of it. Every edge keeps its length.',
-    noHandles: 'Click a vertex to make it a handle.',
+    click: 'Pick a vertex to take hold of it. Every edge keeps its length.',
+    noHandles: 'Pick a vertex to make it a handle.',
     propose: 'Propose handles',
     select: (count: number) =>
       count === 0
-        ? 'Click handles to select them, or draw around several.'
+        ? 'Pick handles to select them, or draw around several.'
         : `${count} selected. Drag to move, or draw around more.`,
   },
   sections: {
@@ -54,13 +54,13 @@ export const en = {
     undo: { label: 'Undo', hint: 'Undo the last change (Ctrl+Z)' },
     redo: { label: 'Redo', hint: 'Do again what was undone (Ctrl+Shift+Z)' },
     reset: { label: 'Reset', hint: 'Back to the rest shape' },
-    select: { label: 'Select', hint: 'Select several handles: click each, or draw around them (L)' },
+    select: { label: 'Select', hint: 'Select several handles: pick each, or draw around them (L)' },
     frame: { label: 'Show all', hint: 'See the whole net (Home)' },
     link: { label: 'Share', hint: 'A link to what you see, also as QR code or to embed' },
     export: { label: 'Export', hint: 'The net as a mesh, for making, or as a picture', title: 'Export as' },
   },
   messages: { dismiss: 'Dismiss' },
-  embed: { activate: 'Click to drag the net', open: 'Open in chebnet' },
+  embed: { activate: 'Press to drag the net', open: 'Open in chebnet' },
   offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
   /** What the net can be coloured by: one to be chosen, and over its legend. */
   colourFields: {

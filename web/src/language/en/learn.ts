@@ -2,7 +2,7 @@
 export const learn = {
   licences: 'chebnet is free software: its licence, and those of what it contains',
   showMe: 'Show me',
-  noHandle: 'Make a vertex a handle first: click it.',
+  noHandle: 'Make a vertex a handle first: pick it.',
   stagesDone: 'All stages are done: every edge had its length again. The net is as it was before the lesson.',
   lessons: {
     net: {

@@ -44,13 +44,13 @@ export const panels = {
   },
   handles: {
     title: (count: number) => `Handles (${count})`,
-    none: 'No handles. Click a vertex of the net to take hold of it.',
+    none: 'No handles. Pick a vertex of the net to take hold of it.',
     number: 'Number',
     vertexNumber: 'Vertex number',
     add: 'Add vertex',
     vertex: (vertex: number) => `Vertex ${vertex}`,
     name: 'Name',
-    renameHint: 'Click to select, double click or F2 to rename',
+    renameHint: 'Press to select, twice or F2 to rename',
     renameGroup: 'Name of all of them',
     hide: 'Hide',
     show: 'Show',
@@ -384,7 +384,7 @@ export const panels = {
       save: 'Save the project',
       open: 'Open a file',
       selectAll: 'Select all handles',
-      selecting: 'Select several: click each, or draw around them',
+      selecting: 'Select several: pick each, or draw around them',
       deselect: 'End that, or select none',
       remove: 'Remove the selected handles',
       patch: 'Take hold of the patch around the last selected handle',
@@ -528,7 +528,7 @@ export const panels = {
   },
   history: {
     title: 'History',
-    hint: 'A click on a line goes back or forward to it; the arrow keys move along the list.',
+    hint: 'Pick a line to go back or forward to it; the arrow keys move along the list.',
   },
   sharp: {
     opened: (quads: number, move: string) =>
