@@ -112,8 +112,9 @@ std::set<SpacePlace> cut_places(const Surface& surface) {
     return places;
 }
 
-/// The vertices of a piece at some places.
+/// The vertices of a piece at some places; empty if there is no place.
 std::vector<bool> vertices_at(const Surface& piece, const std::set<SpacePlace>& places) {
+    if (places.empty()) return {};
     std::vector<bool> is_there(static_cast<std::size_t>(piece.vertex_count()));
     for (int v = 0; v < piece.vertex_count(); ++v) is_there[v] = places.contains(place_of(piece, v));
     return is_there;
