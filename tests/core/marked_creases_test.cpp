@@ -64,7 +64,7 @@ bool has_followed(const Remesh& made) { return made.kept.missed() == 0; }
 
 }  // namespace
 
-TEST_CASE("Net lines run along a waist that is marked on a ball, however it is tilted") {
+TEST_CASE("Net lines run along a waist that is marked on a ball, however it is tilted", "[large]") {
     const Surface ball(samples::sphere(24));
     for (const double tilt : {0.3, 0.7}) {
         const MarkedCrease marked = waist(tilt);

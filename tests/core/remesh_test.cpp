@@ -151,7 +151,8 @@ TEST_CASE("A smooth closed body gets a net with eight singular vertices") {
     CHECK(Topology(net).singular_vertices() == std::map<int, int>{{3, 8}});
 }
 
-TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too, rather than rising to tips there") {
+TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too, rather than rising to tips there",
+          "[large]") {
     const auto guide = std::make_shared<const Guide>(make_own_surface("pebble"));
     const Net net = remesh(guide, of_cells(1500)).net;
     const DrapeReport report = measure_drape(guide->surface(), guide->tree(), net);
@@ -174,7 +175,8 @@ TEST_CASE("A net on a smooth closed body lies on it about singular vertices, too
     CHECK(sum / 8 > 250 * std::numbers::pi / 180);
 }
 
-TEST_CASE("Directions on a sphere are turned so that edges of one length need few folds, whatever its triangles") {
+TEST_CASE("Directions on a sphere are turned so that edges of one length need few folds, whatever its triangles",
+          "[large]") {
     const int around = GENERATE(12, 16, 20, 24);
     const auto guide = std::make_shared<const Guide>(Surface(samples::sphere(around)));
     const Net net = remesh(guide, of_cells(1500)).net;
@@ -261,7 +263,7 @@ TEST_CASE("Where there is a border singular vertices go over it, the nearest to 
     CHECK(wishes.back().vertices.empty());
 }
 
-TEST_CASE("A hemisphere gets a net without singular vertices that is folded nowhere") {
+TEST_CASE("A hemisphere gets a net without singular vertices that is folded nowhere", "[large]") {
     const auto guide = std::make_shared<const Guide>(make_own_surface("hemisphere"));
     for (const double cells : {400, 1000}) {
         const Remesh made = remesh(guide, of_cells(cells));

@@ -451,7 +451,7 @@ TEST_CASE("The smooth bodies have the handles and openings that they show") {
     }
 }
 
-TEST_CASE("Rounded bodies have the faces of those with sharp cones, and softer folds") {
+TEST_CASE("Rounded bodies have the faces of those with sharp cones, and softer folds", "[large]") {
     struct Case {
         std::string name;
         double largest_fold;  // rounded, degrees; of the horse, whose limbs are thin, more

@@ -96,7 +96,8 @@ TEST_CASE("The limit of weights is the exact handle") {
           Approx(bend(exact.net(), exact.topology(), exact.positions())).epsilon(0.1));
 }
 
-TEST_CASE("A net comes to rest however hard a handle pulls, and in few steps up to a hundred times an edge") {
+TEST_CASE("A net comes to rest however hard a handle pulls, and in few steps up to a hundred times an edge",
+          "[large]") {
     const double weight = GENERATE(0.01, 1.0, 100.0, 1e4, 1e6);
     CAPTURE(weight);
     Editor editor = softly_held_patch(weight);
