@@ -57,9 +57,9 @@ export class EqualizeResults {
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
   }
 
-  /** Its sharp folds, and the way out. */
+  /** Beside the verdict, in sight: its sharp folds, and the way out. */
   renderFolds(wayOut: HTMLElement): void {
-    this.#end.append(make('p', {}, TEXT.crumpled), wayOut);
+    this.#end.firstElementChild?.after(make('p', {}, TEXT.crumpled), make('p', {}, wayOut));
   }
 
   renderFault(sentence: string): void {
