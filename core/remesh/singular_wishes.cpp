@@ -56,7 +56,7 @@ struct Piece {
     int characteristic() const { return vertices - (sides + border) / 2 + faces; }
 };
 
-std::vector<Piece> closed_pieces_of(const Surface& surface) {
+std::vector<Piece> counted_pieces(const Surface& surface) {
     const std::vector<int> of_face = surface.components();
     std::vector<Piece> pieces(1 + static_cast<std::size_t>(*std::max_element(of_face.begin(), of_face.end())));
     for (int v = 0; v < surface.vertex_count(); ++v)
@@ -72,7 +72,7 @@ std::vector<Piece> closed_pieces_of(const Surface& surface) {
 
 void check_indices(const Guide& guide, const SingularWishes& wishes) {
     const std::vector<int> of_face = guide.surface().components();
-    std::vector<Piece> pieces = closed_pieces_of(guide.surface());
+    std::vector<Piece> pieces = counted_pieces(guide.surface());
     for (const WishedSingular& wish : wishes.vertices)
         pieces[of_face[guide.tree().nearest(wish.point).at.face]].index += k_regular_valence - wish.valence;
     for (std::size_t k = 0; k < pieces.size(); ++k) {

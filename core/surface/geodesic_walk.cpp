@@ -14,7 +14,7 @@ namespace {
 constexpr double k_at_vertex = 1e-12;
 // A direction that leaves a triangle's side no faster than this runs along it.
 constexpr double k_along = 1e-13;
-constexpr double k_never = std::numeric_limits<double>::infinity();
+constexpr double k_no_limit = std::numeric_limits<double>::infinity();
 
 int corner_of(const SurfacePoint& point) {
     for (int k = 0; k < 3; ++k)
@@ -57,7 +57,7 @@ void GeodesicWalk::lay_into(int face, const Eigen::Vector3d& direction) {
 /// Of the triangles around the vertex at which a side begins, the one into which the direction leads most clearly.
 bool GeodesicWalk::choose_face_around(int corner_side, const Eigen::Vector3d& direction) {
     const int first = m_surface.first_side(m_surface.from(corner_side));
-    double clearest = -k_never;
+    double clearest = -k_no_limit;
     Eigen::Vector3d chosen = Eigen::Vector3d::Zero();
     for (int side = first; side >= 0;) {
         lay_into(Surface::face_of(side), direction);
@@ -84,7 +84,7 @@ bool GeodesicWalk::choose_face_around(int corner_side, const Eigen::Vector3d& di
 double GeodesicWalk::advance(double most) {
     if (m_is_at_boundary) return 0;
     const Eigen::Vector3d rate = rates(m_point.face, m_direction);
-    double way = k_never;
+    double way = k_no_limit;
     int across = -1;  // the corner across from the side by which the triangle is left
     const double least_rate = k_along * rate.cwiseAbs().maxCoeff();
     for (int k = 0; k < 3; ++k)

@@ -209,7 +209,7 @@ describe('the worker', () => {
       { type: 'open', source: { own: 'hemisphere' } },
       {
         type: 'trace',
-        line: 'cuts',
+        line: 'creases',
         points: crease.map(([x, y]) => ({ origin: [x, y, 9], direction: [0, 0, -1] })),
         revision: 1,
       },
