@@ -7,7 +7,8 @@ namespace chebnet::dense {
 
 /// The dense inner loops of the sparse factorisation, on column-major matrices of double or float. The arithmetic runs
 /// in kernels that hold a block of entries in vector registers; the compilers' portable vector types make them SSE2
-/// natively and SIMD128 in WebAssembly, with the same arithmetic in the same order on both.
+/// natively and SIMD128 in WebAssembly, with the same arithmetic in the same order on both. Where a processor has AVX
+/// what costs most uses registers of twice that width; no entry is reckoned otherwise there.
 
 template <typename Scalar, int count>
 struct VectorOf {
@@ -37,20 +38,19 @@ inline constexpr int k_row_multiple = 4;
 
 inline int round_up(int n, int multiple) { return (n + multiple - 1) / multiple * multiple; }
 
-/// C −= A Bᵀ for one block: C has `vectors` registers of rows and `width` columns, A the same rows, B `width` rows,
-/// both `depth` columns. With a lower triangular `diagonal` (width × width, leading dimension width) also solves X
-/// diagonalᵀ = C.
-template <int width, int vectors, typename Scalar>
+/// C −= A Bᵀ for one block: C has `vectors` registers of `lanes` rows and `width` columns, A the same rows, B `width`
+/// rows, both `depth` columns. With a lower triangular `diagonal` (width × width, leading dimension width) also solves
+/// X diagonalᵀ = C.
+template <int width, int vectors, int lanes, typename Scalar>
 void block_kernel(Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B, int ldb, int depth,
-                  const Scalar* diagonal = nullptr) {
-    using V = Vector<Scalar>;
-    constexpr int lanes = k_lanes<Scalar>;
+                  const Scalar* diagonal) {
+    using V = typename VectorOf<Scalar, lanes>::type;
     V c[vectors][width];
     for (int j = 0; j < width; ++j)
-        for (int v = 0; v < vectors; ++v) c[v][j] = load<V>(C + j * ldc + v * lanes);
+        for (int v = 0; v < vectors; ++v) std::memcpy(&c[v][j], C + j * ldc + v * lanes, sizeof(V));
     for (int k = 0; k < depth; ++k) {
         V a[vectors];
-        for (int v = 0; v < vectors; ++v) a[v] = load<V>(A + v * lanes);
+        for (int v = 0; v < vectors; ++v) std::memcpy(&a[v], A + v * lanes, sizeof(V));
         for (int j = 0; j < width; ++j)
             for (int v = 0; v < vectors; ++v) c[v][j] -= a[v] * B[j];
         A += lda;
@@ -63,19 +63,42 @@ void block_kernel(Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B,
                 c[v][j] /= diagonal[j * width + j];
             }
     for (int j = 0; j < width; ++j)
-        for (int v = 0; v < vectors; ++v) store(C + j * ldc + v * lanes, c[v][j]);
+        for (int v = 0; v < vectors; ++v) std::memcpy(C + j * ldc + v * lanes, &c[v][j], sizeof(V));
 }
 
 /// Runs the kernel over `rows` rows, a multiple of k_row_multiple: two registers at a time, so that loads are shared
 /// between enough products to keep the units busy.
+template <int width, int lanes, typename Scalar>
+void block_column_by(int rows, Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B, int ldb, int depth,
+                     const Scalar* diagonal) {
+    constexpr int block = 2 * lanes, narrow = k_lanes<Scalar>;
+    int i = 0;
+    for (; i + block <= rows; i += block)
+        block_kernel<width, 2, lanes>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
+    if constexpr (lanes > narrow)
+        block_column_by<width, narrow>(rows - i, C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
+    else if constexpr (block > k_row_multiple)
+        if (i < rows) block_kernel<width, 1, lanes>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
+}
+
+#if defined(__x86_64__)
+inline const bool k_has_avx = __builtin_cpu_supports("avx");
+
+template <int width, typename Scalar>
+__attribute__((target("avx"), flatten)) void block_column_by_avx(int rows, Scalar* C, int ldc, const Scalar* A, int lda,
+                                                                 const Scalar* B, int ldb, int depth,
+                                                                 const Scalar* diagonal) {
+    block_column_by<width, 2 * k_lanes<Scalar>>(rows, C, ldc, A, lda, B, ldb, depth, diagonal);
+}
+#endif
+
 template <int width, typename Scalar>
 void block_column(int rows, Scalar* C, int ldc, const Scalar* A, int lda, const Scalar* B, int ldb, int depth,
                   const Scalar* diagonal = nullptr) {
-    constexpr int block = 2 * k_lanes<Scalar>;
-    int i = 0;
-    for (; i + block <= rows; i += block) block_kernel<width, 2>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
-    if constexpr (block > k_row_multiple)
-        if (i < rows) block_kernel<width, 1>(C + i, ldc, A + i, lda, B, ldb, depth, diagonal);
+#if defined(__x86_64__)
+    if (k_has_avx) return block_column_by_avx<width>(rows, C, ldc, A, lda, B, ldb, depth, diagonal);
+#endif
+    block_column_by<width, k_lanes<Scalar>>(rows, C, ldc, A, lda, B, ldb, depth, diagonal);
 }
 
 /// One strip of `width` columns of factor_panel, from column j on.

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <random>
+#include <tuple>
 #include <type_traits>
 
 #include "sample_nets.h"
@@ -48,6 +49,31 @@ TEMPLATE_TEST_CASE("A block system solves what its dense matrix says, time and a
         const Eigen::Matrix3Xd x = system.solve(rhs);
         const Eigen::VectorXd residual = dense * x.reshaped() - rhs.reshaped();
         CHECK(residual.norm() < digits * dense.norm() * x.norm());
+    }
+}
+
+TEMPLATE_TEST_CASE("Registers of any width give the same bits", "", float, double) {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<TestType> normal;
+    constexpr int width = 4, depth = 13, lanes = dense::k_lanes<TestType>;
+    using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
+    for (int rows = dense::k_row_multiple; rows <= 60; rows += dense::k_row_multiple) {
+        const auto entry = [&] { return normal(random); };
+        const Matrix A = Matrix::NullaryExpr(rows, depth, entry), B = Matrix::NullaryExpr(width, depth, entry);
+        const Matrix triangle = Matrix::NullaryExpr(width, width, entry), C = Matrix::NullaryExpr(rows, width, entry);
+        Matrix narrow = C, wide = C, as_here = C;
+        const auto ends = [&](Matrix& c) { return std::tuple(rows, c.data(), rows, A.data(), rows, B.data(), width); };
+        const auto args = [&](Matrix& c) { return std::tuple_cat(ends(c), std::tuple(depth, triangle.data())); };
+        std::apply([](auto... a) { dense::block_column_by<width, lanes>(a...); }, args(narrow));
+        std::apply([](auto... a) { dense::block_column_by<width, 2 * lanes>(a...); }, args(wide));
+        std::apply([](auto... a) { dense::block_column<width>(a...); }, args(as_here));
+        CHECK(narrow == wide);
+        CHECK(narrow == as_here);
+        const Matrix product = C - A * B.transpose();
+        const Matrix lower = triangle.template triangularView<Eigen::Lower>();
+        CHECK((narrow * lower.transpose() - product).norm() < 1e-3 * (1 + product.norm() + narrow.norm()));
     }
 }
 
