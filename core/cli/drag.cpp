@@ -26,20 +26,42 @@ std::vector<Handle> at_rest(std::vector<Handle> handles, const Net& net) {
     return handles;
 }
 
-void move_handles(Editor& editor, const std::vector<Handle>& goal, double t) {
-    for (const Handle& handle : goal)
-        editor.move_handle(handle.vertex, between(editor.net().rest_positions().col(handle.vertex), handle.target, t));
+/// What a drag came to.
+struct Dragged {
+    std::vector<SolveReport> frames;
+    bool is_held_back = false;  // the net does not go as far as the hand went
+};
+
+bool stand_at(const std::vector<Handle>& goal, const Editor& editor) {
+    return std::ranges::equal(goal, editor.handles(), [](const Handle& wanted, const Handle& handle) {
+        return across(handle.slides, wanted.target) == across(handle.slides, handle.target);
+    });
 }
 
-/// One solve for each frame. The handles stand at rest before the first, as when a user takes hold of one.
-std::vector<SolveReport> drag(Editor& editor, const std::vector<Handle>& goal, int frame_count) {
-    editor.set_handles(at_rest(goal, editor.net()));
-    std::vector<SolveReport> frames;
-    for (int frame = 1; frame <= frame_count; ++frame) {
-        move_handles(editor, goal, static_cast<double>(frame) / frame_count);
-        frames.push_back(editor.solve());
+/// To fraction t of the way. In hand are those that move at all.
+void carry_handles(Editor& editor, const std::vector<Handle>& goal, double t, bool in_hand) {
+    for (const Handle& handle : goal) {
+        const Eigen::Vector3d from = editor.net().rest_positions().col(handle.vertex);
+        const Eigen::Vector3d target = between(from, handle.target, t);
+        if (in_hand && handle.target != from)
+            editor.drag_handle(handle.vertex, target);
+        else
+            editor.move_handle(handle.vertex, target);
     }
-    return frames;
+}
+
+/// One solve for each frame. The handles stand at rest before the first, as when a user takes hold of one; after the
+/// last they are let go of. Where edges may grow nothing is held back: they grow as far as the handles go.
+Dragged drag(Editor& editor, const std::vector<Handle>& goal, int frame_count, bool in_hand) {
+    editor.set_handles(at_rest(goal, editor.net()));
+    Dragged dragged;
+    for (int frame = 1; frame <= frame_count; ++frame) {
+        carry_handles(editor, goal, static_cast<double>(frame) / frame_count, in_hand);
+        if (frame == frame_count) editor.release_handles();
+        dragged.frames.push_back(editor.solve());
+    }
+    dragged.is_held_back = !stand_at(goal, editor);
+    return dragged;
 }
 
 /// The traces of all frames as one table, with the frame as its first column.
@@ -83,12 +105,13 @@ Json frame_list(const std::vector<SolveReport>& frames) {
     return list;
 }
 
-Json drag_report(const DragArguments& arguments, const Editor& editor, const SolveReport& end,
-                 const std::vector<SolveReport>& frames) {
+Json drag_report(const DragArguments& arguments, const Editor& editor, const SolveReport& end, const Dragged& dragged) {
+    const std::vector<SolveReport>& frames = dragged.frames;
     const auto times = sorted_milliseconds(frames);
     Json report{{"net", arguments.solver.net.name},
                 {"method", editor.method()},
                 {"status", to_string(end.status)},
+                {"is_held_back", dragged.is_held_back},
                 {"to_rest", to_rest_report(end.to_rest)},
                 {"median_milliseconds", quantile(times, 0.5)},
                 {"percentile_95_milliseconds", quantile(times, 0.95)}};
@@ -101,14 +124,14 @@ Json drag_report(const DragArguments& arguments, const Editor& editor, const Sol
 int run_drag(const DragArguments& arguments) {
     Editor editor = open_editor(arguments.solver);
     const auto goal = read_edit(arguments.solver.edit, editor.net().vertex_count());
-    const auto frames = drag(editor, goal, arguments.frames);
-    const SolveReport end = with_lengths_adapted(arguments.solver, editor, frames.back());
-    write_results(arguments.solver, editor, to_csv(frames));
-    print(drag_report(arguments, editor, end, frames));
+    const Dragged dragged = drag(editor, goal, arguments.frames, !arguments.solver.adapts_lengths);
+    const SolveReport end = with_lengths_adapted(arguments.solver, editor, dragged.frames.back());
+    write_results(arguments.solver, editor, to_csv(dragged.frames));
+    print(drag_report(arguments, editor, end, dragged));
     const auto is_net = [](const SolveReport& frame) { return keeps_lengths(frame.status); };
-    const bool was_always = std::ranges::all_of(frames, is_net);
+    const bool has_arrived = std::ranges::all_of(dragged.frames, is_net) && !dragged.is_held_back;
     const bool is_adapted = arguments.solver.adapts_lengths && keeps_lengths(end.status);
-    return was_always || is_adapted ? k_success : k_not_converged;
+    return has_arrived || is_adapted ? k_success : k_not_converged;
 }
 
 }  // namespace

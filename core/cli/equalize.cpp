@@ -96,8 +96,10 @@ Command add_equalize(CLI::App& program) {
     const auto arguments = std::make_shared<EqualizeArguments>();
     add_net_argument(command, arguments->net);
     command
-        .add_option("--length", arguments->length,
-                    "mean: of the edges; fit: so that the net lies nearest to the mesh; or a number")
+        .add_option(
+            "--length", arguments->length,
+            "mean: of the edges; fit: so that the net lies nearest to the mesh; or a number, to which the mesh is "
+            "scaled without --hold or --guide: distances are from the scaled one then")
         ->type_name("LENGTH")
         ->capture_default_str();
     command.add_option("--hold", arguments->handles, "Vertices that stay where they are, from 0")->type_name("VERTEX");

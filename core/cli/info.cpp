@@ -2,19 +2,22 @@
 #include <memory>
 
 #include "command.h"
+#include "drape/drape.h"
 #include "fabricate/edge_table.h"
 #include "io/file.h"
 #include "net/measures.h"
 #include "net/topology.h"
 #include "net_argument.h"
 #include "report.h"
+#include "surface_argument.h"
 
 namespace chebnet {
 namespace {
 
 struct InfoArguments {
     NetArgument net;
-    std::string edges;  ///< file to write; empty: none
+    std::string edges;    ///< file to write; empty: none
+    std::string surface;  ///< one of ours or a file; empty: none
 };
 
 Json counts_report(const std::map<int, int>& counts) {
@@ -28,19 +31,25 @@ int run_info(const InfoArguments& arguments) {
     const Topology topology(net);
     const LengthRange lengths = edge_length_range(net, net.rest_positions());
     if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(net, net.rest_positions()));
-    print({{"net", arguments.net.name},
-           {"vertices", net.vertex_count()},
-           {"edges", net.edge_count()},
-           {"faces", net.face_count()},
-           {"faces_by_arity", counts_report(faces_by_arity(net.faces()))},
-           {"boundary_loops", topology.boundary_loops().size()},
-           {"components", topology.component_count()},
-           {"singular_vertices_by_valence", counts_report(topology.singular_vertices())},
-           {"shortest_length", lengths.shortest},
-           {"mean_length", net.mean_length()},
-           {"longest_length", lengths.longest},
-           {"max_dL", max_deviation_from_mean(net)},
-           {"chebyshev", net.is_chebyshev()}});
+    Json report = {{"net", arguments.net.name},
+                   {"vertices", net.vertex_count()},
+                   {"edges", net.edge_count()},
+                   {"faces", net.face_count()},
+                   {"faces_by_arity", counts_report(faces_by_arity(net.faces()))},
+                   {"boundary_loops", topology.boundary_loops().size()},
+                   {"components", topology.component_count()},
+                   {"singular_vertices_by_valence", counts_report(topology.singular_vertices())},
+                   {"shortest_length", lengths.shortest},
+                   {"mean_length", net.mean_length()},
+                   {"longest_length", lengths.longest},
+                   {"max_dL", max_deviation_from_mean(net)},
+                   {"chebyshev", net.is_chebyshev()}};
+    if (!arguments.surface.empty()) {
+        const auto guide = load_guide(arguments.surface, arguments.net.repair);
+        report["surface"] = arguments.surface;
+        report["on_surface"] = net_on_surface_report(net, measure_drape(guide->surface(), guide->tree(), net));
+    }
+    print(report);
     return k_success;
 }
 
@@ -52,6 +61,10 @@ Command add_info(CLI::App& program) {
     add_net_argument(command, arguments->net);
     command.add_option("--edges", arguments->edges, "Write one line for each edge with its length, as CSV")
         ->type_name("EDGES.csv");
+    command
+        .add_option("--surface", arguments->surface,
+                    "File of a surface, or the name of one of our own: how the net lies on it")
+        ->type_name("SURFACE");
     return {&command, [arguments] { return run_info(*arguments); }};
 }
 

@@ -41,6 +41,14 @@ const char* repair_hint(ErrorCode code, bool repaired) {
     return is_repairable && !repaired ? " (--repair may mend this)" : "";
 }
 
+/// Triangles that share no vertices are no surface, but pieces of one, each with a net of its own. Said only, for where
+/// a surface is cut open they should coincide.
+void tell_coinciding(const Mesh& mesh, const std::string& path) {
+    for (const Finding& finding : repair(mesh, {}).findings)
+        if (finding.defect == Defect::duplicate_vertices)
+            std::cerr << "chebnet: " << path << ": " << to_sentence(finding) << " (--repair merges them)\n";
+}
+
 Net net_of_file(const std::string& path, bool repair) {
     Mesh mesh = load_mesh(path, repair);
     try {
@@ -81,6 +89,7 @@ Net load_net(const NetArgument& argument) {
 Surface load_surface(const std::string& path, bool repair) {
     const Mesh mesh = load_mesh(path, repair);
     try {
+        if (!repair) tell_coinciding(mesh, path);
         return Surface(mesh);
     } catch (const Error& error) {
         fail(path, error, repair_hint(error.code(), repair));

@@ -42,6 +42,7 @@ Json shape_report(const Editor& editor) {
                 {"bend", bend(editor.net(), editor.topology(), editor.positions())},
                 {"smallest_corner_angle_degrees", degrees(angles.smallest)},
                 {"largest_corner_angle_degrees", degrees(angles.largest)},
+                {"folds_over_60_degrees", sharp_folds(editor.net(), editor.positions(), k_fold)},
                 {"length_scale", editor.options().length_scale},
                 {"unreachable_pairs", unreachable_report(editor.unreachable_pairs())}};
     if (editor.options().shear_limit > 0) report["quads_beyond_shear_limit"] = sharp_quads_report(editor);

@@ -95,12 +95,15 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         ->type_name("NUMBER");
     command.add_flag("--adapt-lengths", arguments.adapts_lengths,
                      "If handles are out of reach, let all edges grow by one factor, as small as does");
-    command
-        .add_option("--guide", arguments.guide,
-                    "A surface beside the net, for method equilibrium: a file, or the name of one of ours (see drape)")
-        ->type_name("SURFACE");
+    CLI::Option* const guide =
+        command
+            .add_option(
+                "--guide", arguments.guide,
+                "A surface beside the net, for method equilibrium: a file, or the name of one of ours (see drape)")
+            ->type_name("SURFACE");
     command.add_option("--guide-mode", arguments.guide_mode, "What it does to the net: off, near, on or outside")
         ->check(CLI::IsMember({"off", "near", "on", "outside"}))
+        ->needs(guide)
         ->type_name("MODE");
     command.add_option("--set", arguments.settings, "Options of the solver, see below")
         ->check(setting_fault)
@@ -135,7 +138,9 @@ SolveReport with_lengths_adapted(const SolverArguments& arguments, Editor& edito
     solved.status = adapter.solve().status;
     if (solved.status != Status::converged) return solved;
     editor.set_state(adapter.state());
-    solved.to_rest = editor.solve().to_rest;
+    const SolveReport at_rest = editor.solve();
+    if (keeps_lengths(at_rest.status)) solved.status = at_rest.status;
+    solved.to_rest = at_rest.to_rest;
     return solved;
 }
 

@@ -34,8 +34,16 @@ constexpr double k_exact = 1e-9;
 // net sheared to 30° they keep 1.03.
 constexpr double k_least_distance = 0.7;
 constexpr int k_near_steps = 2;
+// Vertices at one place of the grid, or next to each other there, that are farther apart than this, in edge lengths,
+// belong to parts of the net that lie over each other only where it is unrolled, as turns of a spiral do.
+constexpr double k_other_part = 4;
 // A cosine: a direction nearer than that to the normal is of no use.
 constexpr double k_upright = 0.9;
+
+[[noreturn]] void refuse_size() {
+    throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
+                                          " vertices: the edges are too short for this surface");
+}
 
 /// Steps along the two families from the seed.
 struct GridPlace {
@@ -215,8 +223,8 @@ private:
         return is_allowed(place, *c) ? c : std::nullopt;
     }
 
-    /// Of the cells at a place whose other three vertices are known: the one nearest to the seed; on a surface with
-    /// slits, where there can be several vertices at a place, all of them, that one first.
+    /// Of the cells at a place whose other three vertices are known: the one nearest to the seed; where there can be
+    /// several vertices at a place, all of them, that one first.
     std::vector<Corner> corners_at(const GridPlace& place) const {
         std::vector<Corner> corners;
         for (const GridPlace& diagonal : k_diagonals)
@@ -226,7 +234,9 @@ private:
             }
         std::stable_sort(corners.begin(), corners.end(),
                          [&](const Corner& x, const Corner& y) { return m_places[y.d] > m_places[x.d]; });
-        if (!m_slits && corners.size() > 1) corners.erase(corners.begin() + 1, corners.end());
+        const auto is_beside_first = [&](const Corner& corner) { return !are_apart(corner.d, corners.front().d); };
+        if (!m_slits && std::all_of(corners.begin(), corners.end(), is_beside_first) && corners.size() > 1)
+            corners.erase(corners.begin() + 1, corners.end());
         return corners;
     }
 
@@ -238,7 +248,7 @@ private:
             m_rim.pop();
             const GridPlace here = m_places[from];
             const int back = find({2 * here.i - place.i, 2 * here.j - place.j}, from);
-            if (back < 0 || !is_in_the_open(place, here) || !is_on_surface(m_vertices[from])) continue;
+            if (back < 0 || !is_in_the_open(place, from) || !is_on_surface(m_vertices[from])) continue;
             Eigen::Vector3d direction = m_vertices[from].position - m_vertices[back].position;
             const auto next = m_compass.straight_on(m_vertices[from], direction);
             if (!next || !is_allowed(place, *next)) continue;
@@ -249,14 +259,24 @@ private:
     }
 
     /// Whether nothing is known at a place and around it but `from`, and nothing was refused there.
-    bool is_in_the_open(const GridPlace& place, const GridPlace& from) const {
-        if (find(place) >= 0 || is_refused(place)) return false;
-        for (const GridPlace& step : k_steps) {
-            const GridPlace next = place + step;
-            const bool is_from = next.i == from.i && next.j == from.j;
-            if (is_refused(next) || (find(next) >= 0 && !is_from)) return false;
-        }
+    bool is_in_the_open(const GridPlace& place, int from) const {
+        if (is_known_beside(place, from) || is_refused(place)) return false;
+        for (const GridPlace& step : k_steps)
+            if (is_refused(place + step) || is_known_beside(place + step, from)) return false;
         return true;
+    }
+
+    /// Whether another vertex than `from` is there, on its part of the net.
+    bool is_known_beside(const GridPlace& place, int from) const {
+        for (int vertex = find(place); vertex >= 0; vertex = m_other_at[vertex])
+            if (vertex != from && (m_slits || !are_apart(vertex, from))) return true;
+        return false;
+    }
+
+    bool are_apart(int a, int b) const { return are_apart(m_vertices[a], m_vertices[b]); }
+    bool are_apart(const DrapedVertex& a, const DrapedVertex& b) const {
+        return (a.position - b.position).squaredNorm() >
+               k_other_part * k_other_part * m_options.length * m_options.length;
     }
 
     bool is_allowed(const GridPlace& place, const DrapedVertex& vertex) {
@@ -298,11 +318,11 @@ private:
     bool meets_net(const GridPlace& place, const DrapedVertex& next) const {
         for (const GridPlace& step : k_steps)
             for (int neighbour = find(place + step); neighbour >= 0; neighbour = m_other_at[neighbour])
-                if (!is_one_edge(m_vertices[neighbour], next) &&
+                if (!is_one_edge(m_vertices[neighbour], next) && !are_apart(m_vertices[neighbour], next) &&
                     !m_compass.is_slit_between(m_vertices[neighbour], next))
                     return true;
         for (int same = find(place); same >= 0; same = m_other_at[same])
-            if (!m_compass.is_slit_between(m_vertices[same], next)) return true;
+            if (!are_apart(m_vertices[same], next) && !m_compass.is_slit_between(m_vertices[same], next)) return true;
         return m_surroundings.any_near(next.position, [&](int other) {
             const GridPlace& there = m_places[other];
             return std::abs(there.i - place.i) + std::abs(there.j - place.j) > k_near_steps &&
@@ -321,9 +341,7 @@ private:
     }
 
     int add(const GridPlace& place, const DrapedVertex& vertex) {
-        if (std::ssize(m_vertices) == k_most_draped_vertices)
-            throw Error(ErrorCode::too_large, "the net would have more than " + std::to_string(k_most_draped_vertices) +
-                                                  " vertices: the edges are too short for this surface");
+        if (std::ssize(m_vertices) == k_most_draped_vertices) refuse_size();
         const int number = static_cast<int>(m_vertices.size());
         m_vertices.push_back(vertex);
         m_places.push_back(place);
@@ -331,7 +349,7 @@ private:
         m_at[key(place)] = number;
         m_surroundings.add(vertex.position, number);
         const auto wait_for = [&](const GridPlace& next) {
-            if (m_slits || find(next) < 0) m_waiting.push(next);
+            if (m_slits || !is_known_beside(next, number)) m_waiting.push(next);
         };
         for (const GridPlace& step : k_steps) {
             m_rim.push({place + step, number});
@@ -421,10 +439,10 @@ private:
         const auto found = m_at.find(key(place));
         return found == m_at.end() ? -1 : found->second;
     }
-    /// The vertex at a place beside that of another: of several, the one on its side of slits. −1 if there is none.
+    /// The vertex at a place next to that of another: of several, the one on its part of the net, and on its side of
+    /// slits. −1 if there is none.
     int find(const GridPlace& place, int beside) const {
         int vertex = find(place);
-        if (!m_slits) return vertex;
         const DrapedVertex& other = m_vertices[beside];
         while (vertex >= 0 &&
                (!is_one_edge(m_vertices[vertex], other) || m_compass.is_slit_between(m_vertices[vertex], other)))
@@ -464,7 +482,7 @@ private:
     std::vector<DrapedVertex> m_vertices;
     std::vector<GridPlace> m_places;
     std::unordered_map<std::uint64_t, int> m_at;  // by places: the last vertex there
-    std::vector<int> m_other_at;  // the one before at the same place, beyond a slit; −1 if there is none
+    std::vector<int> m_other_at;  // the one before at the same place, beyond a slit or apart; −1 if there is none
     std::unordered_map<std::uint64_t, bool> m_refused;
     Surroundings m_surroundings;
     Queue<GridPlace> m_waiting;
@@ -491,6 +509,10 @@ void check_drape(const Surface& surface, const DrapeOptions& options) {
     if (!options.seam.empty() && std::ssize(options.seam) != surface.vertex_count())
         refuse("the seam must be told of each vertex of the surface");
     if (options.reach < 1) refuse("the net must reach at least one cell from the seed");
+    // Known beforehand, rather than after minutes; by twice as many, since a part of the surface may not be covered.
+    if (options.reach == DrapeOptions{}.reach &&
+        surface.area() / (options.length * options.length) > 2.0 * k_most_draped_vertices)
+        refuse_size();
 }
 
 DrapeOptions suggested_drape(const Surface& surface, const SurfaceTree& tree, int cells) {

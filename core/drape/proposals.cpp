@@ -97,6 +97,10 @@ void rank(std::vector<DrapeProposal>& proposals) {
                      [](const DrapeProposal& a, const DrapeProposal& b) { return a.worth() > b.worth(); });
 }
 
+double distance_of(const Surface& surface, const SurfaceTree& tree, const Net& net, double length) {
+    return distance_to(surface, tree, net, net.rest_positions()).mean / length;
+}
+
 /// What comes of it with edges of some length; nothing where no cell fits.
 std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
                                    double length, DrapeOptions::Arms arms, DrapeOptions::Border border) {
@@ -106,9 +110,22 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
     trial.arms = arms;
     try {
         const Net net = drape(surface, tree, trial).net;
-        const double distance = distance_to(surface, tree, net, net.rest_positions()).mean / length;
         return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear),
-                             distance};
+                             distance_of(surface, tree, net, length)};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// The net that is asked for, by what it covers: how ragged its border is says nothing.
+std::optional<DrapeProposal> finished(const Surface& surface, const SurfaceTree& tree, const DrapeOptions& options,
+                                      DrapeOptions::Arms arms) {
+    DrapeOptions last = options;
+    last.arms = arms;
+    try {
+        const Net net = drape(surface, tree, last).net;
+        return DrapeProposal{options, sampled_coverage(surface, net), part_sheared(net, k_much_shear),
+                             distance_of(surface, tree, net, options.length)};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -156,9 +173,7 @@ std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceT
     // A curve that was drawn goes through one seed only.
     const auto arms = options.arms == DrapeOptions::Arms::curve ? DrapeOptions::Arms::geodesic : options.arms;
     for (std::size_t k = 0; k < std::min(k_finals, proposals.size()); ++k)
-        if (const auto last =
-                tried(surface, tree, proposals[k].options, options.length, arms, DrapeOptions::Border::inside))
-            proposals[k] = *last;
+        if (const auto last = finished(surface, tree, proposals[k].options, arms)) proposals[k] = *last;
     rank(proposals);
     return proposals;
 }

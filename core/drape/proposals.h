@@ -9,7 +9,8 @@ namespace chebnet {
 /// Where a net may begin, and what came of it when it was tried.
 struct DrapeProposal {
     DrapeOptions options;
-    double covered = 0;        ///< area of the cells as a part of the surface's
+    double covered = 0;        ///< part of the surface: of the net asked for by sampled_coverage(), of others by the
+                               ///< area of their cells
     double much_sheared = 0;   ///< part of the cells with a corner more than k_much_shear from a right angle
     double mean_distance = 0;  ///< of vertices and middles of edges from the surface, in edge lengths
 

@@ -49,8 +49,8 @@ void FairStart::choose_terms() {
     };
     add_bending(1 - laid, BendingTerm::Reference::straight);
     if (laid > 0) add_bending(laid, BendingTerm::Reference::rest);
-    m_terms.push_back(
-        make_closeness_term(m_net, m_guide, unit, closeness_for(m_options.rods), ClosenessTerm::Side::both));
+    m_terms.push_back(make_closeness_term(m_net, m_guide, unit, closeness_for(m_options.rods, m_net.face_count()),
+                                          ClosenessTerm::Side::both));
     m_terms.push_back(std::make_unique<PullTerm>(m_net, m_options.pulls));
     m_terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(m_net), k_stiffness));
     if (m_options.shear_limit > 0)

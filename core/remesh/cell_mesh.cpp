@@ -45,6 +45,7 @@ private:
         m_corners.resize(3, 4 * cells.size());
         for (int q = 0; q < cells.size(); ++q) {
             std::array<Eigen::Vector3d, 4> ways;
+            ways.fill(Eigen::Vector3d::Zero());
             std::array<bool, 4> has_way{};
             const Eigen::Vector3d centre = cells.centres.col(q);
             for (int k = 0; k < 4; ++k) {
@@ -54,10 +55,7 @@ private:
             for (int k = 0; k < 4; ++k)
                 if (!has_way[k] && has_way[(k + 2) % 4]) ways[k] = -ways[(k + 2) % 4];
             for (int k = 0; k < 4; ++k)
-                if (!has_way[k] && !has_way[(k + 2) % 4])
-                    ways[k] = has_way[(k + 1) % 4] || has_way[(k + 3) % 4]
-                                  ? Eigen::Vector3d(ways[(k + 1) % 4].cross(cells.normals.col(q)))
-                                  : Eigen::Vector3d::Zero();
+                if (!has_way[k] && !has_way[(k + 2) % 4]) ways[k] = ways[(k + 1) % 4].cross(cells.normals.col(q));
             for (int k = 0; k < 4; ++k) m_corners.col(4 * q + k) = centre + ways[(k + 3) % 4] + ways[k];
         }
     }

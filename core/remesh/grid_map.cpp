@@ -308,9 +308,10 @@ private:
 
     void check_integers() const {
         if (m_integers > k_most_integers)
-            throw Error(ErrorCode::bad_option, "creases, borders and singular vertices leave " +
-                                                   std::to_string(m_integers) + " whole numbers to choose, more than " +
-                                                   std::to_string(k_most_integers) + ": follow fewer creases");
+            throw Error(ErrorCode::too_large, "creases, borders and singular vertices leave " +
+                                                  std::to_string(m_integers) + " whole numbers to choose, more than " +
+                                                  std::to_string(k_most_integers) +
+                                                  ": larger cells or fewer creases leave fewer");
     }
 
     /// Along a crease or border that the field follows one coordinate is a whole number of cells. It is that of a

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -31,7 +32,9 @@
 #include "remesh/fit.h"
 #include "remesh/grid_map.h"
 #include "remesh/one_piece.h"
+#include "remesh/rows.h"
 #include "remesh/tilt.h"
+#include "surface/smoothed_surface.h"
 
 namespace chebnet {
 
@@ -45,11 +48,11 @@ constexpr double k_stretch = 1.05;
 constexpr double k_vertices_a_round = 600;
 constexpr double k_most_smoothing = 100;
 // Where a field leads to no net, others are tried, smoother and less smooth ones, then cells of other sizes.
-constexpr double k_smoothings[] = {1, 0.3, 3};
-constexpr double k_sizes[] = {1, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5};
+constexpr std::array<double, 3> k_smoothings = {1, 0.3, 3};
+constexpr std::array<double, 7> k_sizes = {1, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5};
 constexpr double k_least_size_for_length = 0.9;
 // So many nets with corners beyond the limit, or other singular vertices than those wished for, are enough.
-constexpr int k_most_lesser_nets = 2;
+constexpr int k_most_lesser_nets = 2, k_most_of_length = 4;
 // A singular vertex farther from where one is wished for, in cells, is another one.
 constexpr double k_near = 3;
 // By which one is drawn to its place, beside edges that weigh 1 (see Pull).
@@ -72,13 +75,20 @@ constexpr double k_clearly_less = 0.95;
 // cells are tilted against the surface, in radians, on average. A net with less than k_good_cost in all needs no rival.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
 constexpr double k_good_cost = 0.08;
+// A net of a given length may have too few cells for the surface, and shrinks within it then, or too many: where it is
+// farther from it than this, in edges, on average, another number of cells may fit.
+constexpr double k_good_distance = 0.15;
 constexpr double k_open_angle = 40 * std::numbers::pi / 180;
 // Of a cell, in the surface's unit, or its inverse: beyond it lengths are lost beside numbers that have no unit.
 constexpr double k_largest_cell = 1e15;
 // With more the grid takes too long, and would not be worth much.
 constexpr int k_most_singular_vertices = 600;
 constexpr double k_angle_tolerance = 1e-3;
-constexpr int k_wish_digits = 4;  // of coordinates in messages
+// A surface whose triangles are inclined by more than this to those of the surface that is smoothed over a cell is
+// rough, in radians, on average. What is larger than cells of so many is shape rather than noise.
+constexpr double k_rough_tilt = 7 * std::numbers::pi / 180, k_fewest_smoothing_cells = 1500;
+constexpr double k_farthest_smoothing = 5;  // in cells
+constexpr int k_wish_digits = 4;            // of coordinates in messages
 
 int piece_count(const Surface& surface) {
     const std::vector<int> pieces = surface.components();
@@ -93,6 +103,26 @@ bool has_border(const Surface& surface) {
     for (int s = 0; s < 3 * surface.face_count(); ++s)
         if (surface.opposite(s) < 0) return true;
     return false;
+}
+
+/// A net cannot follow what is smaller than its cells, and crumples where it is held near that: a rough surface is
+/// smoothed over a cell, or farther, until that tilts it no more. Creases stay.
+std::shared_ptr<const Guide> without_noise(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
+                                           const std::function<void()>& go_on) {
+    if (options.crease > 0 || !options.marked_creases.empty()) return guide;
+    const Surface& surface = guide->surface();
+    const double cells = std::max(k_fewest_smoothing_cells, cells_asked_for(surface, options));
+    const double cell = std::sqrt(surface.area() / cells);
+    std::optional<Surface> smooth;
+    try {
+        for (double radius = cell; radius < k_farthest_smoothing * cell; radius *= 2) {
+            Surface smoother = smoothed(surface, radius, go_on);
+            if (mean_tilt(smooth ? *smooth : surface, smoother) < k_rough_tilt) break;
+            smooth = std::move(smoother);
+        }
+    } catch (const Error&) {  // triangles that vanish
+    }
+    return smooth ? std::make_shared<const Guide>(*std::move(smooth)) : guide;
 }
 
 /// By one way to end at the border.
@@ -113,12 +143,13 @@ public:
         m_has_border = has_border(m_surface);
         if (std::optional<Found> found = find_with_fewer()) return result(*found);
         if (std::optional<Found> best = find_net()) return result(*best);
+        if (m_too_many_lines) throw Error(*m_too_many_lines);
         throw Error(
             ErrorCode::bad_option,
             (m_wishes ? "no net was found with singular vertices as they are wished for; other wishes or smaller "
-                        "cells may lead to one: "
-                      : "cells of this size do not cover the surface; smaller ones may: ") +
-                m_first_failure);
+                        "cells may lead to one"
+                      : "cells of this size do not cover the surface; smaller ones may") +
+                (m_first_failure.empty() ? "" : ": " + m_first_failure));
     }
 
 private:
@@ -140,6 +171,7 @@ private:
         Net net;
         std::vector<SingularVertex> singular;
         KeptWishes kept;
+        double distance;  // from the surface, in edges, on average
     };
 
     /// Nothing if none can be left out, or small nets promise what larger ones do not keep. Over a border that is one
@@ -229,8 +261,9 @@ private:
 
     std::optional<Found> find_net() {
         if (std::optional<Found> good = find_good_net()) return good;
-        const auto best = std::min_element(m_found.begin(), m_found.end(), [](const Found& a, const Found& b) {
-            return a.kept.missed() < b.kept.missed();
+        const auto best = std::min_element(m_found.begin(), m_found.end(), [this](const Found& a, const Found& b) {
+            return std::tuple(a.kept.missed(), !keeps_limit(a), a.distance) <
+                   std::tuple(b.kept.missed(), !keeps_limit(b), b.distance);
         });
         if (best == m_found.end()) return std::nullopt;
         return std::move(*best);
@@ -238,35 +271,61 @@ private:
 
     std::optional<Found> find_good_net() {
         m_holds_lines = may_hold_border() || !m_creases.sides.empty();
-        if (m_holds_lines && try_all()) return std::move(m_found.back());
+        if (m_holds_lines && try_with_lines()) return std::move(m_found.back());
         m_holds_lines = false;
         if (m_found.empty() && try_all()) return std::move(m_found.back());
         return std::nullopt;
     }
 
+    /// Lines can be too many for a grid, which has an end without them.
+    bool try_with_lines() {
+        try {
+            return try_all();
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::too_large) throw;
+            m_too_many_lines = error;
+            return false;
+        }
+    }
+
     bool try_all() {
         if (may_turn() && try_once(1, m_options.smoothing, true)) return true;
-        for (const double size : k_sizes)
-            for (const double smoothing : k_smoothings)
-                if (try_once(size, smoothing * m_options.smoothing, false)) return true;
-        return false;
+        const auto try_field = [this](double size, double smoothing) {
+            return try_once(size, smoothing * m_options.smoothing, false);
+        };
+        const auto try_sizes = [&](double smoothing) {
+            return std::any_of(k_sizes.begin(), k_sizes.end(), [&](double size) { return try_field(size, smoothing); });
+        };
+        const auto try_smoothings = [&](double size) {
+            return std::any_of(k_smoothings.begin(), k_smoothings.end(),
+                               [&](double smoothing) { return try_field(size, smoothing); });
+        };
+        // What a given length lacks are cells, rather than smoothness.
+        return m_options.length > 0 ? std::any_of(k_smoothings.begin(), k_smoothings.end(), try_sizes)
+                                    : std::any_of(k_sizes.begin(), k_sizes.end(), try_smoothings);
+    }
+
+    bool keeps_limit(const Found& found) const {
+        const double smallest = corner_angle_range(found.net, found.net.rest_positions()).smallest;
+        return smallest >= m_options.smallest_angle - k_angle_tolerance;
     }
 
     /// Whether the last net found is as it should be.
     bool try_once(double size, double smoothing, bool turns) {
-        if (std::ssize(m_found) == k_most_lesser_nets) return false;
+        if (std::ssize(m_found) == (m_options.length > 0 ? k_most_of_length : k_most_lesser_nets)) return false;
         if (m_options.length > 0 && size < k_least_size_for_length) return false;
         try {
             const Mesh mesh = mesh_along(size, smoothing, turns);
             Found found = fitted(mesh, m_options.length, false);
             if (std::optional<Found> other = following_creases(mesh, found)) found = std::move(*other);
             m_found.push_back(std::move(found));
-            const Net& net = m_found.back().net;
-            const double smallest = corner_angle_range(net, net.rest_positions()).smallest;
-            return smallest >= m_options.smallest_angle - k_angle_tolerance && m_found.back().kept.missed() == 0;
+            const Found& last = m_found.back();
+            const bool fits = m_options.length == 0 || last.distance <= k_good_distance;
+            return keeps_limit(last) && last.kept.missed() == 0 && fits;
         } catch (const Error& error) {
             if (error.code() == ErrorCode::too_large) throw;
-            if (m_first_failure.empty()) m_first_failure = error.what();
+            // What is said of a mesh on the way says nothing to who has never seen it.
+            if (m_first_failure.empty() && error.code() == ErrorCode::bad_option) m_first_failure = error.what();
         }
         return false;
     }
@@ -285,7 +344,7 @@ private:
         if (singular_count(field) > k_most_singular_vertices)
             throw Error(ErrorCode::bad_option, "the surface is so rough that directions on it have " +
                                                    std::to_string(singular_count(field)) + " singular vertices");
-        if (turns && singular_count(field) > 0) field = well_turned(std::move(field));
+        if (turns && singular_count(field) > 0) field = well_turned(field);
         begin(RemeshPhase::grid);
         return checked_mesh(field, size);
     }
@@ -301,7 +360,7 @@ private:
 
     /// How well edges can be evened out hangs on which net lines lead from one singular vertex to another, and so on
     /// how the field is turned: what is left is folded away in the end.
-    DirectionField well_turned(DirectionField field) const {
+    DirectionField well_turned(const DirectionField& field) const {
         DirectionField best = field;
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < k_turns_tried; ++k) {
@@ -335,7 +394,8 @@ private:
         std::vector<SingularVertex> singular = singular_vertices(net);
         KeptWishes kept = kept_wishes(net, singular, m_options.singular);
         for (const Positions& way : m_creases.marked) kept.creases.push_back(distance_along(net, way));
-        return {std::move(net), std::move(singular), std::move(kept)};
+        const double distance = distance_to(*m_guide, net, net.rest_positions()).mean / net.mean_length();
+        return {std::move(net), std::move(singular), std::move(kept), distance};
     }
 
     /// Where marked creases are not followed, a net whose length suits them may do so.
@@ -429,6 +489,7 @@ private:
     std::optional<PlacedWishes> m_wishes;
     std::vector<Found> m_found;
     std::string m_first_failure;
+    std::optional<Error> m_too_many_lines;
     bool m_is_trying = false;            // how many singular vertices can be left out
     double m_tried = 0;                  // part of it
     std::optional<double> m_usual_tilt;  // of a small net with all of them
@@ -604,12 +665,22 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
     check_marked(guide, options.marked_creases);
 }
 
-Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
-              const RemeshProgress& progress) {
-    check_remesh(*surface, options);
-    if (options.border == RemeshOptions::Border::fitting && has_border(surface->surface()))
-        return BorderTrials(surface, options, progress).run();
-    return Remesher(surface, options, progress).run();
+Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress) {
+    check_remesh(*guide, options);
+    const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(guide->surface());
+    const RemeshPhase first = tries_ways ? RemeshPhase::border : RemeshPhase::triangles;
+    const Stopwatch watch;
+    const std::shared_ptr<const Guide> surface = without_noise(guide, options, [&] {
+        if (progress) progress(first, 0);
+    });
+    const double milliseconds = watch.milliseconds();
+    Remesh made =
+        tries_ways ? BorderTrials(surface, options, progress).run() : Remesher(surface, options, progress).run();
+    made.milliseconds[static_cast<int>(first)] += milliseconds;
+    Mesh rows = in_rows({made.net.rest_positions(), made.net.faces()});
+    made.net = Net(std::move(rows.positions), std::move(rows.faces), RestLengths::equal);
+    made.singular = singular_vertices(made.net);
+    return made;
 }
 
 }  // namespace chebnet

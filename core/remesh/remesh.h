@@ -78,13 +78,15 @@ struct Remesh {
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
 /// surface. The same input gives the same net. What is wished of its singular vertices is not always kept, nor is each
-/// marked crease followed; of the nets that are tried the one that keeps most of it is given, with what it keeps.
+/// marked crease followed; of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a
+/// rough surface, such as a noisy scan, the net follows what it is without what is smaller than its cells (smoothed()),
+/// unless creases are followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of
 /// this size, with what and where; no such net found), non_finite, bad_scale, too_large, and as the constructor of
 /// Surface does.
-Remesh remesh(const std::shared_ptr<const Guide>& surface, const RemeshOptions& options,
+Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options,
               const RemeshProgress& progress = {});
 
 /// Throws Error bad_option, non_finite, bad_scale or too_large where remesh() would for the numbers, wishes and points

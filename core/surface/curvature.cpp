@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/number.h"
+#include "surface/heat_step.h"
 
 namespace chebnet {
 
@@ -17,84 +18,6 @@ constexpr double k_pi = std::numbers::pi;
 // than the cells of a net of a thousand.
 constexpr double k_part_of_size = 1. / 30;
 constexpr int k_heat_steps = 3;
-constexpr double k_largest_cotangent = 100;  // of triangles that are nearly lines
-constexpr double k_tolerance = 1e-6;
-constexpr int k_most_iterations = 500;
-
-double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    double sum = 0;  // in a fixed order: that of Eigen's sums depends on the compiler
-    for (Eigen::Index i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-/// (M + t W) with M the areas of vertices and W the Laplacian.
-class HeatStep {
-public:
-    HeatStep(const Surface& surface, double t) : m_areas(Eigen::VectorXd::Zero(surface.vertex_count())) {
-        for (int f = 0; f < surface.face_count(); ++f)
-            for (const int v : surface.triangles().col(f)) m_areas[v] += surface.areas()[f] / 3;
-        for (int side = 0; side < 3 * surface.face_count(); ++side) {
-            const int opposite = surface.opposite(side);
-            if (opposite > side) continue;
-            const double cotangents = cotangent(surface, side) + (opposite < 0 ? 0 : cotangent(surface, opposite));
-            m_links.push_back({surface.from(side), surface.to(side), t * std::max(0.0, cotangents / 2)});
-        }
-        m_diagonal = m_areas;
-        for (const Link& link : m_links) m_diagonal[link.a] += link.weight, m_diagonal[link.b] += link.weight;
-    }
-
-    /// The amounts at vertices after the step, for those before it: M (M + t W)⁻¹, by conjugate gradients.
-    Eigen::VectorXd spread(const Eigen::VectorXd& amounts) const {
-        Eigen::VectorXd density = Eigen::VectorXd::Zero(amounts.size()), residual = amounts, image(amounts.size());
-        Eigen::VectorXd scaled = precondition(residual), search = scaled;
-        double product = dot(residual, scaled);
-        const double enough = k_tolerance * k_tolerance * product;
-        for (int k = 0; k < k_most_iterations && product > enough; ++k) {
-            multiply(search, image);
-            const double step = product / dot(search, image);
-            density += step * search;
-            residual -= step * image;
-            scaled = precondition(residual);
-            const double previous = product;
-            product = dot(residual, scaled);
-            search = scaled + product / previous * search;
-        }
-        return density.cwiseProduct(m_areas);
-    }
-
-private:
-    struct Link {
-        int a, b;
-        double weight;
-    };
-
-    /// Of the angle across from a side.
-    static double cotangent(const Surface& surface, int side) {
-        const Positions& x = surface.positions();
-        const int across = surface.from(Surface::previous(side));
-        const Eigen::Vector3d a = x.col(surface.from(side)) - x.col(across),
-                              b = x.col(surface.to(side)) - x.col(across);
-        const double sine = a.cross(b).norm(), cosine = a.dot(b);
-        return std::abs(cosine) < k_largest_cotangent * sine ? cosine / sine
-                                                             : std::copysign(k_largest_cotangent, cosine);
-    }
-
-    /// A vertex of triangles without area has nothing to scale by.
-    Eigen::VectorXd precondition(const Eigen::VectorXd& residual) const {
-        return (m_diagonal.array() > 0).select(residual.array() / m_diagonal.array(), 0.0);
-    }
-
-    void multiply(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
-        to = m_diagonal.cwiseProduct(from);
-        for (const auto& [a, b, weight] : m_links) {
-            to[a] -= weight * from[b];
-            to[b] -= weight * from[a];
-        }
-    }
-
-    Eigen::VectorXd m_areas, m_diagonal;
-    std::vector<Link> m_links;
-};
 
 int boundary_side_count(const Surface& surface) {
     int count = 0;

@@ -43,12 +43,12 @@ int side_between(const Surface& surface, int face, int next) {
 /// Empty if there is none.
 Strip strip_between(const Surface& surface, const SurfacePoint& from, const SurfacePoint& to) {
     const Eigen::Vector3d target = surface.position_at(to);
-    struct Reached {
+    struct Step {
         double way;
         int before;
     };
     using Entry = std::pair<double, int>;  // the least that the whole way can be, triangle
-    std::unordered_map<int, Reached> reached{{from.face, {0, -1}}};
+    std::unordered_map<int, Step> reached{{from.face, {0, -1}}};
     std::unordered_map<int, bool> is_final;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
     waiting.push({0, from.face});
@@ -65,7 +65,7 @@ Strip strip_between(const Surface& surface, const SurfacePoint& from, const Surf
                 (surface.positions().col(surface.from(side)) + surface.positions().col(surface.to(side))) / 2;
             const Eigen::Vector3d there = middle_of(surface, next);
             const double way = reached.at(face).way + (edge - here).norm() + (there - edge).norm();
-            const auto [known, is_new] = reached.try_emplace(next, Reached{way, face});
+            const auto [known, is_new] = reached.try_emplace(next, Step{way, face});
             if (!is_new && way >= known->second.way) continue;
             known->second = {way, face};
             waiting.push({way + (target - there).norm(), next});

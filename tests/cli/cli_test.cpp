@@ -145,6 +145,16 @@ TEST_CASE("info describes a recipe, and the same for the file made from it") {
     }
 }
 
+TEST_CASE("info says how a net lies on a surface, as draping it did") {
+    const Sandbox box;
+    const json draped = box.run("drape --surface hypar --cells 300 -o net.obj").json().at("net");
+    const json found = box.run("info net.obj --surface hypar").json().at("on_surface");
+    CHECK(found.at("coverage") == draped.at("coverage"));
+    CHECK(found.at("gaps") == draped.at("gaps"));
+    CHECK(found.at("mean_distance").get<double>() == Approx(draped.at("mean_distance").get<double>()));
+    check_refused(box.run("info net.obj --surface nowhere.obj"), "nowhere.obj");
+}
+
 TEST_CASE("info writes the edges and their lengths") {
     const Sandbox box;
     box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
@@ -374,6 +384,28 @@ TEST_CASE("drag reports every frame") {
     CHECK(handle_distance(read_obj(box.read("out.obj"), "out.obj").positions, edit) == 0);
     CHECK_THAT(box.read("trace.csv"), Catch::Matchers::StartsWith("frame,iteration,"));
     CHECK(line_count(box.read("trace.csv")) == iterations + 1);
+}
+
+TEST_CASE(
+    "a drag beyond where the net goes is held back: every frame is a net within the limit, and that ends with 1") {
+    const Sandbox box;
+    const double far = 20 * box.run("info sheet:vertices=100").json().at("mean_length").get<double>();
+    box.write("far.json", json{{"handles", {edit_entry(0, {-far, -far, 0}), edit_entry(99, {far, far, 0})}}}.dump());
+    const Run run = box.run("drag sheet:vertices=100 --edit far.json --frames 10");
+    INFO(run.err);
+    CHECK(run.exit_code == 1);
+    const json report = run.json();
+    CHECK(report.at("is_held_back") == true);
+    CHECK(report.at("max_dL") < 1e-6);
+    CHECK(report.at("smallest_corner_angle_degrees") >= 29.5);
+    CHECK(report.at("folds_over_60_degrees") == 0);
+    for (const json& frame : report.at("frames")) CHECK(frame.at("max_dL") < 1e-6);
+}
+
+TEST_CASE("what a surface does to the net needs a surface") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    check_refused(box.run("solve " + k_recipe + " --edit pull.json --guide-mode near"), "--guide");
 }
 
 TEST_CASE("a drag with a frame that does not converge ends with 1") {
@@ -840,6 +872,11 @@ TEST_CASE("a file is repaired only if asked to, and every repair is told") {
               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 9 9 9\n"
               "f 1 2 3 4\nf 5 6 7 8\n");
     box.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+    box.write("cut.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n");
+    const Run cut = box.run("drape cut.obj --edge 0.2");
+    CHECK(cut.err == "chebnet: cut.obj: 2 vertices at the place of an earlier one: 3, 4 (--repair merges them)\n");
+    CHECK(cut.json().at("described").at("components") == 2);
+    CHECK(box.run("drape cut.obj --edge 0.2 --repair").json().at("described").at("components") == 1);
     CHECK_THAT(box.run("drape points.obj").err, Catch::Matchers::EndsWith("the surface has no face\n"));
     check_refused(box.run("info loose.obj"), "loose.obj: vertex 8 belongs to no face (--repair may mend this)");
     const Run run = box.run("info loose.obj --repair");

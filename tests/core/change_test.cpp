@@ -23,7 +23,8 @@ ChangedMesh changed(const Net& net, const char* name, std::vector<int> edges = {
     return find_change(name).make(net, {std::move(vertices), std::move(edges)});
 }
 
-std::string refusal(const Net& net, const char* name, std::vector<int> edges = {}, std::vector<int> vertices = {}) {
+std::string change_refusal(const Net& net, const char* name, std::vector<int> edges = {},
+                           std::vector<int> vertices = {}) {
     try {
         changed(net, name, std::move(edges), std::move(vertices));
     } catch (const Error& error) {
@@ -122,10 +123,10 @@ TEST_CASE("Coarsening leaves out the odd row at the border, and says where rows 
     const ChangedMesh coarser = changed(odd, "coarsen");
     check_origins(odd, coarser);
     CHECK(coarser.mesh.faces.size() == 4);
-    CHECK_THAT(refusal(samples::ring(7, 5, false), "coarsen"), Catch::Contains("pairs"));
-    CHECK_THAT(refusal(samples::cube(), "coarsen"), Catch::Contains("pairs"));
-    CHECK_THAT(refusal(samples::mixed_mesh(), "coarsen"), Catch::Contains("face 0 is no quad"));
-    CHECK_THAT(refusal(samples::patch(2, 2), "coarsen"), Catch::Contains("nowhere"));
+    CHECK_THAT(change_refusal(samples::ring(7, 5, false), "coarsen"), Catch::Contains("pairs"));
+    CHECK_THAT(change_refusal(samples::cube(), "coarsen"), Catch::Contains("pairs"));
+    CHECK_THAT(change_refusal(samples::mixed_mesh(), "coarsen"), Catch::Contains("face 0 is no quad"));
+    CHECK_THAT(change_refusal(samples::patch(2, 2), "coarsen"), Catch::Contains("nowhere"));
 }
 
 TEST_CASE("A cut from border to border makes two pieces, one inside a slit") {
@@ -144,8 +145,8 @@ TEST_CASE("A cut from border to border makes two pieces, one inside a slit") {
     CHECK(slit.mesh.positions.cols() == net.vertex_count() + 1);
     CHECK(Topology(net_of(slit)).boundary_loops().size() == 2);
 
-    CHECK_THAT(refusal(net, "cut", path(net, {6, 7})), Catch::Contains("parts nothing"));
-    CHECK_THAT(refusal(net, "cut", border(net)), Catch::Contains("parts nothing"));
+    CHECK_THAT(change_refusal(net, "cut", path(net, {6, 7})), Catch::Contains("parts nothing"));
+    CHECK_THAT(change_refusal(net, "cut", border(net)), Catch::Contains("parts nothing"));
 }
 
 TEST_CASE("Of the sides of a line one stays, and other pieces of the net do") {
@@ -169,11 +170,11 @@ TEST_CASE("Rows and faces are deleted where they are named") {
     CHECK(shorter.mesh.faces.size() == 12);
     CHECK(changed(net, "delete_rows", path(net, {1, 7, 13, 19})).mesh.faces.size() == 9);
     CHECK(changed(net, "delete_faces", {}, {0, 8}).mesh.faces.size() == 10);
-    CHECK_THAT(refusal(net, "delete_faces"), Catch::Contains("no face lies there"));
+    CHECK_THAT(change_refusal(net, "delete_faces"), Catch::Contains("no face lies there"));
     std::vector<int> all;
     for (int e = 0; e < net.edge_count(); ++e) all.push_back(e);
-    CHECK_THAT(refusal(net, "delete_rows", all), Catch::Contains("would be left"));
-    CHECK_THAT(refusal(net, "keep_larger", path(net, {7, 8})), Catch::Contains("does not part"));
+    CHECK_THAT(change_refusal(net, "delete_rows", all), Catch::Contains("would be left"));
+    CHECK_THAT(change_refusal(net, "keep_larger", path(net, {7, 8})), Catch::Contains("does not part"));
 }
 
 TEST_CASE("A row along one side continues the lines that end there, and deleting it brings the net back") {
@@ -208,9 +209,9 @@ TEST_CASE("A row turns round corners, outwards and inwards") {
 }
 
 TEST_CASE("Rows are added at borders alone, and where they have room") {
-    CHECK_THAT(refusal(samples::ring(6, 5, true), "add_row", {0, 1}), Catch::Contains("lies on the border"));
+    CHECK_THAT(change_refusal(samples::ring(6, 5, true), "add_row", {0, 1}), Catch::Contains("lies on the border"));
     const Net touching = net_of(changed(samples::patch(5, 5), "delete_faces", {}, {0, 12}));
-    CHECK_THAT(refusal(touching, "add_row", border(touching)), Catch::Contains("border"));
+    CHECK_THAT(change_refusal(touching, "add_row", border(touching)), Catch::Contains("border"));
 }
 
 TEST_CASE("A row is put in inside of the net, and taken out again") {
@@ -258,12 +259,12 @@ TEST_CASE("A row goes all round a tube, and a line leaves it") {
 TEST_CASE("Where no row can be put in or taken out, the reason is said") {
     const Net net = samples::patch(5, 5);
     for (const char* way : {"insert_row", "remove_line"}) {
-        CHECK_THAT(refusal(net, way, path(net, {0, 1, 2, 3, 4})), Catch::Contains("on the border"));
-        CHECK_THAT(refusal(net, way, path(net, {2, 7, 12})), Catch::Contains("ends inside"));
-        CHECK_THAT(refusal(net, way, path(net, {2, 7, 12, 17, 22, 17, 12, 11, 10})), Catch::Contains("cross"));
-        CHECK_THAT(refusal(net, way), Catch::Contains("no line"));
+        CHECK_THAT(change_refusal(net, way, path(net, {0, 1, 2, 3, 4})), Catch::Contains("on the border"));
+        CHECK_THAT(change_refusal(net, way, path(net, {2, 7, 12})), Catch::Contains("ends inside"));
+        CHECK_THAT(change_refusal(net, way, path(net, {2, 7, 12, 17, 22, 17, 12, 11, 10})), Catch::Contains("cross"));
+        CHECK_THAT(change_refusal(net, way), Catch::Contains("no line"));
     }
-    CHECK_THAT(refusal(net, "remove_line", path(net, {2, 7, 12, 11, 10})), Catch::Contains("turns"));
+    CHECK_THAT(change_refusal(net, "remove_line", path(net, {2, 7, 12, 11, 10})), Catch::Contains("turns"));
     // Three quads about one vertex.
     Positions hexagon(3, 7);
     hexagon.col(0).setZero();
@@ -274,7 +275,7 @@ TEST_CASE("Where no row can be put in or taken out, the reason is said") {
     Faces three;
     for (int k = 0; k < 3; ++k) three.add({0, 1 + 2 * k, 2 + 2 * k, 1 + (2 * k + 2) % 6});
     const Net singular(hexagon, three);
-    CHECK_THAT(refusal(singular, "remove_line", path(singular, {1, 0, 3})), Catch::Contains("singular"));
+    CHECK_THAT(change_refusal(singular, "remove_line", path(singular, {1, 0, 3})), Catch::Contains("singular"));
     CHECK(changed(singular, "insert_row", path(singular, {1, 0, 3})).mesh.faces.size() == 5);
 }
 
@@ -298,12 +299,13 @@ TEST_CASE("Joining takes a cut back, and closes what was brought together") {
             std::reverse(turned.vertices.begin() + turned.start[f], turned.vertices.begin() + turned.start[f + 1]);
     CHECK(repair(changed(Net(two.rest_positions(), turned), "join").mesh, k_all_defects).findings.empty());
 
-    CHECK_THAT(refusal(net, "join"), Catch::Contains("drag them together"));
+    CHECK_THAT(change_refusal(net, "join"), Catch::Contains("drag them together"));
     // The border of rods cut short is no two borders.
     Positions trimmed = samples::patch(5, 4, 0).rest_positions();
     trimmed.row(0) = trimmed.row(0).cwiseMin(3.3);
     trimmed.row(1) = trimmed.row(1).cwiseMin(2.2);
-    CHECK_THAT(refusal(Net(trimmed, net.faces(), RestLengths::own), "join"), Catch::Contains("drag them together"));
+    CHECK_THAT(change_refusal(Net(trimmed, net.faces(), RestLengths::own), "join"),
+               Catch::Contains("drag them together"));
     Positions doubled(3, 2 * net.vertex_count());
     doubled << net.rest_positions(), net.rest_positions();
     Faces both = net.faces();

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+#include "constants.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
 
@@ -11,14 +12,12 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 double saddle(double x, double y) { return x * y; }
 
 /// Without its tip.
 Mesh cone(double slope) {
     return samples::quads(40, 10, true, false, [&](int i, int j) {
-        const double u = 2 * k_pi * i / 40, r = 0.2 + 0.1 * j;
+        const double u = 2 * samples::k_pi * i / 40, r = 0.2 + 0.1 * j;
         return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), -slope * r);
     });
 }
@@ -44,7 +43,7 @@ TEST_CASE("All angle defects together are 2 pi times the Euler characteristic") 
                           {samples::graph(8, 1, saddle), 1, 0, 1}};
     for (const auto& [mesh, characteristic, genus, loops] : cases) {
         const Surface surface(noisy(mesh, 0.01));
-        CHECK(angle_defects(surface).sum() == Approx(2 * k_pi * characteristic).margin(1e-9));
+        CHECK(angle_defects(surface).sum() == Approx(2 * samples::k_pi * characteristic).margin(1e-9));
         const SurfaceReport report = describe(surface);
         CHECK(report.genus == genus);
         CHECK(report.boundary_loops == loops);
@@ -54,12 +53,12 @@ TEST_CASE("All angle defects together are 2 pi times the Euler characteristic") 
 
 TEST_CASE("Total curvature by sign is that of the smooth surface") {
     const TotalCurvature sphere = total_curvature(inner_defects(Surface(samples::sphere(12))));
-    CHECK(sphere.positive == Approx(4 * k_pi));
+    CHECK(sphere.positive == Approx(4 * samples::k_pi));
     CHECK(sphere.negative == 0);
 
     const TotalCurvature torus = total_curvature(inner_defects(Surface(samples::torus(90, 60, 3, 1))));
-    CHECK(torus.positive == Approx(4 * k_pi).epsilon(2e-3));
-    CHECK(torus.negative == Approx(-4 * k_pi).epsilon(2e-3));
+    CHECK(torus.positive == Approx(4 * samples::k_pi).epsilon(2e-3));
+    CHECK(torus.negative == Approx(-4 * samples::k_pi).epsilon(2e-3));
 
     for (const Mesh& mesh : {samples::cylinder(24, 9, 1), cone(1.5), samples::plane(9, 1)}) {
         const TotalCurvature flat = total_curvature(inner_defects(Surface(mesh)));
@@ -69,7 +68,7 @@ TEST_CASE("Total curvature by sign is that of the smooth surface") {
     // Of z = x y over [−1, 1]²: −∫∫ (1 + x² + y²)^−3/2 = −4 atan(1 / √3) = −2π / 3.
     const TotalCurvature hypar = total_curvature(inner_defects(Surface(samples::graph(101, 1, saddle))));
     CHECK(hypar.positive < 1e-6);
-    CHECK(hypar.negative == Approx(-2 * k_pi / 3).epsilon(0.03));  // vertices of the boundary do not count
+    CHECK(hypar.negative == Approx(-2 * samples::k_pi / 3).epsilon(0.03));  // vertices of the boundary do not count
 }
 
 TEST_CASE("Smoothing keeps the sum and takes the noise away") {
@@ -77,9 +76,9 @@ TEST_CASE("Smoothing keeps the sum and takes the noise away") {
     const Surface surface(noisy(mesh, 0.002));
     const TotalCurvature raw = total_curvature(inner_defects(surface));
     const TotalCurvature smooth = total_curvature(smoothed_angle_defects(surface, 0.2));
-    CHECK(raw.positive > 6 * k_pi);
-    CHECK(smooth.positive + smooth.negative == Approx(4 * k_pi).epsilon(1e-4));
-    CHECK(smooth.positive == Approx(4 * k_pi).epsilon(0.02));
+    CHECK(raw.positive > 6 * samples::k_pi);
+    CHECK(smooth.positive + smooth.negative == Approx(4 * samples::k_pi).epsilon(1e-4));
+    CHECK(smooth.positive == Approx(4 * samples::k_pi).epsilon(0.02));
 }
 
 TEST_CASE("A sentence says what one net can do") {

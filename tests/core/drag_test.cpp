@@ -9,34 +9,34 @@ using namespace chebnet;
 
 namespace {
 
-constexpr int k_middle = 60;
-constexpr double k_a_net = 1e-6, k_settled = 1e-9;
+constexpr int k_handle = 60;
+constexpr double k_a_net = 1e-6, k_at_rest = 1e-9;
 
 /// An arched patch held at its corners and taken at its crown.
 struct Taken {
     Net net = samples::patch(11, 11, 0.4);
     Editor editor{net};
-    Eigen::Vector3d crown = net.rest_positions().col(k_middle);
+    Eigen::Vector3d crown = net.rest_positions().col(k_handle);
 
     Taken() {
-        editor.set_handles(samples::handles_at_rest(net, {0, 10, 110, 120, k_middle}));
+        editor.set_handles(samples::handles_at_rest(net, {0, 10, 110, 120, k_handle}));
         editor.solve();
     }
 
     /// Drags the crown up by as much, in frames of two iterations, and lets the net settle; all are nets.
     Status drag(double from, double to, int frames) {
         for (int frame = 1; frame <= frames; ++frame) {
-            editor.drag_handle(k_middle, at(from + (to - from) * frame / frames));
+            editor.drag_handle(k_handle, at(from + (to - from) * frame / frames));
             if (frame < frames) editor.solve({.iterations = 2});
             CHECK(max_deviation(net, editor.positions()) < k_a_net);
         }
         const Status status = editor.solve().status;
-        CHECK(max_deviation(net, editor.positions()) < k_settled);
+        CHECK(max_deviation(net, editor.positions()) < k_at_rest);
         return status;
     }
 
     Eigen::Vector3d at(double height) const { return crown + Eigen::Vector3d(0, 0, height); }
-    Eigen::Vector3d now() const { return editor.positions().col(k_middle); }
+    Eigen::Vector3d now() const { return editor.positions().col(k_handle); }
     double distance(const Positions& a, const Positions& b) const {
         return (a - b).colwise().norm().maxCoeff() / net.mean_length();
     }
@@ -57,7 +57,7 @@ TEST_CASE("Drag: a hand that is kept to an axis or a plane leaves neither when i
     Taken taken;
     const auto drag_to = [&](const Eigen::Vector3d& move, Axes along) {
         for (int frame = 1; frame <= 10; ++frame) {
-            taken.editor.drag_handle(k_middle, taken.crown + move * frame / 10, along);
+            taken.editor.drag_handle(k_handle, taken.crown + move * frame / 10, along);
             taken.editor.solve({.iterations = 2});
             CHECK(max_deviation(taken.net, taken.editor.positions()) < k_a_net);
         }
@@ -76,20 +76,20 @@ TEST_CASE("Drag: a hand that is kept to an axis or a plane leaves neither when i
     CHECK(taken.now().y() == taken.crown.y());
     CHECK(in_plane.z() > on_axis.z() + 0.1 * L);
 
-    taken.editor.drag_handle(k_middle, taken.crown + far, x);
+    taken.editor.drag_handle(k_handle, taken.crown + far, x);
     taken.editor.release_handles();
     taken.editor.solve();
     const Handle handle = taken.editor.handles().back();
     CHECK(across(x, handle.target) == across(x, taken.crown));
     CHECK(handle.target.x() > taken.crown.x() + 0.5 * L);
-    CHECK(max_deviation(taken.net, taken.editor.positions()) < k_settled);
+    CHECK(max_deviation(taken.net, taken.editor.positions()) < k_at_rest);
 }
 
 TEST_CASE("Drag: along numbers that are no axes it is refused, and nothing has changed") {
     Taken taken;
     const Axes along = GENERATE(-1, 0, 8);
     CAPTURE(along);
-    CHECK_THROWS_WITH(taken.editor.drag_handle(k_middle, taken.at(1), along), "a hand keeps to x, y or z");
+    CHECK_THROWS_WITH(taken.editor.drag_handle(k_handle, taken.at(1), along), "a hand keeps to x, y or z");
     CHECK(taken.editor.standing_handles().back().target == taken.crown);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("Drag: a jump beyond reach ends where a slow hand does") {
 
 TEST_CASE("Drag: what was held back stays, once it is let go, where it stands when the net has settled") {
     Taken taken;
-    taken.editor.drag_handle(k_middle, taken.at(30));
+    taken.editor.drag_handle(k_handle, taken.at(30));
     taken.editor.release_handles();
     while (taken.editor.solve({.iterations = 3}).status == Status::running) {
         CHECK(taken.editor.handles().back().target == taken.at(30));
@@ -142,7 +142,7 @@ TEST_CASE("Drag: what was held back stays, once it is let go, where it stands wh
 
 TEST_CASE("Drag: the state in the middle of one is that of a net, its handles where they stand") {
     Taken taken, other;
-    taken.editor.drag_handle(k_middle, taken.at(30));
+    taken.editor.drag_handle(k_handle, taken.at(30));
     taken.editor.solve({.iterations = 5});
     const EditState state = taken.editor.state();
     CHECK(state.handles.back().target == taken.now());
@@ -158,7 +158,7 @@ TEST_CASE("Drag: the state in the middle of one is that of a net, its handles wh
 TEST_CASE("Drag: methods that do not go from net to net stretch the net, as ever") {
     Taken taken;
     taken.editor.set_method("projection");
-    taken.editor.drag_handle(k_middle, taken.at(30));
+    taken.editor.drag_handle(k_handle, taken.at(30));
     CHECK(taken.editor.solve().status == Status::unreachable);
     CHECK(!taken.editor.holds_back());
     CHECK(taken.now() == taken.at(30));
@@ -168,7 +168,7 @@ TEST_CASE("Drag: where other handles leave no net, none is asked for") {
     Taken taken;
     taken.editor.move_handle(0, taken.net.rest_positions().col(0) - Eigen::Vector3d(100, 0, 0));
     CHECK(taken.editor.solve().status == Status::unreachable);
-    taken.editor.drag_handle(k_middle, taken.at(1));
+    taken.editor.drag_handle(k_handle, taken.at(1));
     CHECK(taken.editor.solve().status == Status::unreachable);
     CHECK(taken.now() == taken.at(1));
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "constants.h"
 #include "drape/bridged_drape.h"
 #include "drape/drape.h"
 #include "drape/drape_pieces.h"
@@ -24,9 +25,6 @@ using Arms = DrapeOptions::Arms;
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-constexpr double k_exact = 1e-12;  // max dL of what is made with compasses
-
 /// How far the corners of a net's quads are from right angles, radians.
 struct Shear {
     double mean = 0, largest = 0;
@@ -38,7 +36,7 @@ Shear shear_of(const Net& net) {
         for (int k = 0; k < 4; ++k) {
             const auto at = [&](int corner) { return x.col(net.faces()[f][static_cast<std::size_t>(corner % 4)]); };
             const Eigen::Vector3d a = at(k + 1) - at(k), b = at(k + 3) - at(k);
-            const double off = std::abs(std::atan2(a.cross(b).norm(), a.dot(b)) - k_pi / 2);
+            const double off = std::abs(std::atan2(a.cross(b).norm(), a.dot(b)) - samples::k_pi / 2);
             shear.mean += off / (4 * net.face_count());
             shear.largest = std::max(shear.largest, off);
         }
@@ -113,12 +111,12 @@ TEST_CASE("With an angle other than a right one, arms of least shear open a plan
     const Surface plane(samples::plane(9, 1));
     DrapeOptions options;
     options.length = 0.05;
-    options.angle = k_pi / 3;
+    options.angle = samples::k_pi / 3;
     const auto [straight, bent, before, now] = compared(plane, options);
     CHECK(bent.arms == Arms::least_shear);
-    CHECK(shear_of(straight.net).mean == Approx(k_pi / 6));
-    CHECK(shear_of(bent.net).mean < k_pi / 18);
-    CHECK(max_deviation(bent.net, bent.net.rest_positions()) < k_exact);
+    CHECK(shear_of(straight.net).mean == Approx(samples::k_pi / 6));
+    CHECK(shear_of(bent.net).mean < samples::k_pi / 18);
+    CHECK(max_deviation(bent.net, bent.net.rest_positions()) < samples::k_exact);
     CHECK(now > before - 0.003);
 }
 
@@ -138,7 +136,7 @@ TEST_CASE("On a cylinder geodesic arms shear nothing, and an arm along a circle 
     const int steps = 13;
     options.along.resize(3, steps);
     for (int k = 0; k < steps; ++k) {
-        const double angle = 2 * k_pi * (k % (steps - 1)) / (steps - 1) + 0.01;
+        const double angle = 2 * samples::k_pi * (k % (steps - 1)) / (steps - 1) + 0.01;
         options.along.col(k) = Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.02);
     }
     const Drape around = drape(cylinder, tree, options);
@@ -171,7 +169,7 @@ TEST_CASE("Arms of least shear shear less than geodesic ones, on the average and
         CHECK(b.mean < mean * a.mean);
         CHECK(b.largest < largest * a.largest);
         CHECK(now > before - 0.003);
-        CHECK(max_deviation(bent.net, bent.net.rest_positions()) < k_exact);
+        CHECK(max_deviation(bent.net, bent.net.rest_positions()) < samples::k_exact);
     }
 }
 
@@ -198,7 +196,7 @@ TEST_CASE("Arms of least shear are no worse than geodesic ones anywhere, and it 
                 CHECK(bent.net.rest_positions() == straight.net.rest_positions());
             } else if (border == DrapeOptions::Border::inside) {
                 CHECK(shear_of(bent.net).mean < shear_of(straight.net).mean);
-                CHECK(shear_of(bent.net).largest < shear_of(straight.net).largest + k_pi / 180);
+                CHECK(shear_of(bent.net).largest < shear_of(straight.net).largest + samples::k_pi / 180);
             }
         }
     }
@@ -210,7 +208,7 @@ TEST_CASE("The directions at the seed, the reach and the limit hold for arms of 
     options.direction = {1, 1, 0};
     const auto [straight, bent, before, now] = compared(surface, options);
     REQUIRE(bent.arms == Arms::least_shear);
-    CHECK(k_pi / 2 - shear_of(bent.net).largest > options.smallest_angle - 1e-9);
+    CHECK(samples::k_pi / 2 - shear_of(bent.net).largest > options.smallest_angle - 1e-9);
     const auto at = [](const Drape& drape, int i, int j) -> Eigen::Vector3d {
         for (int v = 0; v < drape.net.vertex_count(); ++v)
             if (drape.places(0, v) == i && drape.places(1, v) == j) return drape.net.rest_positions().col(v);
@@ -241,7 +239,7 @@ TEST_CASE("An arm follows a drawn curve: its vertices are on it, every edge is e
         }
         const Drape along = drape(surface, tree, options);
         CHECK(along.arms == Arms::curve);
-        CHECK(max_deviation(along.net, along.net.rest_positions()) < k_exact);
+        CHECK(max_deviation(along.net, along.net.rest_positions()) < samples::k_exact);
         const Positions path = cut_path(surface, cut_line(surface, tree, options.along));
         const auto distance = [&](const Eigen::Vector3d& x) {
             double least = std::numeric_limits<double>::infinity();

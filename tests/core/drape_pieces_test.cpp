@@ -27,7 +27,7 @@ Positions points(const std::vector<Eigen::Vector3d>& list) {
     return positions;
 }
 
-Surface cut(const Surface& surface, const std::vector<Eigen::Vector3d>& line) {
+Surface cut_along(const Surface& surface, const std::vector<Eigen::Vector3d>& line) {
     return cut_open(surface, {{cut_line(surface, SurfaceTree(surface), points(line))}});
 }
 
@@ -69,7 +69,7 @@ int crossing_edges(const Net& net) {
 
 TEST_CASE("A surface cut in two takes two nets, which lie in one and share nothing") {
     const Surface saddle(samples::graph(21, 1, [](double x, double y) { return 0.3 * x * y; }));
-    const Surface halves = cut(saddle, {{-1, 0.21, 0}, {0.2, -0.13, 0}, {1, 0.33, 0}});
+    const Surface halves = cut_along(saddle, {{-1, 0.21, 0}, {0.2, -0.13, 0}, {1, 0.33, 0}});
     for (const Border border : {Border::inside, Border::beyond, Border::cut}) {
         const DrapedPieces made = drape_pieces(halves, wish(0.07, border));
         REQUIRE(made.draped.size() == 2);
@@ -89,7 +89,7 @@ TEST_CASE("A surface cut in two takes two nets, which lie in one and share nothi
 
 TEST_CASE("Rods cut at a seam end on it, from either side") {
     const Surface square(samples::plane(15, 1));
-    const Surface halves = cut(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
+    const Surface halves = cut_along(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
     const DrapedPieces made = drape_pieces(halves, wish(0.11, Border::cut));
     for (const DrapedPiece& piece : made.draped) {
         const Positions& x = piece.drape.net.rest_positions();
@@ -102,8 +102,8 @@ TEST_CASE("Rods cut at a seam end on it, from either side") {
 
 TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
     const Surface square(samples::plane(15, 1));
-    const Surface halves = cut(square, {{-1, 0.03, 0}, {0.1, -0.2, 0}, {1, 0.23, 0}});
-    const Surface slit = cut(square, {{-1, 0.031, 0}, {0.417, 0.052, 0}});
+    const Surface halves = cut_along(square, {{-1, 0.03, 0}, {0.1, -0.2, 0}, {1, 0.23, 0}});
+    const Surface slit = cut_along(square, {{-1, 0.031, 0}, {0.417, 0.052, 0}});
     for (const Surface* surface : {&halves, &slit})
         for (const Border border : {Border::inside, Border::beyond}) {
             CAPTURE(border, surface == &slit);
@@ -116,7 +116,7 @@ TEST_CASE("No net lies on another along a cut, nor on itself along a slit") {
 TEST_CASE("No edge goes across a slit in a plane, and around its end the net is one") {
     const Surface square(samples::plane(15, 1));
     const Eigen::Vector3d from(-1, 0.031, 0), to(0.417, 0.052, 0);
-    const Surface slit = cut(square, {from, to});
+    const Surface slit = cut_along(square, {from, to});
     for (const Border border : {Border::inside, Border::cut}) {
         PiecesOptions options = wish(0.1, border);
         options.seeds = {{0.02, -0.5, 0}};
@@ -139,8 +139,8 @@ TEST_CASE("A slit relieves curvature: a cone's tip takes a net that does not go 
         const double u = 2 * std::numbers::pi * i / around, r = 0.02 + 0.98 * j / 24;
         return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), -1.2 * r);
     }));
-    const Surface slit =
-        cut(cone, {{0.02 * std::cos(0.03), 0.02 * std::sin(0.03), -0.024}, {std::cos(0.03), std::sin(0.03), -1.2}});
+    const Surface slit = cut_along(
+        cone, {{0.02 * std::cos(0.03), 0.02 * std::sin(0.03), -0.024}, {std::cos(0.03), std::sin(0.03), -1.2}});
     PiecesOptions options = wish(0.05, Border::inside);
     options.seeds = {{-0.5, 0.01, -0.6}};
     const DrapedPieces whole = drape_pieces(cone, options), opened = drape_pieces(slit, options);
@@ -153,7 +153,7 @@ TEST_CASE("A slit relieves curvature: a cone's tip takes a net that does not go 
 
 TEST_CASE("Seeds choose pieces, and pieces without a net say why") {
     const Surface square(samples::plane(15, 1));
-    const Surface halves = cut(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
+    const Surface halves = cut_along(square, {{-1, 0.03, 0}, {1, 0.03, 0}});
     PiecesOptions options = wish(0.1, Border::beyond);
     options.seeds = {{0, 0.5, 0}};
     const DrapedPieces upper = drape_pieces(halves, options);
@@ -164,7 +164,7 @@ TEST_CASE("Seeds choose pieces, and pieces without a net say why") {
     options.seeds = {{0, 0.5, 0}, {0.3, 0.4, 0}};
     CHECK_THROWS_WITH(drape_pieces(halves, options), Contains("seed 2 is on a piece"));
 
-    const Surface sliver = cut(square, {{-1, 0.99, 0}, {1, 0.99, 0}});
+    const Surface sliver = cut_along(square, {{-1, 0.99, 0}, {1, 0.99, 0}});
     const DrapedPieces rest = drape_pieces(sliver, wish(0.1, Border::inside));
     CHECK(rest.draped.size() == 1);
     REQUIRE(rest.bare.size() == 1);
@@ -192,7 +192,8 @@ TEST_CASE("Proposed cuts help by as much as is said, and where nothing is to be 
     CHECK(none.coverage[0] > 0.99);
 }
 
-TEST_CASE("Slits anywhere on a body, curved or not, leave an exact net within its limit in every way to end at them") {
+TEST_CASE("Slits anywhere on a body, curved or not, leave an exact net within its limit in every way to end at them",
+          "[large]") {
     const unsigned seed = GENERATE(range(1u, 7u));
     CAPTURE(seed);
     std::mt19937 random(seed);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "constants.h"
 #include "drape/bridged_drape.h"
 #include "drape/opened_corners.h"
 #include "drape/proposals.h"
@@ -22,9 +23,6 @@ using namespace chebnet;
 using Catch::Matchers::Contains;
 
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
-constexpr double k_exact = 1e-12;  // max dL of what is made with compasses
 
 struct Draped {
     Drape drape;
@@ -50,7 +48,7 @@ std::map<std::pair<int, int>, Eigen::Vector3d> positions_by_place(const Drape& d
 /// at the distances u and v along them: ω_uv = −sin ω with ω = π/2 on the arms. It depends on z = u v alone, by
 /// z ω'' + ω' = −sin ω, which is integrated here from its series at 0.
 double angle_on_sphere(double z) {
-    double at = 1e-4, angle = k_pi / 2 - at, slope = -1;
+    double at = 1e-4, angle = samples::k_pi / 2 - at, slope = -1;
     const int steps = 20000;
     const double h = (z - at) / steps;
     for (int k = 0; k < steps; ++k) {  // midpoint rule
@@ -89,8 +87,8 @@ TEST_CASE("A plane is draped by an exact square grid, its border included") {
         CHECK((position - (options.seed + 0.1 * (place.first * u + place.second * v))).norm() < 1e-9);
     CHECK(report.coverage == Approx(1));
     CHECK(report.largest_distance < 1e-9);
-    CHECK(report.max_deviation < k_exact);
-    CHECK(report.smallest_angle == Approx(k_pi / 2));
+    CHECK(report.max_deviation < samples::k_exact);
+    CHECK(report.smallest_angle == Approx(samples::k_pi / 2));
     CHECK(drape.locked == 0);
     CHECK(drape.met == 0);
 }
@@ -126,7 +124,7 @@ TEST_CASE("Rods are cut where the surface ends, and all edges that are left whol
     CHECK(report.coverage == Approx(1));
     CHECK(report.length == Approx(options.length).epsilon(1e-12));
     CHECK(report.max_deviation == 0);
-    CHECK(report.smallest_angle == Approx(k_pi / 2));
+    CHECK(report.smallest_angle == Approx(samples::k_pi / 2));
     // Two families of lines at this distance over a square of 2 by 2.
     CHECK(report.rod_length == Approx(2 * 4 / options.length).epsilon(0.02));
     CHECK(net.rest_lengths().minCoeff() > 0.02 * options.length);
@@ -162,16 +160,16 @@ TEST_CASE("A net that was cut keeps its lengths and its limit while it is edited
 TEST_CASE("The families keep their angle in a plane") {
     DrapeOptions options;
     options.length = 0.1;
-    options.angle = k_pi / 3;
+    options.angle = samples::k_pi / 3;
     const auto [drape, report] = draped(samples::plane(5, 1), options);
-    CHECK(report.smallest_angle == Approx(k_pi / 3));
-    CHECK(report.largest_angle == Approx(2 * k_pi / 3));
+    CHECK(report.smallest_angle == Approx(samples::k_pi / 3));
+    CHECK(report.largest_angle == Approx(2 * samples::k_pi / 3));
     CHECK(report.coverage == Approx(1));
 }
 
 TEST_CASE("Half a cylinder is draped as the plane it unrolls to") {
     Mesh half = samples::quads(91, 21, false, false, [](int i, int j) {
-        const double u = k_pi * i / 90;
+        const double u = samples::k_pi * i / 90;
         return Eigen::Vector3d(std::cos(u), std::sin(u), j / 10. - 1);
     });
     DrapeOptions options;
@@ -180,11 +178,11 @@ TEST_CASE("Half a cylinder is draped as the plane it unrolls to") {
     options.direction = {1, 0, 0.6};
     const auto [drape, report] = draped(half, options);
     CHECK(report.coverage > 0.999);
-    CHECK(report.max_deviation < k_exact);
+    CHECK(report.max_deviation < samples::k_exact);
     CHECK(report.largest_distance < 0.1 * options.length);
     // Chords, not arcs, have one length: of the order of L² / 8.
-    CHECK(std::abs(report.smallest_angle - k_pi / 2) < 0.03);
-    CHECK(std::abs(report.largest_angle - k_pi / 2) < 0.03);
+    CHECK(std::abs(report.smallest_angle - samples::k_pi / 2) < 0.03);
+    CHECK(std::abs(report.largest_angle - samples::k_pi / 2) < 0.03);
 }
 
 TEST_CASE("A net goes round a cylinder until it meets itself") {
@@ -195,13 +193,42 @@ TEST_CASE("A net goes round a cylinder until it meets itself") {
     const auto [drape, report] = draped(samples::cylinder(120, 21, 1), options);
     CHECK(drape.met > 0);
     CHECK(report.coverage > 0.95);
-    CHECK(report.max_deviation < k_exact);
+    CHECK(report.max_deviation < samples::k_exact);
     const int columns = drape.places.row(0).maxCoeff() - drape.places.row(0).minCoeff();
     CHECK(columns >= 60);  // of 62.8
     CHECK(columns <= 62);
 }
 
-TEST_CASE("On a hemisphere angles are those of the sine-Gordon equation, to second order in the length") {
+TEST_CASE(
+    "A ramp that winds twice is covered from end to end, though its net would lie on itself if it were unrolled") {
+    const Mesh ramp = samples::quads(161, 17, false, false, [](int i, int j) {
+        const double turn = 4 * samples::k_pi * i / 160, r = 1 + j / 16.;
+        return Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), turn / 3);
+    });
+    const Surface surface(ramp);
+    DrapeOptions options;
+    options.seed = {1.5, 0, 0};
+    options.direction = {0, 1, 1};
+    options.length = 0.1;
+    CHECK(describe(surface).prospect == Prospect::one_piece);
+    const auto [made, report] = draped(ramp, options);
+    CHECK(report.coverage > 0.99);
+    CHECK(report.gaps == 0);
+    CHECK(report.max_deviation < 1e-20);
+    // Of two vertices at one place each is on its own turn.
+    std::map<std::pair<int, int>, int> at;
+    int pairs = 0;
+    for (int v = 0; v < made.net.vertex_count(); ++v) {
+        const auto [other, is_first] = at.emplace(std::pair(made.places(0, v), made.places(1, v)), v);
+        if (is_first) continue;
+        ++pairs;
+        const Positions& x = made.net.rest_positions();
+        CHECK((x.col(v) - x.col(other->second)).norm() > 4 * options.length);
+    }
+    CHECK(pairs > 100);
+}
+
+TEST_CASE("On a hemisphere angles are those of the sine-Gordon equation, to second order in the length", "[large]") {
     // So fine that its triangles err by less than a tenth of what the length does.
     const Mesh mesh = samples::sphere(300, true);
     double before = 0;
@@ -213,7 +240,7 @@ TEST_CASE("On a hemisphere angles are those of the sine-Gordon equation, to seco
         options.smallest_angle = 0.2;
         const auto [drape, report] = draped(mesh, options);
         CHECK(report.coverage > 0.995);
-        CHECK(report.max_deviation < k_exact);
+        CHECK(report.max_deviation < samples::k_exact);
         CHECK(report.largest_distance < 0.2 * length);
         const double error = error_of_angles(drape, length, 0.9);
         CHECK(error < 0.012 * length * length);
@@ -247,14 +274,14 @@ TEST_CASE("On a hypar the rulings are net lines of an almost exact net") {
     options.length = 0.07;
     const auto [drape, report] = draped(mesh, options);
     CHECK(report.coverage > 0.995);
-    CHECK(report.max_deviation < k_exact);
+    CHECK(report.max_deviation < samples::k_exact);
     CHECK(report.largest_distance < 0.05 * options.length);
     CHECK(drape.locked == 0);
-    CHECK(report.smallest_angle > k_pi / 3);
+    CHECK(report.smallest_angle > samples::k_pi / 3);
 }
 
 TEST_CASE("Where a corner would be too sharp there is a gap, not a sliver") {
-    for (const double limit : {k_pi / 6, k_pi / 4}) {
+    for (const double limit : {samples::k_pi / 6, samples::k_pi / 4}) {
         DrapeOptions options;
         options.length = 0.1;
         options.seed = {0, 0, 1};
@@ -262,8 +289,8 @@ TEST_CASE("Where a corner would be too sharp there is a gap, not a sliver") {
         const auto [drape, report] = draped(samples::sphere(30), options);
         CHECK(drape.locked > 0);
         CHECK(report.smallest_angle > limit - 1e-9);
-        CHECK(report.largest_angle < k_pi - limit + 1e-9);
-        CHECK(report.max_deviation < k_exact);
+        CHECK(report.largest_angle < samples::k_pi - limit + 1e-9);
+        CHECK(report.max_deviation < samples::k_exact);
         CHECK(report.coverage > 0.4);
         CHECK(report.coverage < 0.95);
         CHECK(Topology(drape.net).component_count() == 1);
@@ -283,7 +310,7 @@ TEST_CASE("A surface with a notch is covered behind it too") {
     options.seed = {-0.5, 0, 0};
     const auto [drape, report] = draped(notched, options);
     CHECK(report.coverage > 0.99);
-    CHECK(report.max_deviation < k_exact);
+    CHECK(report.max_deviation < samples::k_exact);
 }
 
 TEST_CASE("Every surface of our own takes a net from the middle, as its sentence says") {
@@ -294,8 +321,8 @@ TEST_CASE("Every surface of our own takes a net from the middle, as its sentence
         const Drape result = drape(surface, tree, suggested_drape(surface, tree, 1000));
         const DrapeReport report = measure_drape(surface, tree, result.net);
         const Prospect prospect = describe(surface).prospect;
-        CHECK(report.max_deviation < k_exact);
-        CHECK(report.smallest_angle >= k_pi / 6 - 1e-9);
+        CHECK(report.max_deviation < samples::k_exact);
+        CHECK(report.smallest_angle >= samples::k_pi / 6 - 1e-9);
         CHECK(report.coverage > (prospect == Prospect::too_curved ? 0.6 : 0.97));
         CHECK(report.mean_distance < 0.03 * result.net.mean_length());
         CHECK(result.net.face_count() > 600);
@@ -308,7 +335,7 @@ TEST_CASE("Shear and rods of a slanted net in a plane are those of its cells") {
     options.length = 0.1;
     options.reach = 5;
     const auto report_at = [&](double degrees) {
-        options.angle = degrees * k_pi / 180;
+        options.angle = degrees * samples::k_pi / 180;
         return draped(samples::plane(9, 2), options).report;
     };
     const DrapeReport upright = report_at(90), slanted = report_at(70), steep = report_at(50);
@@ -341,7 +368,8 @@ TEST_CASE("Gaps are counted: a notch from the border, a hole, and none where the
     CHECK(draped(samples::sphere(16), options).report.gaps >= 1);
 }
 
-TEST_CASE("Of proposals that cover alike the one that comes nearest is first, by the distance that is measured") {
+TEST_CASE("Of proposals that cover alike the one that comes nearest is first, by the distance that is measured",
+          "[large]") {
     const DrapeProposal near{{}, 0.98, 0.1, 0.01}, far{{}, 0.98, 0.1, 0.05};
     CHECK(near.worth() > far.worth());
     const Surface shell = make_own_surface("shell");
@@ -399,7 +427,7 @@ TEST_CASE("A surface too narrow for a cell within its border has a proposal none
 
 TEST_CASE("The compasses find this side of a sheet with two, however thin it is") {
     const Mesh sheet = samples::quads(60, 21, true, false, [](int i, int j) {
-        const double u = 2 * k_pi * i / 60;
+        const double u = 2 * samples::k_pi * i / 60;
         return Eigen::Vector3d(std::cos(u), 0.1 * j - 1, 0.01 * std::sin(u));
     });
     DrapeOptions options;
@@ -407,7 +435,7 @@ TEST_CASE("The compasses find this side of a sheet with two, however thin it is"
     options.length = 0.15;
     const auto [net, report] = draped(sheet, options);
     CHECK(report.coverage > 0.45);
-    CHECK(report.max_deviation < k_exact);
+    CHECK(report.max_deviation < samples::k_exact);
 }
 
 TEST_CASE("Where a net begins on a flat face beside a crease its direction is not upright") {
@@ -428,6 +456,7 @@ TEST_CASE("What cannot be draped is refused with a sentence") {
     };
     CHECK_THAT(refusal([](DrapeOptions& o) { o.length = 0; }), Contains("bad_option") && Contains("edge length"));
     CHECK_THAT(refusal([](DrapeOptions& o) { o.length = 5; }), Contains("bad_option") && Contains("edge length"));
+    CHECK_THAT(refusal([](DrapeOptions& o) { o.length = 1e-4; }), Contains("too_large") && Contains("2000000"));
     CHECK_THAT(refusal([&](DrapeOptions& o) { o.seed.x() = nan; }), Contains("non_finite"));
     CHECK_THAT(refusal([](DrapeOptions& o) {
                    o.direction = {0, 0, 1};
@@ -473,15 +502,15 @@ TEST_CASE("Sharp corners are opened on the surface, and nothing else is moved") 
         });
         return Net(mesh.positions, mesh.faces, RestLengths::equal);
     };
-    const Net open = slanted(k_pi / 4), sharp = slanted(k_pi / 9);
-    const auto as_it_was = with_opened_corners(open, *guide, k_pi / 6);
+    const Net open = slanted(samples::k_pi / 4), sharp = slanted(samples::k_pi / 9);
+    const auto as_it_was = with_opened_corners(open, *guide, samples::k_pi / 6);
     REQUIRE(as_it_was);
     CHECK((*as_it_was - open.rest_positions()).cwiseAbs().maxCoeff() < 1e-12);
-    const auto opened = with_opened_corners(sharp, *guide, k_pi / 6);
+    const auto opened = with_opened_corners(sharp, *guide, samples::k_pi / 6);
     REQUIRE(opened);
-    CHECK(max_deviation(sharp, *opened) < k_exact);
-    CHECK(corner_angle_range(sharp, *opened).smallest >= k_pi / 6);
-    CHECK(corner_angle_range(sharp, *opened).smallest < k_pi / 5);
+    CHECK(max_deviation(sharp, *opened) < samples::k_exact);
+    CHECK(corner_angle_range(sharp, *opened).smallest >= samples::k_pi / 6);
+    CHECK(corner_angle_range(sharp, *opened).smallest < samples::k_pi / 5);
     CHECK(heights_over(*guide, *opened).cwiseAbs().maxCoeff() < 1e-12);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/number.h"
+#include "constants.h"
 #include "counting_method.h"
 #include "edit/editor.h"
 #include "sample_nets.h"
@@ -18,7 +19,6 @@ using namespace chebnet;
 
 namespace {
 
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 constexpr int k_dragged = 71;
 
 Net net() { return samples::patch(9, 8); }
@@ -106,7 +106,7 @@ TEST_CASE("Editors that were set to the same state go on to the same positions, 
     INFO(method);
     EditState state = edited().state();
     state.method = method;
-    if (method != "projection") state.handles[1].weight = k_infinity;  // which alone knows soft handles
+    if (method != "projection") state.handles[1].weight = samples::k_infinity;  // which alone knows soft handles
     if (!local) state.locality.reset();
     Editor first(net()), second(net());
     first.set_state(state);
@@ -206,7 +206,7 @@ TEST_CASE("A locality in a state may be one that begins now, or none") {
     editor.set_state(state);
     REQUIRE(editor.region());
     CHECK(editor.state().locality->held_at == editor.positions());
-    state.locality->radius = k_infinity;
+    state.locality->radius = samples::k_infinity;
     editor.set_state(state);
     CHECK_FALSE(editor.region());
     state.locality.reset();

@@ -78,7 +78,7 @@ Majorizer composite_majorizer(double p) {
     return split_majorizer(p, [](double y) { return y + 1 / y - 2; });
 }
 
-std::vector<Sample> samples() {
+std::vector<Sample> energy_samples() {
     std::vector<Sample> list;
     for (const double p : {2.0, 3.0, 8.0, 50.0}) {
         list.push_back({"paper", p, std::make_shared<PowerEnergy>(p), paper_majorizer(p)});
@@ -105,7 +105,7 @@ TEST_CASE("The energy is r^p + r^-p - 2, without cancellation near r = 1") {
 
 TEST_CASE("Every energy has its own value, and none at r = 1") {
     const double r = GENERATE(0.6, 0.97, 1.0, 1.3);
-    for (const Sample& sample : samples()) {
+    for (const Sample& sample : energy_samples()) {
         INFO(sample.name << " p = " << sample.p);
         CHECK(sample.energy->value(1) == 0);
         CHECK(sample.energy->slope(1) == 0);
@@ -121,7 +121,7 @@ TEST_CASE("Slope, true Hessian and gradient block agree with finite differences"
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    for (const auto& [name, p, energy, majorizer] : samples()) {
+    for (const auto& [name, p, energy, majorizer] : energy_samples()) {
         INFO(name << " p = " << p);
         for (int k = 0; k < 20; ++k) {
             const RandomEdge edge(random);
@@ -147,7 +147,7 @@ TEST_CASE("Proposition 2: a majorizer is convex, bounds its energy, touches valu
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    for (const auto& [name, p, energy, majorizer] : samples()) {
+    for (const auto& [name, p, energy, majorizer] : energy_samples()) {
         if (!majorizer) continue;
         INFO(name << " p = " << p);
         for (int k = 0; k < 50; ++k) {
@@ -179,7 +179,7 @@ TEST_CASE("Proposition 2: a majorizer is convex, bounds its energy, touches valu
 
 TEST_CASE("No curvature is indefinite, none of a majorizer is below the true one") {
     const double r = GENERATE(0.3, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 2.0, 10.0);
-    for (const auto& [name, p, energy, majorizer] : samples()) {
+    for (const auto& [name, p, energy, majorizer] : energy_samples()) {
         INFO(name << " p = " << p);
         const EdgeCurvature used = energy->curvature(r), real = energy->hessian(r);
         CHECK(used.radial >= 0);

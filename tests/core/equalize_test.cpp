@@ -119,8 +119,6 @@ EqualizeOptions by_lengths_alone(EqualLength choice, double length = 0) {
     return options;
 }
 
-double largest_move(const Positions& a, const Positions& b) { return (a - b).colwise().norm().maxCoeff(); }
-
 }  // namespace
 
 TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
@@ -146,7 +144,8 @@ TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
     CHECK(report.before.standard_deviation > 0.1);
     CHECK(report.after.longest - report.after.shortest < 2e-4);
 
-    CHECK(report.max_move * report.length == Approx(largest_move(equalizer.positions(), mesh.rest_positions())));
+    CHECK(report.max_move * report.length ==
+          Approx(samples::largest_move(equalizer.positions(), mesh.rest_positions())));
     CHECK(report.mean_move < report.max_move);
     CHECK(report.mean_move < farthest);
 }
@@ -305,7 +304,7 @@ TEST_CASE("A length that is given is the length of all edges, without handles on
     const Positions& x = mean.positions();
     const Eigen::Vector3d centre = mesh.rest_positions().rowwise().mean();
     const Positions grown = (factor * (x.colwise() - centre)).colwise() + centre;
-    CHECK(largest_move(grown, given.positions()) < 1e-9 * std::max(1.0, factor));
+    CHECK(samples::largest_move(grown, given.positions()) < 1e-9 * std::max(1.0, factor));
 }
 
 TEST_CASE("With the fitting length the net lies nearer to the original than with any other") {
@@ -354,7 +353,7 @@ TEST_CASE("The result of a moved mesh is the moved result") {
         Eigen::Translation3d(3, -20, 8) * Eigen::AngleAxisd(2, Eigen::Vector3d(1, 2, -1).normalized());
     Equalizer here(mesh), there(Net(motion * mesh.rest_positions(), mesh.faces()));
     CHECK(here.solve().status == there.solve().status);
-    CHECK(largest_move(motion * here.positions(), there.positions()) < 1e-3);
+    CHECK(samples::largest_move(motion * here.positions(), there.positions()) < 1e-3);
 }
 
 TEST_CASE("Handles stay exactly where they are") {

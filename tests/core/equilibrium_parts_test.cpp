@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "constants.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "solve/parts/handle_walk.h"
@@ -18,8 +19,6 @@
 using namespace chebnet;
 
 namespace {
-
-constexpr double k_degree = std::numbers::pi / 180;
 
 Eigen::Quaterniond random_turn(std::mt19937& random) {
     std::normal_distribution<double> normal;
@@ -179,17 +178,18 @@ TEST_CASE("What is projected has every length and no corner beyond the limit, an
     const Net net = samples::patch(8, 8, 0);
     const Topology topology(net);
     const std::vector<bool> is_free(64, true);
-    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), is_free, {}, {}, net.rest_positions());
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * samples::k_degree), is_free, {}, {},
+                               net.rest_positions());
     // Corners of 55°, shaken.
     Positions x = net.rest_positions();
-    x.row(0) += std::cos(55 * k_degree) * x.row(1);
-    x.row(1) *= std::sin(55 * k_degree);
+    x.row(0) += std::cos(55 * samples::k_degree) * x.row(1);
+    x.row(1) *= std::sin(55 * samples::k_degree);
     x = samples::shaken(x, 0.02, random);
     REQUIRE(constraints.lack(x) > 0.05);
     const std::vector<double> none = constraints.held();
     REQUIRE(constraints.project(x, 1e-12));
     CHECK(max_deviation(net, x) < 1e-12);
-    CHECK(corner_angle_range(net, x).smallest > 59.9 * k_degree);
+    CHECK(corner_angle_range(net, x).smallest > 59.9 * samples::k_degree);
     CHECK(constraints.lack(x) < 1e-3);
     CHECK(constraints.held() != none);
     constraints.hold(none);
@@ -199,16 +199,16 @@ TEST_CASE("What is projected has every length and no corner beyond the limit, an
 TEST_CASE("A corner that was far from its limit when corners were last looked at stops no move: it is held") {
     const Net net = samples::patch(4, 4, 0);
     const Topology topology(net);
-    NetConstraints constraints(net, topology, CornerLimit(net, 60 * k_degree), std::vector<bool>(16, true), {}, {},
-                               net.rest_positions());
+    NetConstraints constraints(net, topology, CornerLimit(net, 60 * samples::k_degree), std::vector<bool>(16, true), {},
+                               {}, net.rest_positions());
     const auto sheared = [&](double angle) {
         Positions x = net.rest_positions();
         x.row(0) += std::cos(angle) * x.row(1);
         x.row(1) *= std::sin(angle);
         return x;
     };
-    const Positions x = sheared(60.01 * k_degree);
-    const Eigen::Matrix3Xd move = sheared(50 * k_degree) - x;
+    const Positions x = sheared(60.01 * samples::k_degree);
+    const Eigen::Matrix3Xd move = sheared(50 * samples::k_degree) - x;
     REQUIRE(constraints.part_until_short(x, move) < 0.01);
     CHECK(constraints.hold_blocking_ones(x, move));
     CHECK(constraints.part_until_short(x, move) == 1);

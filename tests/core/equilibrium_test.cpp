@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "constants.h"
 #include "first_order.h"
 #include "net/measures.h"
 #include "sample_nets.h"
@@ -18,8 +19,6 @@
 using namespace chebnet;
 
 namespace {
-
-constexpr double k_degree = EIGEN_PI / 180;
 
 /// Handles at some vertices of a net, and how far each moves.
 struct Edit {
@@ -85,7 +84,7 @@ SolveReport drag(Editor& editor, const Edit& edit, int frames) {
 
 bool is_within_limit(const Editor& editor) {
     const double limit = editor.options().shear_limit - 0.1;
-    return corner_angle_range(editor.net(), editor.positions()).smallest > limit * k_degree;
+    return corner_angle_range(editor.net(), editor.positions()).smallest > limit * samples::k_degree;
 }
 
 double rms_distance(const Edit& edit, const Positions& a, const Positions& b) {
@@ -103,7 +102,8 @@ TEST_CASE("Equilibrium: lengths, limit, and first-order conditions, reckoned aga
         CHECK(report.status == Status::converged);
         CHECK(report.max_deviation < 1e-9);
         const Options& options = editor.options();
-        CHECK(corner_angle_range(edit.net, editor.positions()).smallest > (options.shear_limit - 0.01) * k_degree);
+        CHECK(corner_angle_range(edit.net, editor.positions()).smallest >
+              (options.shear_limit - 0.01) * samples::k_degree);
         const samples::FirstOrder conditions =
             samples::first_order({edit.net, editor.handles(), options}, editor.positions());
         CHECK(conditions.gradient < 2 * options.rest_tolerance);
@@ -155,7 +155,7 @@ TEST_CASE("Equilibrium: without limit a net is sheared farther than with it") {
     Editor free = at_rest(edit);
     free.set_option("shear_limit", "0");
     CHECK(drag(free, edit, 1).status == Status::converged);
-    CHECK(corner_angle_range(edit.net, free.positions()).smallest < 54 * k_degree);
+    CHECK(corner_angle_range(edit.net, free.positions()).smallest < 54 * samples::k_degree);
 }
 
 TEST_CASE("Equilibrium: where no net keeps the limit there is still one with exact lengths") {
@@ -281,7 +281,7 @@ TEST_CASE("Equilibrium: frames of a drag are nets within the limit, and the ener
                                edit.net.rest_positions().col(edit.vertices[i]) + edit.moves[i] * frame / frames);
         const SolveReport report = editor.solve({.iterations = 1});
         CHECK(report.max_deviation < 1e-6);
-        CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 54.5 * k_degree);
+        CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 54.5 * samples::k_degree);
     }
     const SolveReport report = editor.solve();
     CHECK(report.status == Status::converged);
@@ -307,7 +307,7 @@ TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests
     without_limit.set_option("shear_limit", "0");
     drag(without_limit, sheared, 1);
     const Edit edit{"sharp", Net(without_limit.positions(), sheared.net.faces()), {0, 40}, {}};
-    REQUIRE(corner_angle_range(edit.net, edit.net.rest_positions()).smallest < 54 * k_degree);
+    REQUIRE(corner_angle_range(edit.net, edit.net.rest_positions()).smallest < 54 * samples::k_degree);
 
     Editor editor(edit.net);
     editor.set_method("equilibrium");
@@ -316,7 +316,7 @@ TEST_CASE("Equilibrium: a net of sharper corners than the limit is opened, rests
     const SolveReport opened = editor.solve();
     CHECK(opened.status == Status::converged);
     CHECK(opened.max_deviation < 1e-9);
-    CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 57.99 * k_degree);
+    CHECK(corner_angle_range(edit.net, editor.positions()).smallest > 57.99 * samples::k_degree);
     REQUIRE(!opened.trace.empty());
     CHECK(opened.trace.back().energy < 1e-9);
     CHECK(opened.trace.front().stage == 4);  // opening corners

@@ -6,6 +6,7 @@
 
 #include "../soak/invariants.h"
 #include "base/error.h"
+#include "constants.h"
 #include "edit/near_targets.h"
 #include "net/measures.h"
 #include "sample_nets.h"
@@ -14,8 +15,6 @@
 using namespace chebnet;
 
 namespace {
-
-constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// A dome of a few hundred vertices with its suggested handles at rest.
 Editor held_dome(double factor = 1) {
@@ -185,5 +184,5 @@ TEST_CASE("Lengths and angles of vectors whose squares leave the range of number
     CHECK(edge_ratios(net, x).maxCoeff() == Approx(size).epsilon(1e-14));
     CHECK(max_deviation(net, x) == Approx(std::max(size, 1 / size) - (size == 1 ? 1 : 0)).margin(1e-20));
     CHECK(corner_angle_range(net, x).smallest == Approx(EIGEN_PI / 2));
-    CHECK(max_deviation(net, Positions::Zero(3, 9)) == k_infinity);
+    CHECK(max_deviation(net, Positions::Zero(3, 9)) == samples::k_infinity);
 }

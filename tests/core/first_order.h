@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "constants.h"
 #include "edit/edit_state.h"
 #include "edit/locality.h"
 #include "net/families.h"
@@ -21,8 +22,6 @@
 #include "surface/guide.h"
 
 namespace chebnet::samples {
-
-constexpr double k_radians = EIGEN_PI / 180;  // of a degree
 
 /// What is to be at rest, and all that holds and draws it.
 struct Resting {
@@ -64,7 +63,7 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
         .evaluate(x, gradient);
     ShearTerm(net, from, options.shear_weight,
               options.square_corners ? ShearTerm::Reference::right_angles : ShearTerm::Reference::rest,
-              std::max(options.shear_limit, 15.0) * k_radians)
+              std::max(options.shear_limit, 15.0) * k_degree)
         .evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
     const auto mode = static_cast<GuideMode>(options.guide_mode);
@@ -153,7 +152,7 @@ inline Eigen::VectorXd multipliers(const Eigen::SparseMatrix<double>& Jt, const 
 /// would pull are let go, and held again where they would become shorter without (Lawson & Hanson 1974, chapter 23).
 inline FirstOrder first_order(const Resting& resting, const Positions& x) {
     const double L = resting.net.mean_length(), none = 1e-5 / L;
-    const std::vector<Pair> pairs = kept_pairs(resting.net, x, resting.options.shear_limit * k_radians);
+    const std::vector<Pair> pairs = kept_pairs(resting.net, x, resting.options.shear_limit * k_degree);
     const Eigen::Matrix3Xd is_free = free_coordinates(resting);
     const Eigen::VectorXd g = gradient_of(resting, x).cwiseProduct(is_free).reshaped();
     const Eigen::SparseMatrix<double> all = kept_directions(pairs, std::vector<bool>(pairs.size(), true), x, is_free);

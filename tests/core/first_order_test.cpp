@@ -37,9 +37,7 @@ struct Landscape {
     }
 };
 
-double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
-
-Editor pulled_patch(std::string_view method) {
+Editor solving_patch(std::string_view method) {
     Editor editor(samples::patch(7, 6));
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 6, 35, 41});
     handles.back().target += Eigen::Vector3d(-0.5, -0.3, 1);
@@ -71,7 +69,7 @@ TEST_CASE("L-BFGS without a history is gradient descent, with one it keeps the s
         lbfgs.accepted(step);
         x += step * move;
         move = land.direction(lbfgs, x);
-        CHECK(dot(move, land.gradient(x)) < 0);
+        CHECK(samples::dot(move, land.gradient(x)) < 0);
     }
     lbfgs.restart();
     steepest.restart();
@@ -100,7 +98,7 @@ TEST_CASE("With one correction L-BFGS is the memoryless BFGS update") {
 
 TEST_CASE("First-order methods lower the energy in every step and keep all vertices free") {
     const std::string method = GENERATE("gradient_descent", "lbfgs");
-    Editor editor = pulled_patch(method);
+    Editor editor = solving_patch(method);
     const SolveReport report = editor.solve();
     CHECK(report.status == Status::converged);
     CHECK(editor.handle_error() == 0);
@@ -113,7 +111,7 @@ TEST_CASE("First-order methods lower the energy in every step and keep all verti
 }
 
 TEST_CASE("L-BFGS needs far fewer iterations than gradient descent, Newton's kind fewer still") {
-    const auto iterations = [](std::string_view method) { return pulled_patch(method).solve().iterations; };
+    const auto iterations = [](std::string_view method) { return solving_patch(method).solve().iterations; };
     const int newton = iterations("li2022"), lbfgs = iterations("lbfgs"), gradient = iterations("gradient_descent");
     CHECK(2 * newton < lbfgs);
     CHECK(2 * lbfgs < gradient);

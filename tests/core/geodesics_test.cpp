@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "constants.h"
 #include "mesh_files.h"
 #include "sample_surfaces.h"
 #include "surface/surface_tree.h"
@@ -14,16 +15,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
-
 SurfacePoint place_near(const Surface& surface, const Eigen::Vector3d& point) {
     return SurfaceTree(surface).nearest(point).at;
-}
-
-double length_of(const Positions& points) {
-    double length = 0;
-    for (Eigen::Index i = 1; i < points.cols(); ++i) length += (points.col(i) - points.col(i - 1)).norm();
-    return length;
 }
 
 }  // namespace
@@ -34,14 +27,14 @@ TEST_CASE("In a plane a geodesic is a line, whatever the triangles, their edges 
                                          Eigen::Vector3d(0.1, 0, 0), Eigen::Vector3d(0.1, 0.1, 0)})
         for (int degrees = 0; degrees < 360; degrees += 15) {
             CAPTURE(start.transpose(), degrees);
-            const double angle = degrees * k_pi / 180;
+            const double angle = degrees * samples::k_pi / 180;
             const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0);
             const Geodesic line = trace_geodesic(surface, place_near(surface, start), direction, 0.77);
             CHECK_FALSE(line.met_boundary);
             CHECK(line.length == Approx(0.77));
             CHECK((surface.position_at(line.end) - (start + 0.77 * direction)).norm() < 1e-12);
             CHECK((line.end_direction - direction).norm() < 1e-12);
-            CHECK(length_of(line.points) == Approx(0.77));
+            CHECK(samples::length_of(line.points) == Approx(0.77));
         }
 }
 
@@ -57,7 +50,7 @@ TEST_CASE("A geodesic of a cylinder is a helix") {
     const int around = 60;
     const Surface surface(samples::cylinder(around, 9, 3));
     // Unrolled, the prism is flat: with s the length of its circumference, exactly the line of the same slope.
-    const double circumference = 2 * around * std::sin(k_pi / around), slope = 0.25;
+    const double circumference = 2 * around * std::sin(samples::k_pi / around), slope = 0.25;
     const double turn = std::hypot(circumference, slope * circumference);
     for (const Eigen::Vector3d& start : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 0, -0.9)}) {
         const Geodesic helix = trace_geodesic(surface, place_near(surface, start), {0, 1, slope}, turn);
@@ -72,7 +65,7 @@ TEST_CASE("A geodesic of a sphere is a great circle, and comes back") {
     const Surface surface(samples::sphere(40));
     const Eigen::Vector3d start = Eigen::Vector3d(0.3, 0.5, 0.6).normalized();
     const Eigen::Vector3d direction = start.cross(Eigen::Vector3d(0.2, -1, 0.4)).normalized();
-    const Geodesic circle = trace_geodesic(surface, place_near(surface, start), direction, 2 * k_pi);
+    const Geodesic circle = trace_geodesic(surface, place_near(surface, start), direction, 2 * samples::k_pi);
     CHECK((surface.position_at(circle.end) - start).norm() < 0.02);
     const Eigen::Vector3d axis = start.cross(direction);
     CHECK((axis.transpose() * circle.points).cwiseAbs().maxCoeff() < 0.02);
@@ -84,9 +77,9 @@ TEST_CASE("From a peak a geodesic leaves in every direction") {
         for (int degrees = 0; degrees < 360; degrees += 15) {
             CAPTURE(pole.transpose(), degrees);
             const Eigen::Vector3d a = pole.unitOrthogonal(), b = pole.cross(a);
-            const double angle = degrees * k_pi / 180;
+            const double angle = degrees * samples::k_pi / 180;
             const Eigen::Vector3d direction = std::cos(angle) * a + std::sin(angle) * b;
-            const Geodesic arc = trace_geodesic(surface, place_near(surface, pole), direction, k_pi / 2);
+            const Geodesic arc = trace_geodesic(surface, place_near(surface, pole), direction, samples::k_pi / 2);
             CHECK((surface.position_at(arc.end) - direction).norm() < 0.05);
         }
 }

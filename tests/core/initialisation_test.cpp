@@ -12,7 +12,7 @@ using namespace chebnet;
 
 namespace {
 
-Editor pulled_patch() {
+Editor pulled_editor() {
     Editor editor(samples::patch(9, 8));
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 8, 63, 71});
     handles.back().target += Eigen::Vector3d(-0.7, -0.5, 1.2);
@@ -25,7 +25,7 @@ const std::vector<int> k_handles{0, 8, 63, 71};
 }  // namespace
 
 TEST_CASE("An initialisation is so many iterations of its step, from where the net stands") {
-    const Editor editor = pulled_patch();
+    const Editor editor = pulled_editor();
     LaplacianPart part(editor.net(), free_vertices(editor.net().vertex_count(), k_handles));
     Positions by_arap = editor.positions(), by_lengths = by_arap;
     ArapStep arap(part);
@@ -56,7 +56,7 @@ TEST_CASE("An initialisation is so many iterations of its step, from where the n
 }
 
 TEST_CASE("Other texts are refused and then nothing changes") {
-    Editor editor = pulled_patch();
+    Editor editor = pulled_editor();
     editor.set_initialisation("arap:3");
     for (const char* bad : {"", "arap", "arap:", "arap:0", "arap:-1", "arap:1.5", "arap:5x", "arap:10001",
                             "arap:99999999999999", "naive:1", "Naive", "newton:5", ":5", "local_global"}) {
@@ -72,7 +72,7 @@ TEST_CASE("Other texts are refused and then nothing changes") {
 }
 
 TEST_CASE("The trace of a solve begins with what its initialisation did, iterations are the method's") {
-    Editor editor = pulled_patch();
+    Editor editor = pulled_editor();
     editor.set_initialisation("local_global:5");
     const SolveReport first = editor.solve({2});
     REQUIRE(first.trace.size() == 7);
@@ -83,7 +83,7 @@ TEST_CASE("The trace of a solve begins with what its initialisation did, iterati
 }
 
 TEST_CASE("The editor initialises each solve once, for whatever handles there are") {
-    Editor by_name = pulled_patch(), by_hand = pulled_patch();
+    Editor by_name = pulled_editor(), by_hand = pulled_editor();
     CHECK(by_name.initialisation() == "naive");
     by_name.set_initialisation("arap:10");
     for (const int added : {40, 30}) {
@@ -108,7 +108,7 @@ TEST_CASE("The editor initialises each solve once, for whatever handles there ar
 }
 
 TEST_CASE("A net that is solved already is not started anew") {
-    Editor editor = pulled_patch();
+    Editor editor = pulled_editor();
     editor.set_method("projection");
     editor.solve();
     const Positions solved = editor.positions();
@@ -120,7 +120,7 @@ TEST_CASE("A net that is solved already is not started anew") {
 TEST_CASE("Every initialisation leaves free vertices finite and handles exact, also when the problem is absurd") {
     const std::string name = GENERATE("naive", "arap:5", "local_global:5");
     const Eigen::Vector3d target = GENERATE(Eigen::Vector3d(1e200, 0, 0), Eigen::Vector3d(1e6, 1, 1));
-    Editor editor = pulled_patch();
+    Editor editor = pulled_editor();
     editor.set_initialisation(name);
     editor.move_handle(71, target);
     editor.solve({1});

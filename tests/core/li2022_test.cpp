@@ -65,15 +65,13 @@ Editor spoilt_patch() {
     return editor;
 }
 
-Editor pulled_patch(double distance = 1.5) {
+Editor lifted_patch(double distance = 1.5) {
     Editor editor = li2022_editor(samples::patch(9, 8));
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 8, 63, 71});
     handles.back().target += Eigen::Vector3d(-0.5, -0.3, 1).normalized() * distance;
     editor.set_handles(handles);
     return editor;
 }
-
-double largest_move(const Positions& a, const Positions& b) { return (a - b).colwise().norm().maxCoeff(); }
 
 }  // namespace
 
@@ -140,7 +138,7 @@ TEST_CASE("The gradient of the whole net agrees with finite differences") {
 }
 
 TEST_CASE("A pull converges below 1e-6 with handles exact, in three stages that only go forward") {
-    Editor editor = pulled_patch();
+    Editor editor = lifted_patch();
     const SolveReport report = editor.solve();
     REQUIRE(report.status == Status::converged);
     CHECK(report.max_deviation < 1e-6);
@@ -164,18 +162,18 @@ TEST_CASE("A pull converges below 1e-6 with handles exact, in three stages that 
 }
 
 TEST_CASE("Within one exponent the energy never rises") {
-    Editor editor = pulled_patch(GENERATE(0.3, 1.0, 2.0));
+    Editor editor = lifted_patch(GENERATE(0.3, 1.0, 2.0));
     const Trace trace = editor.solve().trace;
     for (std::size_t k = 1; k < trace.size(); ++k)
         if (trace[k].p == trace[k - 1].p) CHECK(trace[k].energy <= trace[k - 1].energy);
 }
 
 TEST_CASE("Each strategy can be switched off") {
-    Editor editor = pulled_patch();
+    Editor editor = lifted_patch();
     editor.set_option("adaptive_reduction", "off");
     for (const TraceRow& row : editor.solve().trace) CHECK(row.stage < 3);
 
-    Editor fixed_p = pulled_patch(0.3);
+    Editor fixed_p = lifted_patch(0.3);
     fixed_p.set_option("adaptive_p", "off");
     fixed_p.set_option("p_end", "8");
     const SolveReport report = fixed_p.solve();
@@ -237,21 +235,21 @@ TEST_CASE("Reduced once, vertices that cannot mend the net end the solve, else a
 }
 
 TEST_CASE("The three stopping rules end a solve each") {
-    Editor threshold = pulled_patch();
+    Editor threshold = lifted_patch();
     threshold.set_option("threshold", "1e-3");
     CHECK(threshold.solve().status == Status::converged);
     CHECK(max_deviation(threshold.net(), threshold.positions()) < 1e-3);
 
     // Loose rules 1 and 2 stop at a false minimum, first in stage 1 and then for good.
-    Editor energy = pulled_patch();
+    Editor energy = lifted_patch();
     energy.set_option("energy_tolerance", "1");
     CHECK(energy.solve().status == Status::stalled);
-    Editor gradient = pulled_patch();
+    Editor gradient = lifted_patch();
     gradient.set_option("gradient_tolerance", "1e6");
     CHECK(gradient.solve().status == Status::stalled);
     CHECK(gradient.positions().allFinite());
 
-    Editor limit = pulled_patch();
+    Editor limit = lifted_patch();
     limit.set_option("max_iterations", "2");
     const SolveReport report = limit.solve();
     CHECK(report.status == Status::max_iterations);
@@ -264,7 +262,7 @@ TEST_CASE("The result turns, moves and scales with the net") {
     const double scale = GENERATE(1.0, 1e-3, 1e4);
     const auto carry = [&](const Positions& x) -> Positions { return (scale * turn * x).colwise() + shift; };
 
-    Editor plain = pulled_patch();
+    Editor plain = lifted_patch();
     Editor carried = li2022_editor(Net(carry(plain.net().rest_positions()), plain.net().faces()));
     std::vector<Handle> handles = plain.handles();
     for (Handle& handle : handles) handle.target = carry(handle.target);
@@ -272,7 +270,7 @@ TEST_CASE("The result turns, moves and scales with the net") {
 
     const SolveReport report = plain.solve();
     CHECK(carried.solve().iterations == report.iterations);
-    CHECK(largest_move(carried.positions(), carry(plain.positions())) < 1e-8 * scale);
+    CHECK(samples::largest_move(carried.positions(), carry(plain.positions())) < 1e-8 * scale);
 }
 
 TEST_CASE("A general mesh keeps each edge's own length") {

@@ -49,7 +49,7 @@ RemeshOptions along(const std::vector<MarkedCrease>& creases, int cells) {
 }
 
 /// With all that is promised of a net over a whole surface.
-Remesh remeshed(const Surface& surface, const RemeshOptions& options, int characteristic) {
+Remesh remeshed_along(const Surface& surface, const RemeshOptions& options, int characteristic) {
     const auto guide = std::make_shared<const Guide>(surface);
     Remesh made = remesh(guide, options);
     const Net& net = made.net;
@@ -69,7 +69,7 @@ TEST_CASE("Net lines run along a waist that is marked on a ball, however it is t
     for (const double tilt : {0.3, 0.7}) {
         const MarkedCrease marked = waist(tilt);
         const RemeshOptions options = along({marked}, 800);
-        const Remesh made = remeshed(ball, options, 2);
+        const Remesh made = remeshed_along(ball, options, 2);
         REQUIRE(made.kept.creases.size() == 1);
         CHECK(made.kept.creases[0] < k_followed_distance);
         CHECK(made.kept.missed() == 0);
@@ -79,22 +79,22 @@ TEST_CASE("Net lines run along a waist that is marked on a ball, however it is t
         const double length = made.net.mean_length();
         const auto on_it = ((axis.transpose() * x).array().abs() < 0.15 * length).count();
         CHECK(on_it > 0.9 * 2 * std::numbers::pi / length);
-        CHECK(distance_along(remeshed(ball, along({}, 800), 2).net, marked) > 0.25);
+        CHECK(distance_along(remeshed_along(ball, along({}, 800), 2).net, marked) > 0.25);
     }
 }
 
-TEST_CASE("Net lines run along a waist of a torus, and along a curve from border to border") {
+TEST_CASE("Net lines run along a waist of a torus, and along a curve from border to border", "[large]") {
     const MarkedCrease ring = curve(16, [](double t) {
         const double v = 2 * std::numbers::pi * t, u = 0.3 + 0.15 * std::cos(v), r = 3 + std::cos(v);
         return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), std::sin(v));
     });
-    CHECK(has_followed(remeshed(Surface(samples::torus(60, 24, 3, 1)), along({closed(ring)}, 900), 0)));
+    CHECK(has_followed(remeshed_along(Surface(samples::torus(60, 24, 3, 1)), along({closed(ring)}, 900), 0)));
 
     const MarkedCrease over = curve(4, [](double t) {
         const double angle = std::numbers::pi * t;
         return Eigen::Vector3d(-3 * std::cos(angle), 1.2 * std::sin(angle), 2.7 * std::sin(angle));
     });
-    CHECK(has_followed(remeshed(make_own_surface("hemisphere"), along({over}, 800), 1)));
+    CHECK(has_followed(remeshed_along(make_own_surface("hemisphere"), along({over}, 800), 1)));
 }
 
 TEST_CASE("The same marked creases give the same net, and what is marked splits the surface's triangles") {
@@ -127,7 +127,7 @@ TEST_CASE("Where a marked crease is not followed it is said how far net lines ar
             const double angle = 2 * std::numbers::pi * t;
             return Eigen::Vector3d(std::cos(angle), std::sin(angle), z);
         })));
-    const Remesh made = remeshed(Surface(samples::sphere(16)), along(rings, 400), 2);
+    const Remesh made = remeshed_along(Surface(samples::sphere(16)), along(rings, 400), 2);
     REQUIRE(made.kept.creases.size() == 3);
     CHECK(made.kept.missed() >= 1);
     const std::vector<std::string> sentences = unkept_wishes({}, made.kept);

@@ -19,8 +19,8 @@ std::string refusal(const std::string& bytes, const std::string& name) {
     return samples::refusal_of([&] { read_mesh(bytes, name); });
 }
 
-const std::string k_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const std::string k_off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string k_obj_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string k_off_triangle = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 using StlTriangle = std::array<Eigen::Vector3d, 4>;
 
@@ -84,13 +84,14 @@ TEST_CASE("The table of formats names every one, with its reader and writers") {
 }
 
 TEST_CASE("The content of a file says its format, then its extension") {
-    const Mesh mesh = read_mesh(k_obj, "net.obj");
+    const Mesh mesh = read_mesh(k_obj_triangle, "net.obj");
     const std::string ply = find_format("ply").write(mesh.positions, mesh.faces);
     for (const char* name : {"net", "net.obj", "net.OBJ", "net.txt", "a.b/net"})
-        for (const std::string& bytes : {k_obj, k_off, ply}) CHECK(samples::same_bits(read_mesh(bytes, name), mesh));
-    CHECK(samples::same_bits(read_mesh(k_off.substr(4), "net.off"), mesh));
+        for (const std::string& bytes : {k_obj_triangle, k_off_triangle, ply})
+            CHECK(samples::same_bits(read_mesh(bytes, name), mesh));
+    CHECK(samples::same_bits(read_mesh(k_off_triangle.substr(4), "net.off"), mesh));
     CHECK(samples::same_bits(read_mesh(ply, "net.off"), mesh));
-    CHECK(samples::same_bits(read_mesh(k_off, "net.ply"), mesh));
+    CHECK(samples::same_bits(read_mesh(k_off_triangle, "net.ply"), mesh));
     CHECK(read_mesh("", "net.obj").positions.cols() == 0);
 
     CHECK(refusal("x", "net.Ply") == "bad_syntax net.Ply:1: a PLY file begins with a line \"ply\"");

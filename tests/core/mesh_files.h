@@ -20,6 +20,11 @@ inline std::vector<std::vector<int>> faces_of(const Mesh& mesh) {
     return faces;
 }
 
+inline Mesh with_face(Mesh mesh, std::initializer_list<int> face) {
+    mesh.faces.add(face);
+    return mesh;
+}
+
 /// "code message" of the Error that an action ends in.
 template <class Action>
 std::string refusal_of(Action action) {

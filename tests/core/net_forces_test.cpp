@@ -14,7 +14,7 @@ using namespace chebnet;
 namespace {
 
 /// An arched patch held at its corners, the last of which moves; heavy, if there is gravity.
-Editor pulled_patch(const Eigen::Vector3d& move, double gravity = 0) {
+Editor patch_at_rest(const Eigen::Vector3d& move, double gravity = 0) {
     const Net net = samples::patch(9, 9, 0.4);
     Editor editor(net);
     editor.set_method("equilibrium");
@@ -46,7 +46,7 @@ Eigen::Matrix3Xd unbalanced(const Editor& editor, const NetForces& forces) {
 }  // namespace
 
 TEST_CASE("Forces of edges, corners and handles keep every vertex in balance") {
-    Editor editor = pulled_patch({0, 0, 0}, 0.01);
+    Editor editor = patch_at_rest({0, 0, 0}, 0.01);
     editor.set_option("shear_limit", "55");
     // By two opposite corners, which shears it.
     std::vector<Handle> handles = samples::handles_at_rest(editor.net(), {0, 80, 40});
@@ -89,7 +89,7 @@ TEST_CASE("Supports bear the weight of a net whose edges differ, each by its len
 }
 
 TEST_CASE("A soft handle's force is its weight times its distance from the target") {
-    Editor editor = pulled_patch({0, 0, 1.2});
+    Editor editor = patch_at_rest({0, 0, 1.2});
     std::vector<Handle> handles = editor.handles();
     handles.back().weight = 0.7;
     editor.set_handles(handles);
@@ -103,7 +103,7 @@ TEST_CASE("A soft handle's force is its weight times its distance from the targe
 }
 
 TEST_CASE("The energies of the terms add up to that of the net") {
-    Editor editor = pulled_patch({-0.5, -0.5, 0.5}, 0.01);
+    Editor editor = patch_at_rest({-0.5, -0.5, 0.5}, 0.01);
     const SolveReport report = editor.solve();
     double sum = 0;
     std::string names;
@@ -122,7 +122,7 @@ TEST_CASE("The energies of the terms add up to that of the net") {
 }
 
 TEST_CASE("Every frame says what is left to do, and of the motion left about as much as there is") {
-    Editor editor = pulled_patch({-1, -1, 0.5});
+    Editor editor = patch_at_rest({-1, -1, 0.5});
     editor.solve();
     // Cloth, which is long on its way to rest.
     for (const auto& [key, value] :
@@ -155,7 +155,7 @@ TEST_CASE("Every frame says what is left to do, and of the motion left about as 
 }
 
 TEST_CASE("A method that does not bring nets to rest knows no forces") {
-    Editor editor = pulled_patch({-0.5, -0.5, 0.5});
+    Editor editor = patch_at_rest({-0.5, -0.5, 0.5});
     editor.set_method("projection");
     CHECK_FALSE(editor.solve().to_rest.has_value());
     CHECK_FALSE(net_forces(editor).has_value());
@@ -163,7 +163,7 @@ TEST_CASE("A method that does not bring nets to rest knows no forces") {
 }
 
 TEST_CASE("The table of edges has their forces if they are known") {
-    Editor editor = pulled_patch({-0.5, -0.5, 0.5});
+    Editor editor = patch_at_rest({-0.5, -0.5, 0.5});
     const auto header = [&] { return edge_table(editor).substr(0, edge_table(editor).find('\n')); };
     CHECK(header() == "edge,vertex_a,vertex_b,length,rest_length,deviation");
     editor.solve();

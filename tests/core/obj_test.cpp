@@ -16,38 +16,40 @@ namespace {
 
 using Face = std::vector<int>;
 
-Mesh read_data(const std::string& name) {
+Mesh read_obj_data(const std::string& name) {
     const std::string path = CHEBNET_TEST_DATA "/obj/" + name;
     return read_obj(read_file(path), path);
 }
 
 /// Four corners of a square, for tests that are about faces.
-const std::string k_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string k_square_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-std::vector<Face> faces_on_square(const std::string& text) { return faces_of(read_obj(k_square + text, "square.obj")); }
+std::vector<Face> faces_on_square(const std::string& text) {
+    return faces_of(read_obj(k_square_corners + text, "square.obj"));
+}
 
-std::string refusal(const std::string& text) {
+std::string obj_refusal(const std::string& text) {
     return samples::refusal_of([&] { read_obj(text, "a.obj"); });
 }
 
 }  // namespace
 
 TEST_CASE("OBJ as Blender writes it: texture and normal indices, objects, materials, loose edges") {
-    const Mesh mesh = read_data("blender.obj");
+    const Mesh mesh = read_obj_data("blender.obj");
     CHECK(mesh.positions.cols() == 5);
     CHECK(mesh.positions.col(4) == Eigen::Vector3d(0, 0.5, -2));
     CHECK(faces_of(mesh) == std::vector<Face>{{0, 1, 3, 2}, {2, 3, 4}});
 }
 
 TEST_CASE("OBJ as Rhino writes it: CRLF, faces continued by a backslash, normals without textures") {
-    const Mesh mesh = read_data("rhino.obj");
+    const Mesh mesh = read_obj_data("rhino.obj");
     CHECK(mesh.positions.cols() == 5);
     CHECK(mesh.positions.col(2) == Eigen::Vector3d(1.5, 1.5, -2.5e-17));
     CHECK(faces_of(mesh) == std::vector<Face>{{0, 1, 2, 3}, {3, 2, 4}});
 }
 
 TEST_CASE("OBJ as MeshLab writes it: normals between the vertices, colours behind the coordinates") {
-    const Mesh mesh = read_data("meshlab.obj");
+    const Mesh mesh = read_obj_data("meshlab.obj");
     CHECK(mesh.positions.cols() == 4);
     CHECK(mesh.positions.col(3) == Eigen::Vector3d(-0.5, 0.5, 0.125));
     CHECK(faces_of(mesh) == std::vector<Face>{{0, 1, 2, 3}});
@@ -71,8 +73,8 @@ TEST_CASE("OBJ habits that all mean the same square") {
     CHECK(faces_on_square("# C:\\nets\\\nf 1 2 3 4\n") == square);
     CHECK(faces_on_square("g f\nfoo 1 2\nvp 1\nvt 0\ncurv 0 1 1 2\nsurf 0 1 0 1 1 2\np 1\nl 1 2\nf 1 2 3 4\n") ==
           square);
-    CHECK(faces_of(read_obj("\xEF\xBB\xBF" + k_square + "f 1 2 3 4", "bom.obj")) == square);
-    CHECK(faces_of(read_obj("f 1 2 3 4\n" + k_square, "forward.obj")) == square);
+    CHECK(faces_of(read_obj("\xEF\xBB\xBF" + k_square_corners + "f 1 2 3 4", "bom.obj")) == square);
+    CHECK(faces_of(read_obj("f 1 2 3 4\n" + k_square_corners, "forward.obj")) == square);
 }
 
 TEST_CASE("OBJ numbers are read exactly, whatever their form") {
@@ -91,58 +93,60 @@ TEST_CASE("A text without vertices or faces reads as an empty mesh") {
 }
 
 TEST_CASE("What is wrong in an OBJ is named with its line") {
-    CHECK(refusal("v 0 0 0\nv 1 2\n") == "bad_syntax a.obj:2: a vertex needs three coordinates, this one has 2");
-    CHECK(refusal("v\n") == "bad_syntax a.obj:1: a vertex needs three coordinates, this one has 0");
-    CHECK(refusal("v 0 0 zero\n") == "bad_syntax a.obj:1: \"zero\" is not a number");
-    CHECK(refusal("v 0,5 0 0\n") == "bad_syntax a.obj:1: \"0,5\" is not a number");
-    CHECK(refusal("v 1.0f 0 0\n") == "bad_syntax a.obj:1: \"1.0f\" is not a number");
-    CHECK(refusal("v +-1 0 0\n") == "bad_syntax a.obj:1: \"+-1\" is not a number");
-    CHECK(refusal("\n\nv 0 nan 0\n") == "non_finite a.obj:3: the coordinate \"nan\" is not finite");
-    CHECK(refusal("v 0 -inf 0\n") == "non_finite a.obj:1: the coordinate \"-inf\" is not finite");
-    CHECK(refusal("v 0 1e999 0\n") == "non_finite a.obj:1: the coordinate \"1e999\" is not finite");
+    CHECK(obj_refusal("v 0 0 0\nv 1 2\n") == "bad_syntax a.obj:2: a vertex needs three coordinates, this one has 2");
+    CHECK(obj_refusal("v\n") == "bad_syntax a.obj:1: a vertex needs three coordinates, this one has 0");
+    CHECK(obj_refusal("v 0 0 zero\n") == "bad_syntax a.obj:1: \"zero\" is not a number");
+    CHECK(obj_refusal("v 0,5 0 0\n") == "bad_syntax a.obj:1: \"0,5\" is not a number");
+    CHECK(obj_refusal("v 1.0f 0 0\n") == "bad_syntax a.obj:1: \"1.0f\" is not a number");
+    CHECK(obj_refusal("v +-1 0 0\n") == "bad_syntax a.obj:1: \"+-1\" is not a number");
+    CHECK(obj_refusal("\n\nv 0 nan 0\n") == "non_finite a.obj:3: the coordinate \"nan\" is not finite");
+    CHECK(obj_refusal("v 0 -inf 0\n") == "non_finite a.obj:1: the coordinate \"-inf\" is not finite");
+    CHECK(obj_refusal("v 0 1e999 0\n") == "non_finite a.obj:1: the coordinate \"1e999\" is not finite");
 
-    CHECK(refusal(k_square + "f\n") == "small_face a.obj:5: a face needs at least three vertices, this one has 0");
-    CHECK(refusal(k_square + "f 1 2\n") == "small_face a.obj:5: a face needs at least three vertices, this one has 2");
-    CHECK(refusal(k_square + "f 1 2 0\n") ==
+    CHECK(obj_refusal(k_square_corners + "f\n") ==
+          "small_face a.obj:5: a face needs at least three vertices, this one has 0");
+    CHECK(obj_refusal(k_square_corners + "f 1 2\n") ==
+          "small_face a.obj:5: a face needs at least three vertices, this one has 2");
+    CHECK(obj_refusal(k_square_corners + "f 1 2 0\n") ==
           "index_out_of_range a.obj:5: a face names vertex 0, but vertices are counted from 1");
-    CHECK(refusal(k_square + "f 1 2 99999999999\n") ==
+    CHECK(obj_refusal(k_square_corners + "f 1 2 99999999999\n") ==
           "index_out_of_range a.obj:5: the number in \"99999999999\" is too large");
     const std::string form = " is not a corner of a face, which is written v, v/vt, v//vn or v/vt/vn";
-    CHECK(refusal(k_square + "f 1 2 x\n") == "bad_syntax a.obj:5: \"x\"" + form);
-    CHECK(refusal(k_square + "f 1 2 3.0\n") == "bad_syntax a.obj:5: \"3.0\"" + form);
-    CHECK(refusal(k_square + "f 1 2 /3\n") == "bad_syntax a.obj:5: \"/3\"" + form);
-    CHECK(refusal(k_square + "f 1 2 3/x\n") == "bad_syntax a.obj:5: \"3/x\"" + form);
-    CHECK(refusal(k_square + "f 1 2 3/1/1/1\n") == "bad_syntax a.obj:5: \"3/1/1/1\"" + form);
+    CHECK(obj_refusal(k_square_corners + "f 1 2 x\n") == "bad_syntax a.obj:5: \"x\"" + form);
+    CHECK(obj_refusal(k_square_corners + "f 1 2 3.0\n") == "bad_syntax a.obj:5: \"3.0\"" + form);
+    CHECK(obj_refusal(k_square_corners + "f 1 2 /3\n") == "bad_syntax a.obj:5: \"/3\"" + form);
+    CHECK(obj_refusal(k_square_corners + "f 1 2 3/x\n") == "bad_syntax a.obj:5: \"3/x\"" + form);
+    CHECK(obj_refusal(k_square_corners + "f 1 2 3/1/1/1\n") == "bad_syntax a.obj:5: \"3/1/1/1\"" + form);
 }
 
 TEST_CASE("An OBJ index out of range is named with the line of its face") {
-    CHECK(refusal(k_square + "f 1 2 5\nf 1 2 3\n") ==
+    CHECK(obj_refusal(k_square_corners + "f 1 2 5\nf 1 2 3\n") ==
           "index_out_of_range a.obj:5: a face names vertex 5, but 4 vertices are in the file");
     // Relative numbers count back from the face, so what follows it does not matter.
-    CHECK(refusal("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 1 1 0\n") ==
+    CHECK(obj_refusal("v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 1 1 0\n") ==
           "index_out_of_range a.obj:3: a face names vertex -3, but 2 vertices stand before it");
-    CHECK(refusal(k_square + "f -2147483648 1 2") ==
+    CHECK(obj_refusal(k_square_corners + "f -2147483648 1 2") ==
           "index_out_of_range a.obj:5: a face names vertex -2147483648, but 4 vertices stand before it");
 }
 
 TEST_CASE("OBJ lines are counted as an editor counts them") {
-    CHECK(refusal("# one\r\n\r\nv x 0 0\r\n").find("a.obj:3:") != std::string::npos);
-    CHECK(refusal("# one\r\rv x 0 0\r").find("a.obj:3:") != std::string::npos);
-    CHECK(refusal("v 0 \\\n0 \\\n0\nv x 0 0\n").find("a.obj:4:") != std::string::npos);
+    CHECK(obj_refusal("# one\r\n\r\nv x 0 0\r\n").find("a.obj:3:") != std::string::npos);
+    CHECK(obj_refusal("# one\r\rv x 0 0\r").find("a.obj:3:") != std::string::npos);
+    CHECK(obj_refusal("v 0 \\\n0 \\\n0\nv x 0 0\n").find("a.obj:4:") != std::string::npos);
     // A continued statement is named by the line on which it begins.
-    CHECK(refusal("\nv 0 \\\n0 \\\nx\n").find("a.obj:2:") != std::string::npos);
+    CHECK(obj_refusal("\nv 0 \\\n0 \\\nx\n").find("a.obj:2:") != std::string::npos);
 }
 
 TEST_CASE("A message shows a long or strange word safely") {
-    CHECK(refusal("v " + std::string(100000, 'x') + " 0 0") ==
+    CHECK(obj_refusal("v " + std::string(100000, 'x') + " 0 0") ==
           "bad_syntax a.obj:1: \"" + std::string(40, 'x') + "...\" is not a number");
-    CHECK(refusal("v \x01\xC3\xA9 0 0") == "bad_syntax a.obj:1: \"???\" is not a number");
+    CHECK(obj_refusal("v \x01\xC3\xA9 0 0") == "bad_syntax a.obj:1: \"???\" is not a number");
 }
 
 TEST_CASE("An OBJ above the limits is refused, not attempted") {
     std::string text;
     for (int v = 0; v <= k_max_file_elements; ++v) text += "v 0 0 0\n";
-    CHECK(refusal(text) == "too_large a.obj:2000001: more than 2000000 vertices");
+    CHECK(obj_refusal(text) == "too_large a.obj:2000001: more than 2000000 vertices");
 }
 
 TEST_CASE("Seventeen digits return every coordinate bit for bit") {
@@ -177,7 +181,7 @@ TEST_CASE("Random and damaged OBJ texts end in a mesh or in a named error") {
         std::string text;
         for (std::size_t count = pick(60); count > 0; --count) text += words[pick(words.size())] + (pick(3) ? " " : "");
         if (trial % 2) {
-            text = k_square + "f 1/1 2/2 3/3 4/4\n";
+            text = k_square_corners + "f 1/1 2/2 3/3 4/4\n";
             for (std::size_t count = pick(4) + 1; count > 0; --count)
                 text[pick(text.size())] = static_cast<char>(pick(256));
         }

@@ -12,24 +12,24 @@ using FaceList = std::vector<std::vector<int>>;
 
 namespace {
 
-Mesh read_data(const std::string& name) {
+Mesh read_ply_data(const std::string& name) {
     const std::string path = CHEBNET_TEST_DATA "/ply/" + name;
     return read_ply(read_file(path), path);
 }
 
-std::string refusal(const std::string& bytes) {
+std::string ply_refusal(const std::string& bytes) {
     return samples::refusal_of([&] { read_ply(bytes, "a.ply"); });
 }
 
 const std::string k_text = "ply\nformat ascii 1.0\n";
 const std::string k_binary = "ply\nformat binary_little_endian 1.0\n";
 const std::string k_xyz = "property float x\nproperty float y\nproperty float z\n";
-const std::string k_corners = "property list uchar int vertex_indices\n";
+const std::string k_corner_list = "property list uchar int vertex_indices\n";
 
 /// The header of a triangle, ten lines.
 std::string triangle_header(const std::string& format, int vertices = 3, int faces = 1) {
     return format + "element vertex " + std::to_string(vertices) + "\n" + k_xyz + "element face " +
-           std::to_string(faces) + "\n" + k_corners + "end_header\n";
+           std::to_string(faces) + "\n" + k_corner_list + "end_header\n";
 }
 
 const std::string k_text_triangle = triangle_header(k_text) + "0 0 0\n1 0 0\n0 1 0\n";
@@ -46,7 +46,7 @@ const std::string k_binary_triangle = triangle_header(k_binary) + bytes_of(0.f, 
 }  // namespace
 
 TEST_CASE("PLY as Blender writes it: normals, textures, colours, loose edges, as text") {
-    const Mesh mesh = read_data("blender.ply");
+    const Mesh mesh = read_ply_data("blender.ply");
     CHECK(mesh.positions.cols() == 5);
     CHECK(mesh.positions.col(2) == Eigen::Vector3d(1, 1, 0.1));
     CHECK(mesh.positions.col(4) == Eigen::Vector3d(0, 2.5, -1e-3));
@@ -54,7 +54,7 @@ TEST_CASE("PLY as Blender writes it: normals, textures, colours, loose edges, as
 }
 
 TEST_CASE("PLY as MeshLab writes it: flags, colours, quality, textures of corners, little endian") {
-    const Mesh mesh = read_data("meshlab.ply");
+    const Mesh mesh = read_ply_data("meshlab.ply");
     CHECK(mesh.positions.cols() == 4);
     CHECK(mesh.positions.col(2) == Eigen::Vector3d(0.5, 0.5, 0.1f));
     CHECK(mesh.positions.col(3) == Eigen::Vector3d(-0.5, 0.5, 0.125));
@@ -62,7 +62,7 @@ TEST_CASE("PLY as MeshLab writes it: flags, colours, quality, textures of corner
 }
 
 TEST_CASE("PLY as scanners write it: big endian, CRLF, faces before vertices, coordinates in any order") {
-    const Mesh mesh = read_data("scanner.ply");
+    const Mesh mesh = read_ply_data("scanner.ply");
     CHECK(mesh.positions.cols() == 5);
     CHECK(mesh.positions.col(2) == Eigen::Vector3d(1, 1, 0.1));
     CHECK(mesh.positions.col(3) == Eigen::Vector3d(0, 1, 1e-300));
@@ -122,85 +122,88 @@ TEST_CASE("A PLY of points is a mesh without faces") {
 }
 
 TEST_CASE("What is wrong in the header of a PLY is named with its line") {
-    CHECK(refusal("") == "bad_syntax a.ply:1: a PLY file begins with a line \"ply\"");
-    CHECK(refusal("solid\n") == "bad_syntax a.ply:1: a PLY file begins with a line \"ply\"");
-    CHECK(refusal("ply\n") == "bad_syntax a.ply:1: the file ends within its header, before a line \"end_header\"");
-    CHECK(refusal("ply\nformat\n") ==
+    CHECK(ply_refusal("") == "bad_syntax a.ply:1: a PLY file begins with a line \"ply\"");
+    CHECK(ply_refusal("solid\n") == "bad_syntax a.ply:1: a PLY file begins with a line \"ply\"");
+    CHECK(ply_refusal("ply\n") == "bad_syntax a.ply:1: the file ends within its header, before a line \"end_header\"");
+    CHECK(ply_refusal("ply\nformat\n") ==
           "bad_syntax a.ply:2: the format is ascii, binary_little_endian or binary_big_endian, not \"\"");
-    CHECK(refusal("ply\nend_header\n") ==
+    CHECK(ply_refusal("ply\nend_header\n") ==
           "bad_syntax a.ply:2: the header names no format, such as \"format ascii 1.0\"");
-    CHECK(refusal(k_text + "vertex 3\n") == "bad_syntax a.ply:3: \"vertex\" is not a statement of a PLY header");
-    CHECK(refusal(k_text + "element vertex\n") == "bad_syntax a.ply:3: \"\" is not a number of elements");
-    CHECK(refusal(k_text + "element vertex -1\n") == "bad_syntax a.ply:3: \"-1\" is not a number of elements");
-    CHECK(refusal(k_text + "element vertex 1\nelement vertex 1\n") ==
+    CHECK(ply_refusal(k_text + "vertex 3\n") == "bad_syntax a.ply:3: \"vertex\" is not a statement of a PLY header");
+    CHECK(ply_refusal(k_text + "element vertex\n") == "bad_syntax a.ply:3: \"\" is not a number of elements");
+    CHECK(ply_refusal(k_text + "element vertex -1\n") == "bad_syntax a.ply:3: \"-1\" is not a number of elements");
+    CHECK(ply_refusal(k_text + "element vertex 1\nelement vertex 1\n") ==
           "bad_syntax a.ply:4: the element \"vertex\" is declared twice");
-    CHECK(refusal(k_text + "property float x\n") == "bad_syntax a.ply:3: a property stands before the first element");
-    CHECK(refusal(k_text + "element vertex 1\nproperty real x\n") ==
+    CHECK(ply_refusal(k_text + "property float x\n") ==
+          "bad_syntax a.ply:3: a property stands before the first element");
+    CHECK(ply_refusal(k_text + "element vertex 1\nproperty real x\n") ==
           "bad_syntax a.ply:4: \"real\" is not a type of PLY, such as uchar, int, float or double");
-    CHECK(refusal(k_text + "element vertex 1\nproperty list uchar x\n") ==
+    CHECK(ply_refusal(k_text + "element vertex 1\nproperty list uchar x\n") ==
           "bad_syntax a.ply:4: \"x\" is not a type of PLY, such as uchar, int, float or double");
-    CHECK(refusal(k_text + "element vertex 1\nproperty float\n") == "bad_syntax a.ply:4: a property has no name");
-    CHECK(refusal(k_text + "element vertex 1\nproperty float x\nproperty int x\n") ==
+    CHECK(ply_refusal(k_text + "element vertex 1\nproperty float\n") == "bad_syntax a.ply:4: a property has no name");
+    CHECK(ply_refusal(k_text + "element vertex 1\nproperty float x\nproperty int x\n") ==
           "bad_syntax a.ply:5: the property \"x\" is declared twice");
-    CHECK(refusal(k_text + "element rest 9223372036854775807\nend_header\n") ==
+    CHECK(ply_refusal(k_text + "element rest 9223372036854775807\nend_header\n") ==
           "bad_syntax a.ply:4: the element \"rest\" has no properties");
-    CHECK(refusal(k_text + "end_header\n") == "bad_syntax a.ply:3: the header declares no element \"vertex\"");
-    CHECK(refusal(k_text + "element vertex 1\nproperty float x\nproperty float y\nend_header\n") ==
+    CHECK(ply_refusal(k_text + "end_header\n") == "bad_syntax a.ply:3: the header declares no element \"vertex\"");
+    CHECK(ply_refusal(k_text + "element vertex 1\nproperty float x\nproperty float y\nend_header\n") ==
           "bad_syntax a.ply:6: the element \"vertex\" has no coordinate \"z\"");
-    CHECK(
-        refusal(k_text + "element vertex 0\n" + k_xyz + "element face 1\nproperty int vertex_indices\nend_header\n") ==
-        "bad_syntax a.ply:9: the element \"face\" has no list \"vertex_indices\"");
+    CHECK(ply_refusal(k_text + "element vertex 0\n" + k_xyz +
+                      "element face 1\nproperty int vertex_indices\nend_header\n") ==
+          "bad_syntax a.ply:9: the element \"face\" has no list \"vertex_indices\"");
     std::string many;
     for (int k = 0; k < 1001; ++k) many += "element e" + std::to_string(k) + " 0\n";
-    CHECK(refusal(k_text + many) == "too_large a.ply:1003: more than 1000 elements and properties");
-    CHECK(refusal(triangle_header(k_binary, 2000001)) == "too_large a.ply:9: more than 2000000 vertices");
-    CHECK(refusal(triangle_header(k_binary, 3, 2000001)) == "too_large a.ply:9: more than 2000000 faces");
+    CHECK(ply_refusal(k_text + many) == "too_large a.ply:1003: more than 1000 elements and properties");
+    CHECK(ply_refusal(triangle_header(k_binary, 2000001)) == "too_large a.ply:9: more than 2000000 vertices");
+    CHECK(ply_refusal(triangle_header(k_binary, 3, 2000001)) == "too_large a.ply:9: more than 2000000 faces");
 }
 
 TEST_CASE("What is wrong in a PLY text is named with its line") {
     const std::string header = triangle_header(k_text);
-    CHECK(refusal(header + "0 0\n") == "bad_syntax a.ply:10: this line has fewer values than the header declares");
-    CHECK(refusal(header + "0 0 0 0\n") == "bad_syntax a.ply:10: this line has more values than the header declares");
-    CHECK(refusal(header + "0 0 zero\n") == "bad_syntax a.ply:10: \"zero\" is not a number");
-    CHECK(refusal(header + "0 nan 0\n") == "non_finite a.ply:10: the coordinate y is not finite");
-    CHECK(refusal(header + "0 0 1e999\n") == "non_finite a.ply:10: the coordinate z is not finite");
-    CHECK(refusal(header + "0 0 0\n1 0 0\n") ==
+    CHECK(ply_refusal(header + "0 0\n") == "bad_syntax a.ply:10: this line has fewer values than the header declares");
+    CHECK(ply_refusal(header + "0 0 0 0\n") ==
+          "bad_syntax a.ply:10: this line has more values than the header declares");
+    CHECK(ply_refusal(header + "0 0 zero\n") == "bad_syntax a.ply:10: \"zero\" is not a number");
+    CHECK(ply_refusal(header + "0 nan 0\n") == "non_finite a.ply:10: the coordinate y is not finite");
+    CHECK(ply_refusal(header + "0 0 1e999\n") == "non_finite a.ply:10: the coordinate z is not finite");
+    CHECK(ply_refusal(header + "0 0 0\n1 0 0\n") ==
           "bad_syntax a.ply:11: the file ends after 2 of the 3 rows of \"vertex\" that its header declares");
-    CHECK(refusal(k_text_triangle + "2 0 1\n") ==
+    CHECK(ply_refusal(k_text_triangle + "2 0 1\n") ==
           "small_face a.ply:13: a face needs at least three vertices, this one has 2");
-    CHECK(refusal(k_text_triangle + "3 0 1\n") ==
+    CHECK(ply_refusal(k_text_triangle + "3 0 1\n") ==
           "bad_syntax a.ply:13: this line has fewer values than the header declares");
-    CHECK(refusal(k_text_triangle + "-3 0 1 2\n") ==
+    CHECK(ply_refusal(k_text_triangle + "-3 0 1 2\n") ==
           "bad_syntax a.ply:13: the length of the list \"vertex_indices\" is not a count");
-    CHECK(refusal(k_text_triangle + "2.5 0 1 2\n") ==
+    CHECK(ply_refusal(k_text_triangle + "2.5 0 1 2\n") ==
           "bad_syntax a.ply:13: the length of the list \"vertex_indices\" is not a count");
-    CHECK(refusal(k_text_triangle + "1e300 0 1 2\n") ==
+    CHECK(ply_refusal(k_text_triangle + "1e300 0 1 2\n") ==
           "bad_syntax a.ply:13: this line has fewer values than the header declares");
-    CHECK(refusal(k_text_triangle + "3 0 1 1.5\n") == "bad_syntax a.ply:13: a face names a vertex by a fraction");
-    CHECK(refusal(k_text_triangle + "3 0 1 3\n") ==
+    CHECK(ply_refusal(k_text_triangle + "3 0 1 1.5\n") == "bad_syntax a.ply:13: a face names a vertex by a fraction");
+    CHECK(ply_refusal(k_text_triangle + "3 0 1 3\n") ==
           "index_out_of_range a.ply:13: a face names vertex 3, but the 3 vertices are counted from 0");
-    CHECK(refusal(k_text_triangle + "3 0 1 -1\n") ==
+    CHECK(ply_refusal(k_text_triangle + "3 0 1 -1\n") ==
           "index_out_of_range a.ply:13: a face names vertex -1, but the 3 vertices are counted from 0");
-    CHECK(refusal(k_text_triangle + "3 0 1 2\n3 2 1 0\n") ==
+    CHECK(ply_refusal(k_text_triangle + "3 0 1 2\n3 2 1 0\n") ==
           "bad_syntax a.ply:14: the file has more lines than its header declares");
 }
 
 TEST_CASE("What is wrong in a binary PLY is named with its vertex or face") {
     const std::string header = triangle_header(k_binary);
-    CHECK(refusal(header) ==
+    CHECK(ply_refusal(header) ==
           "bad_syntax a.ply: vertex 0: the file ends here, but its header declares 3 rows of \"vertex\"");
-    CHECK(refusal(k_binary_triangle.substr(0, k_binary_triangle.size() - 1)) ==
+    CHECK(ply_refusal(k_binary_triangle.substr(0, k_binary_triangle.size() - 1)) ==
           "bad_syntax a.ply: vertex 2: the file ends here, but its header declares 3 rows of \"vertex\"");
-    CHECK(refusal(header + bytes_of(0.f, std::numeric_limits<float>::infinity(), 0.f)) ==
+    CHECK(ply_refusal(header + bytes_of(0.f, std::numeric_limits<float>::infinity(), 0.f)) ==
           "non_finite a.ply: vertex 0: the coordinate y is not finite");
-    CHECK(refusal(k_binary_triangle + bytes_of(std::uint8_t{2}, 0, 1)) ==
+    CHECK(ply_refusal(k_binary_triangle + bytes_of(std::uint8_t{2}, 0, 1)) ==
           "small_face a.ply: face 0: a face needs at least three vertices, this one has 2");
-    CHECK(refusal(k_binary_triangle + bytes_of(std::uint8_t{255}, 0, 1, 2)) ==
+    CHECK(ply_refusal(k_binary_triangle + bytes_of(std::uint8_t{255}, 0, 1, 2)) ==
           "bad_syntax a.ply: face 0: the file ends here, but its header declares 1 rows of \"face\"");
-    CHECK(refusal(k_binary_triangle + bytes_of(std::uint8_t{3}, 0, 1, -7)) ==
+    CHECK(ply_refusal(k_binary_triangle + bytes_of(std::uint8_t{3}, 0, 1, -7)) ==
           "index_out_of_range a.ply: face 0: a face names vertex -7, but the 3 vertices are counted from 0");
-    CHECK(refusal(k_binary + "element rest 9223372036854775807\nproperty list uint double many\nelement vertex 0\n" +
-                  k_xyz + "end_header\n" + bytes_of(4294967295u, 1., 2.)) ==
+    CHECK(ply_refusal(k_binary +
+                      "element rest 9223372036854775807\nproperty list uint double many\nelement vertex 0\n" + k_xyz +
+                      "end_header\n" + bytes_of(4294967295u, 1., 2.)) ==
           "bad_syntax a.ply: \"rest\" 0: the file ends here, but its header declares 9223372036854775807 rows of "
           "\"rest\"");
 }

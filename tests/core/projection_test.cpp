@@ -36,7 +36,7 @@ Editor dragged_patch(const char* method) {
     return editor;
 }
 
-const Eigen::Vector3d k_pull(-1.5, -1.0, 2.0);
+const Eigen::Vector3d k_far_pull(-1.5, -1.0, 2.0);
 
 }  // namespace
 
@@ -152,7 +152,7 @@ TEST_CASE("The first step of the spring descent is a local-global iteration, and
 TEST_CASE("The projection method converges with handles exact, and bends the net no more than the paper's") {
     Editor ours = dragged_patch("projection"), paper = dragged_patch("li2022");
     for (Editor* editor : {&ours, &paper}) {
-        editor->move_handle(179, editor->net().rest_positions().col(179) + k_pull);
+        editor->move_handle(179, editor->net().rest_positions().col(179) + k_far_pull);
         REQUIRE(editor->solve().status == Status::converged);
         CHECK(editor->handle_error() == 0);
     }
@@ -164,10 +164,10 @@ TEST_CASE("A drag in small steps ends about as fair as one large step, every fra
     Editor slow = dragged_patch("projection"), fast = dragged_patch("projection");
     const Eigen::Vector3d rest = slow.net().rest_positions().col(179);
     for (int frame = 1; frame <= 40; ++frame) {
-        slow.move_handle(179, rest + frame / 40.0 * k_pull);
+        slow.move_handle(179, rest + frame / 40.0 * k_far_pull);
         REQUIRE(slow.solve().status == Status::converged);
     }
-    fast.move_handle(179, rest + k_pull);
+    fast.move_handle(179, rest + k_far_pull);
     REQUIRE(fast.solve().status == Status::converged);
     const double slow_bend = bend(slow.net(), slow.topology(), slow.positions());
     const double fast_bend = bend(fast.net(), fast.topology(), fast.positions());
@@ -177,13 +177,13 @@ TEST_CASE("A drag in small steps ends about as fair as one large step, every fra
 TEST_CASE("A drag may begin where a solve had nothing to do") {
     Editor editor = dragged_patch("projection");
     REQUIRE(editor.solve().iterations == 0);
-    editor.move_handle(179, editor.net().rest_positions().col(179) + 0.1 * k_pull);
+    editor.move_handle(179, editor.net().rest_positions().col(179) + 0.1 * k_far_pull);
     CHECK(editor.solve().status == Status::converged);
 }
 
 TEST_CASE("Somebody else moving the net does not make the projection method jump back") {
     Editor editor = dragged_patch("projection");
-    editor.move_handle(179, editor.net().rest_positions().col(179) + k_pull);
+    editor.move_handle(179, editor.net().rest_positions().col(179) + k_far_pull);
     editor.solve();
     const Positions shaped = editor.positions();
     // Undo far away and back again: the copy that remembers the drag must not be trusted any more.

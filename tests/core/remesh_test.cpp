@@ -1,17 +1,21 @@
 #include "remesh/remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
+#include <random>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "constants.h"
 #include "drape/drape.h"
 #include "implicit_surface.h"
 #include "net/measures.h"
@@ -26,6 +30,8 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/grid_map.h"
 #include "remesh/integers.h"
+#include "remesh/rows.h"
+#include "sample_nets.h"
 #include "sample_surfaces.h"
 #include "surface/gallery.h"
 
@@ -33,10 +39,6 @@ using namespace chebnet;
 using Catch::Matchers::Contains;
 
 namespace {
-
-constexpr double k_degree = std::numbers::pi / 180;
-
-int euler_characteristic(const Net& net) { return net.vertex_count() - net.edge_count() + net.face_count(); }
 
 /// Σ over inner vertices of 4 less their edges, and over those of the boundary of 3 less theirs: four times the Euler
 /// characteristic of every mesh of quads.
@@ -60,7 +62,7 @@ Remesh remeshed(const Surface& surface, const RemeshOptions& options, int charac
     const Net& net = made.net;
     CHECK(faces_by_arity(net.faces()).count(4) == 1);
     CHECK(faces_by_arity(net.faces()).size() == 1);
-    CHECK(euler_characteristic(net) == characteristic);
+    CHECK(samples::euler_characteristic(net) == characteristic);
     CHECK(valence_defects(net) == 4 * characteristic);
     CHECK(max_deviation(net, net.rest_positions()) < 1e-9);
     CHECK(corner_angle_range(net, net.rest_positions()).smallest >= options.smallest_angle - 1e-9);
@@ -305,6 +307,14 @@ TEST_CASE("A rough scan gets a net with as few singular vertices as the shape wi
     CHECK(singular_count(remeshed(Surface(mesh), of_cells(500), 2).net) <= 12);
 }
 
+TEST_CASE("A net over a rough scan is folded no more than one over the shape without its noise", "[large]") {
+    const Net rough = remeshed(Surface(samples::rough_sphere(36, 0.03)), of_cells(1500), 2).net;
+    const Net smooth = remeshed(Surface(samples::sphere(36)), of_cells(1500), 2).net;
+    const int smooth_folds = sharp_folds(smooth, smooth.rest_positions(), k_fold);
+    CAPTURE(smooth_folds);
+    CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
+}
+
 TEST_CASE("All pieces of a surface are covered") {
     Mesh mesh = samples::sphere(8);
     const Mesh other = mesh;
@@ -322,9 +332,25 @@ TEST_CASE("All pieces of a surface are covered") {
 TEST_CASE("The length and the limit of corners are kept where they are given") {
     RemeshOptions options;
     options.length = 0.2;
-    options.smallest_angle = 45 * k_degree;
+    options.smallest_angle = 45 * samples::k_degree;
     const Net net = remeshed(Surface(samples::sphere(16)), options, 2).net;
     CHECK(net.mean_length() == Approx(0.2).epsilon(1e-9));
+}
+
+TEST_CASE("Where a given length does not fit around a body there are as many cells as let the net lie on it") {
+    const Surface torus(samples::torus(60, 24, 3, 1));
+    const Guide guide(torus);
+    for (const double length : {0.3, 0.32, 0.34, 0.38}) {
+        RemeshOptions options;
+        options.length = length;
+        const Net net = remeshed(torus, options, 0).net;
+        const DrapeReport report = measure_drape(torus, guide.tree(), net);
+        INFO(length);
+        CHECK(report.length == Approx(length).epsilon(1e-8));
+        CHECK(report.coverage > 0.999);
+        CHECK(report.mean_distance < 0.1 * length);
+        CHECK(report.folds == 0);
+    }
 }
 
 TEST_CASE("Far from the origin a surface gets the net that it gets there") {
@@ -362,6 +388,94 @@ TEST_CASE("The same surface gives the same net, whose progress is told in order 
     CHECK_THROWS_AS(remesh(surface, of_cells(200), stop), std::string);
 }
 
+TEST_CASE("A net's faces follow each other in rows, and its vertices in the order of faces") {
+    const Surface sphere(samples::sphere(12));
+    const Net net = remesh(std::make_shared<const Guide>(sphere), {.cells = 600}).net;
+    Mesh shuffled{net.rest_positions(), net.faces()};
+    std::vector<int> vertices(static_cast<std::size_t>(net.vertex_count()));
+    std::iota(vertices.begin(), vertices.end(), 0);
+    std::vector<int> faces(static_cast<std::size_t>(net.face_count()));
+    std::iota(faces.begin(), faces.end(), 0);
+    std::mt19937 random(7);
+    std::shuffle(vertices.begin(), vertices.end(), random);
+    std::shuffle(faces.begin(), faces.end(), random);
+    shuffled.faces = {};
+    for (const int f : faces) {
+        std::array<int, 4> corners;
+        for (int k = 0; k < 4; ++k) corners[k] = vertices[net.faces()[f][k]];
+        shuffled.faces.add(corners);
+    }
+    for (int v = 0; v < net.vertex_count(); ++v) shuffled.positions.col(vertices[v]) = net.rest_positions().col(v);
+
+    const Mesh rows = in_rows(shuffled);
+    // The same quads, as sets of places.
+    const auto places = [](const Mesh& mesh) {
+        std::vector<std::vector<std::array<double, 3>>> quads;
+        for (int f = 0; f < mesh.faces.size(); ++f) {
+            std::vector<std::array<double, 3>>& quad = quads.emplace_back();
+            for (const int v : mesh.faces[f])
+                quad.push_back({mesh.positions(0, v), mesh.positions(1, v), mesh.positions(2, v)});
+            std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
+        }
+        std::sort(quads.begin(), quads.end());
+        return quads;
+    };
+    CHECK(places(rows) == places({net.rest_positions(), net.faces()}));
+    // Most have an edge with the one before.
+    const auto joined = [](const Faces& quads) {
+        int count = 0;
+        for (int f = 1; f < quads.size(); ++f) {
+            int shared = 0;
+            for (const int v : quads[f]) shared += std::count(quads[f - 1].begin(), quads[f - 1].end(), v) > 0;
+            count += shared == 2;
+        }
+        return count;
+    };
+    CHECK(joined(shuffled.faces) < 0.1 * net.face_count());
+    CHECK(joined(rows.faces) > 0.9 * net.face_count());
+    CHECK(joined(net.faces()) > 0.9 * net.face_count());
+    int seen = 0;
+    for (const int v : rows.faces.vertices) {
+        CHECK(v <= seen + 2);
+        seen = std::max(seen, v + 1);
+    }
+    CHECK(seen == net.vertex_count());
+}
+
+TEST_CASE("Rows that cross themselves leave no quad behind, wherever one begins") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (int trial = 0; trial < 200; ++trial) {
+        // A tetrahedron some of whose triangles are cut in three, and then all of them into three quads.
+        std::vector<std::array<int, 3>> triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}};
+        for (int v = 4; v < 4 + trial % 12; ++v) {
+            std::swap(triangles[random() % triangles.size()], triangles.back());
+            const auto [a, b, c] = triangles.back();
+            triangles.pop_back();
+            triangles.insert(triangles.end(), {{a, b, v}, {b, c, v}, {c, a, v}});
+        }
+        std::map<std::vector<int>, int> numbers;  // of a corner, the middle of an edge, that of a triangle
+        const auto number = [&](std::vector<int> of) {
+            std::sort(of.begin(), of.end());
+            return numbers.emplace(of, static_cast<int>(numbers.size())).first->second;
+        };
+        std::vector<std::array<int, 4>> quads;
+        for (const auto& [a, b, c] : triangles)
+            for (const auto& [p, q, r] : {std::array{a, b, c}, std::array{b, c, a}, std::array{c, a, b}})
+                quads.push_back({number({p}), number({p, q}), number({a, b, c}), number({r, p})});
+        std::shuffle(quads.begin(), quads.end(), random);
+        Mesh mesh{Positions::Random(3, std::ssize(numbers)), {}};
+        for (std::array<int, 4>& quad : quads) {
+            std::rotate(quad.begin(), quad.begin() + random() % 4, quad.end());
+            mesh.faces.add(quad);
+        }
+        const Mesh rows = in_rows(mesh);
+        REQUIRE(rows.faces.size() == mesh.faces.size());
+        CHECK(rows.positions.rowwise().sum().isApprox(mesh.positions.rowwise().sum()));
+    }
+}
+
 TEST_CASE("What is too thin for its cells is refused, and says so") {
     const auto ring = std::make_shared<const Guide>(Surface(samples::torus(300, 8, 10, 0.01)));
     CHECK_THROWS_WITH(remesh(ring, of_cells(40)), Contains("smaller ones may"));
@@ -384,7 +498,7 @@ TEST_CASE("Even triangles keep topology and lie on the surface") {
 TEST_CASE("Even triangles keep creases, and the flat faces between them") {
     const Surface surface = cube();
     const SurfaceTree tree(surface);
-    const std::vector<bool> creases = creases_of(surface, 40 * k_degree);
+    const std::vector<bool> creases = creases_of(surface, 40 * samples::k_degree);
     CHECK(std::count(creases.begin(), creases.end(), true) == 2 * 12);
     const EvenTriangles even = even_triangles(surface, tree, 0.07, creases);
     CHECK(even.surface.area() == Approx(6).epsilon(1e-12));
@@ -420,11 +534,11 @@ TEST_CASE("Net lines follow the creases of a box if they are asked to") {
     RemeshOptions options = of_cells(800);
     const Remesh before = remeshed(box, options, 2);
     CHECK(off_creases(before.net) > 0.2);
-    options.crease = 40 * k_degree;
+    options.crease = 40 * samples::k_degree;
     const Remesh made = remeshed(box, options, 2);
     CHECK(off_creases(made.net) < 0.1);
     CHECK(made.singular.size() == 8);
-    CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * k_degree);
+    CHECK(corner_angle_range(made.net, made.net.rest_positions()).smallest > 75 * samples::k_degree);
 }
 
 TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edges allow") {
@@ -437,7 +551,7 @@ TEST_CASE("Net lines follow creases that meet at 60 degrees as near as equal edg
         mesh.faces.add(face);
     const Surface prism(mesh);
     RemeshOptions options = of_cells(500);
-    options.crease = 40 * k_degree;
+    options.crease = 40 * samples::k_degree;
     const Remesh made = remeshed(prism, options, 2);
     double sum = 0;
     int count = 0;
@@ -497,7 +611,7 @@ TEST_CASE("Where a net line along the border would strain the net it is there on
     CHECK(off_border(shell, always) < off_border(shell, fitting));
 }
 
-TEST_CASE("A ring far longer outside than inside is covered by net lines at 45 degrees to its borders") {
+TEST_CASE("A ring far longer outside than inside is covered by net lines at 45 degrees to its borders", "[large]") {
     const Surface ring(samples::quads(80, 12, true, false, [](int i, int j) {
         const double angle = 2 * std::numbers::pi * i / 80, radius = 1 + 0.8 * j / 11;
         return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
@@ -546,7 +660,7 @@ TEST_CASE("Net lines at 45 degrees to the border go along creases none the less"
     const Surface roof(samples::graph(21, 1, [](double x, double) { return -std::abs(x); }));
     RemeshOptions options = of_cells(400);
     options.border = RemeshOptions::Border::across;
-    options.crease = 60 * k_degree;
+    options.crease = 60 * samples::k_degree;
     const Net net = remeshed(roof, options, 1).net;
     for (const double y : {-0.7, -0.2, 0.3, 0.6}) CHECK(distance_to_edges(net, {0, y, 0}) < 0.25 * net.mean_length());
 }
@@ -559,7 +673,7 @@ TEST_CASE("Creases, borders and singular vertices wished for go together") {
         if (whole.face_normals()(2, f) < 0.5)
             open.faces.add({whole.triangles()(0, f), whole.triangles()(1, f), whole.triangles()(2, f)});
     RemeshOptions options = of_cells(500);
-    options.crease = 40 * k_degree;
+    options.crease = 40 * samples::k_degree;
     options.singular.vertices = {{{0, 0, 0}, 3}, {{1, 1, 0}, 3}};
     const Remesh made = remeshed(Surface(open), options, 1);
     CHECK(made.kept.missed() == 0);

@@ -37,11 +37,6 @@ Mesh with_vertex(Mesh mesh, double x, double y, double z) {
     return mesh;
 }
 
-Mesh with_face(Mesh mesh, std::initializer_list<int> face) {
-    mesh.faces.add(face);
-    return mesh;
-}
-
 std::vector<std::string> sentences(const RepairedMesh& result) {
     std::vector<std::string> lines;
     for (const Finding& finding : result.findings) lines.push_back(to_sentence(finding));
@@ -63,7 +58,7 @@ TEST_CASE("A sound mesh is left as it is") {
 }
 
 TEST_CASE("What is not chosen is found and left") {
-    const Mesh mesh = with_face(with_vertex(strip(2), 0, 0, 0), {1, 3, 2, 0});
+    const Mesh mesh = samples::with_face(with_vertex(strip(2), 0, 0, 0), {1, 3, 2, 0});
     const RepairedMesh result = repair(mesh, {});
     CHECK(samples::same_bits(result.mesh, mesh));
     CHECK(sentences(result) == SentenceList{"1 vertex at the place of an earlier one: 6",
@@ -97,7 +92,7 @@ TEST_CASE("A whole net falls apart and is merged again") {
 
 TEST_CASE("The tolerance of a merge is a fraction of the mean edge length") {
     for (const double scale : {1e-6, 1., 1e6}) {
-        Mesh mesh = with_face(with_vertex(strip(2), 0, 1.002, 0), {0, 1, 6});
+        Mesh mesh = samples::with_face(with_vertex(strip(2), 0, 1.002, 0), {0, 1, 6});
         mesh.positions *= scale;
         CHECK(repair(mesh, {Defect::duplicate_vertices}, 1e-2).findings.size() == 2);  // then a face is degenerate
         CHECK(repair(mesh, {Defect::duplicate_vertices}).findings.empty());
@@ -180,7 +175,7 @@ TEST_CASE("Duplicate faces are removed, however they begin and turn, others on t
 }
 
 TEST_CASE("The third face at an edge is removed, and what only it used") {
-    const Mesh mesh = with_face(with_vertex(strip(2), 1, 0.5, 1), {2, 3, 6});
+    const Mesh mesh = samples::with_face(with_vertex(strip(2), 1, 0.5, 1), {2, 3, 6});
     const RepairedMesh result = repair(mesh, k_all_defects);
     CHECK(sentences(result) ==
           SentenceList{"1 face third or later at an edge, removed: 2", "1 vertex of no face, dropped: 6"});
@@ -204,7 +199,7 @@ TEST_CASE("Pieces that do not touch keep their sides, and a Moebius strip its on
     apart.faces.add({4, 5, 7, 6});
     CHECK(found_in(apart).empty());
 
-    Mesh moebius = with_face(strip(4), {8, 1, 0, 9});
+    Mesh moebius = samples::with_face(strip(4), {8, 1, 0, 9});
     for (int v = 0; v < moebius.positions.cols(); ++v) moebius.positions.col(v).z() = v * v;
     CHECK(found_in(moebius).empty());
 }
@@ -227,7 +222,7 @@ TEST_CASE("A line names the first five and says if there are more") {
 
 TEST_CASE("A mesh that no repair helps is refused") {
     CHECK(samples::refusal_of([] {
-              repair(with_face(strip(1), {0, 1, 9}), {});
+              repair(samples::with_face(strip(1), {0, 1, 9}), {});
           }) == "index_out_of_range face 1 names vertex 9, but there are only 4");
     CHECK(samples::refusal_of([] { repair(with_vertex(strip(1), 0, std::nan(""), 0), {}); }) ==
           "non_finite vertex 4 has a coordinate that is not finite");

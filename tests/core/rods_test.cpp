@@ -138,11 +138,11 @@ TEST_CASE("A free net of rods that were bent beforehand lies on a circle of thei
 }
 
 TEST_CASE("Corners that want to be square become so where nothing holds them") {
-    const Net net = sheared_patch(6, 5, 60 * samples::k_radians);
+    const Net net = sheared_patch(6, 5, 60 * samples::k_degree);
     Editor as_at_rest = editor_of(net, {0}, {{"straight_rods", "on"}});
     as_at_rest.solve();
-    CHECK(corner_angle_range(net, as_at_rest.positions()).smallest == Approx(60 * samples::k_radians));
+    CHECK(corner_angle_range(net, as_at_rest.positions()).smallest == Approx(60 * samples::k_degree));
     Editor square = editor_of(net, {0}, {{"straight_rods", "on"}, {"square_corners", "on"}});
     CHECK(square.solve().status == Status::converged);
-    CHECK(corner_angle_range(net, square.positions()).smallest == Approx(90 * samples::k_radians).epsilon(1e-3));
+    CHECK(corner_angle_range(net, square.positions()).smallest == Approx(90 * samples::k_degree).epsilon(1e-3));
 }

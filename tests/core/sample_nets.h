@@ -88,4 +88,10 @@ inline Positions shaken(Positions x, double amount, std::mt19937& random) {
     return x;
 }
 
+inline double largest_move(const Positions& a, const Positions& b) { return (a - b).colwise().norm().maxCoeff(); }
+
+inline int euler_characteristic(const Net& net) { return net.vertex_count() - net.edge_count() + net.face_count(); }
+
+inline double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
+
 }  // namespace chebnet::samples

@@ -80,6 +80,15 @@ inline Mesh sphere(int n, bool half = false) {
     return repair(mesh, {Defect::duplicate_vertices}).mesh;
 }
 
+/// The unit sphere as a scan has it: every vertex moved along its radius by up to `noise` of it.
+inline Mesh rough_sphere(int n, double noise) {
+    Mesh mesh = sphere(n);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> amount(-noise, noise);
+    for (int v = 0; v < mesh.positions.cols(); ++v) mesh.positions.col(v) *= 1 + amount(random);
+    return mesh;
+}
+
 /// Anywhere in the cube [−size, size]³.
 inline Eigen::Vector3d random_point(double size, std::mt19937& random) {
     std::uniform_real_distribution<double> coordinate(-size, size);
@@ -92,6 +101,13 @@ inline SurfacePoint random_place(const Surface& surface, std::mt19937& random) {
     std::uniform_int_distribution<int> face(0, surface.face_count() - 1);
     const Eigen::Vector3d weights = random_point(1, random).cwiseAbs();
     return {face(random), weights / weights.sum()};
+}
+
+/// Of a polyline.
+inline double length_of(const Positions& points) {
+    double length = 0;
+    for (Eigen::Index i = 1; i < points.cols(); ++i) length += (points.col(i) - points.col(i - 1)).norm();
+    return length;
 }
 
 }  // namespace chebnet::samples

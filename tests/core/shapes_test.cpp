@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "net/measures.h"
 #include "net/topology.h"
+#include "sample_nets.h"
 #include "shapes/voxel_solid.h"
 
 using namespace chebnet;
@@ -72,8 +73,6 @@ bool has_one_fan_at_each_vertex(const Net& net) {
     }
     return true;
 }
-
-int euler_characteristic(const Net& net) { return net.vertex_count() - net.edge_count() + net.face_count(); }
 
 /// Normal of a quad, with twice its area as length.
 Eigen::Vector3d face_normal(const Net& net, int f) {
@@ -199,7 +198,7 @@ void check_shape(const std::string& recipe, double vertices = 0) {
 }
 
 /// "code: message" of the error that a recipe is refused with.
-std::string refusal(const std::string& recipe) {
+std::string recipe_refusal(const std::string& recipe) {
     try {
         make_shape(recipe);
     } catch (const Error& error) {
@@ -246,7 +245,8 @@ Net net_of_cells(const std::vector<Eigen::Vector3i>& cells) {
 bool is_closed_manifold(const Net& net) {
     for (const int faces : net.edge_face_counts())
         if (faces != 2) return false;
-    return has_one_fan_at_each_vertex(net) && is_consistently_oriented(net) && euler_characteristic(net) % 2 == 0;
+    return has_one_fan_at_each_vertex(net) && is_consistently_oriented(net) &&
+           samples::euler_characteristic(net) % 2 == 0;
 }
 
 }  // namespace
@@ -388,7 +388,7 @@ TEST_CASE("The scroll is a rectangle rolled up, with as many turns as asked for 
 TEST_CASE("The torus is closed, of genus one and without singular vertices") {
     const Net torus = make_shape("torus").net;
     CHECK(is_closed_manifold(torus));
-    CHECK(euler_characteristic(torus) == 0);
+    CHECK(samples::euler_characteristic(torus) == 0);
     CHECK(Topology(torus).singular_vertices().empty());
 }
 
@@ -420,7 +420,7 @@ TEST_CASE("The closed figures have the singular vertices that their sentences na
               elephant = make_shape("elephant").net;
     for (const Net* net : {&jack, &steps, &elephant}) {
         CHECK(is_closed_manifold(*net));
-        CHECK(euler_characteristic(*net) == 2);
+        CHECK(samples::euler_characteristic(*net) == 2);
         CHECK(volume(*net) > 0);
     }
     using Valences = std::map<int, int>;
@@ -438,7 +438,7 @@ TEST_CASE("The smooth bodies have the handles and openings that they show") {
         const Net net = make_shape(recipe).net;
         CHECK(is_closed_manifold(net));
         CHECK(Topology(net).component_count() == 1);
-        CHECK(euler_characteristic(net) == characteristic);
+        CHECK(samples::euler_characteristic(net) == characteristic);
         CHECK(volume(net) > 0);
         CHECK(Topology(net).singular_vertices().size() >= 2);
     }
@@ -447,7 +447,7 @@ TEST_CASE("The smooth bodies have the handles and openings that they show") {
         const Net net = make_shape(recipe).net;
         CHECK(Topology(net).component_count() == 1);
         CHECK(Topology(net).boundary_loops().size() == static_cast<std::size_t>(openings));
-        CHECK(euler_characteristic(net) == 2 - 2 * handles - openings);
+        CHECK(samples::euler_characteristic(net) == 2 - 2 * handles - openings);
     }
 }
 
@@ -595,26 +595,26 @@ TEST_CASE("A recipe that makes no shape is refused with what is wrong and what i
     const std::string known =
         "; known are dome, saddle, canopy, vault, wave, sheet, scroll, tube, vase, shirt, teddy, rabbit, horse, jug, "
         "steps, elephant, jack, torus";
-    CHECK(refusal("") == "bad_syntax: the recipe names no shape" + form);
-    CHECK(refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
-    CHECK(refusal("ball") == "bad_option: there is no shape \"ball\"" + known);
-    CHECK(refusal("Dome").rfind("bad_option: there is no shape \"Dome\"", 0) == 0);
-    CHECK(refusal("dome:rise=1") == "bad_option: dome has no parameter \"rise\"; known are vertices, reach");
-    CHECK(refusal("dome:vertices=99") == "bad_option: vertices is \"99\", but goes from 100 to 100000");
-    CHECK(refusal("dome:vertices=100001") == "bad_option: vertices is \"100001\", but goes from 100 to 100000");
-    CHECK(refusal("dome:reach=90") == "bad_option: reach is \"90\", but goes from 10 to 70");
-    CHECK(refusal("vault:rise=-0.1") == "bad_option: rise is \"-0.1\", but goes from 0.02 to 0.6");
-    CHECK(refusal("dome:reach=nan") == "bad_option: reach is \"nan\", but goes from 10 to 70");
-    CHECK(refusal("dome:reach=inf") == "bad_option: reach is \"inf\", but goes from 10 to 70");
-    CHECK(refusal("dome:reach=1e999") == "bad_option: reach is \"1e999\", but goes from 10 to 70");
-    CHECK(refusal("dome:reach=wide") == "bad_syntax: reach is \"wide\", which is not a number" + form);
-    CHECK(refusal("dome:reach=50deg") == "bad_syntax: reach is \"50deg\", which is not a number" + form);
-    CHECK(refusal("dome:reach=") == "bad_syntax: reach is \"\", which is not a number" + form);
-    CHECK(refusal("dome:") == "bad_syntax: \"\" is not key=value" + form);
-    CHECK(refusal("dome:reach") == "bad_syntax: \"reach\" is not key=value" + form);
-    CHECK(refusal("dome:reach=50,") == "bad_syntax: \"\" is not key=value" + form);
-    CHECK(refusal("dome:reach=50=60") == "bad_syntax: \"reach=50=60\" is not key=value" + form);
-    CHECK(refusal("dome:reach=50,reach=60") == "bad_syntax: reach is given twice" + form);
-    CHECK(refusal(std::string(100000, 'x')) == "bad_syntax: the recipe is longer than 1000 characters" + form);
-    CHECK(refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"" + known);
+    CHECK(recipe_refusal("") == "bad_syntax: the recipe names no shape" + form);
+    CHECK(recipe_refusal(":vertices=100") == "bad_syntax: the recipe names no shape" + form);
+    CHECK(recipe_refusal("ball") == "bad_option: there is no shape \"ball\"" + known);
+    CHECK(recipe_refusal("Dome").rfind("bad_option: there is no shape \"Dome\"", 0) == 0);
+    CHECK(recipe_refusal("dome:rise=1") == "bad_option: dome has no parameter \"rise\"; known are vertices, reach");
+    CHECK(recipe_refusal("dome:vertices=99") == "bad_option: vertices is \"99\", but goes from 100 to 100000");
+    CHECK(recipe_refusal("dome:vertices=100001") == "bad_option: vertices is \"100001\", but goes from 100 to 100000");
+    CHECK(recipe_refusal("dome:reach=90") == "bad_option: reach is \"90\", but goes from 10 to 70");
+    CHECK(recipe_refusal("vault:rise=-0.1") == "bad_option: rise is \"-0.1\", but goes from 0.02 to 0.6");
+    CHECK(recipe_refusal("dome:reach=nan") == "bad_option: reach is \"nan\", but goes from 10 to 70");
+    CHECK(recipe_refusal("dome:reach=inf") == "bad_option: reach is \"inf\", but goes from 10 to 70");
+    CHECK(recipe_refusal("dome:reach=1e999") == "bad_option: reach is \"1e999\", but goes from 10 to 70");
+    CHECK(recipe_refusal("dome:reach=wide") == "bad_syntax: reach is \"wide\", which is not a number" + form);
+    CHECK(recipe_refusal("dome:reach=50deg") == "bad_syntax: reach is \"50deg\", which is not a number" + form);
+    CHECK(recipe_refusal("dome:reach=") == "bad_syntax: reach is \"\", which is not a number" + form);
+    CHECK(recipe_refusal("dome:") == "bad_syntax: \"\" is not key=value" + form);
+    CHECK(recipe_refusal("dome:reach") == "bad_syntax: \"reach\" is not key=value" + form);
+    CHECK(recipe_refusal("dome:reach=50,") == "bad_syntax: \"\" is not key=value" + form);
+    CHECK(recipe_refusal("dome:reach=50=60") == "bad_syntax: \"reach=50=60\" is not key=value" + form);
+    CHECK(recipe_refusal("dome:reach=50,reach=60") == "bad_syntax: reach is given twice" + form);
+    CHECK(recipe_refusal(std::string(100000, 'x')) == "bad_syntax: the recipe is longer than 1000 characters" + form);
+    CHECK(recipe_refusal("d\xF6me\n") == "bad_option: there is no shape \"d?me?\"" + known);
 }

@@ -17,8 +17,8 @@ using namespace chebnet;
 
 namespace {
 
-constexpr double k_exact = std::numeric_limits<double>::infinity();
-const Eigen::Vector3d k_pull(-1.5, -1.0, 2.0);
+constexpr double k_rigid = std::numeric_limits<double>::infinity();
+const Eigen::Vector3d k_soft_pull(-1.5, -1.0, 2.0);
 
 /// A patch held at three corners; its fourth, 179, pulls with a weight.
 Editor softly_held_patch(double weight) {
@@ -72,11 +72,11 @@ double differentiated(Energy energy, const Positions& at, const std::vector<int>
 }  // namespace
 
 TEST_CASE("The heavier a soft handle, the closer it comes to its target, and every edge keeps its length") {
-    double last = k_pull.norm();
+    double last = k_soft_pull.norm();
     for (const double weight : {0.01, 0.1, 1.0, 10.0, 100.0}) {
         CAPTURE(weight);
         Editor editor = softly_held_patch(weight);
-        drag(editor, k_pull);
+        drag(editor, k_soft_pull);
         const double distance = distance_from_target(editor, editor.handles().back());
         CHECK(distance < last);
         CHECK(max_deviation(editor.net(), editor.positions()) < 1e-6);
@@ -87,11 +87,11 @@ TEST_CASE("The heavier a soft handle, the closer it comes to its target, and eve
 }
 
 TEST_CASE("The limit of weights is the exact handle") {
-    Editor exact = softly_held_patch(k_exact), heavy = softly_held_patch(1e6);
-    drag(exact, k_pull);
-    drag(heavy, k_pull);
+    Editor exact = softly_held_patch(k_rigid), heavy = softly_held_patch(1e6);
+    drag(exact, k_soft_pull);
+    drag(heavy, k_soft_pull);
     CHECK(distance_from_target(heavy, heavy.handles().back()) < 1e-4);
-    CHECK((heavy.positions() - exact.positions()).colwise().norm().maxCoeff() < 0.1 * k_pull.norm());
+    CHECK((heavy.positions() - exact.positions()).colwise().norm().maxCoeff() < 0.1 * k_soft_pull.norm());
     CHECK(bend(heavy.net(), heavy.topology(), heavy.positions()) ==
           Approx(bend(exact.net(), exact.topology(), exact.positions())).epsilon(0.1));
 }
@@ -103,7 +103,7 @@ TEST_CASE("A net comes to rest however hard a handle pulls, and in few steps up 
     Editor editor = softly_held_patch(weight);
     const Eigen::Vector3d from = editor.handles().back().target;
     for (int frame = 1; frame <= 10; ++frame) {
-        editor.move_handle(179, from + frame / 10.0 * k_pull);
+        editor.move_handle(179, from + frame / 10.0 * k_soft_pull);
         const SolveReport report = editor.solve();
         REQUIRE(report.status == Status::converged);
         if (weight <= 100) CHECK(report.iterations < 20);
@@ -112,7 +112,7 @@ TEST_CASE("A net comes to rest however hard a handle pulls, and in few steps up 
 
 TEST_CASE("A soft handle with hardly any weight does not move the net") {
     Editor editor = softly_held_patch(1e-9);
-    editor.move_handle(179, editor.net().rest_positions().col(179) + k_pull);
+    editor.move_handle(179, editor.net().rest_positions().col(179) + k_soft_pull);
     CHECK(editor.solve().status == Status::converged);
     CHECK((editor.positions() - editor.net().rest_positions()).colwise().norm().maxCoeff() < 1e-6);
 }
@@ -167,7 +167,7 @@ TEST_CASE("Weights and targets of soft handles keep the symbolic work, softening
     editor.solve();
     std::vector<Handle> handles = editor.handles();
     handles.back().weight = 5;
-    handles.back().target += k_pull;
+    handles.back().target += k_soft_pull;
     editor.set_handles(handles);
     CHECK(editor.solve().iterations > 0);
     CHECK(prepared == 1);
@@ -183,7 +183,7 @@ TEST_CASE("Weights out of range, and methods that know none, are refused by name
     Editor soft = softly_held_patch(1);
     CHECK_THROWS_WITH(soft.set_method("li2022"), Catch::Contains("li2022") && Catch::Contains("179"));
     CHECK(soft.method() == k_default_method);
-    Editor exact = softly_held_patch(k_exact);
+    Editor exact = softly_held_patch(k_rigid);
     exact.set_method("li2022");
     CHECK_THROWS_WITH(exact.set_handles(soft.handles()), Catch::Contains("li2022"));
     CHECK(exact.handles().back().is_exact());

@@ -56,12 +56,6 @@ void check_same_shape(const Surface& cut, const Surface& whole) {
         CHECK(tree.nearest(position).distance < 1e-12 * whole.positions().norm());
 }
 
-double length_of(const Positions& points) {
-    double length = 0;
-    for (Eigen::Index i = 1; i < points.cols(); ++i) length += (points.col(i) - points.col(i - 1)).norm();
-    return length;
-}
-
 }  // namespace
 
 TEST_CASE("A path in a plane is the straight line between its ends, whatever the triangles") {
@@ -75,7 +69,7 @@ TEST_CASE("A path in a plane is the straight line between its ends, whatever the
         const SurfacePath path = shortest_path(surface, a, b);
         REQUIRE(path.points.size() == path.faces.size() + 1);
         CHECK(path.length == Approx((surface.position_at(a) - surface.position_at(b)).norm()).margin(1e-12));
-        CHECK(length_of(cut_path(surface, {a, b})) == Approx(path.length).epsilon(1e-3).margin(1e-12));
+        CHECK(samples::length_of(cut_path(surface, {a, b})) == Approx(path.length).epsilon(1e-3).margin(1e-12));
     }
 }
 
@@ -84,12 +78,12 @@ TEST_CASE("A path on a sphere is nearly an arc of a great circle, and goes round
     const CutLine arc = line_at(sphere, {{1, 0.1, 0.2}, {-0.5, 0.9, -0.2}});
     const double angle =
         std::acos(sphere.position_at(arc[0]).normalized().dot(sphere.position_at(arc[1]).normalized()));
-    CHECK(length_of(cut_path(sphere, arc)) == Approx(angle).epsilon(5e-3));
+    CHECK(samples::length_of(cut_path(sphere, arc)) == Approx(angle).epsilon(5e-3));
 
     // A cylinder whose shorter way is across the seam between first and last column.
     const Surface cylinder(samples::cylinder(60, 21, 2));
     const CutLine across = line_at(cylinder, {{std::cos(0.4), -std::sin(0.4), -1}, {std::cos(0.5), std::sin(0.5), 1}});
-    CHECK(length_of(cut_path(cylinder, across)) == Approx(std::hypot(0.9, 2)).epsilon(3e-3));
+    CHECK(samples::length_of(cut_path(cylinder, across)) == Approx(std::hypot(0.9, 2)).epsilon(3e-3));
 }
 
 TEST_CASE("A cut changes borders and pieces as theory says, and no area") {

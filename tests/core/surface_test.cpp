@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "constants.h"
 #include "mesh_files.h"
 #include "sample_surfaces.h"
 #include "surface/curvature.h"
@@ -13,8 +14,6 @@ using Catch::Matchers::Contains;
 using samples::refusal_of;
 
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
 
 /// Three triangles around vertex 0 of a tetrahedron without its floor.
 Mesh tent() {
@@ -30,11 +29,6 @@ std::string refusal_of(const Mesh& mesh) {
     return samples::refusal_of([&] { Surface{mesh}; });
 }
 
-Mesh with_face(Mesh mesh, std::initializer_list<int> face) {
-    mesh.faces.add(face);
-    return mesh;
-}
-
 Mesh with_coordinate(Mesh mesh, double coordinate) {
     mesh.positions(0, 2) = coordinate;
     return mesh;
@@ -43,7 +37,7 @@ Mesh with_coordinate(Mesh mesh, double coordinate) {
 /// A strip that has been turned by half a turn before its ends were joined.
 Mesh moebius_strip() {
     Mesh mesh = samples::quads(2, 12, false, false, [](int i, int j) {
-        const double u = 2 * k_pi * j / 12;
+        const double u = 2 * samples::k_pi * j / 12;
         const double across = 0.3 * (2 * i - 1);
         return Eigen::Vector3d((1 + across * std::cos(u / 2)) * std::cos(u),
                                (1 + across * std::cos(u / 2)) * std::sin(u), across * std::sin(u / 2));
@@ -125,15 +119,17 @@ TEST_CASE("Vertex normals of a sphere point outwards exactly") {
 TEST_CASE("A surface refuses what is none, and says where") {
     const double huge = 1e60, nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(refusal_of(Mesh{Positions::Zero(3, 3), {}}) == "no_faces the surface has no face");
-    CHECK_THAT(refusal_of(with_face(tent(), {1, 2, 9})), Contains("index_out_of_range") && Contains("face 3"));
-    CHECK_THAT(refusal_of(with_face(tent(), {1, 2, 1})), Contains("repeated_vertex") && Contains("vertex 1"));
-    CHECK_THAT(refusal_of(with_face(with_face(tent(), {0, 1, 2, 3}), {0, 1, 0, 2})),
+    CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2, 9})), Contains("index_out_of_range") && Contains("face 3"));
+    CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2, 1})), Contains("repeated_vertex") && Contains("vertex 1"));
+    CHECK_THAT(refusal_of(samples::with_face(samples::with_face(tent(), {0, 1, 2, 3}), {0, 1, 0, 2})),
                Contains("face 4 names vertex 0 twice"));
-    CHECK_THAT(refusal_of(with_face(tent(), {1, 2})), Contains("small_face"));
+    CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2})), Contains("small_face"));
     CHECK_THAT(refusal_of(with_coordinate(tent(), nan)), Contains("non_finite") && Contains("vertex 2"));
     CHECK_THAT(refusal_of(with_coordinate(tent(), huge)), Contains("bad_scale"));
-    CHECK_THAT(refusal_of(with_face(with_face(tent(), {1, 2, 3}), {0, 1, 3})), Contains("non_manifold_edge"));
-    CHECK_THAT(refusal_of(with_face(tent(), {1, 2, 3})), Contains("wind against each other") && Contains("edge 1-2"));
+    CHECK_THAT(refusal_of(samples::with_face(samples::with_face(tent(), {1, 2, 3}), {0, 1, 3})),
+               Contains("non_manifold_edge"));
+    CHECK_THAT(refusal_of(samples::with_face(tent(), {1, 2, 3})),
+               Contains("wind against each other") && Contains("edge 1-2"));
     CHECK_THAT(refusal_of(moebius_strip()), Contains("wind against each other"));
     Mesh loose = tent();
     loose.positions.conservativeResize(3, 5);

@@ -14,14 +14,15 @@ using namespace chebnet;
 namespace {
 
 constexpr int k_columns = 12, k_rows = 9, k_last = k_columns * k_rows - 1;
-constexpr int k_corners[] = {0, k_columns - 1, k_last - k_columns + 1, k_last};
+constexpr int k_sheet_corners[] = {0, k_columns - 1, k_last - k_columns + 1, k_last};
 const Eigen::Vector3d k_inwards_and_up(-1.5, -1, 2);
 
 /// A flat sheet that is held at its four corners.
 Editor held_sheet() {
     Editor editor(samples::patch(k_columns, k_rows, 0));
     editor.set_method("equilibrium");
-    editor.set_handles(samples::handles_at_rest(editor.net(), {std::begin(k_corners), std::end(k_corners)}));
+    editor.set_handles(
+        samples::handles_at_rest(editor.net(), {std::begin(k_sheet_corners), std::end(k_sheet_corners)}));
     return editor;
 }
 

@@ -94,8 +94,6 @@ Eigen::Matrix3Xd curvature(const Term& term, Curvature kind, const Eigen::Matrix
     return product;
 }
 
-double dot(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) { return a.cwiseProduct(b).sum(); }
-
 /// The value of a QuadraticForm along some moves.
 class FormAlong : public QuadraticForm {
 public:
@@ -159,7 +157,7 @@ TEST_CASE("The gradient of each term is its energy's derivative") {
             return (energy(*term, x + t * d) - energy(*term, x - t * d)) / (2 * t);
         };
         const double slope = (4 * difference(h) - difference(2 * h)) / 3;
-        CHECK(dot(gradient(*term, x), d) == Approx(slope).epsilon(1e-6).margin(1e-7));
+        CHECK(samples::dot(gradient(*term, x), d) == Approx(slope).epsilon(1e-6).margin(1e-7));
     }
 }
 
@@ -177,7 +175,7 @@ TEST_CASE("The exact curvature of each term is its gradient's derivative, below 
         gradient(*term, x);
         const Eigen::Matrix3Xd product = curvature(*term, Curvature::exact, d);
         CHECK((product - change).norm() <= 1e-4 * change.norm());
-        CHECK(dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
+        CHECK(samples::dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
     }
 }
 
@@ -189,7 +187,7 @@ TEST_CASE("Between kinks, too, gradient and curvature are derivatives") {
     for (const auto& term : terms_with_kinks(net)) {
         CAPTURE(term->name());
         const double h = 1e-6;
-        CHECK(dot(gradient(*term, x), d) ==
+        CHECK(samples::dot(gradient(*term, x), d) ==
               Approx((energy(*term, x + h * d) - energy(*term, x - h * d)) / (2 * h)).epsilon(1e-6).margin(1e-7));
         const Eigen::Matrix3Xd change = (gradient(*term, x + h * d) - gradient(*term, x - h * d)) / (2 * h);
         gradient(*term, x);
@@ -211,9 +209,10 @@ TEST_CASE("The convex curvature of each term is symmetric, positive, below its b
         for (int k = 0; k < 10; ++k) {
             const Eigen::Matrix3Xd d = direction(), e = direction();
             const Eigen::Matrix3Xd product = curvature(*term, Curvature::convex, d);
-            CHECK(dot(d, product) >= -1e-12);
-            CHECK(dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
-            CHECK(dot(e, product) == Approx(dot(d, curvature(*term, Curvature::convex, e))).margin(1e-10));
+            CHECK(samples::dot(d, product) >= -1e-12);
+            CHECK(samples::dot(d, product) <= bound(*term, d) * (1 + 1e-12) + 1e-12);
+            CHECK(samples::dot(e, product) ==
+                  Approx(samples::dot(d, curvature(*term, Curvature::convex, e))).margin(1e-10));
             BlocksTimes blocks(d);
             term->add_blocks(blocks);
             CHECK((blocks.product - product).norm() <= 1e-10 * (1 + product.norm()));
@@ -292,7 +291,7 @@ TEST_CASE("Constraints: Jacobian and curvature are derivatives, and rows of the 
         const Eigen::Matrix3Xd pull_change = (pulled(x + h * d) - pulled(x - h * d)) / (2 * h);
         const Eigen::Matrix3Xd pull = pulled(x);
         CHECK((constraint.multiply(d) - change).norm() <= 1e-6 * (1 + change.norm()));
-        CHECK(constraint.multiply(e).dot(y) == Approx(dot(e, pull)).margin(1e-10));
+        CHECK(constraint.multiply(e).dot(y) == Approx(samples::dot(e, pull)).margin(1e-10));
         Eigen::Matrix3Xd curved = Eigen::Matrix3Xd::Zero(3, x.cols());
         constraint.add_curvature(y, d, curved);
         CHECK((curved - pull_change).norm() <= 1e-5 * (1 + pull_change.norm()));

@@ -41,7 +41,7 @@ public:
         const Options& options = editor.options();
         const double L = editor.net().mean_length(), size = editor.positions().lpNorm<Eigen::Infinity>();
         const double digits = 1e-15 * size / L;  // of a coordinate, in edge lengths
-        const double lack = reckoned_lack(editor.net(), editor.positions(), options.shear_limit * samples::k_radians);
+        const double lack = reckoned_lack(editor.net(), editor.positions(), options.shear_limit * samples::k_degree);
         if (!(lack <= 2.1e-4 + digits)) violations.push_back(text("a corner is sharper than the limit", lack));
 
         // A hand that is held back pulls by a force of the editor's own.
