@@ -50,10 +50,12 @@ async function makeLink(
   if (shared.hash === null) throw new Error('too large for a link');
   const opened = await openPage(core);
   await opened.app.openScene(await sceneOf(shared.hash));
-  const { frame } = opened.app.opening!;
+  const { document: again, frame } = opened.app.opening!;
+  // A net that was packed, and handles that rest on it, are a little elsewhere.
+  const known = { ...document, net: withText(again).net, handles: again.handles };
   const expected = shared.positions
-    ? { ...document, positions: document.positions! }
-    : { ...document, positions: frame.positions, settled: false };
+    ? { ...known, positions: document.positions! }
+    : { ...known, positions: frame.positions, settled: false };
   return {
     text: shared.hash,
     expected: { document: expected, deviations: Array.from(frame.fields.deviation, (x) => Number(x.toPrecision(6))) },

@@ -33,7 +33,7 @@ export interface GoldenLink {
 
 const VAULT = 'vault:vertices=120,rise=0.3,aspect=1.4,waves=2,slope=30';
 export const SMALL = { obj: uneven(3, 3), name: 'small.obj' };
-const CAMERA = { position: [1.5, -20.25, 3] as Vec3, target: [0, 0.125, -1e-3] as Vec3 };
+const CAMERA = { position: [1.5, -20.25, 3] as Vec3, target: [0, 0.125, -1e-3] as Vec3, aspect: 1.25 };
 const SCREW: Vec3 = [0.3, -0.2, -0.4];
 
 /** Which is soft, and so does not slide. */
@@ -227,6 +227,11 @@ export function goldenLinks(core: Chebnet): Record<string, GoldenLink> {
       16,
       [2, 2, 0.5],
     ),
+    // Of more vertices than go as text.
+    ...named('packed', {
+      own: pulled({ obj: uneven(17, 13), name: 'large.obj', restLengths: 'own' }, 220, [16, 13, 1]),
+      equal: pulled({ obj: uneven(17, 13), name: 'large 大.ply', restLengths: 'equal' }, 220, [16, 13, 1]),
+    }),
     'no-handles': { scene: { ...freshScene({ recipe: 'tube:vertices=120' }), handles: [] } },
     'at-rest': { scene: freshScene({ recipe: 'torus:vertices=120' }) },
     'not-settled': { scene: { ...freshScene({ recipe: 'dome:vertices=120' }), positions: bent }, unsolved: true },
@@ -309,9 +314,16 @@ export const CHANGES: Record<Sentence, ChangeName[]> = {
   method: [['method', { method: 'li2022' }]],
   initialisation: [['initialisation', { method: 'arap' }]],
   option: [['option', { option: 'p_end' }, '50']],
+  weight: [
+    ['weight', '0'],
+    ['weight', '4'],
+  ],
+  guideWeight: [['guideWeight', '× 4']],
+  balance: [['balance', '1 : 4']],
   optionBack: [['optionBack', { option: 'p_end' }]],
   options: [['options']],
   solve: [['solve']],
   step: [['step']],
   reset: [['reset']],
+  behaviour: [['behaviour', { behaviour: 'cloth' }]],
 };

@@ -1,9 +1,11 @@
 /** Links: a scene goes in and comes out, and nothing else does. */
 import { deflateSync } from 'fflate';
 import { describe, expect, test } from 'vitest';
-import type { ChebnetDocument } from '../../web/src/document/document';
+import type { ChebnetDocument, Vec3 } from '../../web/src/document/document';
+import { packMesh } from '../../web/src/document/packed_mesh';
 import { unpackPositions } from '../../web/src/document/packing';
 import { linkAdvice } from '../../web/src/document/link_advice';
+import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { LARGEST_LINK, LONG_LINK, decodeScene, encodeScene } from '../../web/src/document/share';
 import { largestDistance } from '../wasm/load';
 import { hashWithZeros } from './hash_with_zeros';
@@ -82,6 +84,44 @@ describe('a scene comes back', () => {
     const source = { mesh: SQUARE, name: 'größer.ply' };
     const obj = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\n';
     expect(decodeScene(hashOf({ ...documentAt(null), net: source })).net).toEqual({ obj, name: 'größer.ply' });
+  });
+
+  test('with a larger file, packed, and positions beside it', () => {
+    const sheet = grid(30, 20);
+    const mesh = { ...sheet, positions: sheet.restPositions.map((x, i) => x + 0.3 * Math.sin(i * i)) };
+    const on = { ...sheet, restPositions: mesh.positions, restLengths: edgeLengths(mesh.positions, sheet.edges) };
+    const positions = mesh.positions.map((x, i) => x + 0.1 * Math.sin(i));
+    const source = { mesh, name: 'größer.ply', restLengths: 'own' } as const;
+    const handles = [
+      { vertex: 3, target: [...mesh.positions.subarray(9, 12)] as Vec3, anchor: true },
+      { vertex: 70, target: [1, 2, 3] as Vec3, anchor: false, slides: 'xy' as const },
+    ];
+    const hash = hashOf({ ...documentAt(positions), net: source, handles }, on);
+    expect(hash).toMatch(/^#v5=/);
+    const scene = decodeScene(hash);
+    expect(scene).toMatchObject({
+      net: { name: 'größer.ply', restLengths: 'own', mesh: { faceStart: on.faceStart, faceVertices: on.faceVertices } },
+      handles: [{ ...handles[0], target: null }, handles[1]],
+      settled: true,
+    });
+    if (!('mesh' in scene.net) || scene.positions === null || !('packed' in scene.positions))
+      throw new Error('not packed');
+    expect(largestDistance(scene.net.mesh.positions, mesh.positions)).toBeLessThan(2e-7);
+    const opened = { ...on, restPositions: scene.net.mesh.positions };
+    expect(largestDistance(unpackPositions(scene.positions.packed, opened), positions)).toBeLessThan(1e-4);
+    // At rest it says nothing of positions; where there is room for fewer digits it has those; then it leaves positions out.
+    const atRest = hashOf({ ...documentAt(mesh.positions), net: source }, on);
+    expect(decodeScene(atRest).positions).toBeNull();
+    const shorter = encodeScene({ ...documentAt(mesh.positions), net: source }, on, 1e-6, atRest.length - 500);
+    expect(shorter).toMatchObject({ positions: true });
+    const { net: rounded } = decodeScene(shorter.hash!);
+    if (!('mesh' in rounded)) throw new Error('not packed');
+    const error = largestDistance(rounded.mesh.positions, mesh.positions);
+    expect(error).toBeGreaterThan(2e-7);
+    expect(error).toBeLessThan(1e-4);
+    const shortest = encodeScene({ ...documentAt(positions), net: source }, on, 1e-6, shorter.hash!.length);
+    expect(shortest).toMatchObject({ positions: false });
+    expect(decodeScene(shortest.hash!)).toMatchObject({ positions: null, settled: false });
   });
 
   test('with the lengths that the edges of a file are to keep', () => {
@@ -211,7 +251,7 @@ describe('hostile links are refused', () => {
     '#',
     '#nonsense',
     '#%E0%A4%A',
-    '#v5=AAAA',
+    '#v6=AAAA',
     '#v0=AAAA',
     '#v01=',
     '#v1',
@@ -224,10 +264,19 @@ describe('hostile links are refused', () => {
     expect(failureOf(text)).toMatchObject({ code: 'foreign_link', message: expect.stringMatching(/link/) });
   });
 
-  test.each(['#v1=', '#v1=A', '#v1=!!!!', '#v1=%20', '#v1=\u{1F600}', '#v1=AAAA', '#v1=____', '#v2=', '#v2=AAAA'])(
-    'not deflated: %s',
-    bad,
-  );
+  test.each([
+    '#v1=',
+    '#v1=A',
+    '#v1=!!!!',
+    '#v1=%20',
+    '#v1=\u{1F600}',
+    '#v1=AAAA',
+    '#v1=____',
+    '#v2=',
+    '#v2=AAAA',
+    '#v5=',
+    '#v5=AAAA',
+  ])('not deflated: %s', bad);
 
   test('cut off anywhere', () => {
     const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });
@@ -238,6 +287,21 @@ describe('hostile links are refused', () => {
       else
         expect(() => unpackPositions((scene as { positions: { packed: Uint8Array } }).positions.packed, net)).toThrow();
     }
+  });
+
+  test('packed nets that are none, or as long as no link is', () => {
+    const packed = (bytes: unknown, mesh: Uint8Array, version = 5): string => {
+      const header = Buffer.from(JSON.stringify({ ...valid, numbering: null, net: { name: 'x', packed: bytes } }));
+      const length = Buffer.alloc(4);
+      length.writeUInt32LE(header.length);
+      return hash(Buffer.concat([length, header, mesh]), version);
+    };
+    const mesh = packMesh(SQUARE, 1e-4)!;
+    expect(failureOf(packed(mesh.length, mesh))).toBeNull();
+    for (const bytes of [-1, 0, 0.5, 3, mesh.length - 1, mesh.length + 1, 2 ** 40, '9', null, [9]])
+      bad(packed(bytes, mesh));
+    bad(packed(2e6, new Uint8Array(2e6)));
+    bad(packed(mesh.length, mesh.fill(255)));
   });
 
   test('bombs of 20 MB and of a gigabyte, which 6 MB are not', () => {

@@ -6,7 +6,7 @@ import { netAsText, writeState, writeView } from '../../../web/src/document/code
 import type { ChebnetDocument } from '../../../web/src/document/document';
 import { Failure } from '../../../web/src/failure';
 import { decodeScene, encodeScene } from '../../../web/src/document/share';
-import { VERSION } from '../../../web/src/document/versions';
+import { VERSION_WITH_PACKED_NETS } from '../../../web/src/document/versions';
 import { attack, attacks } from './attack';
 import { changed, changes, checkFinite, document, net } from './scenes';
 
@@ -17,7 +17,7 @@ function hashOf(given: ChebnetDocument): string {
 }
 
 /** Of any version that is read, and of one that is not yet. */
-const tag = fc.integer({ min: 1, max: VERSION + 1 }).map((version) => `#v${version}=`);
+const tag = fc.integer({ min: 1, max: VERSION_WITH_PACKED_NETS + 1 }).map((version) => `#v${version}=`);
 
 /** The hash of a header that is none of ours, and of bytes behind it. */
 function forged(tagged: string, header: string, packed: Uint8Array): string {
@@ -66,6 +66,13 @@ const withForgedHeader = fc.tuple(tag, document, changes, bytes).map(([tagged, g
   return forged(tagged, JSON.stringify(changed(header, list)), packed);
 });
 
+/** Bytes that are said to begin with a mesh. */
+const withForgedMesh = fc.tuple(tag, document, bytes, fc.nat(70)).map(([tagged, given, packed, length]) => {
+  const net = { name: 'forged.obj', packed: length };
+  const header = { ...writeState(given, null), net, view: writeView(given.view) };
+  return forged(tagged, JSON.stringify(header), packed);
+});
+
 const anyText = fc.oneof(
   fc.string(),
   fc.tuple(tag, bytes).map(([tagged, each]) => tagged + Buffer.from(each).toString('base64url')),
@@ -78,5 +85,6 @@ attacks('links', links, {
   'a scene comes back': attack(document, comesBack),
   'a damaged link': attack(damaged, checkDecoded),
   'a forged header': attack(withForgedHeader, checkDecoded),
+  'a forged mesh': attack(withForgedMesh, checkDecoded),
   'any text': attack(anyText, checkDecoded),
 });

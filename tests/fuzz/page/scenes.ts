@@ -48,7 +48,7 @@ const traits = fc
   .map(([needed, more]) => ({ ...needed, ...more }));
 
 /** Faces of any vertices. */
-const mesh = fc
+export const mesh = fc
   .tuple(fc.array(point, { maxLength: 5 }), fc.array(fc.array(fc.nat(99), { minLength: 1, maxLength: 5 })))
   .map(([points, faces]) => {
     let end = 0;

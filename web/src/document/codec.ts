@@ -21,7 +21,7 @@ import type {
 import { DEFAULT_INITIALISATION } from './defaults';
 import { objText } from './obj_text';
 import type { Untrusted } from './untrusted';
-import { words } from '../language/language';
+import { readingWords } from '../language/reading';
 import type { Snapshot } from './undo';
 
 /** Everything that is undone, but for the net and its positions, which are large and often shared. */
@@ -54,6 +54,7 @@ export function writeView(view: ViewState): object {
   return {
     ...view,
     camera: view.camera && [...view.camera.position, ...view.camera.target].map((x) => Number(x.toPrecision(7))),
+    aspect: view.camera?.aspect,
   };
 }
 
@@ -113,7 +114,7 @@ function readMesh(mesh: Untrusted): Mesh {
   };
 }
 
-function readFileTraits(net: Untrusted): Omit<FileText, 'obj'> {
+export function readFileTraits(net: Untrusted): Omit<FileText, 'obj'> {
   return {
     name: net.at('name').text(),
     // Links made before there was a choice have none.
@@ -125,9 +126,9 @@ function readFileTraits(net: Untrusted): Omit<FileText, 'obj'> {
 
 function readHandle(row: Untrusted): HandleSeed {
   const [vertex, anchor, ...others] = row.list();
-  if (vertex === undefined || anchor === undefined) row.fail(words.fields.handle);
+  if (vertex === undefined || anchor === undefined) row.fail(readingWords.handle);
   const more = others.at(-1)?.isRecord ? others.pop() : undefined;
-  if (others.length !== 0 && others.length !== 3) row.fail(words.fields.handle);
+  if (others.length !== 0 && others.length !== 3) row.fail(readingWords.handle);
   const [x, y, z] = others.map((each) => each.number());
   return {
     vertex: vertex.index(2 ** 31),
@@ -160,7 +161,13 @@ function readOptions(options: Untrusted): SolverOptions {
 
 export function readView(view: Untrusted): Scene['view'] {
   return {
-    camera: view.at('camera').value === null ? null : readCamera(view.at('camera')),
+    camera:
+      view.at('camera').value === null
+        ? null
+        : {
+            ...readCamera(view.at('camera')),
+            ...given({ aspect: view.at('aspect').maybe((each) => each.positive()) }),
+          },
     field: view.at('field').oneOf(FIELD_NAMES),
     colourMap: view.at('colourMap').oneOf(['paper', 'log']),
     showFaces: view.at('showFaces').flag(),
@@ -183,7 +190,7 @@ function readEnds(ends: Untrusted): ViewState['ends'] {
   const read = (name: FieldName) =>
     ends.at(name).maybe((pair): Ends => {
       const [low = NaN, high = NaN, ...more] = pair.list().map((each) => each.number());
-      return more.length === 0 && areEnds(fieldOf(name), [low, high]) ? [low, high] : pair.fail(words.fields.ends);
+      return more.length === 0 && areEnds(fieldOf(name), [low, high]) ? [low, high] : pair.fail(readingWords.ends);
     });
   const names = FIELD_NAMES.filter((name) => fieldOf(name).ends);
   return given(Object.fromEntries(names.map((name) => [name, read(name)])));
@@ -193,7 +200,7 @@ function readCamera(camera: Untrusted): NonNullable<ViewState['camera']> {
   const [x, y, z, u, v, w, ...more] = camera.list().map((each) => each.number());
   const complete =
     x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
-  if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(words.fields.camera);
+  if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(readingWords.camera);
   return { position: [x, y, z], target: [u, v, w] };
 }
 

@@ -104,8 +104,15 @@ export interface Section {
   at: number;
 }
 
+export interface CameraPlace {
+  position: Vec3;
+  target: Vec3;
+  /** Width of the picture by its height. Those of before did not say. */
+  aspect?: number | undefined;
+}
+
 export interface ViewState extends Colouring {
-  camera: { position: Vec3; target: Vec3 } | null;
+  camera: CameraPlace | null;
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;

@@ -9,10 +9,28 @@ type Sentence = Exclude<keyof typeof panelWords.changes, 'one' | 'several'>;
 /** A text as it stands, or one of these kinds of things. */
 export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 
+/** Settings that a panel has in words of its own: how it calls them, and their values. */
+const SETTINGS = new Map<string, { label: string; textOf(value: string): string | undefined }>([
+  ['length_scale', { label: words.behaviour.length, textOf: lengthText }],
+  ['shear_limit', { label: words.behaviour.limit, textOf: limitText }],
+  [
+    'guide_mode',
+    { label: panelWords.guide.mode, textOf: (mode): string | undefined => panelWords.guide.modes[Number(mode)] },
+  ],
+  [
+    'square_corners',
+    {
+      label: panelWords.material.quads,
+      textOf: (isOn) => panelWords.material.choices[isOn === 'true' ? 'square' : 'atRest'],
+    },
+  ],
+]);
+
 const KINDS = {
   shape: words.core.shape,
   method: words.core.method,
-  option: panelWords.solver.optionName,
+  option: (name: string) => SETTINGS.get(name)?.label ?? panelWords.solver.optionName(name),
+  behaviour: (name: string) => words.behaviour.choices[name as keyof typeof words.behaviour.choices] ?? name,
   /** By its name, or its vertex. */
   handle: panelWords.changes.one,
   handles: (count: string) => panelWords.changes.several(Number(count)),
@@ -25,7 +43,24 @@ export function sentenceOf(name: ChangeName): string {
   if (typeof name === 'string') return name;
   const [key, ...terms] = name;
   const sentence = panelWords.changes[key];
-  return typeof sentence === 'string' ? sentence : (sentence as (...said: string[]) => string)(...terms.map(textOf));
+  if (typeof sentence === 'string') return sentence;
+  const said = terms.map(textOf);
+  if (key === 'option') said[1] = settingText(terms[0]!, said[1]!);
+  return (sentence as (...said: string[]) => string)(...said);
+}
+
+function settingText(setting: Term, value: string): string {
+  const name = typeof setting === 'string' ? '' : (setting.option ?? '');
+  return SETTINGS.get(name)?.textOf(value) ?? value;
+}
+
+function limitText(degrees: string): string {
+  return Number(degrees) === 0 ? words.behaviour.off : words.behaviour.degrees(Number(degrees));
+}
+
+function lengthText(scale: string): string {
+  const percent = Number((100 * Number(scale) - 100).toFixed(1));
+  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
 }
 
 /** In the present language. */

@@ -1,17 +1,18 @@
 /**
  * Scenes as links. A link carries the scene in its hash: `#v2=`, where 2 is the version (versions.ts), and, deflated and in
- * the base64 of URLs, the length of a JSON header (32 bits, little end first), the header (codec.ts), and the packed
- * positions (packing.ts).
+ * the base64 of URLs, the length of a JSON header (32 bits, little end first), the header (codec.ts), the packed mesh if its
+ * net says how many bytes that has (packed_mesh.ts), and the packed positions (packing.ts).
  */
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
-import { words } from '../language/language';
+import { readingWords } from '../language/reading';
 import { fromBase64, toBase64 } from './base64';
-import { netAsText, writeState, writeView } from './codec';
-import type { ChebnetDocument, Scene } from './document';
-import { Untrusted } from './untrusted';
+import { netAsText, readFileTraits, writeState, writeView } from './codec';
+import type { ChebnetDocument, DocumentNet, NetSource, Scene } from './document';
+import { packMesh, unpackMesh } from './packed_mesh';
 import { packPositions } from './packing';
 import type { PackingNet } from './packing';
-import { doSlide, readerOf, VERSION, VERSION_WITH_SLIDES } from './versions';
+import { Untrusted } from './untrusted';
+import { doSlide, readerOf, VERSION, VERSION_WITH_PACKED_NETS, VERSION_WITH_SLIDES } from './versions';
 import type { Reader } from './versions';
 import { Failure } from '../failure';
 
@@ -23,6 +24,10 @@ export const HUGE_LINK = 8_000;
 export const LARGEST_LINK = 64_000;
 /** A link read may inflate to so many bytes, no more. */
 const LARGEST_CONTENT = 8_000_000;
+/** Vertices of the largest net of a file that goes as text, exact to the last bit; those of more are packed. */
+const MOST_AS_TEXT = 200;
+/** Of packed nets, in mean edge lengths: the first is as good as exact, and the first with which a link is short enough is taken. */
+const PRECISIONS = [1e-7, 1e-6, 1e-5, 1e-4];
 
 /** A hash, and whether it holds the positions; null: the net is too large for one. `surface` false: that of the document is
  *  left out, which a visitor brought. */
@@ -30,7 +35,7 @@ export type Shared = { hash: string; positions: boolean; surface?: boolean } | {
 
 /**
  * The hash of a scene, `#` and all. Positions at rest need no place; others are left out if the link would be longer
- * than `largest`, and whoever opens it solves for them.
+ * than `largest`, and whoever opens it solves for them. The net of a file comes back within 1e-4 of its mean edge.
  * @param threshold dL below which edges are in order; see packPositions.
  */
 export function encodeScene(
@@ -39,46 +44,91 @@ export function encodeScene(
   threshold: number,
   largest = LARGEST_LINK,
 ): Shared {
-  const atRest = document.positions === null || document.positions.every((x, i) => x === net.restPositions[i]);
-  const packed = atRest || document.positions === null ? null : packPositions(document.positions, net, threshold);
-  const whole = toHash(document, header(document, net, document.settled), packed);
   const surface = document.guide && 'mesh' in document.guide ? { surface: false } : {};
-  if (whole.length <= largest) return { hash: whole, positions: true, ...surface };
-  const small = encodeEdit(document, net);
-  return small.length <= largest ? { hash: small, positions: false, ...surface } : { hash: null };
+  for (const form of forms(document, net, threshold)) if (form.hash.length <= largest) return { ...form, ...surface };
+  return { hash: null };
 }
 
-/** The hash of a scene without its positions: whoever opens it solves for them. */
-export function encodeEdit(document: ChebnetDocument, net: PackingNet): string {
-  return toHash(document, header(document, net, false), null);
+/** The hash of a scene of a recipe without its positions: whoever opens it solves for them. */
+export function encodeEdit(document: ChebnetDocument & { net: { recipe: string } }, net: PackingNet): string {
+  return withoutPositions(document, net, plain(document.net));
 }
 
 /** The scene of a hash (with or without its `#`). Throws a Failure: "bad_link", damaged; "foreign_link", not ours or of another version. */
 export function decodeScene(hash: string): Scene {
   const tag = /^#?v([1-9]\d*)=/.exec(hash);
-  if (tag === null) throw new Failure('foreign_link', words.link.foreign);
+  if (tag === null) throw new Failure('foreign_link', readingWords.foreign);
   const reader = readerOf(Number(tag[1]));
-  if (reader === undefined) throw new Failure('foreign_link', words.link.otherVersion);
+  if (reader === undefined) throw new Failure('foreign_link', readingWords.otherVersion);
   const content = inflate(fromUrl(hash.slice(tag[0].length)));
   const headerEnd = 4 + (content.length < 4 ? NaN : new DataView(content.buffer).getUint32(0, true));
   if (!(headerEnd <= content.length)) throw damaged();
-  const packed = content.subarray(headerEnd);
-  return readScene(reader, content.subarray(4, headerEnd), packed.length > 0 ? packed : null);
+  return readScene(reader, content.subarray(4, headerEnd), content.subarray(headerEnd));
 }
 
 // ------------------------------------------------------------------------------------------------------------- writing
 
-function header({ view, ...state }: ChebnetDocument, net: PackingNet, settled: boolean): object {
-  return { ...writeState({ ...state, settled }, net.restPositions), net: netAsText(state.net), view: writeView(view) };
+/** A net as a link carries it: what its header says of it, and the mesh behind that. */
+interface CarriedNet {
+  head: object;
+  mesh: Uint8Array;
 }
 
-function toHash({ handles }: ChebnetDocument, head: object, packed: Uint8Array | null): string {
-  const json = strToU8(JSON.stringify(head));
-  const content = new Uint8Array(4 + json.length + (packed?.length ?? 0));
+/** What a link can be, the most exact first. */
+function* forms(
+  document: ChebnetDocument,
+  net: PackingNet,
+  threshold: number,
+): Generator<{ hash: string; positions: boolean }> {
+  let shortest: CarriedNet | undefined;
+  for (const carried of carriedNets(document.net)) {
+    shortest = carried;
+    yield { hash: withPositions(document, net, carried, threshold), positions: true };
+  }
+  if (shortest) yield { hash: withoutPositions(document, net, shortest), positions: false };
+}
+
+function* carriedNets(source: DocumentNet): Generator<CarriedNet> {
+  if (!('mesh' in source) || source.mesh.positions.length <= 3 * MOST_AS_TEXT) yield plain(source);
+  if (!('mesh' in source)) return;
+  const { mesh, ...traits } = source;
+  for (const precision of PRECISIONS) {
+    const packed = packMesh(mesh, precision);
+    if (packed) yield { head: { ...traits, packed: packed.length }, mesh: packed };
+  }
+}
+
+function plain(net: DocumentNet): CarriedNet {
+  return { head: netAsText(net), mesh: new Uint8Array() };
+}
+
+function withPositions(document: ChebnetDocument, net: PackingNet, carried: CarriedNet, threshold: number): string {
+  const { positions, settled } = document;
+  const isAtRest = positions === null || positions.every((x, i) => x === net.restPositions[i]);
+  if (isAtRest) return toHash(document, net, carried, settled, new Uint8Array());
+  const opened = carried.mesh.length > 0 ? { ...net, restPositions: unpackMesh(carried.mesh).positions } : net;
+  return toHash(document, net, carried, settled, packPositions(positions, opened, threshold));
+}
+
+function withoutPositions(document: ChebnetDocument, net: PackingNet, carried: CarriedNet): string {
+  return toHash(document, net, carried, false, new Uint8Array());
+}
+
+function toHash(
+  { view, ...state }: ChebnetDocument,
+  { restPositions }: PackingNet,
+  { head, mesh }: CarriedNet,
+  settled: boolean,
+  positions: Uint8Array,
+): string {
+  const header = { ...writeState({ ...state, settled }, restPositions), net: head, view: writeView(view) };
+  const json = strToU8(JSON.stringify(header));
+  const content = new Uint8Array(4 + json.length + mesh.length + positions.length);
   new DataView(content.buffer).setUint32(0, json.length, true);
   content.set(json, 4);
-  if (packed) content.set(packed, 4 + json.length);
-  const version = doSlide(handles) ? VERSION_WITH_SLIDES : VERSION;
+  content.set(mesh, 4 + json.length);
+  content.set(positions, 4 + json.length + mesh.length);
+  const version = mesh.length > 0 ? VERSION_WITH_PACKED_NETS : doSlide(state.handles) ? VERSION_WITH_SLIDES : VERSION;
   return `#v${version}=${toUrl(toBase64(deflateSync(content, { level: 9 })))}`;
 }
 
@@ -89,7 +139,7 @@ function toUrl(base64: string): string {
 // ------------------------------------------------------------------------------------------------------------- reading
 
 function damaged(): Failure {
-  return new Failure('bad_link', words.link.damaged);
+  return new Failure('bad_link', readingWords.damaged);
 }
 
 function fromUrl(text: string): Uint8Array {
@@ -126,16 +176,23 @@ function inflate(deflated: Uint8Array): Uint8Array {
   return content;
 }
 
-function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array | null): Scene {
+/** @param packed the mesh, if there is one, and positions, if there are any. */
+function readScene(reader: Reader, json: Uint8Array, packed: Uint8Array): Scene {
   try {
     const head = new Untrusted(JSON.parse(strFromU8(json)));
+    const net = head.at('net');
+    const meshEnd = net.at('packed').maybe((bytes) => bytes.index(packed.length + 1)) ?? 0;
     return {
       ...reader.state(head),
-      net: reader.net(head.at('net')),
+      net: meshEnd > 0 ? readPackedNet(net, packed.subarray(0, meshEnd)) : reader.net(net),
       view: reader.view(head.at('view')),
-      positions: packed && { packed },
+      positions: packed.length > meshEnd ? { packed: packed.subarray(meshEnd) } : null,
     };
   } catch {
     throw damaged();
   }
+}
+
+function readPackedNet(net: Untrusted, packed: Uint8Array): NetSource {
+  return { mesh: unpackMesh(packed), ...readFileTraits(net) };
 }

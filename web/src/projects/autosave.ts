@@ -4,7 +4,7 @@ import type { ViewState } from '../document/document';
 import type { Project } from '../document/project';
 import { Measure } from '../document/undo';
 import { projectFormat } from './format';
-import { keep, newId, release } from './kept';
+import { hasName, keep, newId, release } from './kept';
 import { lazy } from '../lazy';
 
 const collection = lazy(() => import('./collection'));
@@ -19,6 +19,8 @@ export class Autosave {
   /** The revision of the history and the view that were stored last. */
   #revision = -1;
   #view: ViewState | null = null;
+  /** The latest change that has been looked at: see #startAnother. */
+  #since = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The write under way, or the last one. */
   #writing = Promise.resolve();
@@ -54,6 +56,7 @@ export class Autosave {
   begin(id: string, worth: boolean): void {
     if (id !== this.#id) release(this.#id);
     this.#id = id;
+    this.#since = this.#app.history.present;
     this.#revision = worth ? -1 : this.#app.history.revision;
     this.#view = null;
     this.#soon();
@@ -96,6 +99,15 @@ export class Autosave {
     }
   }
 
+  /** Another net is no further state of a project that has a name: that stays as it was. */
+  async #startAnother(): Promise<void> {
+    const { names, present } = this.#app.history;
+    const id = this.#id;
+    const isAnother = names.slice(this.#since + 1, present + 1).some(([what]) => what === 'open' || what === 'link');
+    this.#since = present;
+    if (isAnother && (await hasName(id).catch(() => false)) && id === this.#id) this.begin(newId(), true);
+  }
+
   /** For the list of projects, which does without if need be. */
   async #noteLook(id: string): Promise<void> {
     const { opening } = this.#app;
@@ -106,6 +118,7 @@ export class Autosave {
   }
 
   #soon(): void {
+    void this.#startAnother();
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
       // When the page is left there is no time to load it.

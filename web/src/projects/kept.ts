@@ -16,6 +16,8 @@ export const INDEX = 'index';
 export const NAMES = 'names';
 /** Key in sessionStorage, which belongs to the tab and survives a reload. */
 const TAB = 'chebnet.tab';
+/** Likewise the link in the address then. */
+const LINK = 'chebnet.link';
 
 export const store = createStore('chebnet', 'projects');
 
@@ -71,6 +73,11 @@ export function isOwn(id: string): boolean {
   }
 }
 
+/** Whether it is what this tab has made of the link in its address. */
+export function isMadeOfLink(id: string): boolean {
+  return isOwn(id) && sessionStorage.getItem(LINK) === location.hash.slice(-999);
+}
+
 /** The second newest. */
 export async function findNewest(except: string | null): Promise<KeptProject | undefined> {
   const ids = (await get<string[]>(INDEX, store)) ?? [];
@@ -91,6 +98,8 @@ export async function keep(id: string, project: unknown): Promise<void> {
   await update(INDEX, note, store);
   await delMany(forgotten, store);
   sessionStorage.setItem(TAB, id);
+  // Of long ones the end, in which they differ.
+  sessionStorage.setItem(LINK, location.hash.slice(-999));
 }
 
 /** Commits by itself: a page that is being left hears no answer after which it could. */
@@ -100,6 +109,10 @@ function write(id: string, project: unknown): Promise<void> {
     projects.transaction.commit();
     return promisifyRequest(projects.transaction);
   });
+}
+
+export async function hasName(id: string): Promise<boolean> {
+  return Object.hasOwn((await get<object>(NAMES, store)) ?? {}, id);
 }
 
 export async function read(id: string): Promise<KeptProject | undefined> {

@@ -8,7 +8,7 @@ import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
 import { projectFormat } from './format';
-import { claim, findLast, findNewest, isOwn, newId, read } from './kept';
+import { claim, findLast, findNewest, isMadeOfLink, isOwn, newId, read } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
 import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
@@ -36,14 +36,16 @@ export class Projects {
 
   // ------------------------------------------------------------------------------------------------------------ the start
 
-  /** Opens what the address asks for, else what was kept, else the first net. If something cannot be opened the user is told. */
+  /** Opens what this tab has made of the link in the address, else the link, else what was kept, else the first net. If something
+   *  cannot be opened the user is told. */
   async start(): Promise<void> {
     const hash = location.hash.length > 1 ? location.hash : null;
     let after = (): void => {};
     try {
       await this.#app.start();
       const last = await this.#last;
-      after = hash === null ? await this.#startWithLast(last) : await this.#startWithLink(hash, last);
+      const goesOn = hash === null || (last && isMadeOfLink(last.id));
+      after = goesOn ? await this.#startWithLast(last) : await this.#startWithLink(hash, last);
     } catch (error) {
       this.#app.report(error);
     }
@@ -65,7 +67,7 @@ export class Projects {
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
-    if (hasCrashFlag(last.id))
+    if (hasCrashFlag(last.id) || hasCrashFlag(location.hash))
       return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
     await this.#restore(last);
     return () => this.#offer(words.projects.restored, words.projects.startAfresh, () => this.newNet());

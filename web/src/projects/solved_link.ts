@@ -16,15 +16,17 @@ const PATIENCE = 8_000;
 /** The hash of the present scene without its positions, if it opens into the present shape all the same; else null. */
 export async function solvedHash(app: App, spawn: () => WorkerLike): Promise<string | null> {
   const present = app.toShare();
-  if (present === null || !canBeSolvedAgain(present.document)) return null;
+  if (present === null) return null;
   const { document, net } = present;
+  if (!canBeSolvedAgain(document)) return null;
   const hash = encodeEdit(document, net);
   const positions = await solved(hash, spawn);
   const isSame = positions !== null && longestMove(document.positions!, positions) <= SAME * net.info.meanLength;
   return isSame ? hash : null;
 }
 
-function canBeSolvedAgain({ net, method, settled, positions }: ChebnetDocument): boolean {
+function canBeSolvedAgain(document: ChebnetDocument): document is ChebnetDocument & { net: { recipe: string } } {
+  const { net, method, settled, positions } = document;
   return 'recipe' in net && method === METHOD_AT_REST && settled && positions !== null;
 }
 
