@@ -24,7 +24,15 @@ export const PAGE_KEYS: readonly PageKey[] = [
   { keys: ['P'], does: 'patch', run: (app) => app.handles.around((surroundings) => surroundings.takePatch()) },
   { keys: ['I'], does: 'isolate', run: (app) => app.handles.around((surroundings) => surroundings.isolate()) },
   // As in other programs for shapes: grab, rotate, scale.
-  { keys: ['G'], does: 'translate', run: (app) => app.handles.setMode('translate') },
+  {
+    keys: ['G'],
+    does: 'translate',
+    run: (app) => {
+      app.handles.setMode('translate');
+      // In the picture, the first canvas of the page, arrow keys move it, too.
+      document.querySelector('canvas')?.focus();
+    },
+  },
   { keys: ['R'], does: 'rotate', run: (app) => app.handles.setMode('rotate') },
   { keys: ['S'], does: 'scale', run: (app) => app.handles.setMode('scale') },
   // As on the number pad of programs for shapes.

@@ -3,12 +3,13 @@
 import type { Comparison, ComparisonRequest, Run, RunRequest } from './compare/run';
 import type { WantedChange } from './change/subject';
 import type { ChebnetDocument, HandleData, SolverSettings, ViewState } from './document/document';
+import type { ChangeName } from './document/naming';
 import type { HistoryView } from './document/undo';
 import type { SaveRequest } from './export/kinds';
 import type { Language } from './language/choice';
 import type { Choice, HandleCommands } from './handles/commands';
 import type { Tables } from './net/tables';
-import type { StandardView } from './view/camera_fit';
+import type { Side } from './view/camera_fit';
 import type { Pen, PenEvents } from './view/view';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
@@ -52,8 +53,8 @@ export interface PanelEvents {
   /** Until it is put away, pointers draw on the net. */
   takePen(events: PenEvents): Promise<Pen>;
   setOptions(settings: SolverSettings): void;
-  /** As setOptions, and the net comes to rest by them at once. */
-  setBehaviour(settings: SolverSettings): void;
+  /** As setOptions, and the net comes to rest by them at once. `name`: what the history calls it, if it is more than they. */
+  setBehaviour(settings: SolverSettings, name?: ChangeName): void;
   /** Let all edges grow by one factor, as little as brings handles to where they were to be; see App.adaptLengths(). */
   adaptLengths(progress: (scale: number) => void): Promise<number | null>;
   setView(change: Partial<Omit<ViewState, 'camera'>>): void;
@@ -88,7 +89,11 @@ export interface PanelEvents {
   /** Record the view as a video. */
   record(): void;
   /** Shows the whole net. */
-  frameAll(from?: StandardView): void;
+  frameAll(from?: Side): void;
+  /** Whether requests that change the net are unanswered, or it is yet to settle. */
+  isChanging(): boolean;
+  /** Where a vertex stands, CSS pixels from the top left of the page. */
+  screenPosition(vertex: number): { x: number; y: number };
 }
 
 /** A button beside a message. */

@@ -15,7 +15,7 @@ import type { GuideSource } from './document/document';
 import type { Untrusted } from './document/untrusted';
 import { AskedDraper } from './drape/asking';
 import { SUGGESTED_CELLS } from './drape/cells';
-import type { DrapedNet, DrapeSettings, SurfaceSource } from './drape/drape_protocol';
+import type { DrapedNet, DrapeSettings, PhaseTimes, SurfaceSource } from './drape/drape_protocol';
 import { proposedHandles } from './handles/proposal';
 import { Failure } from './failure';
 import { dialogWords } from './language/dialogs';
@@ -37,8 +37,14 @@ export type ScriptDrape = Partial<Omit<DrapeOptions, 'seed' | 'direction'>> & {
 
 /** How the net that has been opened lies on its surface. */
 export type LaidReport = DrapeReport &
-  Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms' | 'pieces' | 'bare'> & { cuts: Point[][] };
-export type WholeReport = DrapeReport & { singularVertices: { valence: number; count: number }[] };
+  Pick<DrapedNet, 'locked' | 'met' | 'cutEnds' | 'arms' | 'pieces' | 'bare'> & {
+    cuts: Point[][];
+    milliseconds: PhaseTimes;
+  };
+export type WholeReport = DrapeReport & {
+  singularVertices: { valence: number; count: number }[];
+  milliseconds: PhaseTimes;
+};
 
 export async function describe(given: Untrusted): Promise<SurfaceReport> {
   return withSurface(surfaceOf(given), async (_, { report }) => report);
@@ -54,9 +60,9 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
     const along = cuts === 'proposed' ? await proposedCuts(draper, uncut) : cuts;
     const draped = await draper.ask({ type: 'drape', settings: { ...uncut, cuts: along } }, 'draped');
     const { locked, met, cutEnds, arms, pieces, bare } = draped;
-    const { report } = await draper.ask({ type: 'measure' }, 'measured');
+    const { report, milliseconds } = await measured(draper, draped);
     await open(app, draped, guide, proposedHandles(draped.net));
-    return { ...report, locked, met, cutEnds, arms, pieces, bare, cuts: along };
+    return { ...report, locked, met, cutEnds, arms, pieces, bare, cuts: along, milliseconds };
   });
 }
 
@@ -65,9 +71,9 @@ export async function remesh(app: App, given: Untrusted, options: Untrusted): Pr
   const wanted = readRemesh(options);
   return withSurface(guide, async (draper) => {
     const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed');
-    const { report } = await draper.ask({ type: 'measure' }, 'measured');
+    const { report, milliseconds } = await measured(draper, made);
     await open(app, made, guide, proposedHandles(made.net));
-    return { ...report, singularVertices: made.singularVertices };
+    return { ...report, singularVertices: made.singularVertices, milliseconds };
   });
 }
 
@@ -79,6 +85,11 @@ export async function report(app: App): Promise<DrapeReport> {
   const { faceStart, faceVertices } = net;
   const mesh = { positions: Float64Array.from(frame.positions), faceStart, faceVertices };
   return withSurface(guide, async (draper) => (await draper.ask({ type: 'measure', mesh }, 'measured')).report);
+}
+
+async function measured(draper: AskedDraper, { times }: Pick<DrapedNet, 'times'>) {
+  const { report, milliseconds: measure } = await draper.ask({ type: 'measure' }, 'measured');
+  return { report, milliseconds: { ...times, measure } };
 }
 
 async function best(draper: AskedDraper, settings: Omit<ScriptDrape, 'cells'> & { length: number }) {

@@ -24,7 +24,7 @@ import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
 import type { Action, PanelEvents } from '../panels';
-import type { StandardView } from '../view/camera_fit';
+import type { Side } from '../view/camera_fit';
 import type { Film, ViewEvents } from '../view/view';
 import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
@@ -247,7 +247,7 @@ export class App {
     return this.#presenter.view.film();
   }
 
-  frameAll(from?: StandardView): void {
+  frameAll(from?: Side): void {
     this.#presenter.view.frameAll(from);
   }
 
@@ -260,15 +260,16 @@ export class App {
 
   // ----------------------------------------------------------------------------------------------------------- solving
 
-  /** They stand in the document at once, so that the next choice builds on this one, and are taken back if refused. */
-  async setOptions(settings: SolverSettings): Promise<void> {
+  /** They stand in the document at once, so that the next choice builds on this one, and are taken back if refused. `name`: what
+   *  the history calls them, if not by themselves. */
+  async setOptions(settings: SolverSettings, name?: ChangeName): Promise<void> {
     const before = this.#state.snapshot();
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
     const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
     const after = { ...settings, options: Object.fromEntries(unusual) };
     const asked = this.#client.setOptions(settings);
     const change = before && settingsChange(before, after);
-    if (change) this.#state.history.record(before, change.name, change.key);
+    if (change) this.#state.history.record(before, name || change.name, change.key);
     this.#state.change(after);
     try {
       await asked;
@@ -491,7 +492,7 @@ export class App {
       fade: (stays) => this.#presenter.view.setRegion(stays),
       takePen: (pen) => this.#presenter.view.takePen(pen),
       setOptions: (settings) => this.#attempt(this.setOptions(settings)),
-      setBehaviour: (settings) => this.#attempt(this.setOptions(settings).then(() => this.#client.solve())),
+      setBehaviour: (settings, name) => this.#attempt(this.setOptions(settings, name).then(() => this.#client.solve())),
       adaptLengths: (progress) => this.adaptLengths(progress),
       setView: (change) => this.setView(change),
       putHandlesOnGuide: () => this.#attempt(this.putHandlesOnGuide()),
@@ -515,6 +516,8 @@ export class App {
       redo: () => this.redo(),
       goTo: (index) => this.goTo(index),
       frameAll: (from) => this.frameAll(from),
+      screenPosition: (vertex) => this.screenPosition(vertex),
+      isChanging: () => this.#client.changing,
     };
   }
 

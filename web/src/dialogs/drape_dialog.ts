@@ -37,6 +37,8 @@ import './drape_dialog.css';
 const TEXT = dialogWords.drape;
 /** Of our own surfaces. */
 const FIRST = 'shell';
+/** Of a normal, degrees: from farther a net is seen at a flat angle, and a mark hardly at all. */
+const [SEED_SEEN_WITHIN, MARK_SEEN_WITHIN] = [60, 78];
 
 /** A surface that a visitor brings, by the name of its file. */
 export interface GivenSurface {
@@ -94,7 +96,7 @@ export class DrapeDialog implements DraperLike {
     },
     placeWanted: (at, mark, revision) => this.#draping.place(at, mark, revision),
     edgeLength: () => this.#form.read().length,
-    faced: (place) => this.#picture.face(place),
+    faced: (place) => this.#picture.face(place, MARK_SEEN_WITHIN),
   });
   readonly #creases = new DrapeCreases({
     drawingChanged: (drawing) => {
@@ -116,6 +118,7 @@ export class DrapeDialog implements DraperLike {
   #seed: DrapeSettings['seed'] = [0, 0, 0];
   #shown: DrapedNet | RemeshedNet | null = null;
   #best: Proposal | null = null;
+  #proposedFor = '';
   /** The net is the first one of its proposal. */
   #isFirst = true;
   #isMaking = false;
@@ -131,7 +134,7 @@ export class DrapeDialog implements DraperLike {
     this.#form = new DrapeForm(given?.name ?? null, this.#arms.element, {
       surfaceChosen: (own) => this.#open(own),
       kindChanged: () => this.#changeKind(),
-      changed: () => (this.#form.isWhole ? this.#outdate() : this.#drape()),
+      changed: () => this.#change(),
       shearChanged: (shown) => this.#picture.setShear(shown),
     });
     const figure = make('figure', {}, picture, this.#howTo, this.#proposals.element, this.#results.element);
@@ -243,6 +246,7 @@ export class DrapeDialog implements DraperLike {
     this.#form.setSurface(surface.report, length);
     this.#maker.setReady(true);
     if (!this.#form.isWhole) this.#results.expectNet();
+    this.#proposedFor = this.#proposable();
     this.#draping.propose(this.#form.read());
   }
 
@@ -323,7 +327,7 @@ export class DrapeDialog implements DraperLike {
 
   #onDraped(net: DrapedNet): void {
     if (this.#form.isWhole) return;
-    if (this.#isFirst) this.#picture.face(net.seed);
+    if (this.#isFirst) this.#picture.face(net.seed, SEED_SEEN_WITHIN);
     this.#isFirst = false;
     this.#setNet(net);
     this.#picture.setNet(net, net.seed);
@@ -349,6 +353,17 @@ export class DrapeDialog implements DraperLike {
     if (seed !== null) this.#seed = seed;
     this.#form.setDirection(direction);
     this.#drape();
+  }
+
+  #change(): void {
+    if (this.#form.isWhole) return this.#outdate();
+    this.#proposals.setStale(this.#proposable() !== this.#proposedFor);
+    this.#drape();
+  }
+
+  /** On what of the form it hangs how proposals lie. */
+  #proposable(): string {
+    return JSON.stringify({ ...this.#form.read(), direction: null });
   }
 
   /** The net that is shown, or being made, is not of the settings any more. */

@@ -4,6 +4,7 @@ import type { DrapeSettings, Seed } from '../drape/drape_protocol';
 import { cellsOf, FEWEST_CELLS, lengthOf, MOST_CELLS } from '../drape/cells';
 import { turned, turnOf } from '../drape/seed';
 import { make, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 import { dialogWords } from '../language/dialogs';
 import { count } from '../language/numbers';
 import { lengthWords } from './file_words';
@@ -44,11 +45,11 @@ export class DrapeForm {
   readonly element: HTMLElement;
   readonly #events: FormEvents;
   readonly #cells = slider(TEXT.cells, 0, STEPS, 1, () => this.#chooseCells());
-  readonly #length = make('input', { type: 'number', min: 0, step: 'any', 'aria-label': TEXT.length });
+  readonly #length = new NumberField({ step: 'any', required: true, 'aria-label': TEXT.length }, TEXT.tooShort);
   readonly #turn = slider(TEXT.direction, 0, 180, 1, () => this.#chooseTurn());
   readonly #angle = slider(TEXT.angle, LEAST_ANGLE, 180 - LEAST_ANGLE, 1, () => this.#show());
   readonly #limit = slider(TEXT.limit, LIMITS.least, LIMITS.piece, 1, () => this.#chooseLimit());
-  readonly #reach = make('input', { type: 'number', min: 1, step: 1, placeholder: TEXT.toBorder });
+  readonly #reach = new NumberField({ min: 1, step: 1, placeholder: TEXT.toBorder });
   readonly #border = makeSelect(
     TEXT.border,
     BORDERS.map((value) => ({ value, text: TEXT.borders[value] })),
@@ -106,15 +107,23 @@ export class DrapeForm {
       Object.entries(TEXT.kinds).map(([value, text]) => ({ value, text })),
       () => this.#chooseKind(),
     );
-    this.#length.addEventListener('change', () => this.#chooseLength());
-    this.#reach.addEventListener('change', () => this.#chooseReach());
+    this.#length.input.addEventListener('change', () => this.#chooseLength());
+    this.#reach.input.addEventListener('change', () => this.#chooseReach());
     this.#angle.input.value = '90';
     this.#limit.input.value = String(LIMITS.usual);
     this.#smoothing.select.value = '1';
     this.#shear.box.checked = true;
-    const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length);
-    const reach = make('label', { class: 'row' }, make('span', {}, TEXT.reach), this.#reach);
-    this.#pieceRows = [this.#turn.row, this.#angle.row, arms, reach, this.#border.row, this.#leave.row];
+    const length = make('label', { class: 'row' }, make('span', {}, TEXT.length), this.#length.input);
+    const reach = make('label', { class: 'row' }, make('span', {}, TEXT.reach), this.#reach.input);
+    this.#pieceRows = [
+      this.#turn.row,
+      this.#angle.row,
+      arms,
+      reach,
+      this.#reach.note,
+      this.#border.row,
+      this.#leave.row,
+    ];
     this.#wholeRows = [this.#line.row, this.#crease.row, this.#singular.row, this.#smoothing.row];
     this.#showRows();
     this.element = make(
@@ -124,6 +133,7 @@ export class DrapeForm {
       this.#kinds.row,
       this.#cells.row,
       length,
+      this.#length.note,
       this.#limit.row,
       ...this.#pieceRows,
       ...this.#wholeRows,
@@ -162,6 +172,7 @@ export class DrapeForm {
     this.#showRows();
     this.#seed = null;
     this.#isByLength = false;
+    this.#length.input.min = lengthWords(lengthOf(MOST_CELLS, area));
     this.#setLength(length);
   }
 
@@ -182,12 +193,13 @@ export class DrapeForm {
   }
 
   read(): Omit<DrapeSettings, 'seed' | 'cuts'> {
+    const reach = this.#reach.value;
     return {
       direction: this.#direction,
       length: this.#edge,
       angle: this.#angle.input.valueAsNumber * DEGREE,
       smallestAngle: this.#limit.input.valueAsNumber * DEGREE,
-      ...(this.#reach.validity.valid && this.#reach.value !== '' ? { reach: this.#reach.valueAsNumber } : {}),
+      ...(reach ? { reach } : {}),
       border: this.#border.select.value as (typeof BORDERS)[number],
       leave: Number(this.#leave.select.value),
     };
@@ -207,7 +219,7 @@ export class DrapeForm {
   }
 
   #chooseReach(): void {
-    if (this.#reach.reportValidity()) this.#events.changed();
+    if (this.#reach.value !== null) this.#events.changed();
   }
 
   #chooseKind(): void {
@@ -231,20 +243,16 @@ export class DrapeForm {
   }
 
   #chooseLength(): void {
-    const length = this.#length.valueAsNumber;
-    const cells = cellsOf(length, this.#area);
-    const isGood = length > 0 && cells <= MOST_CELLS;
-    this.#length.setCustomValidity(isGood ? '' : TEXT.tooShort(lengthWords(lengthOf(MOST_CELLS, this.#area))));
-    if (!this.#length.reportValidity()) return;
+    const length = this.#length.value;
+    if (length === null) return;
     this.#isByLength = true;
     this.#setLength(length);
     this.#events.changed();
   }
 
   #setLength(length: number): void {
-    this.#length.value = lengthWords(length);
-    this.#edge = this.#length.valueAsNumber;
-    this.#length.setCustomValidity('');
+    this.#length.put(lengthWords(length));
+    this.#edge = this.#length.input.valueAsNumber;
     this.#cells.input.value = String(stepOf(cellsOf(length, this.#area)));
     this.#show(false);
   }

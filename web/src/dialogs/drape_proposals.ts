@@ -33,8 +33,14 @@ export class DrapeProposals {
         return makeButton(picture, () => this.#chosen(proposal), { 'aria-label': TEXT.proposal(i + 1, how) });
       }),
     );
+    this.setStale(false);
     // Their size is that of the elements, once these are in the page.
     proposals.forEach(({ wireframe }, i) => drawThumbnail(canvases[i]!, upright(wireframe, up)));
+  }
+
+  /** Whether what stands below the pictures is of other settings than are chosen now. */
+  setStale(isStale: boolean): void {
+    this.element.classList.toggle('stale', isStale);
   }
 }
 

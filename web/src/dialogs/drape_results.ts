@@ -74,14 +74,21 @@ export class DrapeResults {
   }
 
   /** Of one piece, beside a net: where it covers less than was promised, what to do about it. Of the whole surface only
-   *  where it is crumpled. */
-  #reviseProspect(net: DrapedNet | RemeshedNet, { coverage, folds }: DrapeReport): void {
-    const isWhole = 'singularVertices' in net;
-    const isCrumpled = isWhole && folds > FOLDED * 2 * net.net.info.faces;
-    this.#prospect.hidden = isWhole && !isCrumpled;
-    if (isCrumpled) return setText(this.#prospect, TEXT.crumpled(count(folds), this.#againstFolds));
+   *  where it is crumpled or leaves some bare. */
+  #reviseProspect(net: DrapedNet | RemeshedNet, report: DrapeReport): void {
+    if ('singularVertices' in net) {
+      const warning = this.#warningOf(net, report);
+      this.#prospect.hidden = warning === '';
+      return setText(this.#prospect, warning);
+    }
+    this.#prospect.hidden = false;
     const promised = this.#surface?.prospect === 'one_piece' || this.#surface?.prospect === 'tight';
-    this.#sayProspect(!isWhole && promised && coverage < COVERS ? ` ${TEXT.coversLess}` : '');
+    this.#sayProspect(promised && report.coverage < COVERS ? ` ${TEXT.coversLess}` : '');
+  }
+
+  #warningOf({ net }: RemeshedNet, { coverage, folds }: DrapeReport): string {
+    if (folds > FOLDED * 2 * net.info.faces) return TEXT.crumpled(count(folds), this.#againstFolds);
+    return coverage < COVERS ? TEXT.leavesBare(percentWords(1 - coverage)) : '';
   }
 
   /** A net is being made, which the facts are not of; setNet(), keepNet() or setFault() ends that. */
@@ -135,13 +142,14 @@ export class DrapeResults {
     const cutEnds = 'cutEnds' in this.#net ? this.#net.cutEnds : 0;
     const inLengths = (distance: number): string => small(distance / report.length);
     const distance = (inUnits: number): string => TEXT.distance(inLengths(inUnits), small(inUnits));
+    // The first three are in sight on a small screen, too.
     const rows: [string, string][] = [
       [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
-      [TEXT.gaps, report.gaps > 0 ? count(report.gaps) : TEXT.none],
-      [TEXT.openBorder, report.openBorder > 0 ? TEXT.lengths(inLengths(report.openBorder)) : TEXT.none],
+      [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
       [TEXT.meanDistance, distance(report.meanDistance)],
       [TEXT.largestDistance, distance(report.largestDistance)],
-      [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
+      [TEXT.gaps, report.gaps > 0 ? count(report.gaps) : TEXT.none],
+      [TEXT.openBorder, report.openBorder > 0 ? TEXT.lengths(inLengths(report.openBorder)) : TEXT.none],
       [TEXT.sheared, percentWords(report.sheared)],
       [TEXT.muchSheared, percentWords(report.muchSheared)],
       [TEXT.folds, report.folds > 0 ? count(report.folds) : TEXT.none],
@@ -152,6 +160,7 @@ export class DrapeResults {
         ? [[TEXT.cuts.pieces, TEXT.cuts.piecesOf(this.#net.pieces, this.#net.bare)] as [string, string]]
         : []),
       [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
+      [TEXT.length, small(report.length)],
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
       ...(cutEnds > 0 ? [[TEXT.cutEnds, count(cutEnds)] as [string, string]] : []),
       [TEXT.deviation, small(report.maxDeviation)],

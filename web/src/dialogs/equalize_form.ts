@@ -2,6 +2,7 @@
 import type { EqualizeOptions, EqualizeReport } from '../../../wasm/chebnet';
 import { dialogWords } from '../language/dialogs';
 import { make, makeSwitch, setText } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 import { lengthWords } from './file_words';
 
 const TEXT = dialogWords.equalize;
@@ -12,7 +13,7 @@ export class EqualizeForm {
   #choice: Choice = 'mean';
   readonly #radios: Record<Choice, HTMLInputElement>;
   readonly #fitting = make('span', {}, TEXT.fitting);
-  readonly #number: HTMLInputElement;
+  readonly #number: NumberField;
   readonly #near = makeSwitch(TEXT.near, () => this.#nearChanged());
   readonly #guide = makeSwitch('', () => this.#changed());
   readonly #hold = makeSwitch('', () => this.#holdChanged());
@@ -27,14 +28,15 @@ export class EqualizeForm {
     this.#guide.row.hidden = guide === null;
     setText(this.#guide.row.querySelector('span')!, TEXT.guide(guide ?? ''));
     this.#changed = changed;
-    this.#number = make('input', {
-      type: 'number',
+    this.#number = new NumberField({
       min: 0,
+      above: 0,
       step: 'any',
+      required: true,
       value: Number(mean.toPrecision(6)),
       'aria-label': TEXT.given,
     });
-    this.#number.addEventListener('input', () => this.#choose('given'));
+    this.#number.input.addEventListener('input', () => this.#choose('given'));
     const radio = (value: Choice): HTMLInputElement => {
       const input = make('input', { type: 'radio', name: 'equalize-length', value, checked: value === this.#choice });
       input.addEventListener('change', () => this.#choose(value));
@@ -50,7 +52,12 @@ export class EqualizeForm {
       make('legend', {}, TEXT.length),
       make('label', {}, this.#radios.mean, TEXT.mean(lengthWords(mean))),
       make('label', {}, this.#radios.fitting, this.#fitting),
-      make('div', { class: 'given' }, make('label', {}, this.#radios.given, TEXT.given), this.#number),
+      make(
+        'div',
+        {},
+        make('div', { class: 'given' }, make('label', {}, this.#radios.given, TEXT.given), this.#number.input),
+        this.#number.note,
+      ),
       this.#near.row,
       this.#guide.row,
       this.#hold.row,
@@ -65,13 +72,12 @@ export class EqualizeForm {
     return this.#near.box.checked && this.#guide.box.checked;
   }
 
-  /** null: the number is invalid, as the browser shows. */
+  /** null: the number is not allowed, which stands below it. */
   read(handles: readonly number[]): EqualizeOptions | null {
-    const length = this.#choice === 'given' ? this.#number.valueAsNumber : this.#choice;
-    const options = { length, handles: this.#hold.box.checked ? handles : [], method: this.method } as const;
-    if (length === 'mean' || length === 'fitting') return options;
-    this.#number.setCustomValidity(length > 0 ? '' : TEXT.noLength);
-    return this.#number.reportValidity() ? options : null;
+    const length = this.#choice === 'given' ? this.#number.value : this.#choice;
+    if (length !== null) return { length, handles: this.#hold.box.checked ? handles : [], method: this.method };
+    this.#number.input.focus();
+    return null;
   }
 
   setBusy(busy: boolean): void {
@@ -85,7 +91,6 @@ export class EqualizeForm {
   #choose(choice: Choice): void {
     this.#choice = choice;
     this.#radios[choice].checked = true;
-    this.#number.setCustomValidity('');
     this.#changed();
   }
 

@@ -14,12 +14,17 @@ export interface KeyTable {
 }
 
 export function showKeySheet(root: HTMLElement, tables: readonly KeyTable[]): void {
-  const close = makeButton(TEXT.close, () => dialog.close(), { class: 'primary', autofocus: true });
+  const close = makeButton(TEXT.close, () => dialog.close(), { class: 'primary' });
   const dialog = make(
     'dialog',
     { class: 'file keys', 'aria-labelledby': 'keys-title' },
     make('h2', { id: 'keys-title' }, words.keys.title),
-    make('div', { class: 'body', tabindex: 0 }, ...tables.flatMap(makeTable)),
+    // Arrow keys scroll what has the focus.
+    make(
+      'div',
+      { class: 'body', tabindex: 0, autofocus: true, 'aria-labelledby': 'keys-title' },
+      ...tables.flatMap(makeTable),
+    ),
     make('div', { class: 'buttons' }, close),
   );
   dialog.addEventListener('close', () => dialog.remove());

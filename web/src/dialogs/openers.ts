@@ -5,12 +5,14 @@ import type { ChangedNet, ChangeRequest } from '../change/change_protocol';
 import { Changing } from '../change/changing';
 import { changedScene, nameOf, requestOf, type WantedChange } from '../change/subject';
 import type { NamedChange } from '../document/changes';
+import { METHOD_AT_REST, MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { NetSource, Scene, UpAxis } from '../document/document';
 import { equalizedScene, subjectOfNet } from '../equalize/subject';
 import type { Subject } from '../equalize/subject';
 import type { Choice } from '../handles/commands';
 import { words } from '../language/language';
 import { dialogWords } from '../language/dialogs';
+import { count } from '../language/numbers';
 import { ChangeDialog } from './change_dialog';
 import { DrapeDialog } from './drape_dialog';
 import type { GivenSurface } from './drape_dialog';
@@ -33,6 +35,7 @@ export interface OpenNet {
   openScene(scene: Scene, change?: NamedChange): Promise<void>;
   readonly handles: { readonly choice: Choice };
   say(message: string): void;
+  frameAll(from: 'here'): void;
 }
 
 export class Openers {
@@ -95,13 +98,16 @@ export class Openers {
     if (changed === null) return;
     const scene = changedScene(opening.document, request, changed, formats);
     await this.#app.openScene(scene, { name: nameOf(wanted.way), key: null });
+    if (wanted.way === 'resize') this.#app.frameAll('here');
     const lostHandles = opening.document.handles.length - scene.handles.length;
-    const { vertices, pieces, lost } = dialogWords.change;
+    const { vertices, pieces, lost, tooManyToRest, restsAgain } = dialogWords.change;
+    const aboutMethod = scene.method === METHOD_AT_REST ? restsAgain : tooManyToRest;
     this.#app.say(
       words.core.sentences([
-        vertices(changed.origins.length.toLocaleString(words.locale)),
+        vertices(count(changed.origins.length)),
         changed.pieces > 1 ? pieces(changed.pieces) : '',
         lostHandles > 0 ? lost(lostHandles) : '',
+        scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),
     );
   }

@@ -53,8 +53,8 @@ export interface Picture {
   /** @param seed from which it has been laid; null: it has none. */
   setNet(shown: ShownNet, seed: Seed | null): void;
   removeNet(): void;
-  /** Looks at a place from the front, if it faces away. */
-  face(place: SurfacePlace): void;
+  /** Looks at a place from the front, unless the eye is within this angle of its normal already, degrees. */
+  face(place: SurfacePlace, within: number): void;
   /** For the arrow keys. */
   focus(): void;
   /** Whether cells are coloured by their shear. */
@@ -109,8 +109,7 @@ const ARROW_KEYS: Record<string, readonly [number, number]> = {
 };
 /** Of an edge, how far the surface is drawn behind. */
 const BEHIND = 0.5;
-/** A cosine: a seed that faces less than that is not well seen. */
-const CLEARLY = 0.2;
+const DEGREE = Math.PI / 180;
 /** A pointer that moves no farther than that between down and up has clicked, pixels. */
 const STILL = 5;
 interface Grip {
@@ -216,12 +215,12 @@ class DrapePicture implements Picture {
     this.#requestDraw();
   }
 
-  face({ position, normal }: SurfacePlace): void {
+  face({ position, normal }: SurfacePlace, within: number): void {
     const eye = this.#space!.toNet(this.#rig.camera.position);
     const towards = combined(1, eye, -1, position);
-    if (dot(towards, normal) > CLEARLY * Math.hypot(...towards)) return;
+    if (dot(towards, normal) > Math.cos(within * DEGREE) * Math.hypot(...towards)) return;
     turn(this.#direction, normal, this.#space!);
-    this.#direction.addScaledVector(directionFor(new Vector3()), 0.5).normalize();
+    this.#direction.addScaledVector(directionFor(new Vector3()), 0.7).normalize();
     this.#rig.framed = true;
     this.#frameAll();
   }

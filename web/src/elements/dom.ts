@@ -1,7 +1,7 @@
 /** Helpers that build native elements; all that the panels need instead of a framework. */
 import './elements.css';
 
-type Attributes = Record<string, string | number | boolean>;
+export type Attributes = Record<string, string | number | boolean>;
 
 /** An element with attributes (a boolean one is present or absent) and children. */
 export function make<Tag extends keyof HTMLElementTagNameMap>(

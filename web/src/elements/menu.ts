@@ -1,4 +1,4 @@
-/** A button and the menu it opens, which closes by Escape or a click elsewhere. */
+/** A button and the menu it opens, which closes by Escape or a click elsewhere; see also menu_keys.ts. */
 import { make, makeButton, makeIcon } from './dom';
 import './menu.css';
 
@@ -49,11 +49,6 @@ export class Menu {
       this.menu.querySelector('button')?.toggleAttribute('autofocus', true),
     );
     this.menu.addEventListener('toggle', () => this.#place());
-    // Escape closes the menu and does nothing else; the button has the focus while the menu is empty.
-    for (const each of [this.button, this.menu])
-      each.addEventListener('keydown', (event) => {
-        if (event.key === 'Escape' && this.menu.matches(':popover-open')) event.stopPropagation();
-      });
   }
 
   setContent(content: readonly (MenuItem | MenuGroup)[]): void {

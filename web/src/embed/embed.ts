@@ -1,7 +1,7 @@
 /** The editor inside of another page, at `?embed`, loaded on demand: the net alone, which leaves wheel and touch to that page
  *  until a click. */
 import type { App } from '../app/app';
-import { words } from '../language/language';
+import { embedWords } from '../language/embed';
 import { make, makeButton } from '../elements/dom';
 import { hashOf } from '../projects/link';
 import type { Scripting } from '../scripting';
@@ -19,7 +19,7 @@ export function embed(view: HTMLElement, app: App, script: Scripting): void {
 /** Lies over the picture until it is clicked, and again after Escape or a click outside of the frame. */
 function makeShield(view: HTMLElement): HTMLElement {
   const canvas = view.querySelector('canvas');
-  const shield = makeButton(make('span', {}, words.embed.activate), () => setActive(true), { class: 'shield' });
+  const shield = makeButton(make('span', {}, embedWords.activate), () => setActive(true), { class: 'shield' });
   const setActive = (active: boolean): void => {
     canvas?.toggleAttribute('inert', !active);
     shield.hidden = active;
@@ -41,7 +41,7 @@ function makeWayOut(app: App): HTMLElement {
   const link = make(
     'a',
     { class: 'way-out', href: location.pathname, target: '_blank', rel: 'noopener' },
-    words.embed.open,
+    embedWords.open,
   );
   link.addEventListener('click', () => (link.href = location.pathname + (hashOf(app).hash ?? '')));
   return link;

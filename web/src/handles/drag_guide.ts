@@ -50,6 +50,8 @@ export class DragGuide {
   /** Limits of the translation of the dragged handles, and those of a free one, to be shown. */
   #limits: readonly Limit[] = [];
   #freeLimits: readonly Limit[] = [];
+  /** The latest translation within the limits. */
+  #reached: Vec3 = [0, 0, 0];
   /** Whether the solver was told a locality. */
   #local = false;
   /** Numbers of the latest requests: answers to earlier ones are ignored. */
@@ -71,6 +73,7 @@ export class DragGuide {
   /** At the start of a drag. The leading handle comes first; the limits arrive a moment later. */
   async begin(inHand: readonly InHand[], locality: number | null): Promise<void> {
     this.#free = inHand;
+    this.#reached = [0, 0, 0];
     this.#reaches = [];
     this.#restrict();
     const vertices = inHand.map(({ vertex }) => vertex);
@@ -109,8 +112,14 @@ export class DragGuide {
     const asked = translationTo(targets, this.#inHand);
     const nearest = asked && nearestInAll(this.#limits, asked);
     this.#showReach(nearest !== null && (this.alwaysShowsReach || isNearBorder(this.#limits, nearest)));
-    if (nearest === null || nearest === asked || !this.keepsWithin) return targets;
-    return this.#moved(nearest);
+    if (nearest === null || !this.keepsWithin) return targets;
+    if (nearest === asked) {
+      this.#reached = asked;
+      return targets;
+    }
+    const isWithin = (place: Vec3): boolean => nearestInAll(this.#limits, place) === place;
+    const stop = this.snapping?.curve?.farthest(this.#inHand[0]!.base, this.#reached, asked!, isWithin) ?? nearest;
+    return this.#moved((this.#reached = stop));
   }
 
   end(): void {

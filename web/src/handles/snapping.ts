@@ -1,7 +1,9 @@
-/** What a drag snaps to: a grid through the origin, along the axes, the coordinates of other handles, and a surface. Loaded with the controls that set it. */
+/** What a drag snaps to: a grid through the origin, along the axes, the coordinates of other handles, and a surface or a curve. Loaded
+ *  with the controls that set it. */
 import type { HandleData, Vec3 } from '../document/document';
 import { coordinate } from '../language/numbers';
 import { panelWords } from '../language/panels';
+import { Curve } from './curve';
 import { type InHand, translated } from './reach';
 import { AXES } from './transform';
 
@@ -12,7 +14,8 @@ const ATTRACTS = 0.3;
 /** Along an axis where a drag goes less far than this, in edge lengths, it does not go at all. */
 const STILL = 1e-6;
 
-export interface SnapSurface {
+/** A surface or a curve. */
+export interface SnapPlace {
   nearest(point: Vec3): Vec3;
 }
 
@@ -21,24 +24,29 @@ export class Snapping {
   readonly step: number | null;
   readonly #toHandles: boolean;
   readonly #edgeLength: number;
-  readonly #surface: SnapSurface | null;
+  readonly #onto: SnapPlace | null;
 
   /** @param edgeLength in the net's unit. */
-  constructor(step: number | null, toHandles: boolean, edgeLength: number, surface: SnapSurface | null = null) {
+  constructor(step: number | null, toHandles: boolean, edgeLength: number, onto: SnapPlace | null = null) {
     this.step = step;
     this.#toHandles = toHandles;
     this.#edgeLength = edgeLength;
-    this.#surface = surface;
+    this.#onto = onto;
   }
 
-  /** The translation near `asked` that takes a handle to where it snaps: onto the surface, unless it keeps to an axis or a plane;
+  /** To which drags keep, if it is a curve. */
+  get curve(): Curve | null {
+    return this.#onto instanceof Curve ? this.#onto : null;
+  }
+
+  /** The translation near `asked` that takes a handle to where it snaps: onto the surface or curve, unless it keeps to an axis or a plane;
    *  otherwise each coordinate by itself, to that of another handle which is near, or else to the grid. One along which the drag
    *  does not go stays: an arrow along an axis keeps to it. */
   translation(asked: Vec3, leading: InHand, others: readonly HandleData[]): Vec3 {
     const place = translated(leading, asked);
-    if (this.#surface && leading.follows.every((follows) => follows !== 0)) {
-      const onto = this.#surface.nearest(place);
-      return leading.follows.map((follows, axis) => follows * (onto[axis]! - leading.base[axis]!)) as Vec3;
+    if (this.#onto && leading.follows.every((follows) => follows !== 0)) {
+      const at = this.#onto.nearest(place);
+      return leading.follows.map((follows, axis) => follows * (at[axis]! - leading.base[axis]!)) as Vec3;
     }
     return asked.map((by, axis) => {
       const follows = leading.follows[axis]!;

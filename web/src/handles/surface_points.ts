@@ -1,7 +1,7 @@
 /** The nearest point of a surface, many times a second, with no word to a worker: triangles in a tree of boxes. */
 import type { Vec3 } from '../document/document';
 
-interface Triangles {
+export interface Triangles {
   /** 3 numbers a vertex. */
   readonly positions: Float64Array;
   /** 3 vertices each. */
@@ -86,7 +86,7 @@ function squareTo({ low, high }: Box, point: Vec3): number {
   return squareBetween(point.map((x, axis) => Math.min(Math.max(x, low[axis]!), high[axis]!)) as Vec3, point);
 }
 
-function squareBetween(a: Vec3, b: Vec3): number {
+export function squareBetween(a: Vec3, b: Vec3): number {
   return (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2;
 }
 
@@ -97,11 +97,11 @@ function nearestOf([a, b, c]: readonly [Vec3, Vec3, Vec3], point: Vec3): Vec3 {
   const area = uu * vv - uv * uv;
   const [s, t] = [(wu * vv - wv * uv) / area, (wv * uu - wu * uv) / area];
   if (area > 0 && s >= 0 && t >= 0 && s + t <= 1) return plus(plus(a, u, s), v, t);
-  const onSides = [onSide(a, b, point), onSide(b, c, point), onSide(c, a, point)];
+  const onSides = [nearestOnSide(a, b, point), nearestOnSide(b, c, point), nearestOnSide(c, a, point)];
   return onSides.reduce((best, each) => (squareBetween(each, point) < squareBetween(best, point) ? each : best));
 }
 
-function onSide(from: Vec3, to: Vec3, point: Vec3): Vec3 {
+export function nearestOnSide(from: Vec3, to: Vec3, point: Vec3): Vec3 {
   const along = minus(to, from);
   const square = dot(along, along);
   return plus(from, along, square > 0 ? Math.min(Math.max(dot(minus(point, from), along) / square, 0), 1) : 0);

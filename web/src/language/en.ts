@@ -19,10 +19,10 @@ export const en = {
     click: 'Pick a vertex to take hold of it. Every edge keeps its length.',
     noHandles: 'Pick a vertex to make it a handle.',
     propose: 'Propose handles',
-    select: (count: number) =>
+    select: (count: number, locked: number) =>
       count === 0
         ? 'Pick handles to select them, or draw around several.'
-        : `${count} selected. Drag to move, or draw around more.`,
+        : `${count} selected${locked === 0 ? '' : `, ${locked} of them locked`}. Drag to move, or draw around more.`,
   },
   sections: {
     shape: 'Shape',
@@ -60,7 +60,6 @@ export const en = {
     export: { label: 'Export', hint: 'The net as a mesh, for making, or as a picture', title: 'Export as' },
   },
   messages: { dismiss: 'Dismiss' },
-  embed: { activate: 'Press to drag the net', open: 'Open in chebnet' },
   offline: { newVersion: 'There is a new version of this page.', reload: 'Reload' },
   /** What the net can be coloured by: one to be chosen, and over its legend. */
   colourFields: {
@@ -87,10 +86,6 @@ export const en = {
     upTo: (high: string) => `up to ${high}`,
     exact: 'exact',
     ends: 'Ends of the colours',
-    low: 'Lower end',
-    high: 'Upper end',
-    automatic: 'Automatic',
-    badEnds: (isLogarithmic: boolean) => `Two numbers${isLogarithmic ? ' above 0' : ''}, the lower one first.`,
   },
   gallery: {
     label: 'Shapes',
@@ -132,7 +127,7 @@ export const en = {
   status: {
     loading: 'Loading the solver',
     unsolved: 'Ready to be solved',
-    stopped: 'Stopped before the end',
+    stopped: 'Paused: waits for your next step',
     running: 'Solving',
     held_back: 'As far as the net goes: every edge keeps its length',
     settling: 'Every edge keeps its length; settling',
@@ -155,22 +150,11 @@ export const en = {
   comparison: {
     net: 'Nets of a comparison',
   },
-  link: {
-    otherVersion: 'This link was made by another version of chebnet.',
-    foreign: 'This link is not one of chebnet.',
-    damaged: 'This link is damaged: perhaps a part of it was cut off.',
-  },
   keys: {
     title: 'Keys',
     hint: 'All keys (?)',
     click: 'click',
     drag: 'drag',
-  },
-  hints: {
-    drag: 'Drag the orange sphere, and the net follows.',
-    add: 'Press the net to take hold of it anywhere.',
-    share: '“Share” makes a link to what you see, “Export” a file.',
-    done: 'Got it',
   },
   equalize: {
     command: 'Equalise…',
@@ -218,9 +202,6 @@ export const en = {
     function: 'a function',
     index: (end: number) => `a whole number from 0 to ${end - 1}`,
     point: 'a point: three numbers',
-    camera: 'two points: six numbers',
-    ends: 'two numbers, the lower one first, above 0 for deviations',
-    handle: '[vertex, 0 or 1, x, y, z]',
     oneOf: (choices: readonly string[]) => `one of ${choices.join(', ')}`,
   },
 };

@@ -19,8 +19,10 @@ export const zh: Words = {
     click: '点击一个顶点即可抓住它，每条边的长度保持不变。',
     noHandles: '点击一个顶点，使它成为手柄。',
     propose: '建议手柄',
-    select: (count) =>
-      count === 0 ? '逐个点击手柄，或画线圈选多个。' : `已选中 ${count} 个。拖动即可移动，也可继续圈选。`,
+    select: (count, locked) =>
+      count === 0
+        ? '逐个点击手柄，或画线圈选多个。'
+        : `已选中 ${count} 个${locked ? `，锁定 ${locked} 个` : ''}。拖动即可移动，也可继续圈选。`,
   },
   sections: {
     shape: '形状',
@@ -57,7 +59,6 @@ export const zh: Words = {
     export: { label: '导出', hint: '网格、制作图样或图片', title: '导出为' },
   },
   messages: { dismiss: '关闭' },
-  embed: { activate: '点击后即可拖动网', open: '在 chebnet 中打开' },
   offline: { newVersion: '此页面有新版本。', reload: '重新加载' },
   colourFields: {
     deviation: { choice: '边长误差', title: '边长的误差' },
@@ -83,10 +84,6 @@ export const zh: Words = {
     upTo: (high) => `不超过 ${high}`,
     exact: '精确',
     ends: '颜色的两端',
-    low: '下端',
-    high: '上端',
-    automatic: '自动',
-    badEnds: (isLogarithmic) => `请输入两个${isLogarithmic ? '大于 0 的' : ''}数，小的在前。`,
   },
   gallery: {
     label: '形状',
@@ -128,7 +125,7 @@ export const zh: Words = {
   status: {
     loading: '正在加载求解器',
     unsolved: '可以求解',
-    stopped: '中途停止',
+    stopped: '已暂停，等待下一步',
     running: '正在求解',
     held_back: '网只能到这里：每条边的长度都保持不变',
     settling: '每条边的长度都保持不变；正在静止下来',
@@ -151,22 +148,11 @@ export const zh: Words = {
   comparison: {
     net: '用于比较的网',
   },
-  link: {
-    otherVersion: '此链接由另一版本的 chebnet 生成。',
-    foreign: '此链接不是 chebnet 的链接。',
-    damaged: '此链接已损坏，可能有一部分被截断。',
-  },
   keys: {
     title: '快捷键',
     hint: '全部快捷键（?）',
     click: '点击',
     drag: '拖动',
-  },
-  hints: {
-    drag: '拖动橙色小球，网会随之而动。',
-    add: '点击网上任意处即可抓住它。',
-    share: '“分享”生成当前画面的链接，“导出”生成文件。',
-    done: '知道了',
   },
   equalize: {
     command: '均匀化边长…',
@@ -213,9 +199,6 @@ export const zh: Words = {
     function: '函数',
     index: (end) => ` 0 到 ${end - 1} 之间的整数`,
     point: '一个点：三个数值',
-    camera: '两个点：六个数值',
-    ends: '两个数值，小的在前；偏差的两端须大于 0',
-    handle: ' [顶点, 0 或 1, x, y, z]',
     oneOf: (choices) => `以下之一：${choices.join('、')}`,
   },
 };

@@ -1,7 +1,7 @@
 /** Three hints for newcomers, one after another below the title, clear of the net; gone for good once followed or dismissed. */
 import type { App } from '../app/app';
 import { make, makeButton, setText } from '../elements/dom';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Opening } from '../worker/opening';
 import './hints.css';
 
@@ -16,7 +16,7 @@ export class Hints {
     'div',
     { class: 'hint', hidden: true },
     this.#text,
-    makeButton(words.hints.done, () => this.#dismiss(), { class: 'plain link' }),
+    makeButton(panelWords.hints.done, () => this.#dismiss(), { class: 'plain link' }),
   );
   readonly #done = new Set(remembered());
   #shown: Hint | null = null;
@@ -72,7 +72,7 @@ export class Hints {
   #set(hint: Hint | null): void {
     this.#shown = hint;
     this.#element.hidden = hint === null;
-    setText(this.#text, hint === null ? '' : words.hints[hint]);
+    setText(this.#text, hint === null ? '' : panelWords.hints[hint]);
   }
 }
 

@@ -1,6 +1,7 @@
-/** Demonstrates lessons on the open net. Any input of the user but to a lesson ends them, and the net is as it was. */
+/** Demonstrates lessons on the open net. Any input of the user but to a lesson ends them, and net and colours are as they
+ *  were. */
 import type { App } from '../app/app';
-import type { HandleData, Vec3 } from '../document/document';
+import type { HandleData, Vec3, ViewState } from '../document/document';
 import { learnWords } from '../language/learn';
 import { type Lesson, TAUGHT_METHOD } from '../panels';
 
@@ -8,6 +9,8 @@ import { type Lesson, TAUGHT_METHOD } from '../panels';
 const LITTLE = 3;
 const MUCH = 6;
 const PULL_MS = 1800;
+/** The part of the way that one picture is worth at most: where pictures are rare the net is seen to move all the same. */
+const MOST_OF_PULL = 0.05;
 /** Pause between two steps, in milliseconds. */
 const STEP_MS = 160;
 /** Most iterations; its stages take far fewer. */
@@ -18,12 +21,14 @@ export class Teacher {
   #lesson = new AbortController();
   /** A handle is ahead of the net: lessons about the solver go on from there. */
   #isAhead = false;
+  /** Those from before the lesson that changes them. */
+  #colours: Pick<ViewState, 'field' | 'colourMap'> | null = null;
 
   constructor(app: App) {
     this.#app = app;
     // In the capture phase: before the view handles the event.
     for (const touch of ['pointerdown', 'keydown'])
-      addEventListener(touch, (event) => isOfLessons(event) || this.#end(), { capture: true });
+      addEventListener(touch, (event) => isOfLessons(event) || this.#end(event), { capture: true });
   }
 
   async show(lesson: Lesson): Promise<void> {
@@ -31,17 +36,31 @@ export class Teacher {
     this.#lesson = new AbortController();
     const { signal } = this.#lesson;
     if (lesson !== 'stages') this.#letGo();
-    if (lesson === 'deviation') return this.#app.setView({ field: 'deviation', colourMap: 'log' });
+    this.#takeColoursBack();
+    if (lesson === 'deviation') return this.#colour();
     const handle = this.#app.opening?.document.handles.filter(({ anchor, hidden }) => !anchor && !hidden).at(-1);
     if (handle === undefined) return this.#app.say(learnWords.noHandle);
     if (lesson === 'net') await this.#pull(handle, signal);
-    else if (lesson === 'energy') await this.#stepAhead(handle);
+    else if (lesson === 'energy') await this.#stepAhead(handle, signal);
     else await this.#stage(handle, signal);
   }
 
-  #end(): void {
+  #end({ target }: Event): void {
     this.#lesson.abort();
     this.#letGo();
+    // Turned or dragged, the net shows more of its colours.
+    if (!(target instanceof HTMLCanvasElement)) this.#takeColoursBack();
+  }
+
+  #colour(): void {
+    const { field, colourMap } = this.#app.opening!.document.view;
+    this.#colours = { field, colourMap };
+    this.#app.setView({ field: 'deviation', colourMap: 'log' });
+  }
+
+  #takeColoursBack(): void {
+    if (this.#colours) this.#app.setView(this.#colours);
+    this.#colours = null;
   }
 
   /** The net is as it was before the handle went ahead: shape, handles and method. */
@@ -57,10 +76,12 @@ export class Teacher {
     const aim = this.#inwards(target, LITTLE);
     handles.beginDrag();
     signal.addEventListener('abort', () => handles.endDrag(true));
-    const start = performance.now();
+    let before = performance.now();
     let share = 0;
     while (share < 1 && !signal.aborted) {
-      share = Math.min(1, (performance.now() - start) / PULL_MS);
+      const now = performance.now();
+      share = Math.min(1, share + Math.min(MOST_OF_PULL, (now - before) / PULL_MS));
+      before = now;
       handles.drag([{ vertex, target: mix(target, aim, Math.sin(Math.PI * share) ** 2) }]);
       await new Promise(requestAnimationFrame);
     }
@@ -68,11 +89,12 @@ export class Teacher {
   }
 
   /** The handle far ahead of the net, which has made one step after it. */
-  async #stepAhead({ vertex, target }: HandleData): Promise<void> {
+  async #stepAhead({ vertex, target }: HandleData, signal: AbortSignal): Promise<void> {
     this.#letGo();
     this.#isAhead = true;
     this.#app.handles.beginDrag();
     await this.#setMethod(TAUGHT_METHOD);
+    if (signal.aborted) return;
     // The step is requested before the solver starts by itself.
     this.#app.handles.drag([{ vertex, target: this.#inwards(target, MUCH) }]);
     await this.#app.step();
@@ -81,7 +103,7 @@ export class Teacher {
 
   /** Step by step to the next stage, or to the end. */
   async #stage(handle: HandleData, signal: AbortSignal): Promise<void> {
-    if (!this.#isAhead) await this.#stepAhead(handle);
+    if (!this.#isAhead) await this.#stepAhead(handle, signal);
     const stage = this.#frame()?.stage;
     for (let steps = 0; steps < MOST_STEPS && !signal.aborted; ++steps) {
       if (this.#frame()?.status !== 'running' || this.#frame()?.stage !== stage) break;

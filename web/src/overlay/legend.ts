@@ -2,13 +2,12 @@
 import type { Run } from '../compare/run';
 import { type ChebnetDocument, lookOf } from '../document/document';
 import { cssColour, positionOn, type Scale } from '../fields/colour_map';
-import { endsOf, fieldOf, numbersOf, rangeOf, type ShownColouring, scaleOf } from '../fields/fields';
+import { fieldOf, numbersOf, rangeOf, type ShownColouring, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import { onThemeChange, readTheme } from '../view/theme';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { make, setText } from '../elements/dom';
-import { MapEnds } from './map_ends';
-import type { Panel, PanelEvents } from '../panels';
+import type { Panel } from '../panels';
 import './legend.css';
 
 const STOPS = 24;
@@ -19,7 +18,8 @@ export class Legend implements Panel {
   readonly #data = make('div', { class: 'data' });
   readonly #ticks = make('div', { class: 'ticks' });
   readonly #words = make('p', { class: 'words' });
-  readonly #ends: MapEnds;
+  /** What it unfolds comes with the late sections: see map_ends.ts. */
+  readonly ends = make('details', {}, make('summary', {}, words.legend.ends));
   readonly element: HTMLElement;
   #view: ShownColouring = { field: 'deviation', colourMap: 'paper' };
   #scale: Scale | null = null;
@@ -28,8 +28,7 @@ export class Legend implements Panel {
   #frame: FrameData | null = null;
   #net: OpenedNet | null = null;
 
-  constructor({ setView }: Pick<PanelEvents, 'setView'>) {
-    this.#ends = new MapEnds((ends) => setView({ ends: { ...this.#view.ends, [this.#view.field]: ends } }));
+  constructor() {
     this.element = make(
       'section',
       { class: 'legend', 'aria-label': words.legend.label },
@@ -38,7 +37,7 @@ export class Legend implements Panel {
       make('div', { class: 'track' }, this.#data),
       this.#ticks,
       this.#words,
-      this.#ends.element,
+      this.ends,
     );
     onThemeChange(() => this.#draw());
   }
@@ -88,8 +87,7 @@ export class Legend implements Panel {
     const field = fieldOf(name);
     const scale = scaleOf(this.#view, readTheme(document.documentElement));
     this.#scale = scale;
-    this.#data.hidden = this.#ends.element.hidden = field.ends === undefined;
-    this.#ends.update(field, scale, endsOf(this.#view) !== undefined);
+    this.#data.hidden = this.ends.hidden = field.ends === undefined;
     setText(this.#name, words.colourFields[name].title);
     const [low, high] = scale.shown;
     const stops = Array.from({ length: STOPS + 1 }, (_, i) => {

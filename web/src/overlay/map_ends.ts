@@ -1,42 +1,52 @@
-/** Fields for the ends of the colour map, and a button back to the automatic ones. */
-import { type Ends, endText, type Scale } from '../fields/colour_map';
-import { areEnds, type ColourField, FIELDS } from '../fields/fields';
-import { words } from '../language/language';
+/** Fields for the ends of the colour map, and a button back to the automatic ones: what the legend unfolds. */
+import { type ChebnetDocument, lookOf } from '../document/document';
 import { make, makeButton, setValue } from '../elements/dom';
+import { type Ends, endText } from '../fields/colour_map';
+import { areEnds, endsOf, fieldOf, type ShownColouring, scaleOf } from '../fields/fields';
+import { panelWords } from '../language/panels';
+import type { Panel, PanelEvents } from '../panels';
+import { readTheme } from '../view/theme';
+import './map_ends.css';
 
-export class MapEnds {
-  readonly element: HTMLElement;
-  readonly #inputs = [words.legend.low, words.legend.high].map((label) => {
+const TEXT = panelWords.legend;
+
+export class MapEnds implements Panel {
+  readonly #inputs = [TEXT.low, TEXT.high].map((label) => {
     const input = make('input', { type: 'text', 'aria-label': label, title: label, autocomplete: 'off' });
     input.addEventListener('change', () => this.#read(input));
     return input;
   });
-  readonly #automatic: HTMLButtonElement;
-  #field: ColourField = FIELDS.deviation;
-  readonly #choose: (ends: Ends | undefined) => void;
+  readonly #automatic = makeButton(TEXT.automatic, () => this.#choose(undefined));
+  readonly element = make('div', { class: 'ends' }, ...this.#inputs, this.#automatic);
+  #view: ShownColouring = { field: 'deviation', colourMap: 'paper' };
+  readonly #setView: PanelEvents['setView'];
 
-  /** @param choose is called with the ends entered; undefined: automatic. */
-  constructor(choose: (ends: Ends | undefined) => void) {
-    this.#choose = choose;
-    this.#automatic = makeButton(words.legend.automatic, () => choose(undefined));
-    const row = make('div', { class: 'ends' }, ...this.#inputs, this.#automatic);
-    this.element = make('details', {}, make('summary', {}, words.legend.ends), row);
+  constructor({ setView }: Pick<PanelEvents, 'setView'>) {
+    this.#setView = setView;
   }
 
-  update(field: ColourField, { low, high }: Scale, byHand: boolean): void {
-    this.#field = field;
-    this.#automatic.setAttribute('aria-pressed', String(!byHand));
+  setDocument(document: ChebnetDocument): void {
+    this.#view = lookOf(document);
+    if (fieldOf(this.#view.field).ends === undefined) return;
+    const { low, high } = scaleOf(this.#view, readTheme(globalThis.document.documentElement));
+    this.#automatic.setAttribute('aria-pressed', String(endsOf(this.#view) === undefined));
     this.#inputs.forEach((input, i) => {
       setValue(input, endText([low, high][i]!));
       input.setCustomValidity('');
     });
   }
 
+  /** Undefined: the automatic ones. */
+  #choose(ends: Ends | undefined): void {
+    this.#setView({ ends: { ...this.#view.ends, [this.#view.field]: ends } });
+  }
+
   #read(changed: HTMLInputElement): void {
     for (const input of this.#inputs) input.setCustomValidity('');
     const [low = NaN, high = NaN] = this.#inputs.map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
-    if (areEnds(this.#field, [low, high])) return this.#choose([low, high]);
-    changed.setCustomValidity(words.legend.badEnds(this.#field.ends === 'above 0'));
+    const field = fieldOf(this.#view.field);
+    if (areEnds(field, [low, high])) return this.#choose([low, high]);
+    changed.setCustomValidity(TEXT.badEnds(field.ends === 'above 0'));
     changed.reportValidity();
   }
 }

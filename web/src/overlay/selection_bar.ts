@@ -6,6 +6,7 @@ import { unlocked } from '../handles/selection';
 import { panelWords } from '../language/panels';
 import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
+import { NumberField } from '../elements/number_field';
 import type { Panel, PanelEvents } from '../panels';
 import type { OpenedNet } from '../worker/protocol';
 import './toolbar.css';
@@ -22,8 +23,7 @@ export class SelectionBar implements Panel {
   readonly #modeGroup: HTMLElement;
   readonly #boundary: HTMLButtonElement;
   readonly #lines: HTMLButtonElement[];
-  readonly #radius = make('input', {
-    type: 'number',
+  readonly #radius = new NumberField({
     min: 1,
     step: 1,
     value: 3,
@@ -76,7 +76,7 @@ export class SelectionBar implements Panel {
 
   setNet({ info }: OpenedNet): void {
     // No net is wider than that, measured from vertex to vertex.
-    this.#radius.max = String(info.vertices);
+    this.#radius.input.max = String(info.vertices);
   }
 
   setDocument({ view }: ChebnetDocument): void {
@@ -88,9 +88,9 @@ export class SelectionBar implements Panel {
     this.#selected = handles.filter(({ vertex }) => chosen.has(vertex));
     if (this.#selected.length === 0) return this.#hide();
     this.element.hidden = false;
-    setText(this.#count, String(this.#selected.length));
-    this.#count.title = TEXT.count(this.#selected.length);
     const moving = unlocked(selection, this.#selected).length;
+    setText(this.#count, TEXT.handles(this.#selected.length, this.#selected.length - moving));
+    this.#count.title = TEXT.count(this.#selected.length);
     this.#modeGroup.hidden = moving < 2;
     for (const [each, button] of this.#modes) button.setAttribute('aria-pressed', String(each === mode));
     this.#boundary.hidden = !onBoundary;
@@ -169,17 +169,18 @@ export class SelectionBar implements Panel {
         surroundings.takePatch();
       });
     const button = tool(ICONS.patch, TEXT.patch, TEXT.patchHint, take);
-    const radius = make('label', { class: 'radius' }, this.#radius, make('span', {}, TEXT.edges));
+    const radius = make('label', { class: 'radius' }, this.#radius.input, make('span', {}, TEXT.edges));
     for (const each of [button, radius]) whilePointedAt(each, show, hide);
-    this.#radius.addEventListener('input', () => {
-      if (!this.#radius.checkValidity()) return;
-      handles.around((surroundings) => (surroundings.radius = this.#radius.valueAsNumber));
+    this.#radius.input.addEventListener('input', () => {
+      const { value } = this.#radius;
+      if (value === null) return;
+      handles.around((surroundings) => (surroundings.radius = value));
       show();
     });
-    this.#radius.addEventListener('keydown', ({ key }) => {
-      if (key === 'Enter' && this.#radius.checkValidity()) take();
+    this.#radius.input.addEventListener('keydown', ({ key }) => {
+      if (key === 'Enter' && this.#radius.value !== null) take();
     });
-    return [button, radius];
+    return [button, radius, this.#radius.note];
   }
 }
 

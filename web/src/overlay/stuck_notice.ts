@@ -1,6 +1,6 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
- *  hand was held back. Why, and the ways out; it stays for as long as that is so. Also what came of one of these ways: edges
- *  that have grown, for as long as they are so. What is no fault of the net can be dismissed. */
+ *  hand was held back. Why, and the ways out; it stays for as long as that is so, or until it is dismissed. Also what came of
+ *  one of these ways: edges that have grown, for as long as they are so. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
@@ -53,7 +53,8 @@ export class StuckNotice implements Panel {
   #history: HistoryView | null = null;
   /** The places in the history whose shapes are known to be wrong. */
   readonly #wrong = new Set<number>();
-  readonly #dismissed = new Set<Standing>();
+  /** What was said when it was put away. */
+  #dismissed: string | null = null;
   /** The scale of lengths that was found here, as a way out, and that of before. */
   #grown: { to: number; from: number } | null = null;
 
@@ -108,7 +109,7 @@ export class StuckNotice implements Panel {
 
   setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
     if (solving) {
-      this.#dismissed.delete('short');
+      if (this.#standing === 'short') this.#dismissed = null;
       return;
     }
     this.#frame = frame;
@@ -145,9 +146,10 @@ export class StuckNotice implements Panel {
     this.#widen.hidden = standing !== 'stuck' || this.#document?.locality === undefined;
     this.#stop.hidden = standing !== 'growing';
     this.#lengthsBack.hidden = standing !== 'grown';
-    this.#dismiss.hidden = standing !== 'short' && standing !== 'grown';
+    this.#dismiss.hidden = standing === 'growing';
     if (standing !== 'good' && standing !== 'growing') setText(this.#words, this.#reason(standing));
-    const isShown = standing !== 'good' && !this.#dismissed.has(standing);
+    if (standing === 'good') this.#dismissed = null;
+    const isShown = standing !== 'good' && this.#words.textContent !== this.#dismissed;
     if (isShown !== this.element.hasChildNodes()) this.element.replaceChildren(...(isShown ? [this.#line] : []));
   }
 
@@ -197,14 +199,16 @@ export class StuckNotice implements Panel {
     this.#isGrowing = false;
     if (scale) {
       this.#grown = { to: scale, from };
-      this.#dismissed.delete('grown');
+      this.#dismissed = null;
+      // What fell short was the net of before; the next frame at rest may be seconds away.
+      if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
     }
     this.#show();
     if (scale === null) setText(this.#words, noLength);
   }
 
   #putAway(): void {
-    this.#dismissed.add(this.#standing);
+    this.#dismissed = this.#words.textContent;
     this.#show();
   }
 

@@ -28,7 +28,8 @@ export class Title implements Panel {
     this.#toDrag.hidden = selecting || !draggable;
     this.#toClick.hidden = selecting || draggable;
     this.#propose.hidden = selecting || handles.length > 0;
-    setText(this.#toSelect, selecting ? words.intro.select(selection.length) : '');
+    const locked = handles.filter(({ anchor, vertex }) => anchor && selection.includes(vertex)).length;
+    setText(this.#toSelect, selecting ? words.intro.select(selection.length, locked) : '');
   }
 }
 

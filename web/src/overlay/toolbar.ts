@@ -42,6 +42,7 @@ export class Toolbar implements Panel {
     this.menus = [projects.menu, this.exports.menu];
     this.#undo = tool('undo', () => events.undo());
     this.#redo = tool('redo', () => events.redo());
+    for (const each of [this.#undo, this.#redo]) each.classList.add('undoing');
     this.#select = tool('select', () => events.handles.toggleSelecting());
     this.element = make(
       'div',

@@ -2,6 +2,7 @@
  *  long its edges are. In terms of designers, for options of the solver. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData, SolverOptions } from '../document/document';
+import type { ChangeName } from '../document/naming';
 import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
@@ -136,7 +137,7 @@ export class BehaviourPanel implements Panel {
 
   #createGuide(Controls: typeof GuideControls): GuideControls {
     const guide = new Controls({
-      setOptions: (change) => this.#set(METHOD_AT_REST, change),
+      setOptions: (change, name) => this.#set(METHOD_AT_REST, change, name),
       setHidden: (guideHidden) => this.#events.setView({ guideHidden }),
       putHandlesOn: () => this.#events.putHandlesOnGuide(),
       letGo: () => this.#events.letGoOfGuide(),
@@ -158,13 +159,14 @@ export class BehaviourPanel implements Panel {
   }
 
   #choose(name: string): void {
-    if (name === 'lengths') this.#set(WITHOUT_MATERIAL, {});
-    else if (isMaterial(name)) this.#set(METHOD_AT_REST, MATERIALS[name]);
+    const change: ChangeName = ['behaviour', { behaviour: name }];
+    if (name === 'lengths') this.#set(WITHOUT_MATERIAL, {}, change);
+    else if (isMaterial(name)) this.#set(METHOD_AT_REST, MATERIALS[name], change);
   }
 
   #chooseWeight(step: number): void {
     const gravity = step === 0 ? 0 : Number((this.#lightest * 10 ** ((step - 1) / TENFOLD)).toPrecision(3));
-    this.#set(METHOD_AT_REST, { gravity });
+    this.#set(METHOD_AT_REST, { gravity }, ['weight', String(step)]);
   }
 
   /** "Let edges grow" finds what lies between the steps, or beyond them. */
@@ -179,9 +181,10 @@ export class BehaviourPanel implements Panel {
     return Math.min(Math.max(Math.round(1 + TENFOLD * Math.log10(gravity / this.#lightest)), 1), HEAVIEST);
   }
 
-  #set(method: string, change: SolverOptions): void {
+  /** `name`: what the history calls it, if it is more than the options. */
+  #set(method: string, change: SolverOptions, name?: ChangeName): void {
     if (this.#document === null) return;
     const { initialisation, options } = this.#document;
-    this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } });
+    this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } }, name);
   }
 }

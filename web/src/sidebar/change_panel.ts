@@ -4,7 +4,8 @@ import { type Place, type PlaceName, placeOf } from '../change/place';
 import { sidesOf, stayingWithout } from '../change/sides';
 import type { WantedChange } from '../change/subject';
 import type { HandleData } from '../document/document';
-import { make, makeButton, makeSection, makeSelect, setText, setValue } from '../elements/dom';
+import { make, makeButton, makeSection, makeSelect, setText } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 import type { Choice } from '../handles/commands';
 import { wayThrough } from '../handles/way';
 import { panelWords } from '../language/panels';
@@ -25,10 +26,12 @@ const MOST_FACTOR = 1e6;
 
 export class ChangePanel implements Panel {
   readonly element: HTMLElement;
-  readonly #length = make('input', { type: 'number', step: 'any', required: true, 'aria-label': TEXT.length });
+  readonly #length = new NumberField({ step: 'any', required: true, 'aria-label': TEXT.length });
   readonly #line: ReturnType<typeof makeSelect>;
   readonly #atLine: HTMLFieldSetElement;
   readonly #atHandles: HTMLButtonElement;
+  /** What keeps one side of a line. */
+  readonly #keeping: HTMLButtonElement[] = [];
   readonly #drawing: LineDrawing;
   readonly #about = make('p', { class: 'quiet' });
   readonly #events: PanelEvents;
@@ -48,12 +51,12 @@ export class ChangePanel implements Panel {
       'form',
       { class: 'row' },
       make('span', {}, TEXT.length),
-      this.#length,
+      this.#length.input,
       make('button', {}, TEXT.apply),
     );
     resize.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.#ask({ way: 'resize', length: this.#length.valueAsNumber });
+      this.#ask({ way: 'resize', length: this.#length.input.valueAsNumber });
     });
     this.#atLine = make(
       'fieldset',
@@ -66,6 +69,7 @@ export class ChangePanel implements Panel {
       false,
       make('div', { class: 'buttons' }, ...OF_ALL.map((way) => this.#makeButton({ way }))),
       resize,
+      this.#length.note,
       this.#about,
       this.#drawing.element,
       this.#atLine,
@@ -84,9 +88,11 @@ export class ChangePanel implements Panel {
   setFrame(frame: FrameData): void {
     this.#drawing.setFrame(frame);
     const length = this.#meanLength * frame.lengthScale;
-    setValue(this.#length, String(Number(length.toPrecision(6))));
-    this.#length.min = String(length / MOST_FACTOR);
-    this.#length.max = String(length * MOST_FACTOR);
+    // Limits of few digits can be said.
+    const about = Number(length.toPrecision(2));
+    this.#length.input.min = String(about / MOST_FACTOR);
+    this.#length.input.max = String(about * MOST_FACTOR);
+    this.#length.set(String(Number(length.toPrecision(6))));
   }
 
   setHandles(_handles: readonly HandleData[], choice: Choice): void {
@@ -100,6 +106,7 @@ export class ChangePanel implements Panel {
     this.#atLine.disabled = selection.length === 0 && !isDrawn;
     this.#atHandles.disabled = selection.length === 0;
     setText(this.#about, selection.length === 0 ? TEXT.choose : TEXT.chosen(selection.length));
+    this.#allowSides();
     const names: LineChoice[] = [
       ...Array.from({ length: lines }, (_, line) => line),
       ...(onBoundary ? (['boundary'] as const) : []),
@@ -124,6 +131,11 @@ export class ChangePanel implements Panel {
     this.#preview(null);
   }
 
+  /** A line that parts nothing has no sides to keep. */
+  #allowSides(): void {
+    for (const button of this.#keeping) button.disabled = this.#isDrawnChosen && !this.#drawing.parts;
+  }
+
   get #isDrawnChosen(): boolean {
     return this.#line.select.value === 'drawn';
   }
@@ -142,12 +154,14 @@ export class ChangePanel implements Panel {
   #makeLineButton(way: LineWay): HTMLButtonElement {
     const button = makeButton(TEXT.ways[way], () => this.#ask({ way, place: this.#place }), { title: TEXT.hints[way] });
     whilePointedAt(button, (isPointedAt) => this.#preview(isPointedAt ? way : null));
+    if (way === 'keep_larger' || way === 'keep_smaller') this.#keeping.push(button);
     return button;
   }
 
   /** The line, and what goes with its side; null: nothing is about to be done, and a line that was drawn stays to be seen, with
    *  its smaller side faded. */
   #preview(way: LineWay | null): void {
+    this.#allowSides();
     const isShown = way !== null || this.#isDrawnChosen;
     this.#events.previewAlone(isShown ? this.#verticesOf(this.#place) : []);
     const goes = this.#goingWith(way ?? (this.#isDrawnChosen ? 'keep_larger' : 'cut'));

@@ -1,14 +1,14 @@
 /** Settings of a drag: how far from the dragged handles the net moves and other handles follow, whether they are kept to where it
  *  can follow, and what they snap to. */
-import type { ChebnetDocument } from '../document/document';
-import type { HandleCommands } from '../handles/commands';
+import type { ChebnetDocument, HandleData } from '../document/document';
+import type { Choice, HandleCommands } from '../handles/commands';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, makeSection, makeSwitch } from '../elements/dom';
 import type { Panel } from '../panels';
-import type { OpenedNet } from '../worker/protocol';
+import type { FrameData, OpenedNet } from '../worker/protocol';
 import { RadiusSlider } from './radius_slider';
-import { SnapControls } from './snap_controls';
+import { type Present, SnapControls } from './snap_controls';
 
 const TEXT = panelWords.drag;
 
@@ -17,8 +17,10 @@ export class DragPanel implements Panel {
   readonly #locality: RadiusSlider;
   readonly #influence: RadiusSlider;
   readonly #snap: SnapControls;
+  readonly #present: Present = { net: null, positions: null, selected: [] };
 
-  constructor(commands: HandleCommands) {
+  /** @param say tells the visitor what cannot be done. */
+  constructor(commands: HandleCommands, say: (message: string) => void) {
     const locality = { label: TEXT.locality, hint: TEXT.localityHint, none: TEXT.everything };
     this.#locality = new RadiusSlider('locality', locality, false, {
       preview: (radius) => commands.previewLocality(radius),
@@ -32,7 +34,7 @@ export class DragPanel implements Panel {
     const within = makeSwitch(TEXT.within, (on) => commands.setKeepWithin(on));
     within.row.title = TEXT.withinHint;
     within.box.checked = true;
-    this.#snap = new SnapControls(commands);
+    this.#snap = new SnapControls(commands, this.#present, say);
     const reach = makeSwitch(TEXT.showReach, (on) => commands.setShowReach(on));
     reach.row.title = TEXT.showReachHint;
     const axes = make('p', { class: 'quiet' }, TEXT.axes);
@@ -41,10 +43,19 @@ export class DragPanel implements Panel {
     this.element = makeSection(words.sections.drag, false, ...rows);
   }
 
-  setNet({ info }: OpenedNet): void {
-    this.#locality.setSize(info.vertices);
-    this.#influence.setSize(info.vertices);
-    this.#snap.setEdgeLength(info.meanLength);
+  setNet(net: OpenedNet): void {
+    this.#present.net = net;
+    this.#locality.setSize(net.info.vertices);
+    this.#influence.setSize(net.info.vertices);
+    this.#snap.setNet(net);
+  }
+
+  onFrame({ positions }: FrameData): void {
+    this.#present.positions = positions;
+  }
+
+  setHandles(handles: readonly HandleData[], { selection }: Choice): void {
+    this.#present.selected = selection.flatMap((vertex) => handles.find((each) => each.vertex === vertex) ?? []);
   }
 
   setDocument({ locality, influence, guide }: ChebnetDocument): void {

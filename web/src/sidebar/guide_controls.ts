@@ -1,5 +1,6 @@
 /** The surface beside the net: what it does to it and how strongly, whether it is shown, and taking it away. */
 import type { ChebnetDocument, SolverOptions } from '../document/document';
+import type { ChangeName } from '../document/naming';
 import { make, makeButton, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { makeSlider } from './slider';
@@ -9,7 +10,7 @@ const TEXT = panelWords.guide;
 const [STEPS, STEP] = [6, 4];
 
 export interface GuideEvents {
-  setOptions(change: SolverOptions): void;
+  setOptions(change: SolverOptions, name?: ChangeName): void;
   setHidden(hidden: boolean): void;
   putHandlesOn(): void;
   letGo(): void;
@@ -20,7 +21,7 @@ export class GuideControls {
   readonly #title = make('p');
   readonly #mode: ReturnType<typeof makeSelect>;
   readonly #weight = makeSlider(TEXT.weight, STEPS, timesText, (step) =>
-    this.#events.setOptions({ guide_weight: this.#usualWeight * factorOf(step) }),
+    this.#events.setOptions({ guide_weight: this.#usualWeight * factorOf(step) }, ['guideWeight', timesText(step)]),
   );
   readonly #shown: ReturnType<typeof makeSwitch>;
   readonly #elsewhere = make('p', { class: 'quiet' }, TEXT.elsewhere);

@@ -6,6 +6,7 @@ import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 import type { OpenedNet } from '../worker/protocol';
 import { HandleGroupRow } from './handle_group_row';
 import { HandleRow } from './handle_row';
@@ -33,8 +34,7 @@ export class HandleList implements Panel {
   readonly #more = makeButton('', () => this.#showMore(), { class: 'plain', hidden: true });
   readonly #empty = make('p', { class: 'quiet' }, panelWords.handles.none);
   readonly #several = make('p', { class: 'quiet' }, panelWords.handles.several);
-  readonly #number = make('input', {
-    type: 'number',
+  readonly #number = new NumberField({
     min: 0,
     step: 1,
     required: true,
@@ -59,10 +59,10 @@ export class HandleList implements Panel {
 
   constructor(events: PanelEvents) {
     this.#events = events;
-    const add = make('form', { class: 'add-handle' }, this.#number, make('button', {}, panelWords.handles.add));
+    const add = make('form', { class: 'add-handle' }, this.#number.input, make('button', {}, panelWords.handles.add));
     add.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.#add(this.#number.valueAsNumber);
+      this.#add(this.#number.input.valueAsNumber);
     });
     this.#form = new SelectionForm(events);
     this.#symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
@@ -75,12 +75,13 @@ export class HandleList implements Panel {
       this.#empty,
       this.#several,
       add,
+      this.#number.note,
       ...this.#symmetry.rows,
     );
   }
 
   setNet({ info }: OpenedNet): void {
-    this.#number.max = String(info.vertices - 1);
+    this.#number.input.max = String(info.vertices - 1);
     this.#edgeLength = info.meanLength;
     this.#mostRows = ROWS_AT_A_TIME;
   }
@@ -150,7 +151,7 @@ export class HandleList implements Panel {
   }
 
   #add(vertex: number): void {
-    this.#number.value = '';
+    this.#number.input.value = '';
     if (this.#handles.some((handle) => handle.vertex === vertex)) this.#events.handles.select([vertex]);
     else this.#events.handles.add(vertex);
   }

@@ -2,9 +2,12 @@
 import { ComparisonForm } from '../comparison/form';
 import { makeSection } from '../elements/dom';
 import type { Menu } from '../elements/menu';
+import { listenForMenus } from '../elements/menu_keys';
 import { panelWords } from '../language/panels';
 import { Narrator } from './narrator';
 import { ExportLines } from '../overlay/export_menu';
+import { Growth } from '../overlay/growth';
+import { MapEnds } from '../overlay/map_ends';
 import { PartNotice } from '../overlay/part_notice';
 import { RunNotice } from '../overlay/run_notice';
 import { SelectionBar } from '../overlay/selection_bar';
@@ -24,6 +27,7 @@ import type { SidebarServices } from './sections';
 import { ShapeHints } from './shape_hints';
 import { SolverPanel } from './solver_panel';
 import { StepPanel } from './step_panel';
+import './late_sections.css';
 
 export interface LateSections {
   panels: Panel[];
@@ -36,22 +40,27 @@ export interface LateSections {
 }
 
 /** @param experiments exists already, since its note is placed elsewhere. @param shape the section that gets its hints.
- *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. */
+ *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. @param ends what
+ *  the legend unfolds. */
 export function createLateSections(
   { events, say, failed, fold }: SidebarServices,
   experiments: HTMLElement,
   shape: HTMLElement,
   behaviour: HTMLElement,
   exports: Menu,
+  ends: HTMLElement,
 ): LateSections {
+  listenForMenus();
   const comparison = new ComparisonForm((request) => {
     fold();
     events.compare(request);
   });
-  const [drag, flip] = [new DragPanel(events.handles), new FlipControl(events)];
+  const [drag, flip] = [new DragPanel(events.handles, say), new FlipControl(events)];
   drag.element.append(flip.element);
   const rods = new RodControls(events);
   behaviour.append(rods.element);
+  const mapEnds = new MapEnds(events);
+  ends.append(mapEnds.element);
   const usual = [
     new HandleList(events),
     drag,
@@ -70,12 +79,14 @@ export function createLateSections(
   );
   research.classList.add('group');
   const tools = [new SelectionBar(events), new PartNotice(events), new RunNotice(events)];
-  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator()];
+  const notices = [new SharpNotice(events), new StuckNotice(events), new Narrator(events.isChanging)];
   return {
     panels: [
       ...usual,
       new ShapeHints(shape),
+      new Growth(document.getElementById('view')!, events),
       rods,
+      mapEnds,
       flip,
       new ExportLines(exports, events),
       convergence,

@@ -14,6 +14,7 @@ export class LearnPanel implements Panel {
   #lessons: Lessons | null = null;
   #net: OpenedNet | null = null;
   #frame: FrameData | null = null;
+  #solving = false;
   /** The exponent of the last iteration that had one. */
   #p = 2;
 
@@ -32,8 +33,14 @@ export class LearnPanel implements Panel {
     this.#p = frame.trace.filter(({ p }) => p > 0).at(-1)?.p ?? this.#p;
   }
 
-  setFrame(): void {
-    if (this.element.open && this.#net && this.#frame) this.#lessons?.update(this.#net, this.#frame, this.#p);
+  setFrame(_frame: FrameData, _framesPerSecond: number, solving: boolean): void {
+    this.#solving = solving;
+    this.#update();
+  }
+
+  #update(): void {
+    if (this.element.open && this.#net && this.#frame)
+      this.#lessons?.update(this.#net, this.#frame, this.#p, this.#solving);
   }
 
   async #unfolded(): Promise<void> {
@@ -43,6 +50,6 @@ export class LearnPanel implements Panel {
       this.element.append(...this.#lessons.content);
     }
     this.element.scrollIntoView({ block: 'start' });
-    this.setFrame();
+    this.#update();
   }
 }

@@ -12,6 +12,8 @@ export class Lessons {
   readonly content: HTMLElement[];
   readonly #graph = new EnergyGraph();
   readonly #now = make('p', { class: 'quiet' });
+  /** In both lessons that go step by step. */
+  readonly #waits = [0, 1].map(() => make('p', { class: 'quiet', role: 'status' }));
   readonly #stages = TEXT.stageTexts.map((text) => make('li', {}, ...withFormulas(text)));
 
   constructor(events: PanelEvents) {
@@ -34,18 +36,20 @@ export class Lessons {
     this.content = [
       lesson('net'),
       lesson('deviation'),
-      lesson('energy', this.#graph.element, this.#now),
-      lesson('stages', make('ol', {}, ...this.#stages)),
+      lesson('energy', this.#graph.element, this.#now, this.#waits[0]!),
+      lesson('stages', make('ol', {}, ...this.#stages), this.#waits[1]!),
       make('p', { class: 'quiet' }, licences),
     ];
   }
 
   /** @param p the exponent of the moment. */
-  update(net: OpenedNet, frame: FrameData, p: number): void {
+  update(net: OpenedNet, frame: FrameData, p: number, solving: boolean): void {
     const ratio = worstRatio(net, frame);
     this.#graph.update(p, ratio);
     setText(this.#now, TEXT.now(p, ratio.toPrecision(5)));
     const isTaught = frame.method === TAUGHT_METHOD && frame.status === 'running';
+    const waits = isTaught && !solving && frame.iterations > 0;
+    for (const each of this.#waits) setText(each, waits ? TEXT.waits : '');
     this.#stages.forEach((each, i) => {
       if (isTaught && frame.stage === i + 1) each.setAttribute('aria-current', 'step');
       else each.removeAttribute('aria-current');

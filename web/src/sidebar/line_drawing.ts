@@ -24,6 +24,8 @@ export class LineDrawing {
   readonly #failed: (error: unknown) => void;
   #pen: Pen | null = null;
   #line: DrawnLine = [];
+  /** Faces, on each side of it. */
+  #sides: readonly (readonly number[])[] = [];
   #net: OpenedNet | null = null;
   #frame: FrameData | null = null;
 
@@ -33,6 +35,11 @@ export class LineDrawing {
     this.#changed = changed;
     this.#failed = failed;
     this.element = make('div', {}, make('div', { class: 'buttons' }, this.#draw, this.#remove), this.#words);
+  }
+
+  /** Whether it parts the net. */
+  get parts(): boolean {
+    return this.#sides.length > 1;
   }
 
   setNet(net: OpenedNet): void {
@@ -79,7 +86,7 @@ export class LineDrawing {
     const ways = waysAlong(net, frame.positions, line, edgeLength);
     if (ways.length === 0) return this.#say(stroke.length === 0 ? TEXT.missed : TEXT.short);
     this.#set(line, ways);
-    this.#say(effectOf(net, ways));
+    this.#say(effectOf(net, this.#sides));
   }
 
   #clear(): void {
@@ -90,6 +97,7 @@ export class LineDrawing {
   #set(line: DrawnLine, ways: readonly number[][]): void {
     this.#line = line;
     this.ways = ways;
+    this.#sides = this.#net && ways.length > 0 ? sidesOf(this.#net, edgesAlong(this.#net, ...ways)) : [];
     this.#remove.hidden = ways.length === 0;
     this.#changed();
   }
@@ -99,9 +107,8 @@ export class LineDrawing {
   }
 }
 
-/** What such a line does to the net. */
-function effectOf(net: OpenedNet, ways: readonly number[][]): string {
-  const [, ...others] = sidesOf(net, edgesAlong(net, ...ways));
+/** What a line with these sides does to the net. */
+function effectOf(net: OpenedNet, [, ...others]: readonly (readonly number[])[]): string {
   if (others.length === 0) return TEXT.open;
   const [smaller, all] = [others.flat().length, net.info.faces];
   return TEXT.parts(smaller.toLocaleString(words.locale), all.toLocaleString(words.locale));

@@ -3,6 +3,7 @@ import type { InitialisationInfo, MethodInfo } from '../../../wasm/chebnet';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import { make, makeSelect, setValue } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 
 /** The paper does so many iterations of an initialisation. */
 const USUAL_COUNT = 5;
@@ -75,25 +76,23 @@ export class MethodChoice {
 export class InitialisationChoice {
   readonly content: HTMLElement[];
   readonly #choice: Choice<InitialisationInfo>;
-  readonly #count = make('input', {
-    type: 'number',
-    step: 1,
-    min: 1,
-    max: 10000,
-    value: USUAL_COUNT,
-    required: true,
-  });
-  readonly #countRow = make('label', { class: 'row' }, make('span', {}, panelWords.solver.count), this.#count);
+  readonly #count = new NumberField({ step: 1, min: 1, max: 10000, value: USUAL_COUNT, required: true });
+  readonly #countRow = make(
+    'div',
+    {},
+    make('label', { class: 'row' }, make('span', {}, panelWords.solver.count), this.#count.input),
+    this.#count.note,
+  );
 
   constructor(changed: () => void) {
     this.#choice = new Choice(panelWords.solver.initialisation, panelWords.solver.aboutInitialisation, changed);
-    this.#count.addEventListener('change', () => this.#count.reportValidity() && changed());
+    this.#count.input.addEventListener('change', () => this.#count.value !== null && changed());
     this.content = [this.#choice.row, this.#countRow, this.#choice.about];
   }
 
   get value(): string {
     const { name = '', counted = false } = this.#choice.chosen ?? {};
-    return counted ? `${name}:${this.#count.validity.valid ? this.#count.value : USUAL_COUNT}` : name;
+    return counted ? `${name}:${this.#count.value ?? USUAL_COUNT}` : name;
   }
 
   setTable(table: InitialisationInfo[]): void {
@@ -104,6 +103,6 @@ export class InitialisationChoice {
     const [name = '', count] = initialisation.split(':');
     this.#choice.setValue(name);
     this.#countRow.hidden = count === undefined;
-    if (count !== undefined) setValue(this.#count, count);
+    if (count !== undefined) this.#count.set(count);
   }
 }

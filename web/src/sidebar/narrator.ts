@@ -19,12 +19,18 @@ export class Narrator implements Panel {
   readonly element = make('div', { class: 'narrator', role: 'status' });
   #history: Pick<HistoryView, 'names' | 'present' | 'revision'> | null = null;
   #selection: Selection | null = null;
-  #isSolving = false;
-  /** The state of the solver, in words. */
-  #standing = '';
+  #frame: FrameData | null = null;
   /** What is yet to be told. */
   #news: string | null = null;
+  /** The solver has sent a frame since then. */
+  #isAnswered = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #isChanging: () => boolean;
+
+  /** @param isChanging whether the net is yet to be solved. */
+  constructor(isChanging: () => boolean) {
+    this.#isChanging = isChanging;
+  }
 
   setHistory({ names, present, revision }: HistoryView): void {
     const before = this.#history;
@@ -44,24 +50,33 @@ export class Narrator implements Panel {
     this.#tell(panelWords.narrator.selected(only ? one(only.name ?? String(only.vertex)) : several(selection.length)));
   }
 
-  setFrame(frame: FrameData, _framesPerSecond: number, solving: boolean): void {
-    this.#isSolving = solving;
-    this.#standing = words.status[standing(frame, solving)];
-    if (!solving && this.#timer === undefined) this.#say();
+  onFrame(frame: FrameData): void {
+    this.#frame = frame;
+    this.#isAnswered = true;
+  }
+
+  setFrame(frame: FrameData): void {
+    this.#frame = frame;
+    if (this.#timer === undefined) this.#say();
   }
 
   #tell(news: string): void {
     this.#news = news;
+    this.#isAnswered = false;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
       this.#timer = undefined;
-      if (!this.#isSolving) this.#say();
+      this.#say();
     }, PAUSE_MS);
   }
 
+  /** Not before the solver has answered with a net whose edges have their lengths, or has ended. */
   #say(): void {
-    if (this.#news === null) return;
-    this.element.textContent = panelWords.narrator.withResult(this.#news, this.#standing);
+    if (this.#news === null || this.#frame === null) return;
+    const isChanging = this.#isChanging();
+    const state = standing(this.#frame, isChanging);
+    if (isChanging && (!this.#isAnswered || state === 'running')) return;
+    this.element.textContent = panelWords.narrator.withResult(this.#news, words.status[state]);
     this.#news = null;
   }
 }

@@ -2,6 +2,7 @@
  *  Under the behaviour, for options of the method `equilibrium`. */
 import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, SolverOptions } from '../document/document';
+import type { ChangeName } from '../document/naming';
 import { make, makeSelect, setValue } from '../elements/dom';
 import { panelWords } from '../language/panels';
 import { hasTwoFamilies } from '../net/families';
@@ -63,13 +64,13 @@ export class RodControls implements Panel {
   /** Both together stay as stiff. */
   #chooseBalance(step: number): void {
     const warp_stiffness = STEP ** ((step - MIDDLE) / 2);
-    this.#set({ warp_stiffness, weft_stiffness: 1 / warp_stiffness });
+    this.#set({ warp_stiffness, weft_stiffness: 1 / warp_stiffness }, ['balance', balanceText(step)]);
   }
 
-  #set(change: SolverOptions): void {
+  #set(change: SolverOptions, name?: ChangeName): void {
     if (this.#document === null) return;
     const { method, initialisation, options } = this.#document;
-    this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } });
+    this.#events.setBehaviour({ method, initialisation, options: { ...this.#usual, ...options, ...change } }, name);
   }
 }
 

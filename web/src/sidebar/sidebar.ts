@@ -57,6 +57,7 @@ class Sidebar implements Panels {
   readonly #sections: HTMLElement;
   /** All of them. */
   readonly #panels: PanelList;
+  readonly #legend = new Legend();
   readonly #services: SidebarServices;
   readonly #experiments: ExperimentsPlace;
   readonly #shape: Panel;
@@ -72,7 +73,7 @@ class Sidebar implements Panels {
     const over: Panel[] = [
       new Title(events, this.#experiments.note),
       this.#toolbar,
-      new Legend(events),
+      this.#legend,
       this.#messages,
       new OpeningNotice(() => events.cancelOpening()),
     ];
@@ -170,6 +171,7 @@ class Sidebar implements Panels {
       this.#shape.element,
       this.#behaviour.element,
       this.#toolbar.exports,
+      this.#legend.ends,
     );
     this.#panels.join(panels);
     this.#sections.append(...elements);

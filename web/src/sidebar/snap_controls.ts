@@ -1,12 +1,15 @@
-/** What drags snap to. A key held suspends it; arrow keys, which go step by step, are not attracted by other handles. */
-import type { GuideSource } from '../document/document';
+/** What drags snap or keep to. A key held suspends it; arrow keys, which go step by step, are not attracted by other handles. */
+import type { GuideSource, HandleData } from '../document/document';
 import { make, makeSwitch } from '../elements/dom';
 import type { KeyRow } from '../elements/keys';
+import { NumberField } from '../elements/number_field';
 import type { HandleCommands } from '../handles/commands';
+import { borderOfNet, borderOfSurface, type Curve, throughHandles } from '../handles/curve';
 import { Snapping } from '../handles/snapping';
 import { SurfacePoints } from '../handles/surface_points';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
+import type { OpenedNet } from '../worker/protocol';
 import './snap_controls.css';
 
 const TEXT = panelWords.drag;
@@ -15,14 +18,25 @@ export const SNAP_KEYS: readonly KeyRow[] = [
   { keys: [`Ctrl+${words.keys.drag}`, `⌘+${words.keys.drag}`], does: 'suspendSnap' },
 ];
 
+/** Curves that drags can keep to. */
+const CURVES = ['none', 'net', 'surface', 'handles'] as const;
+type CurveName = (typeof CURVES)[number];
+
+/** The net that is open as it lies now, and its selected handles in the order of selection. */
+export interface Present {
+  net: OpenedNet | null;
+  positions: Float64Array | null;
+  selected: readonly HandleData[];
+}
+
 export class SnapControls {
   readonly rows: HTMLElement[];
   readonly #grid = makeSwitch(TEXT.toGrid, () => this.#apply());
   readonly #handles = makeSwitch(TEXT.toHandles, () => this.#apply());
   readonly #onto = makeSwitch(TEXT.toSurface, () => void this.#findSurface());
-  readonly #spacing = make('input', {
-    type: 'number',
+  readonly #spacing = new NumberField({
     min: 0,
+    above: 0,
     step: 'any',
     value: 1,
     required: true,
@@ -34,6 +48,15 @@ export class SnapControls {
     ...(['edges', 'units'] as const).map((unit) => make('option', { value: unit }, TEXT.units[unit])),
   );
   readonly #spacingRow: HTMLElement;
+  readonly #curves = make(
+    'select',
+    { 'aria-label': TEXT.toCurve },
+    ...CURVES.map((name) => make('option', { value: name }, TEXT.curves[name])),
+  );
+  readonly #present: Readonly<Present>;
+  readonly #say: (message: string) => void;
+  /** As it was when it was chosen. */
+  #curve: Curve | null = null;
   #edgeLength = 1;
   /** The surface beside the net, and where its points are, once they have been asked for. */
   #guide: GuideSource | undefined;
@@ -42,20 +65,35 @@ export class SnapControls {
   #isArrowHeld = false;
   readonly #commands: HandleCommands;
 
-  constructor(commands: HandleCommands) {
+  /** @param say tells the visitor what cannot be done. */
+  constructor(commands: HandleCommands, present: Readonly<Present>, say: (message: string) => void) {
     this.#commands = commands;
+    this.#present = present;
+    this.#say = say;
     this.#handles.row.title = TEXT.toHandlesHint;
     this.#grid.row.title = TEXT.toGridHint;
     this.#spacingRow = make(
       'div',
-      { class: 'row' },
-      make('span', {}, TEXT.spacing),
-      make('div', { class: 'spacing' }, this.#spacing, this.#unit),
+      {},
+      make(
+        'div',
+        { class: 'row' },
+        make('span', {}, TEXT.spacing),
+        make('div', { class: 'spacing' }, this.#spacing.input, this.#unit),
+      ),
+      this.#spacing.note,
     );
-    for (const field of [this.#spacing, this.#unit]) field.addEventListener('change', () => this.#apply());
+    for (const field of [this.#spacing.input, this.#unit]) field.addEventListener('change', () => this.#apply());
     this.#onto.row.title = TEXT.toSurfaceHint;
     this.#onto.row.hidden = true;
-    this.rows = [this.#grid.row, this.#spacingRow, this.#handles.row, this.#onto.row];
+    const curves = make(
+      'label',
+      { class: 'row', title: TEXT.toCurveHint },
+      make('span', {}, TEXT.toCurve),
+      this.#curves,
+    );
+    this.#curves.addEventListener('change', () => void this.#chooseCurve(this.#curves.value as CurveName));
+    this.rows = [this.#grid.row, this.#spacingRow, this.#handles.row, this.#onto.row, curves];
     // Before the picture moves the selection at a key, and after it has ended that at its release.
     addEventListener('keydown', (event) => this.#hold(event, true), { capture: true });
     addEventListener('keyup', (event) => this.#hold(event, false));
@@ -63,10 +101,10 @@ export class SnapControls {
     this.#spacingRow.hidden = true;
   }
 
-  /** @param edgeLength of the net that is open. */
-  setEdgeLength(edgeLength: number): void {
-    this.#edgeLength = edgeLength;
-    this.#apply();
+  /** Another net is open: a curve was of the one before. */
+  setNet({ info }: OpenedNet): void {
+    this.#edgeLength = info.meanLength;
+    this.#keepTo(null);
   }
 
   /** @param guide beside the net that is open. */
@@ -75,6 +113,28 @@ export class SnapControls {
     this.#guide = guide;
     this.#onto.row.hidden = guide === undefined;
     if (this.#onto.box.checked) void this.#findSurface();
+  }
+
+  async #chooseCurve(name: CurveName): Promise<void> {
+    const curve = await this.#curveOf(name);
+    if (this.#curves.value !== name) return;
+    this.#keepTo(curve);
+    if (name !== 'none' && curve === null) this.#say(TEXT.noCurve[name]);
+  }
+
+  /** Null: there is no such curve. */
+  async #curveOf(name: CurveName): Promise<Curve | null> {
+    const { net, positions, selected } = this.#present;
+    if (name === 'net') return net && positions && borderOfNet(net, positions);
+    if (name === 'handles') return throughHandles(selected);
+    const surface = name === 'surface' ? await this.#commands.guide() : null;
+    return surface && borderOfSurface(surface);
+  }
+
+  #keepTo(curve: Curve | null): void {
+    this.#curve = curve;
+    if (curve === null) this.#curves.value = 'none';
+    this.#apply();
   }
 
   async #findSurface(): Promise<void> {
@@ -100,7 +160,7 @@ export class SnapControls {
   }
 
   get #isOn(): boolean {
-    return this.#grid.box.checked || this.#handles.box.checked || this.#isOntoSurface;
+    return this.#grid.box.checked || this.#handles.box.checked || this.#isOntoSurface || this.#curve !== null;
   }
 
   get #isOntoSurface(): boolean {
@@ -111,13 +171,13 @@ export class SnapControls {
     this.#spacingRow.hidden = !this.#grid.box.checked;
     const step = this.#grid.box.checked && !this.#isSuspended ? this.#step : null;
     const toHandles = this.#handles.box.checked && !this.#isSuspended && !this.#isArrowHeld;
-    const surface = this.#isOntoSurface && !this.#isSuspended ? this.#surface : null;
-    this.#commands.setSnapping(this.#isOn ? new Snapping(step, toHandles, this.#edgeLength, surface) : null);
+    const onto = this.#isSuspended ? null : (this.#curve ?? (this.#isOntoSurface ? this.#surface : null));
+    this.#commands.setSnapping(this.#isOn ? new Snapping(step, toHandles, this.#edgeLength, onto) : null);
   }
 
   /** In the net's unit; null: the field has no such number. */
   get #step(): number | null {
-    const spacing = this.#spacing.valueAsNumber;
-    return spacing > 0 ? spacing * (this.#unit.value === 'edges' ? this.#edgeLength : 1) : null;
+    const { value } = this.#spacing;
+    return value === null ? null : value * (this.#unit.value === 'edges' ? this.#edgeLength : 1);
   }
 }

@@ -5,7 +5,8 @@ import type { HistoryView } from '../document/undo';
 import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
-import { make, makeButton, makeSection, makeSwitch, setValue } from '../elements/dom';
+import { make, makeButton, makeSection, makeSwitch } from '../elements/dom';
+import { NumberField } from '../elements/number_field';
 import type { FrameData } from '../worker/protocol';
 import { InitialisationChoice, MethodChoice } from './method_choice';
 import type { Panel, PanelEvents } from '../panels';
@@ -15,7 +16,7 @@ const USUAL = ['threshold', 'max_iterations', 'p_start', 'p_end', 'adaptive_p', 
 
 interface Setting {
   option: OptionInfo;
-  input: HTMLInputElement;
+  set(value: number | boolean): void;
   row: HTMLElement;
 }
 
@@ -72,8 +73,8 @@ export class SolverPanel implements Panel {
     this.#method.setValue(method);
     this.#initialisation.setValue(initialisation);
     const { options: read = [] } = this.#method.chosen ?? {};
-    for (const { option, input, row } of this.#settings) {
-      this.#updateSetting(option, input, options[option.name] ?? option.value);
+    for (const { option, set, row } of this.#settings) {
+      set(options[option.name] ?? option.value);
       row.hidden = !read.includes(option.name);
     }
     this.#more.hidden = [...this.#seldom.children].every((row) => (row as HTMLElement).hidden);
@@ -92,26 +93,21 @@ export class SolverPanel implements Panel {
     if (option.kind === 'flag') {
       const { row, box } = makeSwitch(panelWords.solver.optionName(option.name), (on) => this.#change(option, on));
       row.title = panelWords.solver.option(option);
-      return { option, input: box, row };
+      return { option, set: (value) => (box.checked = Boolean(value)), row };
     }
     const step = option.kind === 'integer' ? 1 : 'any';
     const { smallest: min, largest: max } = option;
-    const input = make('input', { type: 'number', step, min, max, required: true });
-    input.addEventListener('change', () => {
-      if (input.reportValidity()) this.#change(option, input.valueAsNumber);
+    const field = new NumberField({ step, min, max, required: true });
+    field.input.addEventListener('change', () => {
+      if (field.value !== null) this.#change(option, field.value);
     });
-    const row = make(
+    const label = make(
       'label',
       { class: 'row', title: panelWords.solver.option(option) },
       make('span', {}, panelWords.solver.optionName(option.name)),
-      input,
+      field.input,
     );
-    return { option, input, row };
-  }
-
-  #updateSetting({ kind }: OptionInfo, input: HTMLInputElement, value: number | boolean): void {
-    if (kind === 'flag') input.checked = Boolean(value);
-    else setValue(input, plain(Number(value)));
+    return { option, set: (value) => field.set(plain(Number(value))), row: make('div', {}, label, field.note) };
   }
 
   #change({ name }: OptionInfo, value: number | boolean): void {

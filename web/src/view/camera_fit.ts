@@ -13,6 +13,9 @@ const STANDARD = {
   top: new Vector3(0, -1e-4, 1).normalize(),
 };
 
+/** The part of a picture's width that is clearly within it. */
+const INSIDE = 0.94;
+
 /** How far behind the middle of the scene is clearly behind. */
 const CLEARLY = 0.1;
 
@@ -23,6 +26,9 @@ export interface Stand {
 
 /** `free`: from the front and from above. */
 export type StandardView = 'free' | keyof typeof STANDARD;
+
+/** `here`: from where the camera is. */
+export type Side = StandardView | 'here';
 
 /** From where to see the whole net; freely: from the front, unless the handle to begin with would be at the back. */
 export function directionFor(first: Vector3, from: StandardView = 'free'): Vector3 {
@@ -68,6 +74,32 @@ export function fitCamera(
     .addScaledVector(right, across.centre(distance))
     .addScaledVector(up, upright.centre(distance));
   return { position: target.clone().addScaledVector(direction, distance), target };
+}
+
+/** From a stand that was kept for a picture of another aspect, so far back that all that is within that is within this one.
+ *  @param camera stands there. */
+export function standBack(
+  points: Float32Array,
+  count: number,
+  camera: PerspectiveCamera,
+  { position, target }: Stand,
+  aspect: number,
+  isParallel = false,
+): Stand {
+  const slope = Math.tan((camera.fov * Math.PI) / 360);
+  const away = position.clone().sub(target);
+  const distance = away.length();
+  const p = new Vector3();
+  let back = 0;
+  camera.updateMatrixWorld();
+  for (let i = 0; i < count; i++) {
+    if (points[4 * i + 3]! > 0) continue;
+    p.fromArray(points, 4 * i).applyMatrix4(camera.matrixWorldInverse);
+    const depth = isParallel ? distance : -p.z;
+    const [across, upright] = [Math.abs(p.x) / slope, Math.abs(p.y) / slope];
+    if (upright < depth && across < aspect * depth) back = Math.max(back, across / (INSIDE * camera.aspect) - depth);
+  }
+  return { position: position.clone().addScaledVector(away, back / distance), target };
 }
 
 /** One direction of the picture. From a distance d before centre c, a point (x, towards) is within both sides if

@@ -79,7 +79,7 @@ const FAR = 24;
 /** How far behind the nearest vertex the front layer of the net ends, in edge lengths. */
 const LAYER = 3;
 /** One arrow key: a turn in radians, a shift in pixels, a nudge in edge lengths. On a grid a nudge is a step of it. */
-const KEY = { turn: 0.12, pan: 40, zoom: 1.15, nudge: 0.2, bigNudge: 2 };
+const KEY = { turn: 0.12, pan: 40, zoom: 0.87, nudge: 0.2, bigNudge: 2 };
 const ARROW_KEYS: Record<string, readonly [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],

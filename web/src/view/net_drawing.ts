@@ -2,12 +2,15 @@
  *  the surface beside it. What draws rods and surfaces is loaded when it is first needed. */
 import { Group, type Vector2, type WebGLRenderer } from 'three';
 import type { Look } from '../document/document';
+import type { Curve } from '../handles/curve';
 import type { Part } from '../handles/part';
+import type { Snapping } from '../handles/snapping';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import type { CameraRig } from './camera_rig';
 import { Ground } from './ground';
+import type { KeptCurve } from './kept_curve';
 import { ColourTexture, NetData, netUniforms } from './net_data';
 import { NetFaces } from './net_faces';
 import { NetLines } from './net_lines';
@@ -33,6 +36,7 @@ const BEHIND = 0.3;
 const SECTION_RANGE = 1.1;
 const surfaceShade = lazy(() => import('./surface_shade'));
 const rods = lazy(() => import('./rods'));
+const keptCurve = lazy(() => import('./kept_curve'));
 
 export class NetDrawing {
   /** To be put into the scene. */
@@ -52,6 +56,8 @@ export class NetDrawing {
   #guide: DrawnSurface | null = null;
   #shade: SurfaceShade | null = null;
   #rods: Rods | null = null;
+  #curve: Curve | null | undefined;
+  #drawnCurve: KeptCurve | null = null;
   #hasMoved = false;
   #isDisposed = false;
 
@@ -105,9 +111,11 @@ export class NetDrawing {
     this.#hasMoved = true;
   }
 
-  /** Spacing of the grid to which drags snap, in the net's unit. */
-  setGrid(step: number | null | undefined): void {
-    if (this.#data) this.#ground.setGrid(step, this.#data.space);
+  setSnapping(snapping: Snapping | null | undefined): void {
+    if (this.#data) this.#ground.setGrid(snapping?.step, this.#data.space);
+    if (snapping?.curve === this.#curve) return;
+    this.#curve = snapping?.curve;
+    this.#drawCurve().catch((error: unknown) => this.#events.failed(error));
   }
 
   setAppearance(appearance: Appearance): void {
@@ -130,7 +138,8 @@ export class NetDrawing {
 
   setTheme(theme: Theme): void {
     this.#theme = theme;
-    for (const part of [this.#ground, this.#lines, this.#faces, this.#shade, this.#rods]) part?.setTheme(theme);
+    const optional = [this.#shade, this.#rods, this.#drawnCurve];
+    for (const part of [this.#ground, this.#lines, this.#faces, ...optional]) part?.setTheme(theme);
     this.setAppearance(this.#appearance);
   }
 
@@ -149,8 +158,8 @@ export class NetDrawing {
 
   dispose(): void {
     this.#isDisposed = true;
-    for (const part of [this.#ground, this.#lines, this.#faces, this.#colours, this.#shade, this.#rods, this.#data])
-      part?.dispose();
+    const optional = [this.#shade, this.#rods, this.#drawnCurve, this.#data];
+    for (const part of [this.#ground, this.#lines, this.#faces, this.#colours, ...optional]) part?.dispose();
     this.#data = null;
   }
 
@@ -168,6 +177,17 @@ export class NetDrawing {
       this.#shade.setSurface(this.#guide, this.#data.space);
       this.#shade.setBehind(BEHIND * this.#data.edgeLength);
     }
+    this.#events.changed();
+  }
+
+  async #drawCurve(): Promise<void> {
+    this.#drawnCurve?.dispose();
+    const curve = this.#curve;
+    if (!curve) return;
+    const { KeptCurve } = await keptCurve();
+    if (curve !== this.#curve || !this.#data) return;
+    this.#drawnCurve = new KeptCurve(curve, this.#data.space, this.#theme);
+    this.object.add(this.#drawnCurve.object);
     this.#events.changed();
   }
 

@@ -1,13 +1,13 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
 import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { HandleData, Symmetry, Vec3 } from '../document/document';
+import type { CameraPlace, HandleData, Symmetry } from '../document/document';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
-import { directionFor, fitCamera, type Margins, type StandardView, type Stand } from './camera_fit';
+import { directionFor, fitCamera, type Margins, type Side, type Stand, standBack } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import { takeFilm, takePicture } from './capture';
 import type { AxisDrag } from './axis_drag';
@@ -29,10 +29,10 @@ import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, Pen, PenEvents, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
 
-type CameraPlace = { position: Vec3; target: Vec3 };
-
 /** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
+/** Of a picture whose camera does not say. */
+const USUAL_ASPECT = 1.2;
 /** The share of its margins that title and tools do cover. */
 const COVERED = 0.6;
 
@@ -118,6 +118,8 @@ class SceneView implements View {
     this.#events = events;
     this.#graphics = graphics;
     this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
+    // What a driver says of shaders takes a while to come, and they are the same everywhere.
+    this.#renderer.debug.checkShaderErrors = false;
     this.#theme = readTheme(container);
     this.#drawing = new NetDrawing(this.#theme, this.#appearance, {
       changed: () => this.#requestDraw(),
@@ -159,6 +161,8 @@ class SceneView implements View {
     this.#resizing = new ResizeObserver(() => this.#resize());
     this.#resizing.observe(container);
     this.#resize();
+    // Drivers compile shaders while the first net is still to come; its first picture would wait for them.
+    this.#renderer.compile(this.#scene, this.#rig.eye);
   }
 
   setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
@@ -170,6 +174,7 @@ class SceneView implements View {
     this.#lookFrom('free');
     this.#rig.framed = camera === null;
     this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
+    if (camera) this.#standBack(camera);
   }
 
   setFrame(frame: FrameData): void {
@@ -186,7 +191,7 @@ class SceneView implements View {
     this.#handles = handles;
     this.#choice = choice;
     this.#drawing.setPart(choice.part);
-    this.#drawing.setGrid(choice.snapping?.step);
+    this.#drawing.setSnapping(choice.snapping);
     this.#markers.update(
       handles.map((each) => (choice.part?.hidden[each.vertex] ? { ...each, hidden: true } : each)),
       this.#netData.space,
@@ -282,7 +287,7 @@ class SceneView implements View {
       .catch((error: unknown) => this.#events.failed(error));
   }
 
-  frameAll(from: StandardView = 'free'): void {
+  frameAll(from: Side = 'free'): void {
     if (!this.#netData) return;
     this.#lookFrom(from);
     this.#rig.framed = true;
@@ -445,9 +450,12 @@ class SceneView implements View {
     this.setHandles(handles, this.#choice);
   }
 
-  #lookFrom(from: StandardView): void {
+  #lookFrom(from: Side): void {
     const first = this.#net?.suggestedHandles.at(-1);
-    this.#direction = directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first), from);
+    this.#direction =
+      from === 'here'
+        ? this.#rig.camera.getWorldDirection(new Vector3()).negate()
+        : directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first), from);
   }
 
   #setParallel(isParallel: boolean): void {
@@ -548,7 +556,16 @@ class SceneView implements View {
 
   #fromStand({ position, target }: Stand): CameraPlace {
     const { space } = this.#netData!;
-    return { position: space.toNet(position), target: space.toNet(target) };
+    // No wider than it is, or what is kept would move when it comes back.
+    const aspect = Math.floor(100 * this.#rig.camera.aspect) / 100;
+    return { position: space.toNet(position), target: space.toNet(target), aspect };
+  }
+
+  /** What was in a wider picture is in this one. */
+  #standBack({ aspect = USUAL_ASPECT }: CameraPlace): void {
+    const { points, vertexCount } = this.#netData!;
+    const { camera, stand, isParallel } = this.#rig;
+    if (aspect > camera.aspect) this.#rig.standAt(standBack(points, vertexCount, camera, stand, aspect, isParallel));
   }
 
   #wholeNet(): Stand {

@@ -1,13 +1,13 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports gestures; it
  *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { HandleData, Look, Symmetry, Vec3 } from '../document/document';
+import type { CameraPlace, HandleData, Look, Symmetry } from '../document/document';
 import type { DrawnLine } from '../change/drawn_line';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import type { Selection } from '../handles/selection';
 import type { Choice } from '../handles/commands';
-import type { StandardView } from './camera_fit';
+import type { Side } from './camera_fit';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 
 /** Gestures in the view. */
@@ -24,9 +24,9 @@ export interface ViewEvents {
   /** Keys would move the selection, but all of it is locked. */
   lockedStay(): void;
   /** The camera came to rest after orbit, pan or zoom. */
-  cameraChanged(camera: { position: Vec3; target: Vec3 }): void;
+  cameraChanged(camera: CameraPlace): void;
   /** While it moves, but not by setCamera(). */
-  cameraMoved(camera: { position: Vec3; target: Vec3 }): void;
+  cameraMoved(camera: CameraPlace): void;
   /** Something could not be shown. */
   failed(error: unknown): void;
 }
@@ -67,7 +67,7 @@ export interface Film {
 
 export interface View {
   /** Shows another net; frames the camera unless one is given. */
-  setNet(net: OpenedNet, frame: FrameData, camera: { position: Vec3; target: Vec3 } | null): void;
+  setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void;
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   setFrame(frame: FrameData): void;
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void;
@@ -93,12 +93,12 @@ export interface View {
   /** Whether the direction of a single step is drawn, as arrows from where the vertices stood. */
   setStepArrows(shown: boolean): void;
   /** Back to a view of the whole net. */
-  frameAll(from?: StandardView): void;
-  camera(): { position: Vec3; target: Vec3 };
+  frameAll(from?: Side): void;
+  camera(): CameraPlace;
   /** Where a camera that moves will rest; null: it rests. */
-  heading(): { position: Vec3; target: Vec3 } | null;
+  heading(): CameraPlace | null;
   /** Moves the camera there without animation. */
-  setCamera(camera: { position: Vec3; target: Vec3 }): void;
+  setCamera(camera: CameraPlace): void;
   /** The view as PNG with a transparent background, at a multiple of the screen's resolution. */
   picture(magnification: number): Promise<Blob>;
   /** A stream of the view on a plain background, until its end() is called. */

@@ -557,7 +557,7 @@ function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
   if (numbering === undefined || numbering === numberingOf(editor)) return;
   throw new Failure(
     'other_numbering',
-    'This net is numbered otherwise than when it was saved: its shape and handles would belong to other vertices.',
+    'This net is numbered otherwise than when it was saved: shape and handles belong to other vertices.',
   );
 }
 

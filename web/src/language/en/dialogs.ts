@@ -126,7 +126,7 @@ export const dialogs = {
     singularOf: (total: string, byValence: string) => `${total}: ${byValence}`,
     cells: 'Cells',
     length: 'Edge length',
-    tooShort: (least: string) => `From ${least} on: a finer net could not follow the hand.`,
+    tooShort: 'A finer net could not follow the hand.',
     direction: 'Direction',
     angle: 'Angle',
     arms: {
@@ -178,8 +178,10 @@ export const dialogs = {
         `More curvature than one net can take, ${has}\u00a0π of 2\u00a0π: expect gaps, or cover the whole with singular vertices.`,
     },
     numbers: 'The surface in numbers',
-    coversLess: 'This one covers less: drag the seed, turn it, or take a proposal.',
+    coversLess: 'This one covers less: drag the seed, turn it, take a proposal, or choose “The whole surface”.',
     crumpled: (folds: string, instead: string) => `Sharp folds at ${folds} edges (over 60°): ${instead}`,
+    leavesBare: (part: string) =>
+      `${part} of the surface is farther from the net than half an edge. Where it is rough, fewer cells cover more; where it is finely shaped, more.`,
     againstFolds: {
       border: '“what fits best” at the border often lies smoother.',
       cells: 'more cells often lie smoother.',
@@ -309,6 +311,10 @@ export const dialogs = {
       handles === 1
         ? 'One handle is gone: its vertex is no more.'
         : `${handles} handles are gone: their vertices are no more.`,
+    /** The usual method is another one beyond so many vertices. */
+    tooManyToRest: (limit: string) =>
+      `Beyond ${limit} vertices, coming to rest takes longer than a hand can wait: the net keeps its lengths alone now. “Behaviour” has the choice.`,
+    restsAgain: (limit: string) => `With no more than ${limit} vertices, it comes to rest again.`,
   },
   equalize: {
     choice: 'Equalise: the nearest net with edges of equal length',
@@ -326,7 +332,6 @@ export const dialogs = {
     fittingHint:
       'The net keeps the size of the original. At the mean length, a mesh that was split from triangles must crumple, and that shrinks it.',
     given: 'Another length',
-    noLength: 'A length is a number above 0.',
     hold: (handles: number) =>
       handles === 1 ? 'Hold the handle where it is' : `Hold the ${handles} handles where they are`,
     start: 'Equalise',

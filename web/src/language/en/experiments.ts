@@ -19,14 +19,27 @@ export const experiments = {
   claims: 'What the paper claims, and what we measured',
   verdicts: { holds: 'Holds', differs: 'Differs', 'does not hold': 'Does not hold' },
   unmeasured: 'Not measured',
-  held: (held: number, asked: number) => `true in ${held} of ${asked} ${asked === 1 ? 'edit' : 'edits'}`,
+  held: (held: number, asked: number) => {
+    if (asked === 1) return `: it was ${held === 1 ? '' : 'not '}so in what was tried.`;
+    return `: it was so in ${held === asked ? `all ${asked}` : `${held || 'none'} of the ${asked}`} edits.`;
+  },
+  /** Of several edits; what heads the numbers of the first, in a sentence or a table. */
+  measured: (asked: number) => (asked === 1 ? 'Measured' : 'In the first edit'),
+  facts: (head: string, facts: string[]) => `${head}: ${facts.join(', ')}.`,
+  /** What each number is, where neither its unit nor a variant says so. */
+  measures: {
+    three_stages: ['Stage 1', 'Stage 2'],
+    steeper_near_one: ['Steeper than the power at r = 0.9', 'Steeper than the power at r = 1.1'],
+  },
+  noEnd: 'no end within the limit',
   /** Numbers come as text; `share` and `percent` in percent. */
   units: {
     iterations: (value: string) => `${value} iterations`,
-    ms: (value: string) => `${value} ms`,
+    ms: (value: string) => value,
     times: (value: string) => `${value} times`,
-    dL: (value: string) => `dL ${value}`,
-    L: (value: string) => `${value} L`,
+    dL: (value: string) => `edges off by at most ${value}`,
+    L: (value: string) => `${value} edge lengths`,
+    edges: (value: string) => `${value} edges`,
     degrees: (value: string) => `${value}°`,
     vertices: (value: string) => `${value} vertices`,
     percent: (value: string) => `${value} %`,
@@ -34,7 +47,6 @@ export const experiments = {
     frames: (value: string) => `${value} frames a second`,
     none: (value: string) => value.trim(),
   },
-  value: (label: string, value: string) => `${label}: ${value}`,
   runAll: 'Run all',
   runAllHint: 'Runs all variants from rest, and shows curves and numbers',
   newNet: {

@@ -31,6 +31,7 @@ export const learn = {
     'With {p50} what is left spreads evenly over many edges, until {finer}.',
     'Only the vertices near edges that are still off move, until {fine}.',
   ],
+  waits: 'Paused. “Show me” below “Three stages” goes on to the next one; a press elsewhere takes the handle back.',
   now: (p: number, ratio: string) => `Now: p = ${p}; the worst edge, the dot, has r = ${ratio}`,
   graph: (p: number, ratio: string) => `The energy of an edge against r, for p = ${p}; the worst edge has r = ${ratio}`,
 };

@@ -77,7 +77,9 @@ export const panels = {
   },
   selection: {
     label: 'Selected handles',
-    count: (count: number) => `${count} handles selected`,
+    count: (count: number) => `${count} ${count === 1 ? 'handle' : 'handles'} selected`,
+    handles: (count: number, locked: number) =>
+      `${count} ${count === 1 ? 'handle' : 'handles'}${locked === 0 ? '' : `, ${locked === count ? '' : `${locked} `}locked`}`,
     mode: 'What the arrows do',
     modes: { translate: 'Move', rotate: 'Rotate', scale: 'Scale' },
     modeHints: {
@@ -202,6 +204,18 @@ export const panels = {
     centre: 'Centre of the net',
     origin: 'Origin',
   },
+  hints: {
+    drag: 'Drag the orange sphere, and the net follows.',
+    add: 'Press the net to take hold of it anywhere.',
+    share: '“Share” makes a link to what you see, “Export” a file.',
+    done: 'Got it',
+  },
+  legend: {
+    low: 'Lower end',
+    high: 'Upper end',
+    automatic: 'Automatic',
+    badEnds: (isLogarithmic: boolean) => `Two numbers${isLogarithmic ? ' above 0' : ''}, the lower one first.`,
+  },
   drag: {
     locality: 'Locality',
     localityHint: 'How far from the handle in hand the net moves. What lies beyond stays exactly where it is.',
@@ -225,6 +239,20 @@ export const panels = {
     toHandlesHint: 'Level with them, along each axis. Hold Ctrl or ⌘ to drag freely',
     toSurface: 'Snap to the surface',
     toSurfaceHint: 'Onto the nearest point of the surface beside the net. Hold Ctrl or ⌘ to drag freely',
+    toCurve: 'Keep to a curve',
+    toCurveHint: 'The handle in hand moves along it. The curve stays as it is now. Hold Ctrl or ⌘ to drag freely',
+    curves: {
+      none: 'none',
+      net: 'border of the net',
+      surface: 'border of the surface',
+      handles: 'through the selected handles',
+    },
+    /** Why there is none. */
+    noCurve: {
+      net: 'This net is closed: it has no border.',
+      surface: 'There is no surface beside the net, or it is closed and has no border.',
+      handles: 'Select two handles or more first. The curve goes from one to the next, as they were selected.',
+    },
     /** `axes`: one or two. */
     along: (axes: string) => (axes.length === 1 ? `Along ${axes}` : `In the plane ${axes}`),
     /** A coordinate, and the handle that has it, too. */
@@ -243,6 +271,16 @@ export const panels = {
     motionLeft: 'To move',
     cornerLack: 'Too sharp',
     stage: 'Stage',
+  },
+  /** What a field for a number allows: a number, or a whole one, within a range, which may be missing; and a sentence
+   *  on why, which may, too. */
+  allowed: {
+    number: (range: string, reason: string) => `Allowed: a number${range}.${reason && ` ${reason}`}`,
+    whole: (range: string, reason: string) => `Allowed: a whole number${range}.${reason && ` ${reason}`}`,
+    fromTo: (least: string, most: string) => ` from ${least} to ${most}`,
+    atLeast: (least: string) => ` of at least ${least}`,
+    atMost: (most: string) => ` of at most ${most}`,
+    above: (limit: string) => ` above ${limit}`,
   },
   plot: {
     label: 'Convergence: largest deviation dL against iterations',
@@ -375,7 +413,7 @@ export const panels = {
     where: {
       page: 'Anywhere',
       picture: 'In the picture, once it is clicked',
-      selection: 'With handles selected',
+      selection: 'In the picture, with handles selected',
       list: 'In the list of handles',
     },
     does: {
@@ -389,7 +427,7 @@ export const panels = {
       remove: 'Remove the selected handles',
       patch: 'Take hold of the patch around the last selected handle',
       isolate: 'Show only what is around the selection, or the whole net again',
-      translate: 'Arrows at the selection move it',
+      translate: 'Arrows at the selection move it, and so do arrow keys',
       rotate: 'Arrows at the selection turn it',
       scale: 'Arrows at the selection scale it',
       front: 'See the net from the front',
@@ -519,7 +557,12 @@ export const panels = {
     resize: 'Edge length',
     method: (name: string) => `Method: ${name}`,
     initialisation: (name: string) => `Start: ${name}`,
-    option: (name: string, value: string) => `${name}: ${value}`,
+    option: (name: string, value: string) => `${name}: ${{ true: 'on', false: 'off' }[value] ?? value}`,
+    behaviour: (choice: string) => `The net ${choice}`,
+    /** A step of the slider. */
+    weight: (step: string) => `Gravity: ${step === '0' ? 'off' : `${step} of 9`}`,
+    guideWeight: (times: string) => `Surface acts ${times}`,
+    balance: (ratio: string) => `Warp : weft ${ratio}`,
     optionBack: (name: string) => `${name}: default`,
     options: 'Settings',
     solve: 'Solve',

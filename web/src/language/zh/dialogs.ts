@@ -138,7 +138,7 @@ export const dialogs: Widened<typeof en> = {
     singularOf: (total, byValence) => `${total}：${byValence}`,
     cells: '网格数',
     length: '边长',
-    tooShort: (least) => `至少 ${least}：更细的网跟不上手的拖动。`,
+    tooShort: '更细的网跟不上手的拖动。',
     direction: '方向',
     angle: '夹角',
     arms: {
@@ -182,8 +182,9 @@ export const dialogs: Widened<typeof en> = {
         `曲率超过一张网所能承受的程度（${has}\u00a0π，上限 2\u00a0π）：会有空缺，或借助奇异顶点覆盖整个曲面。`,
     },
     numbers: '曲面数据',
-    coversLess: '目前这张覆盖得较少：请拖动起点、转动方向，或选用一个建议。',
+    coversLess: '目前这张覆盖得较少：请拖动起点、转动方向、选用一个建议，或选择“覆盖整个曲面”。',
     crumpled: (folds, instead) => `有 ${folds} 条边的折痕超过 60°：${instead}`,
+    leavesBare: (part) => `曲面有 ${part} 距网超过半条边长。若曲面粗糙，格数少些覆盖更多；若形状细致，则宜多些。`,
     againstFolds: {
       border: '边界处选“最合适者”往往更平顺。',
       cells: '格数多些往往更平顺。',
@@ -297,6 +298,8 @@ export const dialogs: Widened<typeof en> = {
     vertices: (count) => `网现在有 ${count} 个顶点。`,
     pieces: (count) => `它分成 ${count} 块。`,
     lost: (handles) => `${handles} 个手柄随其顶点一起消失了。`,
+    tooManyToRest: (limit) => `超过 ${limit} 个顶点，静止下来太慢，手等不及：现在网只保持边长。可在“材性”中更改。`,
+    restsAgain: (limit) => `不超过 ${limit} 个顶点，网又会静止下来。`,
   },
   equalize: {
     choice: '均匀化：变成最接近的等边长网',
@@ -312,7 +315,6 @@ export const dialogs: Widened<typeof en> = {
     fittingKnown: (length) => `最佳贴合长度 ${length}`,
     fittingHint: '网保持原来的大小。若取平均边长，由三角形拆分而来的网格必然起皱，从而缩小。',
     given: '其他长度',
-    noLength: '长度必须是大于 0 的数。',
     hold: (handles) => `固定 ${handles} 个手柄的位置`,
     start: '开始均匀化',
     stop: '停止',

@@ -33,6 +33,7 @@ export const learn: Widened<typeof en> = {
     '取 {p50}，余下的偏差均匀分散到许多边上，直到 {finer}。',
     '只移动仍有偏差的边附近的顶点，直到 {fine}。',
   ],
+  waits: '已暂停。点击“三个阶段”下的“演示”进入下一阶段；点击别处则把手柄放回原位。',
   now: (p, ratio) => `现在 p = ${p}；圆点是最差的边，r = ${ratio}`,
   graph: (p, ratio) => `边的能量随 r 的变化，p = ${p}；最差的边 r = ${ratio}`,
 };

@@ -291,6 +291,8 @@ export const panels: Widened<typeof en> = {
   selection: {
     label: '选中的手柄',
     count: (count) => `已选中 ${count} 个手柄`,
+    handles: (count, locked) =>
+      `${count} 个手柄${locked === 0 ? '' : `，${locked === count ? '' : `${locked} 个`}已锁定`}`,
     mode: '操纵器的作用',
     modes: { translate: '移动', rotate: '旋转', scale: '缩放' },
     modeHints: { translate: '移动选中的手柄（G）', rotate: '绕其中心旋转（R）', scale: '以其中心为准缩放（S）' },
@@ -401,6 +403,18 @@ export const panels: Widened<typeof en> = {
     centre: '网的中心',
     origin: '原点',
   },
+  hints: {
+    drag: '拖动橙色小球，网会随之而动。',
+    add: '点击网上任意处即可抓住它。',
+    share: '“分享”生成当前画面的链接，“导出”生成文件。',
+    done: '知道了',
+  },
+  legend: {
+    low: '下端',
+    high: '上端',
+    automatic: '自动',
+    badEnds: (isLogarithmic) => `请输入两个${isLogarithmic ? '大于 0 的' : ''}数，小的在前。`,
+  },
   drag: {
     locality: '影响范围',
     localityHint: '拖动手柄时，网在多大范围内随之移动。范围之外的部分保持原位不动。',
@@ -423,6 +437,19 @@ export const panels: Widened<typeof en> = {
     toHandlesHint: '沿各轴与它们对齐。按住 Ctrl 或 ⌘ 可自由拖动',
     toSurface: '吸附到曲面',
     toSurfaceHint: '吸附到网旁曲面上最近的点。按住 Ctrl 或 ⌘ 可自由拖动',
+    toCurve: '限制在曲线上',
+    toCurveHint: '手中的手柄沿曲线移动，曲线保持现在的样子。按住 Ctrl 或 ⌘ 可自由拖动',
+    curves: {
+      none: '无',
+      net: '网的边界',
+      surface: '曲面的边界',
+      handles: '经过选中的手柄',
+    },
+    noCurve: {
+      net: '这张网是封闭的，没有边界。',
+      surface: '网旁没有曲面，或曲面是封闭的，没有边界。',
+      handles: '请先选中两个或更多手柄。曲线按选中的次序依次经过它们。',
+    },
     along: (axes) => (axes.length === 1 ? `沿 ${axes} 轴` : `在 ${axes} 平面内`),
     level: (coordinate, handle) => `${coordinate}（${handle}）`,
   },
@@ -439,6 +466,14 @@ export const panels: Widened<typeof en> = {
     motionLeft: '还要移动',
     cornerLack: '角过尖',
     stage: '阶段',
+  },
+  allowed: {
+    number: (range, reason) => `请填写${range}数。${reason}`,
+    whole: (range, reason) => `请填写${range}整数。${reason}`,
+    fromTo: (least, most) => ` ${least} 到 ${most} 之间的`,
+    atLeast: (least) => `不小于 ${least} 的`,
+    atMost: (most) => `不大于 ${most} 的`,
+    above: (limit) => `大于 ${limit} 的`,
   },
   plot: {
     label: '收敛曲线：最大偏差 dL 随迭代次数的变化',
@@ -555,7 +590,7 @@ export const panels: Widened<typeof en> = {
   keys: {
     close: '关闭',
     or: '或',
-    where: { page: '任何位置', picture: '点击图像之后', selection: '选中手柄之后', list: '手柄列表中' },
+    where: { page: '任何位置', picture: '点击图像之后', selection: '图像中，选中手柄之后', list: '手柄列表中' },
     does: {
       undo: '撤销',
       redo: '重做',
@@ -567,7 +602,7 @@ export const panels: Widened<typeof en> = {
       remove: '删除选中的手柄',
       patch: '抓住最后选中的手柄周围的一片',
       isolate: '只显示选区周围的网，或恢复显示整张网',
-      translate: '选区箭头用于移动',
+      translate: '选区箭头用于移动，方向键亦可',
       rotate: '选区箭头用于旋转',
       scale: '选区箭头用于缩放',
       front: '从前面看网',
@@ -689,7 +724,11 @@ export const panels: Widened<typeof en> = {
     resize: '边长',
     method: (name) => `方法：${name}`,
     initialisation: (name) => `初始化：${name}`,
-    option: (name, value) => `${name}：${value}`,
+    option: (name, value) => `${name}：${{ true: '开', false: '关' }[value] ?? value}`,
+    behaviour: (choice) => `网${choice}`,
+    weight: (step) => `重力：${step === '0' ? '关' : `${step}/9`}`,
+    guideWeight: (times) => `参考曲面的强度 ${times}`,
+    balance: (ratio) => `经 : 纬 ${ratio}`,
     optionBack: (name) => `${name}：默认值`,
     options: '求解设置',
     solve: '求解',

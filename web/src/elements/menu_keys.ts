@@ -1,0 +1,48 @@
+/** Keys of menus that are open, as menus have them elsewhere. They come after the first picture. */
+export function listenForMenus(): void {
+  // In the capture phase: before what else Escape ends.
+  addEventListener('keydown', pressKey, { capture: true });
+}
+
+function pressKey(event: KeyboardEvent): void {
+  const { target } = event;
+  const isOther = event.ctrlKey || event.metaKey || event.altKey || !(target instanceof Element);
+  if (isOther || (event.key !== 'Escape' && target.matches('input,select'))) return;
+  const menu = document.querySelector<HTMLElement>('.menu:popover-open');
+  const isHandled = menu ? pressIn(menu, event.key) : openFrom(target, event.key);
+  if (!isHandled) return;
+  event.preventDefault();
+  event.stopPropagation();
+}
+
+function pressIn(menu: HTMLElement, key: string): boolean {
+  if (key === 'Escape') {
+    menu.hidePopover();
+    buttonOf(menu)?.focus();
+    return true;
+  }
+  const items = [...menu.querySelectorAll<HTMLButtonElement>('.line > button:enabled')];
+  const at = items.indexOf(document.activeElement as HTMLButtonElement);
+  const { length } = items;
+  const next = {
+    ArrowDown: (at + 1) % length,
+    ArrowUp: (Math.max(at, 0) + length - 1) % length,
+    Home: 0,
+    End: length - 1,
+  }[key];
+  if (next === undefined) return false;
+  items[next]?.focus();
+  return true;
+}
+
+/** The arrow down opens the menu of the button that has the focus, at its first line. */
+function openFrom(target: Element, key: string): boolean {
+  const menu = document.getElementById(target.getAttribute('popovertarget') ?? '');
+  if (key !== 'ArrowDown' || !menu?.matches('.menu')) return false;
+  menu.showPopover();
+  return true;
+}
+
+function buttonOf(menu: HTMLElement): HTMLElement | null {
+  return document.querySelector<HTMLElement>(`[popovertarget="${menu.id}"]`);
+}

@@ -1,0 +1,4 @@
+export const embed = {
+  activate: 'Press to drag the net',
+  open: 'Open in chebnet',
+};

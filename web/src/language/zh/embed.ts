@@ -1,0 +1,7 @@
+import type { embed as en } from '../en/embed';
+import type { Widened } from '../words';
+
+export const embed: Widened<typeof en> = {
+  activate: '点击后即可拖动网',
+  open: '在 chebnet 中打开',
+};
