@@ -13,6 +13,8 @@ const program = (name) => fileURLToPath(new URL(`build/native/${name}`, ROOT));
 const READ = /\.(obj|ply|off|stl)$/i;
 /** Where a seed in hand goes, in parts of the surface's size, and how often a net is laid on its way. */
 const [WAY, FRAMES] = [0.1, 30];
+/** Of each way on each surface. */
+const RUNS = 3;
 /** Prospects with which one piece is to cover a surface. */
 const FLAT_ENOUGH = ['one_piece', 'tight'];
 
@@ -51,18 +53,20 @@ const isBest = ({ way }) => way.name === 'drape, best';
 const isWhole = ({ way }) => way.name.startsWith('remesh');
 const isOfFlatEnough = (row) => isBest(row) && FLAT_ENOUGH.includes(row.prospect);
 const isClosed = (row) => row.way.name === 'remesh' && row.isClosed;
+const FIT = 'three quarters are the fit: some forty steps on all vertices together';
 
-/** What was to be reached, of the nets for which it is; times are for 4000 cells. */
+/** What was to be reached, of the nets for which it is, and why it falls short where it does; times are for 4000 cells. */
 const GOALS = [
   { of: 'drape, native, ms', rows: isLaid, value: ({ native }) => native, must: 500, aim: 150 },
   { of: 'drape, WebAssembly, ms', rows: isLaid, value: ({ wasm }) => wasm, must: 1000, aim: 300 },
   {
     of: 'drape, nets a second of a seed in hand',
     rows: isLaid,
-    value: ({ live }) => live,
+    value: ({ live }) => 1000 / live,
     must: 10,
     aim: 30,
     more: true,
+    why: 'each net is laid anew from its seed, all of it',
   },
   {
     of: 'drape below the curvature bound, covered, %',
@@ -71,6 +75,7 @@ const GOALS = [
     must: 97,
     aim: 99.5,
     more: true,
+    why: 'corners reach the limit before the border of what has more curvature than they can take',
   },
   {
     of: 'drape below the curvature bound, mean distance, L',
@@ -87,8 +92,22 @@ const GOALS = [
     aim: 30,
     more: true,
   },
-  { of: 'remesh of closed bodies, native, ms', rows: isClosed, value: ({ native }) => native, must: 6000, aim: 2000 },
-  { of: 'remesh of closed bodies, WebAssembly, ms', rows: isClosed, value: ({ wasm }) => wasm, must: 12000, aim: 4000 },
+  {
+    of: 'remesh of closed bodies, native, ms',
+    rows: isClosed,
+    value: ({ native }) => native,
+    must: 6000,
+    aim: 2000,
+    why: FIT,
+  },
+  {
+    of: 'remesh of closed bodies, WebAssembly, ms',
+    rows: isClosed,
+    value: ({ wasm }) => wasm,
+    must: 12000,
+    aim: 4000,
+    why: FIT,
+  },
   {
     of: 'remesh of a bunny, singular vertices',
     rows: (row) => isWhole(row) && row.surface.includes('bunny'),
@@ -110,6 +129,7 @@ const GOALS = [
     must: 30,
     aim: 40,
     more: true,
+    why: 'edges are evened out by shear, up to the limit of 30° that is asked for',
   },
   { of: 'all nets, largest dL', rows: () => true, value: ({ net }) => net.max_dL, must: 1e-9, aim: 1e-12 },
 ];
@@ -145,6 +165,7 @@ const RIVALS = [
   ['way', ({ name }) => name],
   ['cells', ({ net }) => net.cells],
   ['ms', ({ ms }) => ms.toFixed(0)],
+  ['of ours', ({ ms, ours }) => (ours ? (ms / ours.native).toFixed(1) : '')],
   ['covered', ({ net }) => percent(net.coverage)],
   ['gaps', ({ net }) => net.gaps],
   ['mean/L', ({ net }) => net.mean_distance_in_lengths.toFixed(4)],
@@ -191,6 +212,12 @@ function json(name, args) {
   return JSON.parse(stdout);
 }
 
+/** Of several runs the fastest: whoever else uses the machine makes others slower, and none faster. */
+function fastest(run, milliseconds) {
+  const runs = Array.from({ length: RUNS }, run);
+  return runs.reduce((best, each) => (milliseconds(each) < milliseconds(best) ? each : best));
+}
+
 /** Without the tree, which both build beforehand. */
 function natively(way, surface) {
   const { net, milliseconds } = json('chebnet', [...way.args, ...surface.args, '--cells', String(cells)]);
@@ -211,8 +238,8 @@ function warmUp() {
   surface.dispose();
 }
 
-/** How often a second a net is laid anew while its seed goes along a line. */
-function liveRate(opened) {
+/** Milliseconds that a net takes to be laid anew while its seed goes along a line. */
+function timeOfLiveNet(opened) {
   const options = opened.suggest(cells);
   const size = Math.sqrt(opened.describe().area);
   const ms = timed(() => {
@@ -223,7 +250,7 @@ function liveRate(opened) {
       opened.drape({ ...options, seed: position });
     }
   });
-  return (1000 * FRAMES) / ms;
+  return ms / FRAMES;
 }
 
 function measured(surface) {
@@ -233,9 +260,13 @@ function measured(surface) {
   const rows = [];
   for (const way of WAYS)
     try {
-      const row = { surface: surface.name, way, prospect, isClosed: boundaryLoops === 0, ...natively(way, surface) };
-      row.wasm = timed(() => way.run(opened));
-      if (isLaid(row)) row.live = liveRate(opened);
+      const best = fastest(
+        () => natively(way, surface),
+        ({ native }) => native,
+      );
+      const row = { surface: surface.name, way, prospect, isClosed: boundaryLoops === 0, ...best };
+      row.wasm = fastest(() => timed(() => way.run(opened)), Number);
+      if (isLaid(row)) row.live = fastest(() => timeOfLiveNet(opened), Number);
       rows.push(row);
     } catch (error) {
       failures.push(`${surface.name}, ${way.name}: ${error.message}`);
@@ -246,11 +277,11 @@ function measured(surface) {
 
 function besideOthers(surface, rows) {
   const ours = rows.find(isLaid);
-  const own = ours ? [{ surface: surface.name, name: 'ours', net: ours.net, ms: ours.native }] : [];
+  const own = ours ? [{ surface: surface.name, name: 'ours', net: ours.net, ms: ours.native, ours }] : [];
   try {
     const report = json('chebnet_surface_rivals', [surface.rival, String(cells)]);
     const others = Object.entries(report).map(([name, net]) => ({ name, net, ms: net.milliseconds }));
-    return [...own, ...others.map((each) => ({ surface: surface.name, ...each }))];
+    return [...own, ...others.map((each) => ({ surface: surface.name, ...each, ours }))];
   } catch (error) {
     failures.push(`${surface.name}, others: ${error.message}`);
     return own;
@@ -258,13 +289,30 @@ function besideOthers(surface, rows) {
 }
 
 /** The worst of all nets for which it is a goal. */
-function judged({ of, rows, value, must, aim, more = false }, all) {
+function judged({ of, rows, value, must, aim, more = false, why = '' }, all) {
   const nets = all.filter(rows);
   if (nets.length === 0) return [];
   const worst = nets.reduce((a, b) => (value(a) < value(b) === more ? a : b));
   const reaches = (bound) => (more ? value(worst) >= bound - SLACK : value(worst) <= bound);
   const verdict = reaches(aim) ? 'aim' : reaches(must) ? 'must' : 'missed';
-  return [{ of, worst: value(worst), at: `${worst.surface}, ${worst.way.name}`, must, aim, verdict }];
+  return [
+    {
+      of,
+      worst: value(worst),
+      at: `${worst.surface}, ${worst.way.name}`,
+      must,
+      aim,
+      verdict,
+      why: verdict === 'aim' ? '' : why,
+    },
+  ];
+}
+
+/** What is not in any row. */
+function failed() {
+  const verdict = failures.length === 0 ? 'aim' : 'missed';
+  const at = failures.join('; ') || `${nets.length} nets`;
+  return { of: 'nets not made', worst: failures.length, at, must: 0, aim: 0, verdict, why: '' };
 }
 
 const GOAL = [
@@ -274,6 +322,7 @@ const GOAL = [
   ['the worst', ({ worst }) => Number(worst.toPrecision(3))],
   ['of', ({ at }) => at],
   ['reached', ({ verdict }) => verdict],
+  ['why not the aim', ({ why }) => why],
 ];
 const FORMS = [
   ['closed form', ({ of }) => of],
@@ -295,13 +344,7 @@ for (const surface of surfaces()) {
 }
 const parts = [
   ['Nets', table(NETS, nets)],
-  [
-    'What was to be reached',
-    table(
-      GOAL,
-      GOALS.flatMap((goal) => judged(goal, nets)),
-    ),
-  ],
+  ['What was to be reached', table(GOAL, [...GOALS.flatMap((goal) => judged(goal, nets)), failed()])],
   ['Others, in the same run, from the same seed', table(RIVALS, rivals)],
   ['Closed forms', table(FORMS, closedForms(chebnet))],
 ];
@@ -312,7 +355,7 @@ if (values.record) {
   const introduction = `# Nets on surfaces
 
 Written by \`tests/bench/surfaces --record\` for about ${cells} cells: of our own surfaces, and of the files of a folder that was
-given. Times are of one thread, by the clock, on a machine of ${cpus().length} cores (${cpus()[0].model.trim()}) on which
+given. Times are of one thread, by the clock, the shortest of ${RUNS}, on a machine of ${cpus().length} cores (${cpus()[0].model.trim()}) on which
 ${load()} processes ran on the average: with more than there are cores they are several times too long, and only what is
 no time can be relied on. L is the edge length; "plain compass" and "local-global" are in \`src/surfaces/main.cpp\`.
 `;

@@ -226,3 +226,39 @@ test('a screen reader is led through the basic edit and told what came of it', a
   await script.settled();
   expect(await script.position(vertex)).toEqual(before);
 });
+
+test('what came of a key is told once the solver has answered, however late', async () => {
+  const { page, script } = await site.arrive();
+  await script.settled();
+  await page.getByText('History', { exact: true }).waitFor();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.mouse.click(x, y);
+  await page.locator('.narrator', { hasText: 'Selected' }).waitFor();
+  const heard = await page.evaluateHandle((moving) => {
+    const place = () =>
+      window.chebnet
+        .positions()
+        .slice(3 * moving, 3 * moving + 3)
+        .join();
+    const before = place();
+    const all: { text: string; isMoved: boolean }[] = [];
+    const narrator = document.querySelector('.narrator')!;
+    new MutationObserver(() => all.push({ text: narrator.textContent!, isMoved: place() !== before })).observe(
+      narrator,
+      {
+        childList: true,
+      },
+    );
+    const post = Worker.prototype.postMessage as (this: Worker, message: unknown) => void;
+    Worker.prototype.postMessage = function (message: unknown) {
+      setTimeout(() => post.call(this, message), 1000);
+    };
+    return all;
+  }, vertex);
+  await page.keyboard.press('ArrowUp');
+  await expect.poll(() => heard.jsonValue()).toHaveLength(1);
+  const [{ text, isMoved } = { text: '', isMoved: false }] = await heard.jsonValue();
+  expect(text).toMatch(new RegExp(`^Move handle ${vertex}\\. Every edge keeps its length`));
+  expect(isMoved).toBe(true);
+});

@@ -4,7 +4,7 @@ import { beforeAll, beforeEach, expect, test } from 'vitest';
 import type { Chebnet } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, largestDeviation } from './geometry';
-import { openForResearch, OUTPUT, type Script, type Visit, visits } from './page';
+import { drawn, openForResearch, OUTPUT, room, type Script, type Visit, visits } from './page';
 
 const DOME = 'dome:vertices=2000,reach=55';
 
@@ -154,9 +154,17 @@ test('a hand that goes beyond what the net can reach holds it there; the handle 
   expect(await visit.page.evaluate(() => window.chebnet.handles().at(-1)!.target)).toEqual(stands);
 
   const notice = visit.page.locator('.stuck-notice');
+  const said = await notice.evaluateHandle((element) => {
+    const all: string[] = [];
+    const note = () => all.push(element.textContent ?? '');
+    new MutationObserver(note).observe(element, { subtree: true, childList: true, characterData: true });
+    return all;
+  });
   await notice.getByRole('button', { name: 'Let edges grow' }).click();
   await notice.getByText(/^Edges are \d+\.\d % longer\.$/).waitFor();
   await script.settled();
+  // Nothing is said any more of lengths that are no longer those.
+  expect((await said.jsonValue()).filter((text) => text.includes('does not reach'))).toEqual([]);
   const grown = await script.positions();
   const end = (k: 0 | 1) => grown.subarray(3 * edges[k]!, 3 * edges[k]! + 3);
   const longer = Math.hypot(...end(0).map((coordinate, axis) => coordinate - end(1)[axis]!));
@@ -179,6 +187,41 @@ test('a hand that goes beyond what the net can reach holds it there; the handle 
   expect(apart(await script.positions(), rest)).toBeLessThan(0.01 * length);
 });
 
+test('longer edges that take the net out of the picture are followed by the view, which else stays', async () => {
+  await script.open({ recipe: 'dome:vertices=500,reach=55' });
+  await script.settled();
+  await visit.page.getByText('History', { exact: true }).waitFor();
+  const [corner, other] = await visit.page.evaluate(() => window.chebnet.handles().map(({ vertex }) => vertex));
+  const edges = visit.page.getByRole('slider', { name: 'Edges' });
+  const { mouse } = visit.page;
+  await mouse.move(600, 760);
+  await mouse.down();
+  await mouse.move(480, 740, { steps: 4 });
+  await mouse.up();
+  const before = await script.screenPosition(corner!);
+  await edges.press('ArrowRight');
+  await script.settled();
+  await drawn(visit.page);
+  const after = await script.screenPosition(corner!);
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(1e-6);
+
+  await mouse.move(470, 400);
+  while ((await room(visit.page)) > 25) {
+    await mouse.wheel(0, -30);
+    await drawn(visit.page);
+  }
+  const slope = async () => {
+    const [a, b] = [await script.screenPosition(corner!), await script.screenPosition(other!)];
+    return Math.atan2(b.y - a.y, b.x - a.x);
+  };
+  const slopeBefore = await slope();
+  await edges.press('End');
+  await script.settled();
+  await expect.poll(() => room(visit.page)).toBeGreaterThan(40);
+  await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-longer-edges.png') });
+  expect(Math.abs((await slope()) - slopeBefore)).toBeLessThan(0.1);
+});
+
 async function lowest(): Promise<number> {
   return Math.min(...(await script.positions()).filter((_, i) => i % 3 === 2));
 }
@@ -187,6 +230,8 @@ test('cloth with gravity hangs between its handles; undo takes both choices back
   await script.open({ recipe: 'sheet:vertices=400' });
   await script.settled();
   await choose(/soft cloth/);
+  await visit.page.locator('summary', { hasText: /^History/ }).click();
+  await visit.page.getByText('The net is soft cloth', { exact: true }).waitFor();
   const weight = visit.page.getByRole('slider', { name: 'Gravity' });
   await weight.focus();
   for (let i = 0; i < 3; ++i) await weight.press('ArrowRight');
@@ -194,6 +239,7 @@ test('cloth with gravity hangs between its handles; undo takes both choices back
   await script.settled();
   await visit.page.screenshot({ path: join(OUTPUT, 'behaviour-cloth.png') });
   expect(await lowest()).toBeLessThan(-0.1);
+  await visit.page.getByText('Gravity: 3 of 9', { exact: true }).waitFor();
 
   for (let i = 0; i < 4; ++i) await visit.page.keyboard.press('Control+z');
   await script.settled();

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { vertexAt } from './geometry';
-import { OUTPUT, type Script, type Visit, visits } from './page';
+import { OUTPUT, room, type Script, type Visit, visits } from './page';
 
 const SHAPE = 'vault:vertices=300';
 const net = (await load()).openRecipe(SHAPE);
@@ -55,6 +55,49 @@ async function becomes(count: (before: number) => number, name: string): Promise
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
 }
 
+test('so fine that it does not come to rest any more, and back, which is said with the reason', async () => {
+  await script.open({ recipe: 'vault:vertices=3200' });
+  await script.settled();
+  const behaviour = () => visit.page.getByRole('combobox', { name: 'The net', exact: true }).inputValue();
+  expect(await behaviour()).toBe('shape');
+  await press('Refine');
+  await visit.page
+    .getByText(/^The net has 12,\d+ vertices now\. Beyond 12,000 vertices, .* the net keeps its lengths alone now\./)
+    .waitFor({ timeout: 60_000 });
+  expect(await behaviour()).toBe('lengths');
+  await press('Coarsen');
+  await visit.page
+    .getByText(/^The net has 3,\d+ vertices now\. .* it comes to rest again\.$/)
+    .waitFor({ timeout: 60_000 });
+  expect(await behaviour()).toBe('shape');
+});
+
+test('says which lengths are allowed, beside the field, until it holds one', async () => {
+  const length = section().getByRole('spinbutton', { name: 'Edge length' });
+  const note = section().getByText('Allowed: a number from');
+  const description = async () =>
+    (await length.getAttribute('aria-describedby')) === (await note.getAttribute('id')) && note.getAttribute('role');
+  await length.fill('0');
+  await length.press('Enter');
+  await note.waitFor();
+  expect(await note.textContent()).toMatch(/^Allowed: a number from [\d.]+(e-\d+)? to [\d,]+\.$/);
+  expect(await description()).toBe('status');
+  expect(await length.getAttribute('aria-invalid')).toBe('true');
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-allowed.png') });
+  await length.press('2');
+  await note.waitFor({ state: 'detached' });
+  expect(await length.getAttribute('aria-describedby')).toBeNull();
+
+  // The field shows the net's own length again as soon as that moves.
+  await length.fill('-1');
+  await length.blur();
+  await note.waitFor();
+  await choose(net.suggestedHandles.at(-1)!);
+  await visit.page.keyboard.press('ArrowUp');
+  await note.waitFor({ state: 'detached' });
+  expect(Number(await length.inputValue())).toBeCloseTo(net.info.meanLength, 4);
+});
+
 test('finer, another length, and back', async () => {
   const first = await vertices();
   const handles = (await visit.page.evaluate(() => window.chebnet.handles())).map(({ vertex }) => vertex);
@@ -72,9 +115,15 @@ test('finer, another length, and back', async () => {
 
   const fine = await vertices();
   await becomes(() => first, 'Coarsen');
+  // From where a hand has gone with the camera, too, all of it is seen.
+  await visit.page.mouse.move(600, 760);
+  await visit.page.mouse.down();
+  await visit.page.mouse.move(560, 750, { steps: 4 });
+  await visit.page.mouse.up();
   await section().getByLabel('Edge length').fill('2');
   await press('Apply');
   await expect.poll(width).toBeGreaterThan(20);
+  await expect.poll(() => room(visit.page)).toBeGreaterThan(40);
 
   await undo();
   await expect.poll(width).toBeLessThan(20);
@@ -252,6 +301,8 @@ test('a part that a line goes round is taken out, and a line that misses the net
   await section()
     .getByText(/^The line parts nothing off:/)
     .waitFor();
+  for (const name of ['Keep the larger side', 'Keep the smaller side'])
+    expect(await section().getByRole('button', { name }).isDisabled()).toBe(true);
   await visit.page.keyboard.press('Escape');
   expect(await section().getByRole('button', { name: 'Draw a line' }).getAttribute('aria-pressed')).toBe('false');
   await press('Remove it');

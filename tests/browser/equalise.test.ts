@@ -260,6 +260,7 @@ test('the length may be another, and it fits every screen', async () => {
   await equalizer().getByRole('spinbutton', { name: 'Another length' }).fill('0');
   await press('Equalise');
   expect(await equalizer().getByRole('button', { name: 'Stop' }).isVisible()).toBe(false);
+  await equalizer().getByText('Allowed: a number above 0.').waitFor();
   await equalizer().getByRole('spinbutton', { name: 'Another length' }).fill('2.5');
   await press('Equalise');
   await equalizer().getByText('Every edge has the length 2.5.').waitFor();

@@ -6,6 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { glbParts } from '../web/glb_parts';
 import { load } from '../wasm/load';
 import { dragBy, largestDeviation, largestError } from './geometry';
+import { uneven } from '../web/nets';
 import type { Visit } from './page';
 import { OUTPUT, dropFile, visits } from './page';
 
@@ -175,7 +176,7 @@ test('the link comes as a QR code, and as a frame for another page', async () =>
   await dialog.getByRole('img', { name: 'QR code' }).waitFor();
   await visit.page.keyboard.press('Escape');
 
-  await visit.script.open({ obj: reference.toObj() });
+  await visit.script.open({ obj: uneven(40, 40) });
   await press('Share');
   await dialog.getByText('The link is too long for a QR code.').waitFor();
 });
@@ -223,4 +224,32 @@ test('"File" has all that people look for there: open, save, export, share', asy
   await press('File');
   await file.getByRole('button', { name: /^Share…/ }).click();
   await page.getByRole('dialog').waitFor();
+});
+
+test('arrow keys, Home and End go through a menu, and Escape gives the focus back', async () => {
+  const { page } = visit;
+  const { keyboard } = page;
+  const focused = () => page.evaluate(() => document.activeElement!.textContent);
+  for (const [name, first, last] of [
+    ['File', /^New/, /^Share/],
+    ['Export', /^OBJ/, /^Video/],
+  ] as const) {
+    const button = page.getByRole('button', { name, exact: true });
+    await button.focus();
+    await keyboard.press('ArrowDown');
+    await expect.poll(focused).toMatch(first);
+    await keyboard.press('ArrowUp');
+    expect(await focused()).toMatch(last);
+    await keyboard.press('ArrowDown');
+    expect(await focused()).toMatch(first);
+    await keyboard.press('ArrowDown');
+    expect(await focused()).not.toMatch(first);
+    await keyboard.press('End');
+    expect(await focused()).toMatch(last);
+    await keyboard.press('Home');
+    expect(await focused()).toMatch(first);
+    await keyboard.press('Escape');
+    expect(await page.locator('.menu:popover-open').count()).toBe(0);
+    expect(await focused()).toBe(name);
+  }
 });

@@ -140,6 +140,15 @@ describe('several handles', () => {
 
     await press('Control+a');
     for (const { vertex } of await handles()) await isSelected(vertex).waitFor();
+    // What is selected is counted, and what of it is locked.
+    const bar = visit.page.getByRole('group', { name: 'Selected handles' });
+    const all = (await handles()).length;
+    const locked = (await handles()).filter(({ anchor }) => anchor).length;
+    expect(locked).toBeGreaterThan(0);
+    await bar.getByText(`${all} handles, ${locked} locked`, { exact: true }).waitFor();
+    await press('l');
+    expect(await visit.page.locator('.to-select').innerText()).toMatch(`${all} selected, ${locked} of them locked.`);
+    await press('Escape');
     await press('Escape');
     await isSelected(right).waitFor({ state: 'detached' });
 
@@ -337,7 +346,7 @@ test('a finger drags a handle; held still, it selects; beside handles it turns t
     await touch('touchStart', [await script.screenPosition(vertex)]);
     await visit.page
       .getByRole('group', { name: 'Selected handles' })
-      .getByText(String(i + 1), { exact: true })
+      .getByText(['1 handle', '2 handles'][i]!, { exact: true })
       .waitFor();
     await touch('touchEnd', []);
   }

@@ -1,10 +1,13 @@
 /** Taking hold of the net: patches of it, and what a drag snaps to. With a mouse, keys and a finger. */
+import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { beforeEach, describe, expect, test } from 'vitest';
+import type { Point } from '../../wasm/chebnet';
+import { throughHandles } from '../../web/src/handles/curve';
 import { load } from '../wasm/load';
 import { distance, dragBy, vertexAt } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { drawn, OUTPUT, visits } from './page';
 
 const SHAPE = 'vault:vertices=500';
 
@@ -178,7 +181,7 @@ describe('a part of the net', () => {
     expect(await handles()).toEqual(before);
     await bar().waitFor({ state: 'hidden' });
     await press('Control+a');
-    await visit.page.getByTitle('1 handles selected').waitFor();
+    await visit.page.getByTitle('1 handle selected').waitFor();
 
     await visit.page.getByRole('button', { name: 'Show the whole net' }).click();
     await notice().waitFor({ state: 'detached' });
@@ -264,6 +267,76 @@ describe('a drag', () => {
     await press('ArrowDown');
     await script.settled();
     expect(distance(await target(crown), to)).toBeCloseTo(0.2 * meanLength, 6);
+  });
+
+  test('by arrow keys moves what was chosen in the list, once G has led to the picture', async () => {
+    await openSection(/^Handles \(/);
+    const line = row(new RegExp(`Vertex ${crown}`));
+    await line.getByRole('button').first().press('Enter');
+    const from = await target(crown);
+    await press('g');
+    await press('ArrowUp');
+    await script.settled();
+    expect(distance(await target(crown), from)).toBeGreaterThan(0);
+  });
+
+  test('keeps to the border of the net as it was, or to a curve through handles; there must be one', async () => {
+    const curves = visit.page.getByRole('combobox', { name: 'Keep to a curve' });
+    const border = async () => {
+      const positions = await script.positions();
+      const { start, vertices } = net.boundaryLoops();
+      const points = Array.from(
+        vertices.subarray(0, start[1]),
+        (vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)] as Point,
+      );
+      return throughHandles([...points, points[0]!].map((each) => ({ target: each })))!;
+    };
+    await curves.selectOption('handles');
+    await visit.page.getByText('Select two handles or more first').waitFor();
+    expect(await curves.inputValue()).toBe('none');
+
+    const { start, vertices } = net.boundaryLoops();
+    const onBorder = (steps: number) => vertices[(vertices.indexOf(corner) + steps) % start[1]!]!;
+    const foot = onBorder(6);
+    await click(foot);
+    const before = await border();
+    const from = await target(foot);
+    await curves.selectOption('net');
+    const [here, there] = [await script.screenPosition(foot), await script.screenPosition(onBorder(5))];
+    await dragBy(script, foot, [there.x - here.x, there.y - here.y + 15], {
+      atEnd: async () => void (await visit.page.screenshot({ path: join(OUTPUT, 'holding-curve.png') })),
+    });
+    await script.settled();
+    const to = await target(foot);
+    expect(distance(to, from)).toBeGreaterThan(0.3 * meanLength);
+    expect(distance(before.nearest(to as Point), to)).toBeLessThan(1e-9 * meanLength);
+
+    // Free again.
+    await curves.selectOption('none');
+    await dragBy(script, foot, [0, -25]);
+    await script.settled();
+    const free = await target(foot);
+    expect(distance(before.nearest(free as Point), free)).toBeGreaterThan(0.05 * meanLength);
+  });
+
+  test('shows the curve it keeps to in the colours of a page that has turned dark', async () => {
+    const curves = visit.page.getByRole('combobox', { name: 'Keep to a curve' });
+    const picture = async () => {
+      await drawn(visit.page);
+      return createHash('sha256')
+        .update(await visit.page.locator('#view').screenshot())
+        .digest('hex');
+    };
+    const light = await picture();
+    await curves.selectOption('net');
+    await expect.poll(picture).not.toBe(light);
+    await visit.page.emulateMedia({ colorScheme: 'dark' });
+    const turnedDark = await picture();
+    await curves.selectOption('none');
+    await expect.poll(picture).not.toBe(turnedDark);
+    await curves.selectOption('net');
+    await expect.poll(picture).toBe(turnedDark);
+    await visit.page.emulateMedia({ colorScheme: 'light' });
   });
 
   test('snaps level with other handles, which are named', async () => {

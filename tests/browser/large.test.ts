@@ -140,7 +140,7 @@ test('a solve that would take minutes shows how it goes and can be cancelled', a
   await page.getByRole('button', { name: 'Cancel', exact: true }).click();
   await script.settled();
   expect((await script.stats()).status).toBe('running');
-  await page.locator('.status-words', { hasText: 'Stopped before the end' }).waitFor();
+  await page.locator('.status-words', { hasText: 'Paused' }).waitFor();
 });
 
 test('a million triangles are read in steps that are shown, can be given up, and open as what they are', async () => {

@@ -63,6 +63,18 @@ test('each paragraph is shown by the net', async () => {
   await expect
     .poll(async () => Number(/r = (.*)$/.exec(await now.innerText())![1]))
     .toSatisfy((r: number) => Math.abs(r - 1) > 0.02);
+  expect(await page.getByLabel('Colours').inputValue()).toBe('paper');
+  // A step that waits is no failure.
+  const status = page.locator('.status');
+  await status.getByText(/^Paused/).waitFor();
+  expect(await status.locator('.light').evaluate((light) => getComputedStyle(light).backgroundColor)).toBe(
+    'rgb(139, 149, 165)',
+  );
+  await page
+    .locator('.lesson')
+    .getByText(/^Paused\. .*goes on to the next/)
+    .first()
+    .waitFor();
   await page.screenshot({ path: join(OUTPUT, 'learn-energy.png') });
   const stage = page.locator('.lesson [aria-current=step]');
   expect(await stage.textContent()).toContain('p=2');
@@ -90,6 +102,14 @@ test('each paragraph is shown by the net', async () => {
   await expect.poll(async () => largestError(await script.positions(), before)).toBeGreaterThan(0.1);
   await page.locator('.status-words').click();
   await isAsBefore();
+  await expect.poll(() => page.getByText(/goes on to the next/).count()).toBe(0);
+
+  // Colours stay while the net is looked at, and go with the lesson.
+  await showMe(visit, /power of ten/);
+  await page.mouse.click(60, 600);
+  expect(await page.getByLabel('Colours').inputValue()).toBe('log');
+  await page.locator('.status-words').click();
+  expect(await page.getByLabel('Colours').inputValue()).toBe('paper');
 });
 
 test('formulas of the lessons are formulas', async () => {

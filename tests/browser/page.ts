@@ -90,3 +90,12 @@ export async function openForResearch(page: Page, section: string): Promise<void
 export function drawn(page: Page): Promise<unknown> {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
+
+/** Pixels between the net and the nearest side of the picture; negative: a part of it is outside. */
+export function room(page: Page): Promise<number> {
+  return page.evaluate(() => {
+    const { left, right, top, bottom } = document.querySelector('#view canvas')!.getBoundingClientRect();
+    const places = Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v));
+    return Math.min(...places.flatMap(({ x, y }) => [x - left, right - x, y - top, bottom - y]));
+  });
+}

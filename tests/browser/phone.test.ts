@@ -2,6 +2,8 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
+import { en } from '../../web/src/language/en';
+import { zh } from '../../web/src/language/zh';
 import { drawn, OUTPUT, visits } from './page';
 
 const { share } = visits();
@@ -142,6 +144,70 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     await page.locator('.lesson').first().waitFor({ state: 'attached' });
     await picture(page, 'controls');
     expect(await faults(page, '.sidebar')).toEqual([]);
+  });
+
+  test('a change is undone beside open controls', async () => {
+    const { page, script } = await visit();
+    await script.settled();
+    const fold = button(page, 'Controls');
+    if (await fold.isVisible()) await fold.click();
+    await page.evaluate(() => window.chebnet.setOptions({ method: 'projection' }));
+    await picture(page, 'undo');
+    expect(await faults(page, '.toolbar')).toEqual([]);
+    await button(page, 'Undo').click();
+    await button(page, 'Redo').click();
+    expect(await button(page, 'Redo').isDisabled()).toBe(true);
+    expect(await button(page, 'Undo').isDisabled()).toBe(false);
+  });
+
+  test('what the net does not reach is told beside it, and can be put away', async () => {
+    const { page, script } = await visit();
+    await script.settled();
+    const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    const lift = (height: number) => script.move(vertex, [target[0], target[1], target[2] + height]);
+    await lift(20);
+    const notice = page.locator('.stuck-notice');
+    await notice.getByText(/out of reach/).waitFor();
+    await picture(page, 'stuck');
+    expect(await faults(page, '.stuck-notice')).toEqual([]);
+    const fold = button(page, 'Controls');
+    for (const unfold of [false, true]) {
+      if (unfold && (await fold.isVisible())) await fold.click();
+      await drawn(page);
+      await picture(page, `stuck-${unfold}`);
+      const covered = await page.evaluate(() => {
+        const isUnder = ({ x, y }: { x: number; y: number }) =>
+          document.elementsFromPoint(x, y).some((each) => each.closest('.stuck-notice'));
+        const all = Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v));
+        return all.filter(isUnder).length / all.length;
+      });
+      expect(covered).toBeLessThan(0.2);
+    }
+    await notice.getByRole('button', { name: 'Dismiss' }).click();
+    await expect.poll(() => notice.innerText()).toBe('');
+    await lift(22);
+    await notice.getByText(/out of reach/).waitFor();
+    await button(page, 'Undo').click();
+    await expect.poll(() => notice.innerText()).toBe('');
+  });
+
+  test('the picture stays where it is, whatever the solver says', async () => {
+    const { page } = await visit();
+    const places = await page.evaluate(
+      (all) => {
+        const line = document.querySelector<HTMLElement>('.status-words')!;
+        const said = line.textContent;
+        const found = all.map((words) => {
+          line.textContent = words;
+          const isWhole = line.scrollHeight <= line.clientHeight;
+          return `${document.querySelector('#view')!.clientHeight} px, ${isWhole ? 'all' : 'a part'} of it is seen`;
+        });
+        line.textContent = said;
+        return [...new Set(found)];
+      },
+      [en, zh].flatMap(({ status }) => Object.values(status)),
+    );
+    expect(places).toEqual([expect.stringContaining(', all of it')]);
   });
 
   test('menus and dialogs', async () => {

@@ -196,17 +196,23 @@ test('a net that has not come to rest is kept when a project takes its place', a
   expect((await standing(script)).handles).toBeGreaterThan(0);
 });
 
-test('several projects with names and pictures: opened, renamed, copied, deleted and brought back; one open elsewhere stays whole', async () => {
-  const visit = await arrive();
-  const { page, script } = visit;
-  const dialog = page.getByRole('dialog', { name: 'My projects' });
+/** The dialog of projects, and the names in it. */
+function chooserOf(visit: Visit) {
+  const dialog = visit.page.getByRole('dialog', { name: 'My projects' });
   const show = async () => {
     await press(visit, 'File');
-    await page.getByRole('button', { name: /^My projects/ }).click();
+    await visit.page.getByRole('button', { name: /^My projects/ }).click();
     await dialog.waitFor();
   };
   const lines = () =>
     dialog.getByRole('textbox').evaluateAll((all) => all.map((each) => (each as HTMLInputElement).value));
+  return { dialog, show, lines };
+}
+
+test('several projects with names and pictures: opened, renamed, copied, deleted and brought back; one open elsewhere stays whole', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const { dialog, show, lines } = chooserOf(visit);
   await show();
   await dialog.getByText('Nothing is kept yet').waitFor();
   await page.screenshot({ path: join(OUTPUT, 'projects-empty.png') });
@@ -358,4 +364,62 @@ test('two tabs keep a net each', async () => {
   await Promise.all([first.script.waitForNet(), second.script.waitForNet()]);
   expect(await standing(first.script)).toEqual(before);
   expect((await second.script.stats()).vertices).toBeGreaterThan(1000);
+});
+
+test('what a tab has made of a link is there after a reload; the link opens as it was elsewhere', async () => {
+  const maker = await arrive();
+  await maker.script.open({ recipe: SHAPE });
+  const link = await maker.page.evaluate(() => window.chebnet.link());
+  const linked = await standing(maker.script);
+
+  const visit = await newTab(maker);
+  const { page, script } = visit;
+  await page.goto(link);
+  await script.waitForNet();
+  await script.settled();
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await dragBy(script, vertex, [-30, 20]);
+  await script.settled();
+  const made = await standing(script);
+  expect(made).not.toEqual(linked);
+  await expect.poll(() => page.evaluate(() => sessionStorage.getItem('chebnet.link')), PATIENCE).toMatch(/^#/);
+  await page.reload();
+  await script.waitForNet();
+  await expect.poll(() => standing(script), PATIENCE).toEqual(made);
+
+  const other = await newTab(visit);
+  await other.page.goto(link);
+  await other.script.waitForNet();
+  await expect.poll(() => standing(other.script), PATIENCE).toEqual(linked);
+});
+
+test('another net in place of a project with a name is a project of its own; what has the name stays as it was', async () => {
+  const visit = await arrive();
+  const { script } = visit;
+  const { dialog, show, lines } = chooserOf(visit);
+  await script.open({ recipe: SHAPE });
+  const hall = await standing(script);
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
+  await show();
+  await dialog.getByRole('textbox').fill('Hall');
+  await dialog.getByRole('textbox').press('Enter');
+  await expect.poll(lines).toEqual(['Hall']);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+
+  await script.open({ recipe: 'saddle:vertices=400' });
+  await script.settled();
+  await show();
+  await expect.poll(lines).toEqual(['', 'Hall']);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  // Its history goes back to where it came from.
+  await press(visit, 'Undo');
+  await expect.poll(() => standing(script)).toEqual(hall);
+  await press(visit, 'Redo');
+
+  await show();
+  await dialog.getByRole('button', { name: 'Open Hall', exact: true }).click();
+  await dialog.waitFor({ state: 'detached' });
+  await expect.poll(() => standing(script)).toEqual(hall);
+  await show();
+  await expect.poll(lines).toEqual(['Hall', '']);
 });

@@ -6,7 +6,7 @@ import { load } from '../wasm/load';
 import { hashWithZeros } from '../web/hash_with_zeros';
 import { distance, dragBy } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, visits } from './page';
+import { drawn, OUTPUT, visits } from './page';
 
 const { address, arrive, share } = visits();
 
@@ -52,6 +52,52 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
     const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
     expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
   }
+});
+
+test('a net of thousands of cells made on a surface has a link, which opens as the net with all its handles', async () => {
+  const sender = await share();
+  await sender.page.evaluate(() => window.chebnet.remesh({ own: 'pebble' }, { cells: 3000 }));
+  await sender.script.settled();
+  expect((await sender.script.stats()).vertices).toBeGreaterThan(2500);
+  const { vertex, target } = (await sender.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await sender.script.move(vertex, [target[0], target[1], target[2] + 0.05]);
+  await sender.script.settled();
+  const link = await copied(sender);
+  console.log(`a link of ${link.length} characters`);
+  const receiver = await arrive(link);
+  await receiver.script.settled();
+  const [sent, got] = [await sender.script.stats(), await receiver.script.stats()];
+  for (const name of ['vertices', 'edges', 'handles', 'status'] as const) expect(got[name]).toBe(sent[name]);
+  expect(got.maxDeviation).toBeLessThan(1e-6);
+  const [sentPlaces, places] = [await sender.script.positions(), await receiver.script.positions()];
+  const edge = distance(places.subarray(0, 3), places.subarray(3, 6));
+  expect(farthest(places, sentPlaces)).toBeLessThan(1e-4 * edge);
+});
+
+test('what a wide screen showed is within a narrow one, which keeps what is zoomed in there', async () => {
+  const sender = await share();
+  await sender.page.mouse.move(80, 560);
+  await sender.page.mouse.down();
+  await sender.page.mouse.move(200, 580, { steps: 3 });
+  await sender.page.mouse.up();
+  const receiver = await arrive(await copied(sender), { viewport: { width: 390, height: 844 } });
+  const places = () =>
+    receiver.page.evaluate(() =>
+      Array.from({ length: window.chebnet.stats().vertices }, (_, v) => window.chebnet.screenPosition(v)),
+    );
+  const across = (await places()).map(({ x }) => x);
+  expect(Math.min(...across)).toBeGreaterThan(0);
+  expect(Math.max(...across)).toBeLessThan(390);
+
+  await receiver.page.locator('#view canvas').focus();
+  for (let i = 0; i < 8; i++) await receiver.page.keyboard.press('+');
+  await drawn(receiver.page);
+  expect((await places()).some(({ x }) => x < 0 || x > 390)).toBe(true);
+  const zoomed = (await places())[0]!;
+  const link = await receiver.page.evaluate(() => window.chebnet.link());
+  const again = await arrive(link, { viewport: { width: 390, height: 844 } });
+  const { x, y } = await again.script.screenPosition(0);
+  expect(Math.hypot(x - zoomed.x, y - zoomed.y)).toBeLessThan(1);
 });
 
 test('where solving again would give another shape, the link has the positions', async () => {

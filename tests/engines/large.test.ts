@@ -2,6 +2,7 @@
 import { expect, test } from 'vitest';
 import { distance, fan, fanOfQuads, largestError } from '../browser/geometry';
 import { hashWithZeros } from '../web/hash_with_zeros';
+import { ENGINE } from './engines';
 import { visitors } from './visitor';
 
 const { arrive, share } = visitors();
@@ -31,7 +32,8 @@ test('twenty thousand triangles around one vertex open, and are solved', async (
   expect((await visitor.positions()).every(Number.isFinite)).toBe(true);
 });
 
-test.each([300, 2000, 12_000])(
+// Few and many are solved in different ways, which is the core's business: the largest shows what an engine can take.
+test.each(ENGINE === 'chromium' ? [300, 2000, 12_000] : [12_000])(
   '%i quads around one vertex open from a file, and are solved before patience ends',
   async (count) => {
     const visitor = await share();

@@ -13,7 +13,7 @@ const NAMED: Record<string, RegExp> = {
   'A shape': /\bk_saddle\b|^ {2}saddle: ['{]/m,
   'A file format': /\bk_off\b|"io\/off\.h"|^ {2}off: '/m,
   'A colour field': /\{"angle", |^ {2}angle: Float32Array;$|^ {2}angle: \{$|^ {4}angle: \{ choice/m,
-  'A panel of the sidebar': /\bDragPanel\b|^ {4}drag: '/m,
+  'A panel of the sidebar': /\bDragPanel\b|^ {4}drag: '(Dragging|拖动)'/m,
   'A force': /class GravityTerm|GravityTerm::GravityTerm/,
   'Another version of the link format': /\bsecond: Reader\b|\breadNumbering\b/,
 };

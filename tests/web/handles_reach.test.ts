@@ -5,6 +5,7 @@ import type { Vec3 } from '../../web/src/document/document';
 import { Along } from '../../web/src/handles/along';
 import { DragGuide } from '../../web/src/handles/drag_guide';
 import { SurfacePoints } from '../../web/src/handles/surface_points';
+import { borderOfNet, borderOfSurface, throughHandles } from '../../web/src/handles/curve';
 import {
   type InHand,
   isNearBorder,
@@ -16,6 +17,7 @@ import {
 } from '../../web/src/handles/reach';
 import { Snapping } from '../../web/src/handles/snapping';
 import type { Client } from '../../web/src/worker/client';
+import type { OpenedNet } from '../../web/src/worker/protocol';
 import { random } from './random';
 
 const distance = (a: Vec3, b: Vec3): number => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -238,6 +240,29 @@ describe('a drag', () => {
     guide.end();
   });
 
+  test('kept to a curve is on it, and goes along it as far as it can be reached', async () => {
+    await guide.begin(one, null);
+    const ell = [
+      [0, -1, 0],
+      [0, 0.5, 0],
+      [9, 0.5, 0],
+    ] as const;
+    guide.snapping = new Snapping(null, false, 1, throughHandles(ell.map(([...target]) => ({ target }))));
+    const go = (target: Vec3): Vec3 => guide.within(guide.snapped([{ vertex: 1, target }], []))[0]!.target;
+    const isAt = (...place: Vec3) => place.map((x) => expect.closeTo(x, 12));
+    expect(go([-0.4, 0.2, 0.7])).toEqual(isAt(0, 0.2, 0));
+    expect(go([0.4, 3, -2])).toEqual(isAt(0.4, 0.5, 0));
+    // What is out of reach is answered with the end of the reach on the curve, not with a place beside it.
+    const stop = go([5, 0, 0]);
+    expect(stop).toEqual([expect.closeTo(Math.sqrt(0.75), 8), expect.closeTo(0.5, 12), 0]);
+    expect(Math.hypot(...stop)).toBeLessThanOrEqual(1 + 1e-9);
+    guide.keepsWithin = false;
+    expect(go([5, 0, 0])).toEqual(isAt(5, 0.5, 0));
+    guide.keepsWithin = true;
+    guide.snapping = null;
+    guide.end();
+  });
+
   test('kept to an axis is on it to the last bit, snaps and stops on it, and freed it goes anywhere again', async () => {
     const base: Vec3 = [0.1 + 0.2, 1 / 3, -0.7];
     await guide.begin(inHand([base, [1, 1, 1]]), null);
@@ -368,5 +393,44 @@ describe('a drag', () => {
     await guide.begin(one, null);
     expect(client.setLocality).toHaveBeenLastCalledWith(null, [1]);
     guide.end();
+  });
+});
+
+describe('a curve to keep to', () => {
+  // A square with a square hole, of eight triangles.
+  const ring = {
+    positions: Float64Array.from([0, 0, 0, 3, 0, 0, 3, 3, 0, 0, 3, 0, 1, 1, 0, 2, 1, 0, 2, 2, 0, 1, 2, 0]),
+    triangles: Int32Array.from([0, 1, 4, 1, 5, 4, 1, 2, 5, 2, 6, 5, 2, 3, 6, 3, 7, 6, 3, 0, 7, 0, 4, 7]),
+  };
+
+  test('is the border of a surface, all of it', () => {
+    const { lines } = borderOfSurface(ring)!;
+    expect(lines.map(({ length }) => length)).toEqual([5, 5]);
+    for (const line of lines) {
+      expect(line[0]).toEqual(line[4]);
+      for (let i = 1; i < 5; i++) expect(distance(line[i - 1]!, line[i]!)).toBeOneOf([1, 3]);
+    }
+    const border = borderOfSurface(ring)!;
+    expect(border.nearest([1.5, 0.4, 1])).toEqual([1.5, 0, 0]);
+    expect(border.nearest([1.5, 0.6, 1])).toEqual([1.5, 1, 0]);
+    expect(borderOfSurface({ ...ring, triangles: Int32Array.from([0, 1, 2, 2, 1, 0]) })).toBeNull();
+  });
+
+  test('is the border of a net where it lies, and a closed one has none', () => {
+    const net = { loopStart: Int32Array.from([0, 3]), loopVertices: Int32Array.from([4, 5, 6]) } as OpenedNet;
+    expect(borderOfNet(net, ring.positions)!.lines).toEqual([
+      [
+        [1, 1, 0],
+        [2, 1, 0],
+        [2, 2, 0],
+        [1, 1, 0],
+      ],
+    ]);
+    expect(borderOfNet({ ...net, loopStart: Int32Array.from([0]) }, ring.positions)).toBeNull();
+  });
+
+  test('goes through two handles at least', () => {
+    expect(throughHandles([{ target: [0, 0, 0] }])).toBeNull();
+    expect(throughHandles([{ target: [0, 0, 0] }, { target: [2, 0, 0] }])!.nearest([1, 5, 0])).toEqual([1, 0, 0]);
   });
 });

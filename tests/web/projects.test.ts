@@ -122,6 +122,14 @@ describe('an entry', () => {
     expect(sentenceOf(nameIn(text))).toBe('Move handle 7');
     expect(text).toContain('"name":"Move handle 7"');
     expect(sentenceOf(['option', { option: 'p_end' }, '50'])).toBe('p end: 50');
+    expect(sentenceOf(['option', { option: 'straight_rods' }, 'true'])).toBe('Straight rods: on');
+    expect(sentenceOf(['option', { option: 'length_scale' }, '1.22'])).toBe('Edges: +22 %');
+    expect(sentenceOf(['option', { option: 'shear_limit' }, '30'])).toBe('Corners: from 30°');
+    expect(sentenceOf(['option', { option: 'guide_mode' }, '2'])).toBe('Keeps the net: on it');
+    expect(sentenceOf(['option', { option: 'guide_mode' }, 'x'])).toBe('Keeps the net: x');
+    expect(sentenceOf(['optionBack', { option: 'length_scale' }])).toBe('Edges: default');
+    expect(sentenceOf(['weight', '4'])).toBe('Gravity: 4 of 9');
+    expect(sentenceOf(['behaviour', { behaviour: 'cloth' }])).toBe('The net is soft cloth');
     expect(sentenceOf(['remove', { handles: '3' }])).toBe('Remove 3 handles');
     expect(sentenceOf(['open', 'mine.obj'])).toBe('Open mine.obj');
   });
@@ -165,7 +173,7 @@ describe('a hostile project is refused, and it is said where', () => {
     ['[]', /no chebnet project/],
     ['{"v":1}', /no chebnet project/],
     ['{"chebnet":0}', /another version/],
-    ['{"chebnet":5}', /another version/],
+    ['{"chebnet":6}', /another version/],
     ['{"chebnet":"1"}', /another version/],
     ['{"chebnet":[1]}', /another version/],
     ['{"chebnet":1}', /^nets must be a list/],

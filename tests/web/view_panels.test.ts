@@ -1,6 +1,7 @@
-import { describe, expect, test, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import type { ShapeInfo, TraceRow } from '../../wasm/chebnet';
 import { longestMove } from '../../web/src/document/longest_move';
+import type { HistoryView } from '../../web/src/document/undo';
 import type { Choice } from '../../web/src/handles/commands';
 import { Convergence } from '../../web/src/net/convergence';
 import type { Panel } from '../../web/src/panels';
@@ -219,18 +220,56 @@ describe('panels that come after the first', () => {
   });
 });
 
-test('screen readers hear of a selection once: from the narrator, unless the title counts it', () => {
-  vi.useFakeTimers();
-  vi.stubGlobal('document', { createElement: () => ({ setAttribute: () => {}, append: () => {}, textContent: '' }) });
-  const narrator = new Narrator();
-  const said = (choice: Pick<Choice, 'selection' | 'selecting'>): string | null => {
-    narrator.setHandles([], choice as Choice);
-    vi.runAllTimers();
-    return narrator.element.textContent;
-  };
-  said({ selection: [], selecting: false });
-  expect(said({ selection: [1, 2], selecting: true })).toBe('');
-  expect(said({ selection: [1, 2, 3], selecting: false })).toMatch(/^Selected: 3 handles/);
-  vi.unstubAllGlobals();
-  vi.useRealTimers();
+describe('screen readers', () => {
+  const atRest = { status: 'converged', iterations: 1, maxDeviation: 0, holdsBack: false } as FrameData;
+  const underWay = { ...atRest, status: 'running' } as FrameData;
+  beforeEach(() => {
+    vi.useFakeTimers();
+    const element = () => ({ setAttribute: () => {}, append: () => {}, textContent: '' });
+    vi.stubGlobal('document', { createElement: element });
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+    vi.useRealTimers();
+  });
+
+  test('are told what came of a change once the solver has answered, not how the net was before', () => {
+    let isChanging = false;
+    const narrator = new Narrator(() => isChanging);
+    const frameComes = (frame: FrameData): string | null => {
+      narrator.onFrame(frame);
+      narrator.setFrame(frame);
+      return narrator.element.textContent;
+    };
+    const isDone = (revision: number): void => {
+      const names = [['reset'], ['solve']] as HistoryView['names'];
+      narrator.setHistory({ names, present: 1, revision } as HistoryView);
+      vi.runAllTimers();
+    };
+    frameComes(atRest);
+    isDone(1);
+    isChanging = true;
+    isDone(2);
+    expect(narrator.element.textContent).toBe('');
+    expect(frameComes({ ...underWay, maxDeviation: 0.1 })).toBe('');
+    expect(frameComes(underWay)).toMatch(/\. Every edge keeps its length; settling\.$/);
+    // What needs no solve is told at once.
+    isChanging = false;
+    narrator.onFrame(atRest);
+    isDone(3);
+    expect(narrator.element.textContent).toMatch(/\. Every edge keeps its length\.$/);
+  });
+
+  test('hear of a selection once: from the narrator, unless the title counts it', () => {
+    const narrator = new Narrator(() => false);
+    narrator.setFrame(atRest);
+    const said = (choice: Pick<Choice, 'selection' | 'selecting'>): string | null => {
+      narrator.setHandles([], choice as Choice);
+      vi.runAllTimers();
+      return narrator.element.textContent;
+    };
+    said({ selection: [], selecting: false });
+    expect(said({ selection: [1, 2], selecting: true })).toBe('');
+    expect(said({ selection: [1, 2, 3], selecting: false })).toMatch(/^Selected: 3 handles/);
+  });
 });

@@ -1,7 +1,7 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, test } from 'vitest';
 import { halfHeight } from '../../web/src/view/camera_rig';
-import { directionFor, fitCamera } from '../../web/src/view/camera_fit';
+import { directionFor, fitCamera, standBack } from '../../web/src/view/camera_fit';
 import { fanTriangles } from '../../web/src/worker/triangles';
 import { isInside, nearestMarker, nearestVertex, project, projectionOf } from '../../web/src/view/picking';
 import { Space } from '../../web/src/view/space';
@@ -120,6 +120,28 @@ describe('the whole net in sight', () => {
       expect(Math.min(gaps.left + gaps.right, gaps.top + gaps.bottom)).toBeLessThan(1e-5);
     },
   );
+});
+
+test.each([false, true])('what a wide picture shows is within a narrow one, parallel %s', (isParallel) => {
+  const cloud = pack([0, 0, 0], [2.6, 0, 0], [-2, -1, 0.5], [3.6, 0, 0], [0, 0, 3]);
+  const camera = new PerspectiveCamera(32, 0.5, 0.01, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(0, -8, 0);
+  camera.lookAt(0, 0, 0);
+  const from = { position: camera.position.clone(), target: new Vector3() };
+  const { position, target } = standBack(cloud, 5, camera, from, 1.25, isParallel);
+  expect(target).toEqual(from.target);
+  expect(
+    position
+      .clone()
+      .normalize()
+      .distanceTo(new Vector3(0, -1, 0)),
+  ).toBeLessThan(1e-9);
+  const halfWidth = (depth: number) => 0.5 * depth * Math.tan((16 * Math.PI) / 180);
+  const away = position.length();
+  expect(halfWidth(away)).toBeGreaterThan(2.6);
+  expect(halfWidth(away)).toBeLessThan(2.9); // What was beyond the wide picture does not count.
+  expect(standBack(cloud, 5, camera, from, 0.5, isParallel).position).toEqual(from.position);
 });
 
 test('the handle to begin with is in front', () => {
