@@ -225,12 +225,15 @@ export interface VertexLists {
   vertices: Int32Array;
 }
 
-/** A net laid flat, where it can be: a piece of the square grid; see core/fabricate/flat_pattern.h. */
+/** A net laid flat, where it can be: a piece of the square grid, or several; see core/fabricate/flat_pattern.h. */
 export interface FlatPattern {
-  /** Column and row of each vertex, from 0; rows count upwards, and the first face is seen from its front. */
-  places: Int32Array;
+  /** Column and row of each vertex, from 0, between two where a rod is cut; rows count upwards, and the first whole face of a
+   *  piece is seen from its front. */
+  places: Float64Array;
   columns: number;
   rows: number;
+  /** Where each piece of the net lies: the squares from a column and a row on. By their first faces. */
+  pieces: { column: number; row: number; columns: number; rows: number }[];
 }
 
 /** Why a net has no flat pattern. */
@@ -242,7 +245,8 @@ export type PatternFault =
   | { reason: 'closed'; vertex: number }
   /** The face would lie upon another one. */
   | { reason: 'overlap'; face: number }
-  | { reason: 'pieces' };
+  /** Faces meet at the vertex, but not at an edge there. */
+  | { reason: 'touching'; vertex: number; valence: number };
 
 /** What can be wrong with a mesh; see core/net/repair.h. */
 export type Defect =
@@ -282,6 +286,8 @@ export type NetChange =
   | 'keep_smaller'
   | 'delete_rows'
   | 'delete_faces'
+  | 'keep_pieces'
+  | 'delete_pieces'
   | 'add_row'
   | 'insert_row'
   | 'remove_line'

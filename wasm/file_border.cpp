@@ -76,6 +76,16 @@ val flat_pattern_out(const Net& net, const Topology& topology) {
     object.set("places", copy_out(pattern.places));
     object.set("columns", pattern.columns);
     object.set("rows", pattern.rows);
+    val pieces = val::array();
+    for (const PatternPiece& piece : pattern.pieces) {
+        val box = val::object();
+        box.set("column", piece.column);
+        box.set("row", piece.row);
+        box.set("columns", piece.columns);
+        box.set("rows", piece.rows);
+        pieces.call<void>("push", box);
+    }
+    object.set("pieces", pieces);
     return object;
 }
 

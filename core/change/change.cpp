@@ -44,6 +44,8 @@ const std::vector<ChangeInfo>& change_table() {
         {"keep_smaller", "of the sides of the line the largest goes", checked<smaller_side>},
         {"delete_rows", "the rows of faces beside the line go", checked<without_rows>},
         {"delete_faces", "the faces at the vertices go", checked<without_faces_at>},
+        {"keep_pieces", "of the pieces of the net only those with one of the vertices stay", checked<pieces_at>},
+        {"delete_pieces", "the pieces of the net with one of the vertices go", checked<without_pieces_at>},
         {"add_row", "a row of quads is added along the line, which lies on the border", checked<with_row>},
         {"insert_row", "a row of quads is put in along the line, which runs through the net", checked<with_inner_row>},
         {"remove_line", "the line is taken out: the rows on its two sides become one", checked<without_line>},

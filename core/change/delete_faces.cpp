@@ -76,6 +76,21 @@ ChangedMesh one_side(const Net& net, const ChangePlace& place, bool larger) {
     return without(net, goes);
 }
 
+/// V, whether a vertex is on a piece with one of these.
+std::vector<bool> on_pieces_of(const Net& net, const std::vector<int>& vertices) {
+    const std::vector<std::vector<int>> pieces = Topology(net).components();
+    if (pieces.size() < 2) throw Error(ErrorCode::impossible_change, "the net is in one piece");
+    if (vertices.empty()) throw Error(ErrorCode::impossible_change, "no piece is chosen: choose a vertex of one");
+    const std::vector<bool> is_chosen = marked(vertices, net.vertex_count());
+    std::vector<bool> found(is_chosen.size(), false);
+    for (const std::vector<int>& piece : pieces)
+        if (std::any_of(piece.begin(), piece.end(), [&](int v) { return is_chosen[v]; }))
+            for (const int v : piece) found[v] = true;
+    if (std::find(found.begin(), found.end(), false) == found.end())
+        throw Error(ErrorCode::impossible_change, "every piece of the net is chosen: choose fewer vertices");
+    return found;
+}
+
 }  // namespace
 
 ChangedMesh without_faces_at(const Net& net, const ChangePlace& place) {
@@ -84,6 +99,16 @@ ChangedMesh without_faces_at(const Net& net, const ChangePlace& place) {
 
 ChangedMesh without_rows(const Net& net, const ChangePlace& place) {
     return without(net, faces_with(net, corner_edges(net, Topology(net)), marked(place.edges, net.edge_count())));
+}
+
+ChangedMesh without_pieces_at(const Net& net, const ChangePlace& place) {
+    return without(net, faces_with(net, net.faces().vertices, on_pieces_of(net, place.vertices)));
+}
+
+ChangedMesh pieces_at(const Net& net, const ChangePlace& place) {
+    std::vector<bool> goes = on_pieces_of(net, place.vertices);
+    goes.flip();
+    return without(net, faces_with(net, net.faces().vertices, goes));
 }
 
 ChangedMesh larger_side(const Net& net, const ChangePlace& place) { return one_side(net, place, true); }

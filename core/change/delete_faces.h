@@ -18,4 +18,8 @@ ChangedMesh without_rows(const Net& net, const ChangePlace& place);
 ChangedMesh larger_side(const Net& net, const ChangePlace& place);
 ChangedMesh smaller_side(const Net& net, const ChangePlace& place);
 
+/// Of the pieces of the net, which no edge joins, only those with one of the place's vertices stay; or those go.
+ChangedMesh pieces_at(const Net& net, const ChangePlace& place);
+ChangedMesh without_pieces_at(const Net& net, const ChangePlace& place);
+
 }  // namespace chebnet

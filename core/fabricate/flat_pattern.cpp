@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,110 +15,315 @@ namespace chebnet {
 namespace {
 
 using Reason = PatternFault::Reason;
-using Place = Eigen::Vector2i;  // column, row
+using Place = Eigen::Vector2d;  // column, row
 
-constexpr double k_equal = 1e-6;
+constexpr double k_equal = 1e-6;  // of a whole edge
+constexpr int k_apart = 2;        // squares between pieces
 
-std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology) {
+/// To the left, or with turn −1 to the right.
+Place turned(const Place& direction, int turn) { return turn * Place(-direction.y(), direction.x()); }
+
+/// The corners of all faces, one face behind the other, as Faces has them; corner k of a face modulo their number. The
+/// side of a corner leads to the next. Lengths are in whole edges: those of all sides between two faces but of rods
+/// that end, cut, on the boundary.
+class Sides {
+public:
+    Sides(const Net& net, const Topology& topology) : m_net(net), m_faces_of_edge(net.edge_count(), {-1, -1}) {
+        const auto& faces = net.faces();
+        for (int f = 0; f < net.face_count(); ++f)
+            for (int k = 0; k < count(f); ++k) {
+                m_edge.push_back(topology.edge_between(vertex(f, k), vertex(f, k + 1)));
+                std::array<int, 2>& both = m_faces_of_edge[m_edge[faces.start[f] + k]];
+                both[both[0] == -1 ? 0 : 1] = f;
+            }
+        double whole = 0;
+        for (int e = 0; e < net.edge_count(); ++e)
+            if (is_between(e)) whole = std::max(whole, net.rest_lengths()[e]);
+        m_has_between = whole > 0;
+        m_lengths = net.rest_lengths() / (m_has_between ? whole : net.rest_lengths().maxCoeff());
+        for (double& length : m_lengths)
+            if (std::abs(length - 1) <= k_equal) length = 1;
+        for (int f = 0; f < net.face_count(); ++f) m_is_rectangle.push_back(is_rectangle(f));
+    }
+
+    int count(int face) const { return static_cast<int>(m_net.faces()[face].size()); }
+    int vertex(int face, int k) const { return m_net.faces()[face][k % count(face)]; }
+    int edge(int face, int k) const { return m_edge[m_net.faces().start[face] + k % count(face)]; }
+    double length(int face, int k) const { return m_lengths[edge(face, k)]; }
+    double length(int edge) const { return m_lengths[edge]; }
+    bool is_between(int edge) const { return m_faces_of_edge[edge][1] != -1; }
+    bool has_between() const { return m_has_between; }
+    /// −1: none.
+    int beyond(int face, int k) const {
+        const std::array<int, 2>& both = m_faces_of_edge[edge(face, k)];
+        return both[both[0] == face ? 1 : 0];
+    }
+    int corner_at(int face, int edge) const {
+        int k = 0;
+        while (this->edge(face, k) != edge) ++k;
+        return k;
+    }
+    /// Not one that joins the ends of two rods across what is left of a cell.
+    bool is_rod(int face, int k) const { return m_is_rectangle[face] || is_between(edge(face, k)); }
+    bool are_whole(int face) const {
+        for (int k = 0; k < count(face); ++k)
+            if (length(face, k) != 1) return false;
+        return true;
+    }
+    bool has_rods_only(int face) const {
+        for (int k = 0; k < count(face); ++k)
+            if (!is_rod(face, k)) return false;
+        return true;
+    }
+
+private:
+    bool is_rectangle(int f) const {
+        return count(f) == 4 && std::abs(length(f, 0) - length(f, 2)) <= k_equal &&
+               std::abs(length(f, 1) - length(f, 3)) <= k_equal;
+    }
+
+    const Net& m_net;
+    std::vector<int> m_edge;                          // of each side
+    std::vector<std::array<int, 2>> m_faces_of_edge;  // the second is −1 on the boundary
+    Eigen::VectorXd m_lengths;                        // of each edge
+    std::vector<bool> m_is_rectangle;                 // of each face
+    bool m_has_between = false;
+};
+
+std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology, const Sides& sides) {
     for (int f = 0; f < net.face_count(); ++f)
-        if (net.faces()[f].size() != 4) return PatternFault{.reason = Reason::not_quads, .face = f};
-    const double shortest = net.rest_lengths().minCoeff(), longest = net.rest_lengths().maxCoeff();
-    if (longest - shortest > k_equal * shortest) return PatternFault{.reason = Reason::unequal};
+        if (sides.count(f) != 4 && (sides.has_rods_only(f) || sides.are_whole(f)))
+            return PatternFault{.reason = Reason::not_quads, .face = f};
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const bool is_cut = topology.is_boundary(net.edges()(0, e)) || topology.is_boundary(net.edges()(1, e));
+        const bool may_differ = sides.has_between() && (is_cut || !sides.is_between(e));
+        if (sides.length(e) != 1 && !may_differ) return PatternFault{.reason = Reason::unequal};
+    }
+    for (int f = 0; f < net.face_count(); ++f)
+        for (int k = 0; k < sides.count(f); ++k)
+            if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal && sides.length(f, k) <= 1))
+                return PatternFault{.reason = Reason::unequal};
     for (int v = 0; v < net.vertex_count(); ++v)
         if (!topology.is_boundary(v) && topology.valence(v) != 4)
             return PatternFault{.reason = Reason::singular, .vertex = v};
     return std::nullopt;
 }
 
-/// Both faces at each edge; the second is −1 on the boundary.
-std::vector<std::array<int, 2>> faces_of_edges(const Net& net, const std::vector<int>& corner_edges) {
-    std::vector<std::array<int, 2>> faces(static_cast<std::size_t>(net.edge_count()), {-1, -1});
-    for (std::size_t corner = 0; corner < corner_edges.size(); ++corner) {
-        std::array<int, 2>& both = faces[corner_edges[corner]];
-        both[both[0] == -1 ? 0 : 1] = static_cast<int>(corner / 4);
-    }
-    return faces;
-}
-
-/// 4F, the edge from each corner of a quad to the next one.
-std::vector<int> edges_of_corners(const Net& net, const Topology& topology) {
-    std::vector<int> edges;
-    for (int f = 0; f < net.face_count(); ++f)
-        for (int k = 0; k < 4; ++k) {
-            const std::span<const int> face = net.faces()[f], neighbours = topology.neighbours(face[k]);
-            const auto next = std::lower_bound(neighbours.begin(), neighbours.end(), face[(k + 1) % 4]);
-            edges.push_back(topology.incident_edges(face[k])[next - neighbours.begin()]);
-        }
-    return edges;
-}
-
-/// Corner k of a face, modulo their number.
 class Layout {
 public:
-    Layout(const Net& net, const Topology& topology)
+    Layout(const Net& net, const Topology& topology, const Sides& sides)
         : m_net(net),
-          m_corner_edges(edges_of_corners(net, topology)),
-          m_edge_faces(faces_of_edges(net, m_corner_edges)),
+          m_topology(topology),
+          m_sides(sides),
           m_places(2, net.vertex_count()),
-          m_is_placed(static_cast<std::size_t>(net.vertex_count()), false),
-          m_is_laid(static_cast<std::size_t>(net.face_count()), false) {}
+          m_piece(static_cast<std::size_t>(net.vertex_count()), k_nowhere),
+          m_turn(static_cast<std::size_t>(net.face_count()), 0) {}
 
     std::variant<FlatPattern, PatternFault> spread() {
-        put(vertex(0, 0), {0, 0});
-        put(vertex(0, 1), {1, 0});
-        std::vector<int> laid{0};
-        if (const auto fault = lay(0, 0, {0, 1})) return *fault;
-        for (std::size_t i = 0; i < laid.size(); ++i)
-            for (int k = 0; k < 4; ++k) {
-                const int edge = edge_at(laid[i], k), next = beyond(edge, laid[i]);
-                if (next == -1 || m_is_laid[next]) continue;
-                if (const auto fault = lay(next, corner_at(next, edge), outwards(laid[i], k))) return *fault;
-                laid.push_back(next);
-            }
-        if (static_cast<int>(laid.size()) < m_net.face_count()) return PatternFault{.reason = Reason::pieces};
-        const Place low = m_places.rowwise().minCoeff();
-        m_places.colwise() -= low;
-        return FlatPattern{m_places, m_places.row(0).maxCoeff(), m_places.row(1).maxCoeff()};
+        for (int face = 0; face < m_net.face_count(); ++face)
+            if (!is_laid(face))
+                if (const auto fault = lay_piece(face)) return *fault;
+        const std::vector<PatternPiece> pieces = set_in_lines(boxes());
+        for (int v = 0; v < m_net.vertex_count(); ++v) {
+            const PatternPiece& piece = pieces[m_piece[v]];
+            m_places.col(v) += Place(piece.column, piece.row) - m_low[m_piece[v]];
+        }
+        FlatPattern pattern{.places = m_places, .pieces = pieces};
+        for (const PatternPiece& piece : pieces) {
+            pattern.columns = std::max(pattern.columns, piece.column + piece.columns);
+            pattern.rows = std::max(pattern.rows, piece.row + piece.rows);
+        }
+        return pattern;
     }
 
 private:
-    int vertex(int face, int k) const { return m_net.faces()[face][k % 4]; }
-    int edge_at(int face, int k) const { return m_corner_edges[4 * face + k % 4]; }
-    Place place(int face, int k) const { return m_places.col(vertex(face, k)); }
-    int beyond(int edge, int face) const { return m_edge_faces[edge][m_edge_faces[edge][0] == face ? 1 : 0]; }
-    Place outwards(int face, int k) const { return place(face, k) - place(face, k + 3); }
-    int corner_at(int face, int edge) const {
-        int k = 0;
-        while (edge_at(face, k) != edge) ++k;
-        return k;
+    bool is_laid(int face) const { return m_turn[face] != 0; }
+    Place place(int face, int k) const { return m_places.col(m_sides.vertex(face, k)); }
+    bool has_place(int face, int k) const { return m_piece[m_sides.vertex(face, k)] != k_nowhere; }
+    /// Whether a rod lies there.
+    bool has_rod(int face, int k) const {
+        return m_sides.is_rod(face, k) && has_place(face, k) && has_place(face, k + 1);
+    }
+    /// Of a rod that lies there.
+    Place direction(int face, int k) const {
+        return ((place(face, k + 1) - place(face, k)) / m_sides.length(face, k)).array().round();
+    }
+
+    /// All faces that edges join with this one. Seen from its front is the first of them with a whole rod, which is
+    /// laid first, so that whole squares lie on the grid.
+    std::optional<PatternFault> lay_piece(int first) {
+        ++m_piece_count;
+        m_taken.clear();
+        const std::vector<int> faces = faces_joined_to(first);
+        const auto [seed, k] = whole_rod_of(faces);
+        if (k < 0) return misfit(first);
+        if (!put(m_sides.vertex(seed, k), {0, 0})) return misplaced(m_sides.vertex(seed, k));
+        if (!put(m_sides.vertex(seed, k + 1), {1, 0})) return misplaced(m_sides.vertex(seed, k + 1));
+        if (const auto fault = lay_from(seed, k)) return fault;
+        for (const int face : faces) {
+            if (!is_laid(face)) return misfit(face);
+            if (const auto fault = put_ends(face)) return fault;
+        }
+        return std::nullopt;
+    }
+
+    std::vector<int> faces_joined_to(int first) const {
+        std::vector<int> faces{first};
+        std::vector<bool> is_found(m_turn.size(), false);
+        is_found[first] = true;
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (int k = 0; k < m_sides.count(faces[i]); ++k) {
+                const int next = m_sides.beyond(faces[i], k);
+                if (next == -1 || is_found[next]) continue;
+                is_found[next] = true;
+                faces.push_back(next);
+            }
+        return faces;
+    }
+
+    /// A face and the corner at its rod; corner −1: there is none.
+    std::pair<int, int> whole_rod_of(const std::vector<int>& faces) const {
+        for (const int face : faces)
+            for (int k = 0; k < m_sides.count(face); ++k)
+                if (m_sides.is_rod(face, k) && m_sides.length(face, k) == 1) return {face, k};
+        return {-1, -1};
+    }
+
+    /// This face and those that follow from it, each beside one before it.
+    std::optional<PatternFault> lay_from(int seed, int corner) {
+        std::vector<int> laid{seed};
+        if (const auto fault = lay(seed, corner, 1)) return fault;
+        for (std::size_t i = 0; i < laid.size(); ++i)
+            for (int k = 0; k < m_sides.count(laid[i]); ++k) {
+                const int face = laid[i], next = m_sides.beyond(face, k);
+                if (next == -1 || is_laid(next) || !has_rod(face, k)) continue;
+                const int at = m_sides.corner_at(next, m_sides.edge(face, k));
+                const Place outwards = turned(direction(face, k), -m_turn[face]);
+                const int turn = turned(direction(next, at), 1).dot(outwards) > 0 ? 1 : -1;
+                if (const auto fault = lay(next, at, turn)) return fault;
+                laid.push_back(next);
+            }
+        return std::nullopt;
+    }
+
+    /// Lays the rods of a face that follow each other around the one at corner k, which has its place, each at right
+    /// angles to the one before.
+    std::optional<PatternFault> lay(int face, int k, int turn) {
+        m_turn[face] = turn;
+        const int count = m_sides.count(face);
+        const Place inwards = turned(direction(face, k), turn);
+        Place step = direction(face, k);
+        int i = k + 1;
+        for (; i < k + count && m_sides.is_rod(face, i); ++i) {
+            step = turned(step, turn);
+            if (!put(m_sides.vertex(face, i + 1), place(face, i) + m_sides.length(face, i) * step))
+                return misplaced(m_sides.vertex(face, i + 1));
+        }
+        step = direction(face, k);
+        for (int j = k + count; j > i && m_sides.is_rod(face, j - 1); --j) {
+            step = turned(step, -turn);
+            if (!put(m_sides.vertex(face, j - 1), place(face, j) - m_sides.length(face, j - 1) * step))
+                return misplaced(m_sides.vertex(face, j - 1));
+        }
+        const Place within = (place(face, k) + place(face, k + 1)) / 2 + k_inside * inwards;
+        const auto column = static_cast<int>(std::floor(within.x())), row = static_cast<int>(std::floor(within.y()));
+        if (!m_taken.emplace(column, row).second) return PatternFault{.reason = Reason::overlap, .face = face};
+        return std::nullopt;
+    }
+
+    /// Rods along the boundary, where the next cell was left out, that are cut: at right angles to the one before.
+    std::optional<PatternFault> put_ends(int face) {
+        const int count = m_sides.count(face);
+        for (int k = count; k < 2 * count; ++k) {
+            if (has_place(face, k)) continue;
+            const bool has_before = has_rod(face, k - 2), has_behind = has_rod(face, k + 1);
+            const auto valence = [&](int corner) { return m_topology.valence(m_sides.vertex(face, corner)); };
+            if (!has_before && !has_behind) return misfit(face);
+            const bool is_before = has_before && (!has_behind || valence(k - 1) >= valence(k + 1));
+            const Place step = is_before ? turned(direction(face, k - 2), m_turn[face])
+                                         : Place(-turned(direction(face, k + 1), -m_turn[face]));
+            const int from = is_before ? k - 1 : k + 1;
+            put(m_sides.vertex(face, k),
+                place(face, from) + std::min(1., m_sides.length(face, std::min(from, k))) * step);
+        }
+        return std::nullopt;
     }
 
     /// False if the vertex has another place.
     bool put(int v, const Place& place) {
-        if (m_is_placed[v]) return m_places.col(v) == place;
-        m_is_placed[v] = true;
+        if (m_piece[v] != k_nowhere)
+            return m_piece[v] == m_piece_count - 1 && (m_places.col(v) - place).cwiseAbs().maxCoeff() <= k_equal;
+        m_piece[v] = m_piece_count - 1;
         m_places.col(v) = place;
         return true;
     }
 
-    /// Lays a face so that it reaches by `step` from the edge at corner k, which has its place.
-    std::optional<PatternFault> lay(int face, int k, const Place& step) {
-        for (const auto& [above, below] : {std::pair(k + 3, k), std::pair(k + 2, k + 1)})
-            if (!put(vertex(face, above), place(face, below) + step))
-                return PatternFault{.reason = Reason::closed, .vertex = vertex(face, above)};
-        const Place twice_middle = place(face, k) + place(face, k + 2);
-        if (!m_taken.emplace(twice_middle.x(), twice_middle.y()).second)
-            return PatternFault{.reason = Reason::overlap, .face = face};
-        m_is_laid[face] = true;
-        return std::nullopt;
+    /// Of a vertex that has another place.
+    PatternFault misplaced(int v) const {
+        const bool is_of_another = m_piece[v] != m_piece_count - 1;
+        return {.reason = is_of_another ? Reason::touching : Reason::closed, .vertex = v};
     }
 
+    /// Of a face whose place does not follow from those beside it.
+    PatternFault misfit(int face) const {
+        if (m_sides.count(face) == 4) return {.reason = Reason::unequal};
+        return {.reason = Reason::not_quads, .face = face};
+    }
+
+    /// The sizes of the pieces, in whole squares; leaves where their lowest columns and rows are.
+    std::vector<PatternPiece> boxes() {
+        constexpr double k_far = std::numeric_limits<double>::infinity();
+        m_low.assign(static_cast<std::size_t>(m_piece_count), {k_far, k_far});
+        std::vector<Place> high(m_low.size(), {-k_far, -k_far});
+        for (int v = 0; v < m_net.vertex_count(); ++v) {
+            Place& low = m_low[m_piece[v]];
+            low = low.cwiseMin(m_places.col(v).array().floor().matrix());
+            high[m_piece[v]] = high[m_piece[v]].cwiseMax(m_places.col(v).array().ceil().matrix());
+        }
+        std::vector<PatternPiece> sizes;
+        for (std::size_t p = 0; p < high.size(); ++p) {
+            const Eigen::Vector2i size = (high[p] - m_low[p]).cast<int>();
+            sizes.push_back({.columns = size.x(), .rows = size.y()});
+        }
+        return sizes;
+    }
+
+    /// From the left to the right and from the top downwards.
+    static std::vector<PatternPiece> set_in_lines(std::vector<PatternPiece> pieces) {
+        double area = 0;
+        int widest = 0;
+        for (const PatternPiece& piece : pieces) {
+            area += static_cast<double>(piece.columns + k_apart) * (piece.rows + k_apart);
+            widest = std::max(widest, piece.columns);
+        }
+        const int width = std::max(widest, static_cast<int>(std::sqrt(area)));
+        int column = 0, top = 0, bottom = 0;
+        for (PatternPiece& piece : pieces) {
+            if (column + piece.columns > width) {
+                column = 0;
+                top = bottom - k_apart;
+            }
+            piece.column = column;
+            piece.row = top - piece.rows;
+            column += piece.columns + k_apart;
+            bottom = std::min(bottom, piece.row);
+        }
+        for (PatternPiece& piece : pieces) piece.row -= bottom;
+        return pieces;
+    }
+
+    static constexpr int k_nowhere = -1;
+    static constexpr double k_inside = 0.01;
+
     const Net& m_net;
-    const std::vector<int> m_corner_edges;
-    const std::vector<std::array<int, 2>> m_edge_faces;
-    Eigen::Matrix2Xi m_places;
-    std::vector<bool> m_is_placed, m_is_laid;
-    std::set<std::pair<int, int>> m_taken;  // where a face lies: twice the middle of its square
+    const Topology& m_topology;
+    const Sides& m_sides;
+    Eigen::Matrix2Xd m_places;
+    std::vector<int> m_piece;  // of each vertex
+    int m_piece_count = 0;
+    std::vector<Place> m_low;  // of each piece, as it was laid
+    std::vector<int> m_turn;   // of each face: 1 if its corners are left turns, −1 if right; 0: not laid yet
+    std::set<std::pair<int, int>> m_taken;  // squares on which a face of the piece lies
 };
 
 }  // namespace
@@ -133,15 +340,16 @@ const char* to_string(PatternFault::Reason reason) {
             return "closed";
         case Reason::overlap:
             return "overlap";
-        case Reason::pieces:
-            return "pieces";
+        case Reason::touching:
+            return "touching";
     }
     return "";
 }
 
 std::variant<FlatPattern, PatternFault> flat_pattern(const Net& net, const Topology& topology) {
-    if (const auto fault = find_unfit(net, topology)) return *fault;
-    return Layout(net, topology).spread();
+    const Sides sides(net, topology);
+    if (const auto fault = find_unfit(net, topology, sides)) return *fault;
+    return Layout(net, topology, sides).spread();
 }
 
 }  // namespace chebnet

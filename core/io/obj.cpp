@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/sets.h"
 #include "base/text.h"
 #include "io/file.h"
 
@@ -159,6 +160,21 @@ private:
     std::vector<int> m_face_lines;
 };
 
+/// Of each face the number of the piece that it is in, which shares no vertex with another; by their first faces.
+std::vector<int> pieces_of_faces(const Faces& faces, int vertex_count) {
+    Sets joined(vertex_count);
+    for (int f = 0; f < faces.size(); ++f)
+        for (const int vertex : faces[f]) joined.join(faces[f].front(), vertex);
+    std::vector<int> number(static_cast<std::size_t>(vertex_count), -1), piece;
+    int count = 0;
+    for (int f = 0; f < faces.size(); ++f) {
+        int& known = number[joined.of(faces[f].front())];
+        if (known < 0) known = count++;
+        piece.push_back(known);
+    }
+    return piece;
+}
+
 }  // namespace
 
 Mesh read_obj(std::string_view text, std::string_view name) {
@@ -172,7 +188,10 @@ std::string write_obj(const Positions& positions, const Faces& faces, int digits
         throw Error(ErrorCode::bad_option, "OBJ is written with 1 to 17 digits, not " + std::to_string(digits));
     std::string out;
     for (const auto& p : positions.colwise()) out += "v " + row_text({p.data(), 3}, digits) + '\n';
+    const std::vector<int> piece = pieces_of_faces(faces, static_cast<int>(positions.cols()));
+    const bool has_pieces = std::any_of(piece.begin(), piece.end(), [](int p) { return p > 0; });
     for (int f = 0; f < faces.size(); ++f) {
+        if (has_pieces && (f == 0 || piece[f] != piece[f - 1])) out += "g piece_" + std::to_string(piece[f] + 1) + '\n';
         out += 'f';
         for (const int vertex : faces[f]) out += ' ' + std::to_string(vertex + 1);
         out += '\n';

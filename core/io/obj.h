@@ -16,7 +16,8 @@ namespace chebnet {
 /// Throws Error bad_syntax, index_out_of_range, small_face, non_finite, too_large; each message is `name:line: what`.
 Mesh read_obj(std::string_view text, std::string_view name);
 
-/// Writes OBJ text, one `v` line a vertex and one `f` line a face, in order. `digits` significant digits, 1 … 17;
+/// Writes OBJ text, one `v` line a vertex and one `f` line a face, in order; where there are several pieces, each is a
+/// group, "g piece_1" and so on, by their first faces. `digits` significant digits, 1 … 17;
 /// 17 returns every coordinate exactly. Throws Error bad_option for another number of digits.
 std::string write_obj(const Positions& positions, const Faces& faces, int digits);
 /// With 17 digits.

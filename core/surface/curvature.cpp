@@ -18,6 +18,8 @@ constexpr double k_pi = std::numbers::pi;
 // than the cells of a net of a thousand.
 constexpr double k_part_of_size = 1. / 30;
 constexpr int k_heat_steps = 3;
+// Round a hole that less than this would fill, 6°, lines of a net come back to themselves nearly.
+constexpr double k_flat = 0.1;
 
 int boundary_side_count(const Surface& surface) {
     int count = 0;
@@ -44,9 +46,38 @@ double hardest_curvature(const Surface& surface, const std::vector<int>& compone
     return hardest;
 }
 
-Prospect prospect_of(const SurfaceReport& report) {
+double length_of(const Surface& surface, const std::vector<int>& loop) {
+    double length = 0;
+    for (const int side : loop)
+        length += (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
+    return length;
+}
+
+/// The curvature of what would fill a hole smoothly, by Gauss and Bonnet from how its border turns.
+double curvature_within(const Surface& surface, const std::vector<int>& loop, const Eigen::VectorXd& defects) {
+    double turn = 0;
+    for (const int side : loop) turn += defects[surface.from(side)];
+    return 2 * k_pi + turn;
+}
+
+/// The most that would fill a hole; of each component the longest loop is its border.
+double most_curved_hole(const Surface& surface, const std::vector<int>& components, const Eigen::VectorXd& defects) {
+    std::vector<std::vector<int>> loops = surface.boundary_loops();
+    std::stable_sort(loops.begin(), loops.end(),
+                     [&](const auto& a, const auto& b) { return length_of(surface, a) > length_of(surface, b); });
+    std::vector<bool> has_border(components.size(), false);
+    double most = 0;
+    for (const std::vector<int>& loop : loops) {
+        const int component = components[Surface::face_of(loop.front())];
+        if (has_border[component]) most = std::max(most, std::abs(curvature_within(surface, loop, defects)));
+        has_border[component] = true;
+    }
+    return most;
+}
+
+Prospect prospect_of(const SurfaceReport& report, double most_curved_hole) {
     if (report.hardest_curvature > 2 * k_pi) return Prospect::too_curved;
-    if (report.genus > 0 || report.boundary_loops != report.components) return Prospect::a_seam;
+    if (report.genus > 0 || most_curved_hole > k_flat) return Prospect::a_seam;
     return report.hardest_curvature > 2 * (k_pi - 2 * k_prospect_angle) ? Prospect::tight : Prospect::one_piece;
 }
 
@@ -138,12 +169,13 @@ SurfaceReport describe(const Surface& surface) {
     report.boundary_loops = static_cast<int>(surface.boundary_loops().size());
     report.genus = genus_of(surface, report.components, report.boundary_loops);
     report.area = surface.area();
+    const Eigen::VectorXd defects = angle_defects(surface);
     report.curvature = total_curvature(inner_defects(surface));
     const double radius = k_part_of_size * std::sqrt(surface.area());
     const Eigen::VectorXd smoothed = smoothed_angle_defects(surface, radius);
     report.smoothed_curvature = total_curvature(smoothed);
     report.hardest_curvature = hardest_curvature(surface, components, smoothed);
-    report.prospect = prospect_of(report);
+    report.prospect = prospect_of(report, most_curved_hole(surface, components, defects));
     report.sentence = sentence_of(report);
     return report;
 }

@@ -32,7 +32,7 @@ TotalCurvature total_curvature(const Eigen::VectorXd& defects);
 enum class Prospect {
     one_piece,  ///< it will cover the surface
     tight,      ///< it may, but with corners below k_prospect_angle
-    a_seam,     ///< it may, but goes round a hole or a handle and meets itself
+    a_seam,     ///< it may, but goes round a handle, or a hole in what is curved, and meets itself
     too_curved  ///< it will not
 };
 

@@ -309,6 +309,37 @@ test('a part that a line goes round is taken out, and a line that misses the net
   await expect.poll(() => visit.page.locator('path.preview').getAttribute('d')).toBe('');
 });
 
+test('by keys a point is moved over the net, set down and lifted; a line across it is cut along', async () => {
+  const whole = await vertices();
+  await lookFromAbove();
+  const draw = section().getByRole('button', { name: 'Draw a line' });
+  await draw.press('Enter');
+  const sheet = visit.page.getByRole('application', { name: /^Sheet to draw on/ });
+  await expect.poll(() => sheet.evaluate((element) => element === document.activeElement)).toBe(true);
+  // From beyond the one border to beyond the other, whichever way the picture shows the net.
+  for (let step = 0; step < 20; step++) await sheet.press('Shift+ArrowLeft');
+  await sheet.press(' ');
+  for (let step = 0; step < 30; step++) await sheet.press('Shift+ArrowRight');
+  await sheet.press('ArrowDown');
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-drawn-by-keys.png') });
+  await sheet.press('Escape');
+  await section()
+    .getByText(/^The line/)
+    .waitFor({ state: 'detached' });
+  await sheet.press(' ');
+  for (let step = 0; step < 40; step++) await sheet.press('Shift+ArrowLeft');
+  await sheet.press('Enter');
+  await section()
+    .getByText(/^The line parts the net\. Faded is the smaller side, \d+ of \d+ faces\.$/)
+    .waitFor();
+  await sheet.press('Escape');
+  await sheet.waitFor({ state: 'detached' });
+  expect(await draw.evaluate((element) => element === document.activeElement)).toBe(true);
+  await section().getByRole('button', { name: 'Cut', exact: true }).press('Enter');
+  await visit.page.getByText(/It has 2 pieces\./).waitFor();
+  await expect.poll(vertices).toBeGreaterThan(whole);
+});
+
 test('on a phone a finger draws, and two fingers move the view without drawing', async () => {
   visit = await share({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   ({ script } = visit);

@@ -163,6 +163,22 @@ TEST_CASE("Of the sides of a line one stays, and other pieces of the net do") {
     CHECK(changed(two, "keep_smaller", path(two, {6, 7, 8})).mesh.faces.size() == 15 - 4);
 }
 
+TEST_CASE("Of the pieces of a net those at the vertices stay, or go") {
+    const Net net = samples::patch(6, 4);  // five by three faces
+    const Net two = net_of(changed(net, "cut", path(net, {2, 8, 14, 20})));
+    const ChangedMesh left = changed(two, "keep_pieces", {}, {0, 6});
+    check_origins(two, left);
+    CHECK(left.mesh.faces.size() == 6);
+    CHECK(left.keeps_edges);
+    CHECK(net_of(left).vertex_count() == 12);
+    CHECK(changed(two, "delete_pieces", {}, {0}).mesh.faces.size() == 9);
+    CHECK_THAT(change_refusal(two, "keep_pieces"), Catch::Contains("no piece is chosen"));
+    for (const char* const name : {"keep_pieces", "delete_pieces"}) {
+        CHECK_THAT(change_refusal(net, name, {}, {0}), Catch::Contains("is in one piece"));
+        CHECK_THAT(change_refusal(two, name, {}, {0, 5}), Catch::Contains("every piece"));
+    }
+}
+
 TEST_CASE("Rows and faces are deleted where they are named") {
     const Net net = samples::patch(6, 4);
     const ChangedMesh shorter = changed(net, "delete_rows", path(net, {0, 6, 12, 18}));

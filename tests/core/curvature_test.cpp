@@ -1,7 +1,10 @@
 #include "surface/curvature.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "constants.h"
 #include "sample_nets.h"
@@ -91,6 +94,40 @@ TEST_CASE("A sentence says what one net can do") {
     CHECK(describe(Surface(samples::sphere(12, true))).prospect == Prospect::tight);
     CHECK(describe(Surface(samples::torus(40, 30, 3, 1))).prospect == Prospect::too_curved);
     CHECK(describe(Surface(noisy(samples::plane(40, 1), 0.002))).prospect == Prospect::one_piece);
+}
+
+TEST_CASE("Round a hole a net meets itself only where curvature is missing in it") {
+    // A ring, flat or a part of a cone.
+    const auto ring = [](double slope) {
+        return Surface(samples::quads(40, 9, true, false, [&](int i, int j) {
+            const double u = 2 * samples::k_pi * i / 40, r = 0.3 + 0.1 * j;
+            return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), slope * r);
+        }));
+    };
+    CHECK(describe(ring(0)).prospect == Prospect::one_piece);
+    CHECK(describe(ring(0.05)).prospect == Prospect::one_piece);
+    CHECK(describe(ring(0.5)).prospect == Prospect::a_seam);
+
+    // The hole is the shorter of both borders, wherever it lies; a bent plate is flat within.
+    const auto bent_plate = [](int from, int to) {
+        Mesh mesh{Positions(3, 0), {}};
+        std::map<std::pair<int, int>, int> numbers;
+        const auto vertex = [&](int i, int j) {
+            const auto [found, is_new] = numbers.try_emplace({i, j}, static_cast<int>(numbers.size()));
+            if (is_new) {
+                mesh.positions.conservativeResize(3, found->second + 1);
+                mesh.positions.rightCols(1) << std::sin(0.1 * (i - 10)), 0.1 * j, std::cos(0.1 * (i - 10));
+            }
+            return found->second;
+        };
+        for (int j = 0; j < 20; ++j)
+            for (int i = 0; i < 20; ++i)
+                if (i < from || i >= to || j < 5 || j >= 9)
+                    mesh.faces.add({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+        return describe(Surface(mesh)).prospect;
+    };
+    CHECK(bent_plate(4, 9) == Prospect::one_piece);
+    CHECK(bent_plate(12, 17) == Prospect::one_piece);
 }
 
 TEST_CASE("Each of several pieces is judged by itself") {

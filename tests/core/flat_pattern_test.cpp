@@ -1,12 +1,18 @@
 #include "fabricate/flat_pattern.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
+#include <vector>
 
+#include "drape/drape.h"
 #include "io/obj.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "shapes/shapes.h"
 
 using namespace chebnet;
@@ -40,7 +46,7 @@ TEST_CASE("A vault's flat pattern is the square grid it was bent from") {
     const Net net = make_shape("vault:vertices=300").net;
     const FlatPattern pattern = pattern_of(net);
     CHECK((pattern.columns + 1) * (pattern.rows + 1) == net.vertex_count());
-    std::set<std::pair<int, int>> taken;
+    std::set<std::pair<double, double>> taken;
     for (const auto& place : pattern.places.colwise()) {
         CHECK((place.x() >= 0 && place.x() <= pattern.columns && place.y() >= 0 && place.y() <= pattern.rows));
         taken.emplace(place.x(), place.y());
@@ -56,11 +62,101 @@ TEST_CASE("A flat pattern shows the front of the faces") {
     const Net net = samples::patch(5, 4);
     const FlatPattern pattern = pattern_of(net);
     for (int f = 0; f < net.face_count(); ++f) {
-        const auto side = [&](int k) -> Eigen::Vector2i {
+        const auto side = [&](int k) -> Eigen::Vector2d {
             return pattern.places.col(net.faces()[f][k]) - pattern.places.col(net.faces()[f][0]);
         };
         CHECK(side(1).x() * side(3).y() - side(1).y() * side(3).x() == 1);
     }
+}
+
+TEST_CASE("Pieces of a net lie beside and below each other, two squares apart, each seen from its front") {
+    // Sheets of several sizes, the faces of each among those of the others.
+    const std::vector<std::array<int, 2>> sizes = {{6, 2}, {1, 1}, {3, 4}, {2, 2}, {9, 1}};
+    Positions positions(3, 0);
+    std::vector<std::vector<std::array<int, 4>>> quads;
+    for (const auto& [columns, rows] : sizes) {
+        const Net sheet = samples::patch(columns + 1, rows + 1);
+        const int first = static_cast<int>(positions.cols());
+        positions.conservativeResize(3, first + sheet.vertex_count());
+        positions.rightCols(sheet.vertex_count()) = sheet.rest_positions();
+        quads.emplace_back();
+        for (int f = 0; f < sheet.face_count(); ++f) {
+            quads.back().emplace_back();
+            for (int k = 0; k < 4; ++k) quads.back().back()[k] = first + sheet.faces()[f][k];
+        }
+    }
+    Faces faces;
+    for (std::size_t i = 0; i < 12; ++i)
+        for (const auto& piece : quads)
+            if (i < piece.size()) faces.add(piece[i]);
+    const Net net(std::move(positions), std::move(faces));
+
+    const FlatPattern pattern = pattern_of(net);
+    REQUIRE(pattern.pieces.size() == sizes.size());
+    CHECK(pattern.places.rowwise().minCoeff() == Eigen::Vector2d(0, 0));
+    CHECK(pattern.places.rowwise().maxCoeff() == Eigen::Vector2d(pattern.columns, pattern.rows));
+    int vertex = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const PatternPiece& piece = pattern.pieces[i];
+        // On its side, if its first face is seen so.
+        CHECK(std::minmax(piece.columns, piece.rows) == std::minmax(sizes[i][0], sizes[i][1]));
+        const int count = (sizes[i][0] + 1) * (sizes[i][1] + 1);
+        const auto own = pattern.places.middleCols(vertex, count);
+        CHECK(own.rowwise().minCoeff() == Eigen::Vector2d(piece.column, piece.row));
+        CHECK(own.rowwise().maxCoeff() == Eigen::Vector2d(piece.column + piece.columns, piece.row + piece.rows));
+        vertex += count;
+        for (std::size_t j = 0; j < i; ++j) {
+            const PatternPiece& other = pattern.pieces[j];
+            const bool is_beside =
+                piece.column >= other.column + other.columns + 2 || other.column >= piece.column + piece.columns + 2;
+            const bool is_below = piece.row >= other.row + other.rows + 2 || other.row >= piece.row + piece.rows + 2;
+            CHECK((is_beside || is_below));
+        }
+    }
+    for (int f = 0; f < net.face_count(); ++f) {
+        const auto side = [&](int k) -> Eigen::Vector2d {
+            return pattern.places.col(net.faces()[f][k]) - pattern.places.col(net.faces()[f][0]);
+        };
+        CHECK(side(1).x() * side(3).y() - side(1).y() * side(3).x() == 1);
+    }
+}
+
+TEST_CASE("Where rods were cut at a border each keeps its length in the flat pattern") {
+    const auto cut_net = [](const Mesh& mesh, double length, double turn) {
+        const Surface surface(mesh);
+        const SurfaceTree tree(surface);
+        DrapeOptions options = suggested_drape(surface, tree, 200);
+        options.length = length;
+        options.direction = {std::cos(turn), std::sin(turn), 0};
+        options.border = DrapeOptions::Border::cut;
+        return drape(surface, tree, options).net;
+    };
+    // Flat, with a hole, the net is its own pattern: all lengths are as they were, those from end to end, too.
+    const Mesh ring = samples::quads(60, 9, true, false, [](int i, int j) {
+        const double u = 2 * std::numbers::pi * i / 60, r = 0.3 + 0.1 * j;
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), 0);
+    });
+    for (const double turn : {0., 0.2, 0.5, 0.7}) {
+        const Net net = cut_net(ring, 0.09, turn);
+        const FlatPattern pattern = pattern_of(net);
+        REQUIRE(pattern.pieces.size() == 1);
+        for (int e = 0; e < net.edge_count(); ++e) {
+            const auto side = pattern.places.col(net.edges()(0, e)) - pattern.places.col(net.edges()(1, e));
+            CHECK(0.09 * side.norm() == Approx(net.rest_lengths()[e]).epsilon(1e-6));
+        }
+    }
+    // Curved, the rods have their lengths still, and lie upright or level.
+    const Net net = cut_net(samples::sphere(24, true), 0.08, 0.3);
+    const FlatPattern pattern = pattern_of(net);
+    int cut = 0;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        if (net.edge_face_counts()[e] != 2) continue;
+        const auto side = pattern.places.col(net.edges()(0, e)) - pattern.places.col(net.edges()(1, e));
+        CHECK(side.cwiseAbs().minCoeff() < 1e-9);
+        CHECK(0.08 * side.norm() == Approx(net.rest_lengths()[e]).epsilon(1e-6));
+        cut += net.rest_lengths()[e] < 0.0799;
+    }
+    CHECK(cut > 20);
 }
 
 TEST_CASE("A net without a flat pattern says why") {
@@ -68,8 +164,10 @@ TEST_CASE("A net without a flat pattern says why") {
     CHECK(fault_of(make_shape("torus").net).reason == Reason::closed);
     CHECK(fault_of(make_shape("tube").net).reason == Reason::closed);
     CHECK(fault_of(net_of("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n")).reason == Reason::unequal);
-    CHECK(fault_of(net_of(k_square + "v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 5 6 7 8\n")).reason == Reason::pieces);
-    const PatternFault cut = fault_of(net_of(k_square + "v 2 0.5 0\nf 2 5 3\n"));
+    const PatternFault tip = fault_of(net_of(k_square + "v 2 1 0\nv 2 2 0\nv 1 2 0\nf 3 5 6 7\n"));
+    CHECK(tip.reason == Reason::touching);
+    CHECK(tip.vertex == 2);
+    const PatternFault cut = fault_of(net_of(k_square + "v 1.8660254037844386 0.5 0\nf 2 5 3\n"));
     CHECK(cut.reason == Reason::not_quads);
     CHECK(cut.face == 1);
     const PatternFault stair = fault_of(winding_stair());

@@ -164,6 +164,15 @@ TEST_CASE("An OBJ is written with the digits asked for") {
     faces.add({0, 1, 2});
     CHECK(write_obj(positions, faces, 3) == "v 0 0 0\nv 0.333 0 1e-07\nv 1 -2e+10 0.5\nf 1 2 3\n");
     CHECK_THROWS_AS(write_obj(positions, faces, 0), Error);
+    // Of several pieces each is a group, wherever its faces are.
+    Positions apart(3, 6);
+    apart.setZero();
+    Faces three;
+    for (const std::array<int, 3>& face : {std::array{0, 1, 2}, std::array{3, 4, 5}, std::array{0, 2, 1}})
+        three.add(face);
+    const std::string text = write_obj(apart, three);
+    CHECK(text.substr(text.find('g')) == "g piece_1\nf 1 2 3\ng piece_2\nf 4 5 6\ng piece_1\nf 1 3 2\n");
+    CHECK(samples::same_bits(read_obj(text, "written.obj"), {apart, three}));
     CHECK_THROWS_AS(write_obj(positions, faces, 18), Error);
 }
 

@@ -8,6 +8,7 @@ import { patternSvg } from '../../web/src/export/pattern_svg';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
+import { piecesOf } from '../../web/src/net/pieces';
 import { listsOf } from '../../web/src/handles/lines';
 import { type FieldName, fieldOf, scaleOf } from '../../web/src/fields/fields';
 import { fanTriangles } from '../../web/src/worker/triangles';
@@ -44,6 +45,66 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
   expect(svg).toMatch(/text-anchor="start"[^>]*>0<\/text>/);
   expect(svg).toMatch(/text-anchor="end"[^>]*>11<\/text>/);
   expect(svg).toContain('>a&lt;b&gt;&amp; </text>');
+});
+
+test('the pieces of a net are drawn beside each other, with numbers, and are meshes of their own in a 3DM', async () => {
+  const corners = [0, 1, 2, 3, 4].flatMap((i) => [`v ${3 * i} 0 0`, `v ${3 * i + 1} 0 0`, `v ${3 * i + 1} 1 0`]);
+  const ends = [0, 1, 2, 3, 4].map((i) => `v ${3 * i} 1 0`);
+  const quads = [0, 1, 2, 3, 4].map((i) => `f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3} ${16 + i}`);
+  const editor = chebnet.openObj([...corners, ...ends, ...quads, ''].join('\n'));
+  const pattern = editor.flatPattern() as FlatPattern;
+  const drawing = { lines: editor.netLines(), loops: editor.boundaryLoops(), handles: [], edgeMm: 10 };
+  const svg = patternSvg({ pattern, ...drawing, name: 'squares' });
+  const labels = [...svg.matchAll(/<text x="([\d.]+)" y="([\d.]+)" [^>]*>(\d)<\/text>/g)].map(([, ...each]) =>
+    each.map(Number),
+  );
+  // Three and two, as words are set in lines.
+  expect(labels).toEqual([
+    [10, 10, 1],
+    [40, 10, 2],
+    [10, 40, 3],
+    [40, 40, 4],
+    [10, 70, 5],
+  ]);
+
+  const mesh = { faceStart: editor.faceStart, faceVertices: editor.faceVertices };
+  expect(piecesOf(mesh)).toEqual([[0], [1], [2], [3], [4]]);
+  const { restPositions: positions } = editor;
+  const bytes = await rhinoFileOf({ mesh, positions, lines: drawing.lines, name: 'squares', layers: LAYERS });
+  const rhino = await rhino3dm();
+  const objects = rhino.File3dm.fromByteArray(bytes).objects();
+  for (let i = 0; i < 5; i++) {
+    expect(objects.get(i).attributes().name).toBe(`squares ${i + 1}`);
+    const piece = objects.get(i).geometry() as InstanceType<typeof rhino.Mesh>;
+    expect(piece.vertices().count).toBe(4);
+    expect(
+      piece
+        .faces()
+        .get(0)
+        .map((place) => piece.vertices().point3dAt(place)[0]),
+    ).toEqual([0, 1, 1, 0].map((x) => 3 * i + x));
+  }
+});
+
+test('rods that end on the border of a surface are drawn as long as they are', () => {
+  const shell = chebnet.ownSurface('shell');
+  const { mesh, cutEnds } = shell.drape({ ...shell.suggest(300), border: 'cut' });
+  shell.dispose();
+  const editor = chebnet.openMesh(mesh);
+  const pattern = editor.flatPattern() as FlatPattern;
+  const isCut = (vertex: number) => [0, 1].some((axis) => !Number.isInteger(pattern.places[2 * vertex + axis]));
+  expect(Array.from({ length: editor.info.vertices }, (_, v) => v).filter(isCut)).toHaveLength(cutEnds);
+  const lines = editor.netLines();
+  const svg = patternSvg({ pattern, lines, loops: editor.boundaryLoops(), handles: [], name: 'shell', edgeMm: 10 });
+  expect(svg).toMatch(/^[^N]*$/);
+  // A rod is one straight stroke: upright or level.
+  const strokes = /id="net"[^>]* d="M([^"]*)"/.exec(svg)![1]!.split('M');
+  expect(strokes.length).toBeGreaterThan(30);
+  for (const stroke of strokes) {
+    const ends = stroke.split('L').map((place) => place.split(' ').map(Number));
+    expect(ends).toHaveLength(2);
+    expect(ends[0]![0] === ends[1]![0] || ends[0]![1] === ends[1]![1]).toBe(true);
+  }
 });
 
 const LAYERS = { mesh: 'Mesh', lines: 'Net lines' };

@@ -1,13 +1,14 @@
 /** What of a net lies on the sides of a line. */
 import { edgeFinder } from '../net/families';
 import type { Faces } from '../net/fold';
+import { setsOf } from '../net/pieces';
 
 /** The parts of the net that meet at a line of edges once these are cut, each by its faces, the largest first; of equal ones
  *  that with the first face, as in core/change/delete_faces.cpp. Fewer than two: the line does not part the net. */
 export function sidesOf(net: Faces, line: readonly number[]): number[][] {
   const facesOf = facesOfEdges(net);
   const isCut = new Set(line);
-  const part = partsOf(net.faceStart.length - 1, (join) =>
+  const part = setsOf(net.faceStart.length - 1, (join) =>
     facesOf.forEach((faces, edge) => {
       if (!isCut.has(edge)) faces.forEach((face) => join(faces[0]!, face));
     }),
@@ -35,18 +36,4 @@ function facesOfEdges({ edges, faceStart, faceVertices }: Faces): number[][] {
     corners.forEach((vertex, k) => faces[edgeBetween(corners.at(k - 1)!, vertex)]!.push(face));
   }
   return faces;
-}
-
-/** Of each thing the first that it is joined with. */
-function partsOf(count: number, joinAll: (join: (a: number, b: number) => void) => void): Int32Array {
-  const joined = Int32Array.from({ length: count }, (_, thing) => thing);
-  const root = (thing: number): number => {
-    while (joined[thing] !== thing) thing = joined[thing] = joined[joined[thing]!]!;
-    return thing;
-  };
-  joinAll((a, b) => {
-    const [first, second] = [root(a), root(b)];
-    joined[Math.max(first, second)] = Math.min(first, second);
-  });
-  return joined.map((thing) => root(thing));
 }

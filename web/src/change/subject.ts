@@ -96,6 +96,8 @@ export function nameOf(way: Way): ChangeName {
     keep_smaller: 'trim',
     delete_rows: 'deleteFaces',
     delete_faces: 'deleteFaces',
+    keep_pieces: 'trim',
+    delete_pieces: 'trim',
     add_row: 'addRow',
     insert_row: 'addRow',
     remove_line: 'removeLine',

@@ -20,7 +20,10 @@ const MARGIN = 1;
 const MARK_RADIUS = 0.16;
 /** Distance of a name from its mark. */
 const SHIFT = 0.22;
+/** The sine of an angle, times two lengths. */
+const STRAIGHT = 1e-9;
 const LETTER = 0.45;
+const NUMBER = 0.7;
 const THIN = 0.02;
 const BOLD = 0.08;
 
@@ -43,6 +46,7 @@ export function patternSvg(drawing: Drawing): string {
     `<g id="handles" fill="#c0271f" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">`,
     ...handles.map((handle) => mark(handle, drawing)),
     '</g>',
+    ...(pattern.pieces.length > 1 ? [numbers(drawing)] : []),
     scaleBar(height, edgeMm),
     '</svg>',
     '',
@@ -63,18 +67,32 @@ function stroke(vertices: Int32Array, drawing: Drawing): string {
 
 /** Its ends, and the points where it turns. */
 function corners(vertices: Int32Array, { places }: FlatPattern): number[] {
-  const isStraight = (a: number, b: number, c: number): boolean =>
-    places[2 * a]! + places[2 * c]! === 2 * places[2 * b]! &&
-    places[2 * a + 1]! + places[2 * c + 1]! === 2 * places[2 * b + 1]!;
+  const isStraight = (a: number, b: number, c: number): boolean => {
+    const along = (from: number, to: number, axis: number) => places[2 * to + axis]! - places[2 * from + axis]!;
+    return Math.abs(along(a, b, 0) * along(b, c, 1) - along(a, b, 1) * along(b, c, 0)) < STRAIGHT;
+  };
   return [...vertices].filter((vertex, i) => {
     const [before, after] = [vertices[i - 1], vertices[i + 1]];
     return before === undefined || after === undefined || !isStraight(before, vertex, after);
   });
 }
 
-/** In SVG y points down. */
 function place(vertex: number, { pattern: { places, rows }, edgeMm }: Drawing): [string, string] {
-  return [mm((MARGIN + places[2 * vertex]!) * edgeMm), mm((MARGIN + rows - places[2 * vertex + 1]!) * edgeMm)];
+  return onPaper(places[2 * vertex]!, places[2 * vertex + 1]!, rows, edgeMm);
+}
+
+/** In SVG y points down. */
+function onPaper(column: number, row: number, rows: number, edgeMm: number): [string, string] {
+  return [mm((MARGIN + column) * edgeMm), mm((MARGIN + rows - row) * edgeMm)];
+}
+
+/** Above the left of each piece, from 1, as OBJ files name them. */
+function numbers({ pattern: { pieces, rows: height }, edgeMm }: Drawing): string {
+  const labels = pieces.map(({ column, row, rows }, i) => {
+    const [x, y] = onPaper(column, row + rows, height, edgeMm);
+    return `<text x="${x}" y="${y}" dy="${mm(-SHIFT * edgeMm)}">${i + 1}</text>`;
+  });
+  return `<g id="pieces" font-family="sans-serif" font-weight="bold" font-size="${mm(NUMBER * edgeMm)}">${labels.join('')}</g>`;
 }
 
 /** The name stands on the side where there is more of the pattern, so that it stays on the drawing. */

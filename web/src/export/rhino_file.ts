@@ -1,8 +1,9 @@
-/** A net as a 3DM file: a mesh on one layer, the net lines on another. Loaded when it is asked for. */
+/** A net as a 3DM file: a mesh, or one for each of its pieces, on one layer, the net lines on another. Loaded when it is asked for. */
 import rhino3dm from 'rhino3dm';
 import type { Mesh, ObjectAttributes, RhinoModule } from 'rhino3dm';
 import type { VertexLists } from '../../../wasm/chebnet';
 import { listsOf } from '../handles/lines';
+import { piecesOf } from '../net/pieces';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface RhinoNet {
@@ -28,7 +29,12 @@ export async function rhinoFileOf(
     attributes.name = name;
     return attributes;
   };
-  file.objects().addMesh(meshOf(rhino, mesh, positions), on(layers.mesh));
+  const meshLayer = on(layers.mesh);
+  const pieces = piecesOf(mesh);
+  for (const [i, piece] of pieces.entries()) {
+    meshLayer.name = pieces.length > 1 ? `${name} ${i + 1}` : name;
+    file.objects().addMesh(meshOf(rhino, mesh, positions, piece), meshLayer);
+  }
   const lineLayer = on(layers.lines);
   for (const line of listsOf(lines)) {
     file.objects().addPolyline(
@@ -39,15 +45,24 @@ export async function rhinoFileOf(
   return Uint8Array.from(file.toByteArray());
 }
 
-/** Quads stay quads; faces of more corners become fans of triangles. */
-function meshOf(rhino: RhinoModule, { faceStart, faceVertices }: RhinoNet['mesh'], positions: Float64Array): Mesh {
+/** These faces, with the vertices that they use, in their order. Quads stay quads; faces of more corners become fans of
+ *  triangles. */
+function meshOf(
+  rhino: RhinoModule,
+  { faceStart, faceVertices }: RhinoNet['mesh'],
+  positions: Float64Array,
+  piece: readonly number[],
+): Mesh {
+  const cornersOf = (face: number): Int32Array => faceVertices.subarray(faceStart[face], faceStart[face + 1]);
+  const used = [...new Set(piece.flatMap((face) => [...cornersOf(face)]))].sort((a, b) => a - b);
+  const placeOf = new Map(used.map((vertex, place) => [vertex, place]));
   const mesh = new rhino.Mesh();
   const vertices = mesh.vertices();
-  for (let i = 0; i < positions.length; i += 3)
-    vertices.addPoint3d(positions[i]!, positions[i + 1]!, positions[i + 2]!);
+  for (const vertex of used)
+    vertices.addPoint3d(positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!);
   const faces = mesh.faces();
-  for (let face = 0; face + 1 < faceStart.length; face++) {
-    const [first = 0, ...others] = faceVertices.subarray(faceStart[face], faceStart[face + 1]);
+  for (const face of piece) {
+    const [first = 0, ...others] = Array.from(cornersOf(face), (vertex) => placeOf.get(vertex)!);
     const [b, c, d] = others as [number, number, number];
     if (others.length === 3) faces.addQuadFace(first, b, c, d);
     else for (let k = 1; k < others.length; k++) faces.addTriFace(first, others[k - 1]!, others[k]!);

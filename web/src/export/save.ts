@@ -116,8 +116,9 @@ function patternFaultWords(fault: PatternFault): string {
     case 'not_quads':
     case 'overlap':
       return pattern[fault.reason](fault.face);
+    case 'touching':
+      return pattern.touching(fault.vertex);
     case 'unequal':
-    case 'pieces':
-      return pattern[fault.reason];
+      return pattern.unequal;
   }
 }

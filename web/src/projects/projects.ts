@@ -15,6 +15,7 @@ import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
 import { Failure, messageOf } from '../failure';
 
 const choosing = lazy(() => import('./choosing'));
+const wording = lazy(async () => (await import('../language/kept')).keptWords);
 
 export class Projects {
   readonly #app: App;
@@ -56,21 +57,22 @@ export class Projects {
   /** These return the message to show once a net is open. */
   async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
     const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
-    if (hasCrashFlag(hash)) return () => this.#offer(words.projects.diedLink, words.projects.openAnyway, open);
+    const text = await wording();
+    if (hasCrashFlag(hash)) return () => this.#offer(text.diedLink, text.openAnyway, open);
     await open();
     const { titleOf } = await linking();
     return () => {
-      if (last)
-        this.#offer(words.projects.linkOpened(titleOf(hash)), words.projects.restoreLast, () => this.#restore(last));
+      if (last) this.#offer(text.linkOpened(titleOf(hash)), text.restoreLast, () => this.#restore(last));
     };
   }
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
+    const text = await wording();
     if (hasCrashFlag(last.id) || hasCrashFlag(location.hash))
-      return () => this.#offer(words.projects.diedKept, words.projects.openAnyway, () => this.#restore(last));
+      return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restore(last));
     await this.#restore(last);
-    return () => this.#offer(words.projects.restored, words.projects.startAfresh, () => this.newNet());
+    return () => this.#offer(text.restored, text.startAfresh, () => this.newNet());
   }
 
   #offer(message: string, label: string, doing: () => Promise<void>): void {
@@ -95,16 +97,18 @@ export class Projects {
   async followLink(): Promise<void> {
     const { hash } = location;
     await this.#openFlagged(hash, () => this.#openLink(hash));
-    this.#app.say(words.projects.linkFollowed((await linking()).titleOf(hash)));
+    const { linkFollowed } = await wording();
+    this.#app.say(linkFollowed((await linking()).titleOf(hash)));
   }
 
   /** What was kept before the present net. */
   async restoreLast(): Promise<void> {
     await this.#autosave.save();
     const last = await findNewest(this.#autosave.id).catch(() => undefined);
-    if (last === undefined) return this.#app.say(words.projects.noOther);
+    const text = await wording();
+    if (last === undefined) return this.#app.say(text.noOther);
     await this.#restore(last);
-    this.#app.say(words.projects.lastRestored);
+    this.#app.say(text.lastRestored);
   }
 
   /** The projects that the browser keeps, to choose from. */
@@ -127,7 +131,8 @@ export class Projects {
     const { readProject } = await projectFormat();
     await this.#openFlagged(id, () => this.#app.openProject(readProject(kept.project)));
     await this.#keepAs(isFree ? id : newId());
-    this.#app.say(isFree ? words.projects.opened : words.projects.copyOpened);
+    const { opened, copyOpened } = await wording();
+    this.#app.say(isFree ? opened : copyOpened);
   }
 
   /** Reloads the page with the edited net rather than with the link it came from; where the browser stores nothing, a new
@@ -160,15 +165,16 @@ export class Projects {
   async openFile(file: File): Promise<void> {
     await this.#autosave.save();
     const { checkSize, parseProject } = await projectFormat();
+    const text = await wording();
     checkSize(file.name, file.size);
     try {
       await this.#app.openProject(parseProject(await file.text()));
     } catch (error) {
       if (isCancelled(error)) throw error;
-      throw new Failure('bad_project', words.projects.fault(file.name, messageOf(error)));
+      throw new Failure('bad_project', text.fault(file.name, messageOf(error)));
     }
     this.#autosave.begin(newId(), true);
-    this.#app.say(words.projects.opened);
+    this.#app.say(text.opened);
   }
 
   async #openFirst(): Promise<void> {
@@ -220,7 +226,11 @@ export class Projects {
 
   #sayNotKept(): void {
     const save = (): void => void this.save().catch((error: unknown) => this.#app.report(error));
-    if (!this.#saidNotKept) this.#app.offer(words.projects.notKept, words.projects.menu.save.title, save);
+    if (this.#saidNotKept) return;
     this.#saidNotKept = true;
+    void wording().then(
+      ({ notKept }) => this.#app.offer(notKept, words.projects.menu.save.title, save),
+      (error: unknown) => this.#app.report(error),
+    );
   }
 }

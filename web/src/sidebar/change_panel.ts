@@ -18,6 +18,8 @@ const TEXT = panelWords.change;
 const OF_ALL = ['refine', 'coarsen', 'join'] as const;
 /** What is done along a line through the handle that was chosen last. */
 const AT_LINE = ['cut', 'keep_larger', 'keep_smaller', 'delete_rows', 'add_row', 'insert_row', 'remove_line'] as const;
+/** What is done to the pieces with a chosen handle. */
+const OF_PIECES = ['keep_pieces', 'delete_pieces'] as const;
 type LineWay = (typeof AT_LINE)[number];
 type LineChoice = PlaceName | 'drawn';
 
@@ -29,7 +31,9 @@ export class ChangePanel implements Panel {
   readonly #length = new NumberField({ step: 'any', required: true, 'aria-label': TEXT.length });
   readonly #line: ReturnType<typeof makeSelect>;
   readonly #atLine: HTMLFieldSetElement;
-  readonly #atHandles: HTMLButtonElement;
+  readonly #atHandles: HTMLButtonElement[];
+  /** What takes one piece of several. */
+  readonly #ofPieces: HTMLButtonElement[];
   /** What keeps one side of a line. */
   readonly #keeping: HTMLButtonElement[] = [];
   readonly #drawing: LineDrawing;
@@ -46,7 +50,8 @@ export class ChangePanel implements Panel {
     this.#drawing = new LineDrawing(events, () => this.#takeDrawn(), failed);
     this.#line = makeSelect(TEXT.line, [], () => this.#preview('cut'));
     whilePointedAt(this.#line.select, (isPointedAt) => this.#preview(isPointedAt ? 'cut' : null));
-    this.#atHandles = this.#makeButton({ way: 'delete_faces', place: 'between' });
+    this.#ofPieces = OF_PIECES.map((way) => this.#makeButton({ way, place: 'between' }));
+    this.#atHandles = [this.#makeButton({ way: 'delete_faces', place: 'between' }), ...this.#ofPieces];
     const resize = make(
       'form',
       { class: 'row' },
@@ -62,7 +67,7 @@ export class ChangePanel implements Panel {
       'fieldset',
       {},
       this.#line.row,
-      make('div', { class: 'buttons' }, ...AT_LINE.map((way) => this.#makeLineButton(way)), this.#atHandles),
+      make('div', { class: 'buttons' }, ...AT_LINE.map((way) => this.#makeLineButton(way)), ...this.#atHandles),
     );
     this.element = makeSection(
       TEXT.title,
@@ -83,6 +88,7 @@ export class ChangePanel implements Panel {
     this.#net = net;
     this.#drawing.setNet(net);
     this.#meanLength = net.info.meanLength;
+    for (const button of this.#ofPieces) button.hidden = net.info.components < 2;
   }
 
   setFrame(frame: FrameData): void {
@@ -104,7 +110,7 @@ export class ChangePanel implements Panel {
     const { selection, onBoundary, lines } = this.#choice;
     const isDrawn = this.#drawing.ways.length > 0;
     this.#atLine.disabled = selection.length === 0 && !isDrawn;
-    this.#atHandles.disabled = selection.length === 0;
+    for (const button of this.#atHandles) button.disabled = selection.length === 0;
     setText(this.#about, selection.length === 0 ? TEXT.choose : TEXT.chosen(selection.length));
     this.#allowSides();
     const names: LineChoice[] = [

@@ -60,7 +60,7 @@ export class LineDrawing {
   #turn(): void {
     if (this.#pen !== null) return this.putAway();
     this.#events
-      .takePen({ drawn: (stroke) => this.#add(stroke), putAway: () => this.#setPen(null) })
+      .takePen({ label: TEXT.keys, drawn: (stroke) => this.#add(stroke), putAway: () => this.#setPen(null) })
       .then((pen) => this.#take(pen))
       .catch(this.#failed);
   }
@@ -69,11 +69,14 @@ export class LineDrawing {
   #take(pen: Pen): void {
     this.putAway();
     this.#setPen(pen);
+    pen.focus();
   }
 
   #setPen(pen: Pen | null): void {
     this.#pen = pen;
     this.#draw.setAttribute('aria-pressed', String(pen !== null));
+    // What has the focus is gone with the pen.
+    if (pen === null && document.activeElement === document.body) this.#draw.focus();
     if (this.ways.length === 0) this.#say(pen === null ? '' : TEXT.howTo);
   }
 

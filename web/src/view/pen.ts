@@ -1,22 +1,39 @@
-/** Draws lines over the picture with mouse, finger or pen, instead of moving handles and camera. Two fingers, the other
- *  buttons and the wheel move the camera as before; Esc gives a stroke up, and without one puts the pen away. Loaded when it
- *  is first taken. */
+/** Draws lines over the picture with mouse, finger, pen or keys, instead of moving handles and camera. Two fingers, the other
+ *  buttons and the wheel move the camera as before; arrow keys move a point, which Space or Enter sets down and lifts. Esc
+ *  gives a stroke up, and without one puts the pen away. Loaded when it is first taken. */
 import { makeSvg } from '../elements/dom';
 import type { Place } from './overlay';
 import type { Stroke } from './stroke';
 import type { PenEvents } from './view';
 import './pen.css';
 
+const ARROW_KEYS: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+/** Pixels that an arrow key moves the point, big with Shift. */
+const STEP = { small: 6, big: 30 };
+
 export class Pen {
   readonly #ink = makeSvg('path', { class: 'ink' });
-  readonly #sheet = makeSvg('svg', { class: 'overlay pen', 'aria-hidden': 'true' }, this.#ink);
+  readonly #point = makeSvg('path', { class: 'point', d: 'M-9 0H9M0-9V9', visibility: 'hidden' });
+  readonly #sheet = makeSvg(
+    'svg',
+    { class: 'overlay pen', role: 'application', tabindex: '0' },
+    this.#ink,
+    this.#point,
+  );
   readonly #listeners = new AbortController();
   readonly #canvas: HTMLCanvasElement;
   readonly #begin: (at: Place) => Stroke | null;
   readonly #events: PenEvents;
   #stroke: Stroke | null = null;
-  /** What began it. */
+  /** What began it; null: a key, or there is none. */
   #press: PointerEvent | null = null;
+  /** Of the keys; null: none has been pressed yet. */
+  #at: Place | null = null;
 
   /** @param canvas gets the gestures of the camera. @param begin a stroke; null: there is no net. */
   constructor(canvas: HTMLCanvasElement, begin: (at: Place) => Stroke | null, events: PenEvents) {
@@ -30,8 +47,14 @@ export class Pen {
     this.#sheet.addEventListener('pointercancel', () => this.#giveUp(), { signal });
     this.#sheet.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
     this.#sheet.addEventListener('wheel', (event) => this.#wheel(event), { signal, passive: false });
-    window.addEventListener('keydown', (event) => this.#key(event), { signal, capture: true });
+    this.#sheet.addEventListener('keydown', (event) => this.#drawByKey(event), { signal });
+    window.addEventListener('keydown', (event) => this.#escape(event), { signal, capture: true });
+    this.#sheet.setAttribute('aria-label', events.label);
     canvas.after(this.#sheet);
+  }
+
+  focus(): void {
+    this.#sheet.focus();
   }
 
   putAway(): void {
@@ -45,6 +68,7 @@ export class Pen {
     if (this.#press !== null) return this.#leaveToCamera(this.#press, event);
     if (event.button !== 0) return this.#leaveToCamera(event);
     if (!event.isPrimary) return;
+    this.#at = null;
     this.#press = event;
     this.#sheet.setPointerCapture(event.pointerId);
     this.#stroke = this.#begin(this.#place(event));
@@ -59,7 +83,10 @@ export class Pen {
   }
 
   #up(event: PointerEvent): void {
-    if (event.pointerId !== this.#press?.pointerId) return;
+    if (event.pointerId === this.#press?.pointerId) this.#end();
+  }
+
+  #end(): void {
     const stroke = this.#stroke;
     this.#giveUp();
     if (stroke !== null) this.#events.drawn(stroke.pieces);
@@ -84,7 +111,29 @@ export class Pen {
     this.#canvas.dispatchEvent(new WheelEvent(event.type, event));
   }
 
-  #key(event: KeyboardEvent): void {
+  #drawByKey(event: KeyboardEvent): void {
+    const arrow = ARROW_KEYS[event.key];
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!arrow && event.key !== ' ' && event.key !== 'Enter') return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (this.#press !== null) return;
+    this.#at ??= { x: this.#canvas.clientWidth / 2, y: this.#canvas.clientHeight / 2 };
+    if (arrow) this.#stepTo(this.#at, arrow, event.shiftKey ? STEP.big : STEP.small);
+    else if (this.#stroke === null) this.#stroke = this.#begin(this.#at);
+    else this.#end();
+    this.#show();
+  }
+
+  /** Not out of the picture. */
+  #stepTo({ x, y }: Place, [right, down]: readonly [number, number], step: number): void {
+    const within = (value: number, most: number) => Math.min(most, Math.max(0, value));
+    const { clientWidth, clientHeight } = this.#canvas;
+    this.#at = { x: within(x + step * right, clientWidth), y: within(y + step * down, clientHeight) };
+    this.#stroke?.extend(this.#at);
+  }
+
+  #escape(event: KeyboardEvent): void {
     if (event.key !== 'Escape' || document.querySelector('dialog:modal') !== null) return;
     event.stopPropagation();
     event.preventDefault();
@@ -96,6 +145,8 @@ export class Pen {
     const places = this.#stroke?.places ?? [];
     const path = places.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L');
     this.#ink.setAttribute('d', path && `M${path}`);
+    this.#point.setAttribute('visibility', this.#at ? 'visible' : 'hidden');
+    if (this.#at) this.#point.setAttribute('transform', `translate(${this.#at.x} ${this.#at.y})`);
   }
 
   #place({ clientX, clientY }: PointerEvent): Place {

@@ -50,12 +50,16 @@ export type ViewChoice = Pick<Choice, 'selection' | 'mode' | 'selecting' | 'part
 
 /** What is done with a pen that draws on the net. */
 export interface PenEvents {
+  /** What the sheet that is drawn on is called, with its keys. */
+  label: string;
   /** A stroke has ended; without a point, if it missed the net. */
   drawn(stroke: DrawnLine): void;
   putAway(): void;
 }
 
 export interface Pen {
+  /** For its keys. */
+  focus(): void;
   putAway(): void;
 }
 

@@ -162,6 +162,8 @@ export const panels = {
       keep_smaller: 'Keep the smaller side',
       delete_rows: 'Delete rows beside it',
       delete_faces: 'Delete faces at the handles',
+      keep_pieces: 'Keep only this piece',
+      delete_pieces: 'Delete this piece',
       add_row: 'Add a row',
       insert_row: 'Put a row in',
       remove_line: 'Take the line out',
@@ -176,6 +178,8 @@ export const panels = {
       keep_smaller: 'Deletes what lies beyond the line, on its larger side',
       delete_rows: 'Deletes the faces that touch the line with an edge',
       delete_faces: 'Deletes all faces that touch a chosen handle',
+      keep_pieces: 'Deletes all pieces of the net without a chosen handle, e.g. to export one alone',
+      delete_pieces: 'Deletes the pieces of the net with a chosen handle',
       add_row: 'Adds a row of quads outside of the line, if it lies on the border',
       insert_row: 'Parts the net along the line and fills the gap with a row of quads',
       remove_line: 'Makes the rows on both sides of the line one',
@@ -188,7 +192,8 @@ export const panels = {
       remove: 'Remove it',
       removeHint: 'Removes the drawn line; the net stays',
       howTo:
-        'Draw on the net: from border to border, round a part of it, or a slit. Two fingers, wheel and right button move the view.',
+        'Draw on the net: from border to border, round a part of it, or a slit. Two fingers, wheel and right button move the view. With keys: arrows move the pen, Space sets it down and lifts it.',
+      keys: 'Sheet to draw on: arrow keys move the pen, with Shift farther; Space sets it down and lifts it; Escape puts it away',
       missed: 'This line misses the net.',
       short: 'This line is too short: draw it along an edge at least.',
       parts: (smaller: string, all: string) =>
@@ -479,7 +484,8 @@ export const panels = {
         `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
       unequal:
         'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
-      pieces: 'There is no flat pattern: the net is in several pieces, or its faces meet at a vertex only.',
+      touching: (vertex: number) =>
+        `There is no flat pattern: at vertex ${vertex} faces meet, but not along an edge. Delete faces there first.`,
     },
   },
   link: {
