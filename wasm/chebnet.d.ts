@@ -240,6 +240,8 @@ export interface FlatPattern {
 export type PatternFault =
   | { reason: 'not_quads'; face: number }
   | { reason: 'unequal' }
+  /** Nothing says how the rods of the face, cut at both ends, lie beside each other. */
+  | { reason: 'loose'; face: number }
   | { reason: 'singular'; vertex: number; valence: number }
   /** Two ways to the vertex lead to two places. */
   | { reason: 'closed'; vertex: number }

@@ -266,6 +266,8 @@ private:
 
     /// Of a face whose place does not follow from those beside it.
     PatternFault misfit(int face) const {
+        for (int k = 0; k < m_sides.count(face); ++k)
+            if (m_sides.is_rod(face, k) && m_sides.length(face, k) < 1) return {.reason = Reason::loose, .face = face};
         if (m_sides.count(face) == 4) return {.reason = Reason::unequal};
         return {.reason = Reason::not_quads, .face = face};
     }
@@ -334,6 +336,8 @@ const char* to_string(PatternFault::Reason reason) {
             return "not_quads";
         case Reason::unequal:
             return "unequal";
+        case Reason::loose:
+            return "loose";
         case Reason::singular:
             return "singular";
         case Reason::closed:

@@ -27,6 +27,7 @@ struct PatternFault {
     enum class Reason {
         not_quads,  ///< `face` is none, nor what a border leaves of one
         unequal,    ///< rest lengths differ, and not only of rods that end on the boundary
+        loose,      ///< at `face` nothing says how its rods, cut at both ends, lie beside each other
         singular,   ///< the inner `vertex` has another valence than 4
         closed,     ///< two ways to `vertex` lead to two places
         overlap,    ///< `face` would lie upon another one

@@ -462,11 +462,14 @@ test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are
   const { vertex } = handles.at(-1)!;
   const { x, y } = await script.screenPosition(vertex);
   await visit.page.mouse.click(x, y);
-  await visit.page.getByRole('button', { name: 'Keep only this piece' }).click();
+  const keep = visit.page.getByRole('button', { name: 'Keep only this piece' });
+  await keep.scrollIntoViewIfNeeded();
+  await visit.page.screenshot({ path: join(OUTPUT, 'surface-opened-pieces.png') });
+  await keep.click();
   const alone = piece(edges, vertex).size;
   expect(alone).toBeLessThan(positions.length / 3);
   await expect.poll(async () => (await script.stats()).vertices).toBe(alone);
-  await visit.page.getByRole('button', { name: 'Keep only this piece' }).waitFor({ state: 'hidden' });
+  await keep.waitFor({ state: 'hidden' });
   await visit.page.keyboard.press('Control+z');
   await expect.poll(async () => (await script.stats()).vertices).toBe(positions.length / 3);
 });
@@ -868,8 +871,26 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
   expect(Object.keys(laid.milliseconds)).toEqual(['lay', 'open', 'measure']);
   expect(Object.keys(whole.milliseconds)).toEqual(expect.arrayContaining(['field', 'grid', 'fit', 'open', 'measure']));
   expect(whole.milliseconds.fit).toBeGreaterThan(0);
-  expect((await script.stats()).faces).toBeGreaterThan(200);
+  const { faces } = await script.stats();
+  expect(faces).toBeGreaterThan(200);
   await visit.page.getByRole('group', { name: 'Surface: pebble' }).waitFor();
+
+  // A net that takes long says how far it is, and can be given up: the one before stays.
+  const watched = await visit.page.evaluate(async () => {
+    const [phases, stop] = [new Set<string>(), new AbortController()];
+    const progress = (phase: string) => {
+      phases.add(phase);
+      if (phase === 'fit') stop.abort();
+    };
+    const watch = { progress, signal: stop.signal };
+    const end = await window.chebnet.remesh({ own: 'pebble' }, { cells: 300 }, watch).then(
+      () => 'made',
+      (error: Error) => error.name,
+    );
+    return { end, phases: [...phases] };
+  });
+  expect(watched).toEqual({ end: 'AbortError', phases: expect.arrayContaining(['field', 'grid', 'fit']) });
+  expect((await script.stats()).faces).toBe(faces);
   const refused = await visit.page.evaluate(() =>
     window.chebnet.remesh({ own: 'pebble' }, { cells: 3 }).catch(({ code, message }) => ({ code, message })),
   );

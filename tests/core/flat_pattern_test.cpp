@@ -164,6 +164,12 @@ TEST_CASE("A net without a flat pattern says why") {
     CHECK(fault_of(make_shape("torus").net).reason == Reason::closed);
     CHECK(fault_of(make_shape("tube").net).reason == Reason::closed);
     CHECK(fault_of(net_of("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n")).reason == Reason::unequal);
+    // Two whole squares, and beside them a rod that is cut at both ends.
+    const PatternFault loose = fault_of(
+        net_of("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 0.3 0\nv 3 0.8 0\nv 4 0.3 0\nv 4 0.8 0\n"
+               "f 1 2 5 4\nf 2 3 6 5\nf 3 7 8 6\nf 7 9 10 8\n"));
+    CHECK(loose.reason == Reason::loose);
+    CHECK(loose.face == 3);
     const PatternFault tip = fault_of(net_of(k_square + "v 2 1 0\nv 2 2 0\nv 1 2 0\nf 3 5 6 7\n"));
     CHECK(tip.reason == Reason::touching);
     CHECK(tip.vertex == 2);

@@ -15,6 +15,7 @@ import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport, T
 import type { App, AppEvent } from './app/app';
 import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
+import type { Watch } from './drape/asking';
 import { linking } from './projects/linking';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
 import { Failure } from './failure';
@@ -63,8 +64,9 @@ export interface Scripting {
   /** Lays one piece of a net on a surface, with steps as `ScriptDrape` says, and opens it with the surface beside it. Resolves with
    *  how it lies. */
   drape(surface: ScriptSurface, options?: ScriptDrape): Promise<LaidReport>;
-  /** The same with a net over the whole surface, which may take seconds. */
-  remesh(surface: ScriptSurface, options?: RemeshOptions): Promise<WholeReport>;
+  /** The same with a net over the whole surface, which may take seconds: `watch` is told how far it is, and can give it up with a
+   *  signal; no net is opened then. A page around a frame has no watch. */
+  remesh(surface: ScriptSurface, options?: RemeshOptions, watch?: Watch): Promise<WholeReport>;
   /** How the open net lies now on the surface beside it. */
   report(): Promise<DrapeReport>;
   /** Resolves when nothing is under way and the net is settled. */
@@ -128,9 +130,9 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
       await ready;
       return (await surfaces()).drape(app, argument('surface', surface), argument('options', options));
     },
-    remesh: async (surface, options = {}) => {
+    remesh: async (surface, options = {}, watch = {}) => {
       await ready;
-      return (await surfaces()).remesh(app, argument('surface', surface), argument('options', options));
+      return (await surfaces()).remesh(app, argument('surface', surface), argument('options', options), watch);
     },
     report: async () => {
       await ready;

@@ -13,7 +13,7 @@ import { netName, takenScene } from './dialogs/taken_scene';
 import type { TakenNet } from './dialogs/file_opener';
 import type { GuideSource } from './document/document';
 import type { Untrusted } from './document/untrusted';
-import { AskedDraper } from './drape/asking';
+import { AskedDraper, type Watch } from './drape/asking';
 import { SUGGESTED_CELLS } from './drape/cells';
 import type { DrapedNet, DrapeSettings, PhaseTimes, SurfaceSource } from './drape/drape_protocol';
 import { proposedHandles } from './handles/proposal';
@@ -66,11 +66,11 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
   });
 }
 
-export async function remesh(app: App, given: Untrusted, options: Untrusted): Promise<WholeReport> {
+export async function remesh(app: App, given: Untrusted, options: Untrusted, watch: Watch): Promise<WholeReport> {
   const guide = surfaceOf(given);
   const wanted = readRemesh(options);
   return withSurface(guide, async (draper) => {
-    const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed');
+    const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed', watch);
     const { report, milliseconds } = await measured(draper, made);
     await open(app, made, guide, proposedHandles(made.net));
     return { ...report, singularVertices: made.singularVertices, milliseconds };

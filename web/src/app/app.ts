@@ -18,7 +18,7 @@ import { asMade } from '../document/defaults';
 import { longestMove } from '../document/longest_move';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
-import type { HistoryView } from '../document/undo';
+import type { HistoryView, Snapshot } from '../document/undo';
 import { DragGuide } from '../handles/drag_guide';
 import { HandleEditor } from '../handles/handle_editor';
 import { words } from '../language/language';
@@ -301,8 +301,13 @@ export class App {
     if (before === null || before.guide === guide) return;
     const { guide: _, ...without } = before;
     this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
+    await this.#restoreFrom(before, { ...without, ...(guide ? { guide } : {}), settled: false });
+  }
+
+  /** Refused, the change that has just been recorded is taken back. */
+  async #restoreFrom(before: Snapshot, after: Snapshot): Promise<void> {
     try {
-      await this.#opener.restore({ ...without, ...(guide ? { guide } : {}), settled: false });
+      await this.#opener.restore(after);
     } catch (error) {
       this.#state.history.takeBack(before);
       await this.#opener.restore(before);
@@ -326,7 +331,7 @@ export class App {
     if (before === null || opening === null) return null;
     const from = opening.frame.positions.slice();
     this.#state.history.record(before, ['flip']);
-    await this.#opener.restore({ ...before, positions, settled: false });
+    await this.#restoreFrom(before, { ...before, positions, settled: false });
     await this.settled();
     const to = this.opening?.frame.positions;
     return to?.length === from.length ? longestMove(from, to) / opening.net.info.meanLength : null;

@@ -114,6 +114,7 @@ function patternFaultWords(fault: PatternFault): string {
     case 'closed':
       return pattern.closed(fault.vertex);
     case 'not_quads':
+    case 'loose':
     case 'overlap':
       return pattern[fault.reason](fault.face);
     case 'touching':

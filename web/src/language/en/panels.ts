@@ -480,6 +480,8 @@ export const panels = {
       closed: (vertex: number) =>
         `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
       not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
+      loose: (face: number) =>
+        `There is no flat pattern: the rods at face ${face} are cut at both ends, so nothing says how they lie beside each other. Delete this face, or lay the net with rods left whole.`,
       overlap: (face: number) =>
         `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
       unequal:

@@ -653,6 +653,8 @@ export const panels: Widened<typeof en> = {
         `无法展开：顶点 ${vertex} 是奇异顶点（有 ${valence} 条边相交），网不能平铺成正方形网格。请先将网分割为不含奇异顶点的片。`,
       closed: (vertex) => `无法展开：网自身闭合，顶点 ${vertex} 会得到两个位置。请先将网剪开。`,
       not_quads: (face) => `无法展开：面 ${face} 不是四边形。`,
+      loose: (face) =>
+        `无法展开：面 ${face} 处的杆两端都被剪断，无从确定它们如何并列。请删除此面，或在铺网时保留整根的杆。`,
       overlap: (face) => `无法展开：面 ${face} 会与另一个面重叠。请先将网分开。`,
       unequal: '无法展开：各边长度不同，只有等边长的网才能展开为正方形网格。',
       touching: (vertex) => `无法展开：在顶点 ${vertex} 处有些面仅在顶点相接。请先删除那里的面。`,
