@@ -227,8 +227,8 @@ export interface VertexLists {
 
 /** A net laid flat, where it can be: a piece of the square grid, or several; see core/fabricate/flat_pattern.h. */
 export interface FlatPattern {
-  /** Column and row of each vertex, from 0, between two where a rod is cut; rows count upwards, and the first whole face of a
-   *  piece is seen from its front. */
+  /** Column and row of each vertex, from 0, between two where a rod is cut; rows count upwards, and the first face of a
+   *  piece that has a whole rod is seen from its front. */
   places: Float64Array;
   columns: number;
   rows: number;
@@ -240,7 +240,7 @@ export interface FlatPattern {
 export type PatternFault =
   | { reason: 'not_quads'; face: number }
   | { reason: 'unequal' }
-  /** Nothing says how the rods of the face, cut at both ends, lie beside each other. */
+  /** Nothing says where the face lies: no rod leads to it, or only some that are cut at both ends. */
   | { reason: 'loose'; face: number }
   | { reason: 'singular'; vertex: number; valence: number }
   /** Two ways to the vertex lead to two places. */

@@ -18,7 +18,8 @@ using Reason = PatternFault::Reason;
 using Place = Eigen::Vector2d;  // column, row
 
 constexpr double k_equal = 1e-6;  // of a whole edge
-constexpr int k_apart = 2;        // squares between pieces
+constexpr double k_nearly_equal = 0.01;
+constexpr int k_apart = 2;  // squares between pieces
 
 /// To the left, or with turn −1 to the right.
 Place turned(const Place& direction, int turn) { return turn * Place(-direction.y(), direction.x()); }
@@ -43,7 +44,6 @@ public:
         m_lengths = net.rest_lengths() / (m_has_between ? whole : net.rest_lengths().maxCoeff());
         for (double& length : m_lengths)
             if (std::abs(length - 1) <= k_equal) length = 1;
-        for (int f = 0; f < net.face_count(); ++f) m_is_rectangle.push_back(is_rectangle(f));
     }
 
     int count(int face) const { return static_cast<int>(m_net.faces()[face].size()); }
@@ -63,12 +63,15 @@ public:
         while (this->edge(face, k) != edge) ++k;
         return k;
     }
-    /// Not one that joins the ends of two rods across what is left of a cell.
-    bool is_rod(int face, int k) const { return m_is_rectangle[face] || is_between(edge(face, k)); }
-    bool are_whole(int face) const {
-        for (int k = 0; k < count(face); ++k)
-            if (length(face, k) != 1) return false;
-        return true;
+    /// Not a side that joins the ends of two rods across what is left of a cell. On the boundary these can be told
+    /// apart where they are whole; one that is cut there is not known for a rod (see Layout::put_ends).
+    bool is_rod(int face, int k) const {
+        if (is_between(edge(face, k))) return true;
+        if (length(face, k) != 1) return false;
+        if (count(face) != 4) return true;
+        // Between rods that are cut nearly alike its ends are theirs.
+        const double step = std::abs(length(face, k + 3) - length(face, k + 1));
+        return step <= k_equal || step >= k_nearly_equal;
     }
     bool has_rods_only(int face) const {
         for (int k = 0; k < count(face); ++k)
@@ -77,23 +80,16 @@ public:
     }
 
 private:
-    bool is_rectangle(int f) const {
-        return count(f) == 4 && std::abs(length(f, 0) - length(f, 2)) <= k_equal &&
-               std::abs(length(f, 1) - length(f, 3)) <= k_equal;
-    }
-
     const Net& m_net;
     std::vector<int> m_edge;                          // of each side
     std::vector<std::array<int, 2>> m_faces_of_edge;  // the second is −1 on the boundary
     Eigen::VectorXd m_lengths;                        // of each edge
-    std::vector<bool> m_is_rectangle;                 // of each face
     bool m_has_between = false;
 };
 
 std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology, const Sides& sides) {
     for (int f = 0; f < net.face_count(); ++f)
-        if (sides.count(f) != 4 && (sides.has_rods_only(f) || sides.are_whole(f)))
-            return PatternFault{.reason = Reason::not_quads, .face = f};
+        if (sides.count(f) != 4 && sides.has_rods_only(f)) return PatternFault{.reason = Reason::not_quads, .face = f};
     for (int e = 0; e < net.edge_count(); ++e) {
         const bool is_cut = topology.is_boundary(net.edges()(0, e)) || topology.is_boundary(net.edges()(1, e));
         const bool may_differ = sides.has_between() && (is_cut || !sides.is_between(e));
@@ -101,8 +97,7 @@ std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology,
     }
     for (int f = 0; f < net.face_count(); ++f)
         for (int k = 0; k < sides.count(f); ++k)
-            if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal && sides.length(f, k) <= 1))
-                return PatternFault{.reason = Reason::unequal};
+            if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal)) return PatternFault{.reason = Reason::unequal};
     for (int v = 0; v < net.vertex_count(); ++v)
         if (!topology.is_boundary(v) && topology.valence(v) != 4)
             return PatternFault{.reason = Reason::singular, .vertex = v};
@@ -111,13 +106,13 @@ std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology,
 
 class Layout {
 public:
-    Layout(const Net& net, const Topology& topology, const Sides& sides)
+    Layout(const Net& net, const Sides& sides)
         : m_net(net),
-          m_topology(topology),
           m_sides(sides),
           m_places(2, net.vertex_count()),
           m_piece(static_cast<std::size_t>(net.vertex_count()), k_nowhere),
-          m_turn(static_cast<std::size_t>(net.face_count()), 0) {}
+          m_turn(static_cast<std::size_t>(net.face_count()), 0),
+          m_is_found(m_turn.size(), false) {}
 
     std::variant<FlatPattern, PatternFault> spread() {
         for (int face = 0; face < m_net.face_count(); ++face)
@@ -139,7 +134,8 @@ public:
 private:
     bool is_laid(int face) const { return m_turn[face] != 0; }
     Place place(int face, int k) const { return m_places.col(m_sides.vertex(face, k)); }
-    bool has_place(int face, int k) const { return m_piece[m_sides.vertex(face, k)] != k_nowhere; }
+    /// In the piece that is being laid.
+    bool has_place(int face, int k) const { return m_piece[m_sides.vertex(face, k)] == m_piece_count - 1; }
     /// Whether a rod lies there.
     bool has_rod(int face, int k) const {
         return m_sides.is_rod(face, k) && has_place(face, k) && has_place(face, k + 1);
@@ -163,19 +159,19 @@ private:
         for (const int face : faces) {
             if (!is_laid(face)) return misfit(face);
             if (const auto fault = put_ends(face)) return fault;
+            if (const auto fault = find_gape(face)) return fault;
         }
         return std::nullopt;
     }
 
-    std::vector<int> faces_joined_to(int first) const {
+    std::vector<int> faces_joined_to(int first) {
         std::vector<int> faces{first};
-        std::vector<bool> is_found(m_turn.size(), false);
-        is_found[first] = true;
+        m_is_found[first] = true;
         for (std::size_t i = 0; i < faces.size(); ++i)
             for (int k = 0; k < m_sides.count(faces[i]); ++k) {
                 const int next = m_sides.beyond(faces[i], k);
-                if (next == -1 || is_found[next]) continue;
-                is_found[next] = true;
+                if (next == -1 || m_is_found[next]) continue;
+                m_is_found[next] = true;
                 faces.push_back(next);
             }
         return faces;
@@ -231,20 +227,47 @@ private:
         return std::nullopt;
     }
 
-    /// Rods along the boundary, where the next cell was left out, that are cut: at right angles to the one before.
+    /// Of the two sides at an end on the boundary, whether the first is its rod and the other goes across what is left
+    /// of the cell. That leads to the end of another rod, if one beside them is shorter: the farther end of a rod that
+    /// is cut is no corner of a cell. Else it is longer, as a hypotenuse, or as it goes from one side of the cell to
+    /// the other.
+    bool is_rod_first(int face, int k) const {
+        const double before = m_sides.length(face, k - 2), behind = m_sides.length(face, k + 1);
+        if (std::abs(before - behind) > k_equal) return before > behind;
+        return m_sides.length(face, k - 1) <= m_sides.length(face, k);
+    }
+
+    /// The ends of rods that are cut and run along the boundary, the next cell being left out: at right angles to a rod
+    /// beside it.
     std::optional<PatternFault> put_ends(int face) {
         const int count = m_sides.count(face);
         for (int k = count; k < 2 * count; ++k) {
             if (has_place(face, k)) continue;
             const bool has_before = has_rod(face, k - 2), has_behind = has_rod(face, k + 1);
-            const auto valence = [&](int corner) { return m_topology.valence(m_sides.vertex(face, corner)); };
-            if (!has_before && !has_behind) return misfit(face);
-            const bool is_before = has_before && (!has_behind || valence(k - 1) >= valence(k + 1));
+            const bool is_before = has_before && (!has_behind || is_rod_first(face, k));
+            const double length = m_sides.length(face, is_before ? k - 1 : k);
+            if ((!has_before && !has_behind) || length > 1 + k_equal) return misfit(face);
             const Place step = is_before ? turned(direction(face, k - 2), m_turn[face])
                                          : Place(-turned(direction(face, k + 1), -m_turn[face]));
             const int from = is_before ? k - 1 : k + 1;
-            put(m_sides.vertex(face, k),
-                place(face, from) + std::min(1., m_sides.length(face, std::min(from, k))) * step);
+            if (!put(m_sides.vertex(face, k), place(face, from) + length * step))
+                return misplaced(m_sides.vertex(face, k));
+        }
+        return std::nullopt;
+    }
+
+    /// A face has its place by the rod over which it was come to; others of it may have come round to another. Its rods
+    /// lie level and upright, and it within a square.
+    std::optional<PatternFault> find_gape(int face) const {
+        Place low = place(face, 0), high = low;
+        for (int k = 0; k < m_sides.count(face); ++k) {
+            const Place step = (place(face, k + 1) - place(face, k)).cwiseAbs();
+            const bool is_straight =
+                step.minCoeff() <= k_equal && std::abs(step.maxCoeff() - m_sides.length(face, k)) <= k_equal;
+            low = low.cwiseMin(place(face, k));
+            high = high.cwiseMax(place(face, k));
+            if ((m_sides.is_rod(face, k) && !is_straight) || (high - low).maxCoeff() > 1 + k_equal)
+                return PatternFault{.reason = Reason::closed, .vertex = m_sides.vertex(face, k)};
         }
         return std::nullopt;
     }
@@ -266,8 +289,7 @@ private:
 
     /// Of a face whose place does not follow from those beside it.
     PatternFault misfit(int face) const {
-        for (int k = 0; k < m_sides.count(face); ++k)
-            if (m_sides.is_rod(face, k) && m_sides.length(face, k) < 1) return {.reason = Reason::loose, .face = face};
+        if (m_sides.has_between()) return {.reason = Reason::loose, .face = face};
         if (m_sides.count(face) == 4) return {.reason = Reason::unequal};
         return {.reason = Reason::not_quads, .face = face};
     }
@@ -318,13 +340,13 @@ private:
     static constexpr double k_inside = 0.01;
 
     const Net& m_net;
-    const Topology& m_topology;
     const Sides& m_sides;
     Eigen::Matrix2Xd m_places;
     std::vector<int> m_piece;  // of each vertex
     int m_piece_count = 0;
-    std::vector<Place> m_low;  // of each piece, as it was laid
-    std::vector<int> m_turn;   // of each face: 1 if its corners are left turns, −1 if right; 0: not laid yet
+    std::vector<Place> m_low;      // of each piece, as it was laid
+    std::vector<int> m_turn;       // of each face: 1 if its corners are left turns, −1 if right; 0: not laid yet
+    std::vector<bool> m_is_found;  // of each face: it is known in which piece it is
     std::set<std::pair<int, int>> m_taken;  // squares on which a face of the piece lies
 };
 
@@ -353,7 +375,7 @@ const char* to_string(PatternFault::Reason reason) {
 std::variant<FlatPattern, PatternFault> flat_pattern(const Net& net, const Topology& topology) {
     const Sides sides(net, topology);
     if (const auto fault = find_unfit(net, topology, sides)) return *fault;
-    return Layout(net, topology, sides).spread();
+    return Layout(net, sides).spread();
 }
 
 }  // namespace chebnet

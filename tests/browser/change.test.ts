@@ -316,6 +316,7 @@ test('by keys a point is moved over the net, set down and lifted; a line across 
   await draw.press('Enter');
   const sheet = visit.page.getByRole('application', { name: /^Sheet to draw on/ });
   await expect.poll(() => sheet.evaluate((element) => element === document.activeElement)).toBe(true);
+  expect(await sheet.locator('.point').getAttribute('visibility')).toBe('visible');
   // From beyond the one border to beyond the other, whichever way the picture shows the net.
   for (let step = 0; step < 20; step++) await sheet.press('Shift+ArrowLeft');
   await sheet.press(' ');

@@ -887,9 +887,21 @@ test('a script describes a surface, lays a net on it or over it, and reads how i
       () => 'made',
       (error: Error) => error.name,
     );
-    return { end, phases: [...phases] };
+    const failed = (watch: object) =>
+      window.chebnet.remesh({ own: 'pebble' }, { cells: 300 }, watch).then(
+        () => 'made',
+        (error: Error & { code?: unknown }) => `${error.name} ${error.code}`,
+      );
+    const never = await failed({ signal: AbortSignal.abort() });
+    const wrong = await failed({ signal: 1 });
+    return { end, phases: [...phases], never, wrong };
   });
-  expect(watched).toEqual({ end: 'AbortError', phases: expect.arrayContaining(['field', 'grid', 'fit']) });
+  expect(watched).toEqual({
+    end: 'AbortError',
+    phases: expect.arrayContaining(['field', 'grid', 'fit']),
+    never: expect.stringMatching(/^AbortError/),
+    wrong: 'Error bad_arguments',
+  });
   expect((await script.stats()).faces).toBe(faces);
   const refused = await visit.page.evaluate(() =>
     window.chebnet.remesh({ own: 'pebble' }, { cells: 3 }).catch(({ code, message }) => ({ code, message })),

@@ -8,7 +8,7 @@ import { patternSvg } from '../../web/src/export/pattern_svg';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
-import { piecesOf } from '../../web/src/net/pieces';
+import { facesOfPieces } from '../../web/src/net/pieces';
 import { listsOf } from '../../web/src/handles/lines';
 import { type FieldName, fieldOf, scaleOf } from '../../web/src/fields/fields';
 import { fanTriangles } from '../../web/src/worker/triangles';
@@ -68,7 +68,7 @@ test('the pieces of a net are drawn beside each other, with numbers, and are mes
   ]);
 
   const mesh = { faceStart: editor.faceStart, faceVertices: editor.faceVertices };
-  expect(piecesOf(mesh)).toEqual([[0], [1], [2], [3], [4]]);
+  expect(facesOfPieces(mesh)).toEqual([[0], [1], [2], [3], [4]]);
   const { restPositions: positions } = editor;
   const bytes = await rhinoFileOf({ mesh, positions, lines: drawing.lines, name: 'squares', layers: LAYERS });
   const rhino = await rhino3dm();

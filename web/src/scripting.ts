@@ -132,7 +132,12 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     },
     remesh: async (surface, options = {}, watch = {}) => {
       await ready;
-      return (await surfaces()).remesh(app, argument('surface', surface), argument('options', options), watch);
+      return (await surfaces()).remesh(
+        app,
+        argument('surface', surface),
+        argument('options', options),
+        argument('watch', watch),
+      );
     },
     report: async () => {
       await ready;

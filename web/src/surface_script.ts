@@ -66,12 +66,19 @@ export async function drape(app: App, given: Untrusted, options: Untrusted): Pro
   });
 }
 
-export async function remesh(app: App, given: Untrusted, options: Untrusted, watch: Watch): Promise<WholeReport> {
+export async function remesh(
+  app: App,
+  given: Untrusted,
+  options: Untrusted,
+  watching: Untrusted,
+): Promise<WholeReport> {
   const guide = surfaceOf(given);
   const wanted = readRemesh(options);
+  const watch = readWatch(watching);
   return withSurface(guide, async (draper) => {
     const made = await draper.ask({ type: 'remesh', options: wanted }, 'remeshed', watch);
     const { report, milliseconds } = await measured(draper, made);
+    watch.signal?.throwIfAborted();
     await open(app, made, guide, proposedHandles(made.net));
     return { ...report, singularVertices: made.singularVertices, milliseconds };
   });
@@ -129,6 +136,14 @@ async function open(app: App, { net }: Pick<DrapedNet, 'net'>, guide: GuideSourc
 
 function surfaceOf(given: Untrusted): GuideSource {
   return guideOf(readSurface(given));
+}
+
+function readWatch(watch: Untrusted): Watch {
+  const signalOf = (each: Untrusted) => (each.value instanceof AbortSignal ? each.value : each.fail('AbortSignal'));
+  return given({
+    progress: watch.at('progress').maybe((each) => each.function<NonNullable<Watch['progress']>>()),
+    signal: watch.at('signal').maybe(signalOf),
+  });
 }
 
 function readDrape(options: Untrusted): ScriptDrape {

@@ -3,7 +3,7 @@ import rhino3dm from 'rhino3dm';
 import type { Mesh, ObjectAttributes, RhinoModule } from 'rhino3dm';
 import type { VertexLists } from '../../../wasm/chebnet';
 import { listsOf } from '../handles/lines';
-import { piecesOf } from '../net/pieces';
+import { facesOfPieces } from '../net/pieces';
 import type { OpenedNet } from '../worker/protocol';
 
 export interface RhinoNet {
@@ -30,7 +30,7 @@ export async function rhinoFileOf(
     return attributes;
   };
   const meshLayer = on(layers.mesh);
-  const pieces = piecesOf(mesh);
+  const pieces = facesOfPieces(mesh);
   for (const [i, piece] of pieces.entries()) {
     meshLayer.name = pieces.length > 1 ? `${name} ${i + 1}` : name;
     file.objects().addMesh(meshOf(rhino, mesh, positions, piece), meshLayer);

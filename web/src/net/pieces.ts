@@ -2,7 +2,7 @@
 import type { Faces } from './fold';
 
 /** The pieces of a net, which share no vertex, each by its faces; in the order of their first faces, as files number them. */
-export function piecesOf({ faceStart, faceVertices }: Pick<Faces, 'faceStart' | 'faceVertices'>): number[][] {
+export function facesOfPieces({ faceStart, faceVertices }: Pick<Faces, 'faceStart' | 'faceVertices'>): number[][] {
   const vertices = faceVertices.reduce((most, vertex) => Math.max(most, vertex), -1) + 1;
   const set = setsOf(vertices, (join) => {
     for (let face = 0; face + 1 < faceStart.length; face++)

@@ -57,9 +57,10 @@ export class Projects {
   /** These return the message to show once a net is open. */
   async #startWithLink(hash: string, last: KeptProject | undefined): Promise<() => void> {
     const open = (): Promise<void> => this.#openFlagged(hash, () => this.#openLink(hash));
+    const hasDied = hasCrashFlag(hash);
+    if (!hasDied) await open();
     const text = await wording();
-    if (hasCrashFlag(hash)) return () => this.#offer(text.diedLink, text.openAnyway, open);
-    await open();
+    if (hasDied) return () => this.#offer(text.diedLink, text.openAnyway, open);
     const { titleOf } = await linking();
     return () => {
       if (last) this.#offer(text.linkOpened(titleOf(hash)), text.restoreLast, () => this.#restore(last));
@@ -68,10 +69,10 @@ export class Projects {
 
   async #startWithLast(last: KeptProject | undefined): Promise<() => void> {
     if (last === undefined) return () => {};
+    const hasDied = hasCrashFlag(last.id) || hasCrashFlag(location.hash);
+    if (!hasDied) await this.#restore(last);
     const text = await wording();
-    if (hasCrashFlag(last.id) || hasCrashFlag(location.hash))
-      return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restore(last));
-    await this.#restore(last);
+    if (hasDied) return () => this.#offer(text.diedKept, text.openAnyway, () => this.#restore(last));
     return () => this.#offer(text.restored, text.startAfresh, () => this.newNet());
   }
 
@@ -230,7 +231,7 @@ export class Projects {
     this.#saidNotKept = true;
     void wording().then(
       ({ notKept }) => this.#app.offer(notKept, words.projects.menu.save.title, save),
-      (error: unknown) => this.#app.report(error),
+      () => (this.#saidNotKept = false),
     );
   }
 }

@@ -88,7 +88,11 @@ export class ChangePanel implements Panel {
     this.#net = net;
     this.#drawing.setNet(net);
     this.#meanLength = net.info.meanLength;
-    for (const button of this.#ofPieces) button.hidden = net.info.components < 2;
+    const isOne = net.info.components < 2;
+    // What has the focus goes.
+    if (isOne && this.#ofPieces.some((button) => button === document.activeElement))
+      this.element.querySelector('summary')?.focus();
+    for (const button of this.#ofPieces) button.hidden = isOne;
   }
 
   setFrame(frame: FrameData): void {

@@ -53,8 +53,11 @@ export class Pen {
     canvas.after(this.#sheet);
   }
 
+  /** Its keys have a point from the start, if a key led here. */
   focus(): void {
     this.#sheet.focus();
+    if (this.#sheet.matches(':focus-visible')) this.#at = this.#middle();
+    this.#show();
   }
 
   putAway(): void {
@@ -108,21 +111,28 @@ export class Pen {
 
   #wheel(event: WheelEvent): void {
     event.preventDefault();
+    if (this.#press === null) this.#giveUp();
     this.#canvas.dispatchEvent(new WheelEvent(event.type, event));
   }
 
   #drawByKey(event: KeyboardEvent): void {
     const arrow = ARROW_KEYS[event.key];
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (!arrow && event.key !== ' ' && event.key !== 'Enter') return;
+    const isOwn = arrow || event.key === ' ' || event.key === 'Enter';
+    if (event.ctrlKey || event.metaKey || event.altKey || event.key === 'Tab') return;
+    // The view stays as it is while a line is drawn.
+    if (isOwn || this.#stroke !== null) event.stopPropagation();
+    if (!isOwn) return;
     event.preventDefault();
-    event.stopPropagation();
-    if (this.#press !== null) return;
-    this.#at ??= { x: this.#canvas.clientWidth / 2, y: this.#canvas.clientHeight / 2 };
+    if (this.#press !== null || (event.repeat && !arrow)) return;
+    this.#at ??= this.#middle();
     if (arrow) this.#stepTo(this.#at, arrow, event.shiftKey ? STEP.big : STEP.small);
     else if (this.#stroke === null) this.#stroke = this.#begin(this.#at);
     else this.#end();
     this.#show();
+  }
+
+  #middle(): Place {
+    return { x: this.#canvas.clientWidth / 2, y: this.#canvas.clientHeight / 2 };
   }
 
   /** Not out of the picture. */

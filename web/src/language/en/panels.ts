@@ -188,7 +188,7 @@ export const panels = {
     },
     drawing: {
       draw: 'Draw a line',
-      hint: 'With mouse or finger, on the net: along the edges nearest to it the net is then cut or trimmed',
+      hint: 'With mouse, finger or keys, on the net: along the edges nearest to it the net is then cut or trimmed',
       remove: 'Remove it',
       removeHint: 'Removes the drawn line; the net stays',
       howTo:
@@ -481,7 +481,7 @@ export const panels = {
         `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
       not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
       loose: (face: number) =>
-        `There is no flat pattern: the rods at face ${face} are cut at both ends, so nothing says how they lie beside each other. Delete this face, or lay the net with rods left whole.`,
+        `There is no flat pattern: no whole rod says where face ${face} lies. Delete it or its piece first, or lay the net with rods left whole.`,
       overlap: (face: number) =>
         `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
       unequal:

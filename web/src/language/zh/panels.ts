@@ -389,7 +389,7 @@ export const panels: Widened<typeof en> = {
     },
     drawing: {
       draw: '画线',
-      hint: '用鼠标或手指在网上画线：然后沿离它最近的边剪开或修剪网',
+      hint: '用鼠标、手指或键盘在网上画线：然后沿离它最近的边剪开或修剪网',
       remove: '移除',
       removeHint: '移除画出的线，网不变',
       howTo:
@@ -654,7 +654,7 @@ export const panels: Widened<typeof en> = {
       closed: (vertex) => `无法展开：网自身闭合，顶点 ${vertex} 会得到两个位置。请先将网剪开。`,
       not_quads: (face) => `无法展开：面 ${face} 不是四边形。`,
       loose: (face) =>
-        `无法展开：面 ${face} 处的杆两端都被剪断，无从确定它们如何并列。请删除此面，或在铺网时保留整根的杆。`,
+        `无法展开：没有整根的杆确定面 ${face} 的位置。请先删除此面或它所在的片，或在铺网时保留整根的杆。`,
       overlap: (face) => `无法展开：面 ${face} 会与另一个面重叠。请先将网分开。`,
       unequal: '无法展开：各边长度不同，只有等边长的网才能展开为正方形网格。',
       touching: (vertex) => `无法展开：在顶点 ${vertex} 处有些面仅在顶点相接。请先删除那里的面。`,
