@@ -56,6 +56,9 @@ constexpr double k_idle_part = 1e-13, k_idle_force = 0.9;
 constexpr double k_no_force = 1e-9;
 // By how far a net has moved while a step took off this part of the force, it is told how far it has to go.
 constexpr double k_telling = 0.1;
+// The most dL of a net that a solve ends with short of rest.
+constexpr double k_end_deviation = 1e-12;
+constexpr int k_most_refinements = 20;
 // Of the bow that a flat net gets which is at rest in its plane alone, in edge lengths.
 constexpr double k_first_bow = 1;
 constexpr int k_most_bows = 6;  // that are tried
@@ -105,6 +108,7 @@ private:
     Status stuck() const;
     Status step_to_rest(Positions& positions, TraceRow& row);
     Status relax(Positions& positions, TraceRow& row);
+    void refine_lengths(Positions& positions);
     void enter_rest(const Positions& positions);
     bool follow_path(Positions& positions);
     bool linearise(const Positions& positions);
@@ -571,7 +575,22 @@ Status Equilibrium::stuck() const { return is_net() ? Status::exact : Status::st
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
     if (m_steps == 0) leave_plane(positions);
     const Status status = step_to_rest(positions, row);
-    return status != Status::running && leave_plane(positions) ? Status::running : status;
+    if (status != Status::running && leave_plane(positions)) return Status::running;
+    if (status == Status::exact) refine_lengths(positions);
+    return status;
+}
+
+/// Where a net is nearly taut lengths are come to slowly, and a step ends as near to them as the threshold asks for.
+/// Those of a net that stays are to be nearer.
+void Equilibrium::refine_lengths(Positions& positions) {
+    for (int round = 0; round < k_most_refinements && m_max_deviation >= k_end_deviation; ++round) {
+        Positions x = positions;
+        m_constraints->project(x, k_end_deviation);
+        const double deviation = max_deviation(*m_net, x);
+        if (!(deviation < m_max_deviation) || m_constraints->lack(x) > 2 * CornerLimit::k_tolerance) return;
+        positions = x;
+        m_max_deviation = deviation;
+    }
 }
 
 /// A flat net is without a force across its plane, however much it is squeezed within it. Where it would lose energy by
