@@ -4,6 +4,7 @@
 #include "edit/editor.h"
 #include "net/measures.h"
 #include "sample_nets.h"
+#include "shapes/shapes.h"
 
 using namespace chebnet;
 
@@ -171,4 +172,29 @@ TEST_CASE("Drag: where other handles leave no net, none is asked for") {
     taken.editor.drag_handle(k_handle, taken.at(1));
     CHECK(taken.editor.solve().status == Status::unreachable);
     CHECK(taken.now() == taken.at(1));
+}
+
+TEST_CASE("A net that is pulled far and comes to no rest has its lengths to the last digits all the same", "[large]") {
+    Shape shape = make_shape("dome:vertices=800");
+    const Net& net = shape.net;
+    std::vector<Handle> handles;
+    for (const int vertex : shape.suggested_handles)
+        handles.push_back({.vertex = vertex, .target = net.rest_positions().col(vertex)});
+    const Handle last = handles.back();
+    Editor editor(net);
+    editor.set_method("equilibrium");
+    editor.set_handles(handles);
+    editor.solve();
+    // There lengths are come to slowly, and the descent ends with an error of 3e-11.
+    const Eigen::Vector3d way =
+        Eigen::Vector3d(-16.426059524531464, -40.243084381111878, -18.500957704055693) * net.mean_length();
+    for (int frame = 1; frame < 6; ++frame) {
+        editor.drag_handle(last.vertex, last.target + frame / 6. * way);
+        editor.solve({.iterations = 3});
+    }
+    editor.drag_handle(last.vertex, last.target + way);
+    editor.release_handles();
+    const SolveReport end = editor.solve();
+    REQUIRE(keeps_lengths(end.status));
+    CHECK(end.max_deviation < 1e-12);
 }
