@@ -184,7 +184,7 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   const handles = await visit.page.evaluate(() => window.chebnet.handles());
   expect(handles.map(({ anchor }) => anchor)).toEqual([true, true, true, false]);
   const { vertex } = handles.at(-1)!;
-  await dragBy(script, vertex, [10, -50]);
+  await dragBy(script, vertex, [20, -90]);
   await script.settled();
   const edited = await script.positions();
   expect(
@@ -195,11 +195,13 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
   // It stays near the surface, which stays in sight, as long as it is wanted to.
   const guide = visit.page.getByRole('group', { name: 'Surface: roof.obj' });
   await guide.waitFor();
-  const near = distanceFromShell(edited);
+  // As strongly as it can: how much it does as usual hangs on where the seed was let go of.
+  await guide.getByRole('slider').press('End');
+  await script.settled();
+  const near = distanceFromShell(await script.positions());
   await guide.getByRole('combobox', { name: 'Keeps the net' }).selectOption('free');
   await script.settled();
-  // By how much hangs on where the seed was let go of.
-  expect(near).toBeLessThan(0.97 * distanceFromShell(await script.positions()));
+  expect(near).toBeLessThan(0.9 * distanceFromShell(await script.positions()));
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-guide.png') });
   const shown = await picture();
   await guide.getByRole('checkbox', { name: 'Show the surface' }).uncheck();
