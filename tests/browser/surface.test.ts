@@ -209,6 +209,7 @@ test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, 
 
   await visit.page.keyboard.press('Control+z');
   await visit.page.keyboard.press('Control+z');
+  await visit.page.keyboard.press('Control+z');
   await expect.poll(async () => largestError(await script.positions(), positions)).toBe(0);
 
   const project = visit.page.waitForEvent('download');
