@@ -26,6 +26,10 @@ double LengthProjection::squared_error() const { return ordered_dot(m_rhs, m_rhs
 
 bool LengthProjection::project(Positions& positions) {
     m_system.assemble(positions);
+    return project_assembled(positions);
+}
+
+bool LengthProjection::project_assembled(Positions& positions) {
     m_rhs = m_system.errors();
     m_factorisation_ms = 0;
     if (!solve_from(nullptr, k_tolerance)) return false;

@@ -31,6 +31,8 @@ public:
 
     /// One projection of `positions`, 3×V. False if the system cannot be solved; then the positions stay.
     bool project(Positions& positions);
+    /// The same of positions for which the system has been assembled.
+    bool project_assembled(Positions& positions);
 
     /// Σ_e c_e² before the last projection.
     double squared_error() const;

@@ -67,8 +67,9 @@ bool NetConstraints::project(Positions& positions, double threshold) {
 bool NetConstraints::project_lengths(Positions& positions, double threshold) {
     const double exact_error = std::min(k_exact_error, std::sqrt(threshold) / 2);
     double best = std::numeric_limits<double>::infinity();
+    m_lengths->system().assemble(positions);
     for (int k = 0, patience = k_patience; k < k_most_projections && patience > 0; ++k, --patience) {
-        if (!m_lengths->project(positions)) return false;
+        if (!m_lengths->project_assembled(positions)) return false;
         m_lengths->system().assemble(positions);
         const double error = m_lengths->system().errors().lpNorm<Eigen::Infinity>();
         if (error < exact_error) break;

@@ -226,7 +226,7 @@ double TangentNewton::descend(std::span<const std::unique_ptr<Term>> terms, Curv
         const double step = part_to_radius(move, m_search, whole, radius);
         m_ended_at_radius = step < whole;
         move += step * m_search;
-        if (m_ended_at_radius) break;
+        if (m_ended_at_radius || m_inner_iterations == most_iterations) break;
         m_residual -= step * m_image;
         project_forces(m_residual);
         precondition(m_residual, m_preconditioned);

@@ -80,6 +80,7 @@ void BendingTerm::remember_rest_shape(const Net& net, const Positions& rest, dou
     m_rest = m_rest_formed = m_levers = m_tangents;
     const auto cells = m_start.size() - 1;
     m_rest_compliance.resize(cells);
+    m_turned_compliance.resize(cells);
     m_compliance.resize(cells);
     m_quaternions.assign(cells, Eigen::Quaterniond::Identity());
     m_rotations.assign(cells, Eigen::Matrix3d::Identity());
@@ -134,11 +135,13 @@ void BendingTerm::turn_cells() {
 /// Turned by ω further, R_b fits by ½ ωᵀ (tr S I − S) ω less, S = Σ t_i z_iᵀ being symmetric where it fits best.
 void BendingTerm::find_compliances() {
     for (std::size_t b = 0; b < m_compliance.size(); ++b) {
-        const Eigen::Matrix3d S = m_covariances[b] * m_rotations[b].transpose();
+        const Eigen::Matrix3d& R = m_rotations[b];
+        m_turned_compliance[b] = R * m_rest_compliance[b] * R.transpose();
+        const Eigen::Matrix3d S = m_covariances[b] * R.transpose();
         const Eigen::Matrix3d inertia = S.trace() * Eigen::Matrix3d::Identity() - (S + S.transpose()) / 2;
         const double size = inertia.trace();
         const bool is_definite = inertia.determinant() > k_least_determinant * size * size * size;
-        m_compliance[b] = is_definite ? Eigen::Matrix3d(inertia.inverse()) : turned_compliance(static_cast<int>(b));
+        m_compliance[b] = is_definite ? Eigen::Matrix3d(inertia.inverse()) : m_turned_compliance[b];
     }
 }
 
@@ -150,7 +153,7 @@ void BendingTerm::add_curvature(Curvature curvature, const Eigen::Matrix3Xd& d, 
         Eigen::Vector3d turn = Eigen::Vector3d::Zero();
         if (m_turns) {
             for (int i = m_start[b]; i < m_start[b + 1]; ++i) turn += m_levers.col(i).cross(tangent(d, b, i));
-            turn = (curvature == Curvature::exact ? m_compliance[b] : turned_compliance(b)) * turn;
+            turn = (curvature == Curvature::exact ? m_compliance[b] : m_turned_compliance[b]) * turn;
         }
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
             const Spoke& spoke = m_spokes[i];
@@ -176,7 +179,7 @@ void BendingTerm::add_blocks(BlockForm& form) const {
     };
     for (int b = 0; b < cells; ++b) {
         Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero(), middle = Eigen::Matrix3d::Zero();
-        if (m_turns) compliance = turned_compliance(b);
+        if (m_turns) compliance = m_turned_compliance[b];
         for (int i = m_start[b]; i < m_start[b + 1]; ++i) {
             const Spoke& spoke = m_spokes[i];
             Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

@@ -63,9 +63,6 @@ private:
     void bend_rest_lines(const Net& net, const Positions& rest, double curvature);
     void turn_cells();
     void find_compliances();
-    Eigen::Matrix3d turned_compliance(int b) const {
-        return m_rotations[b] * m_rest_compliance[b] * m_rotations[b].transpose();
-    }
     /// Σ_j M_ij v_j for spoke i, M the form of E in the tangents of one vertex.
     Eigen::Vector3d formed(const Eigen::Matrix3Xd& v, int i) const {
         const Eigen::Vector3d own = v.col(i);
@@ -85,7 +82,8 @@ private:
     Eigen::Matrix3Xd m_rest;                         // spokes: t_i⁰
     Eigen::Matrix3Xd m_rest_formed;                  // spokes: Σ_j M_ij t_j⁰
     std::vector<Eigen::Matrix3d> m_rest_compliance;  // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
-    std::vector<Eigen::Matrix3d> m_compliance;       // V: the same of Σ M_ij t_i (R_b t_j⁰)
+    std::vector<Eigen::Matrix3d> m_turned_compliance;  // V: that turned by R_b
+    std::vector<Eigen::Matrix3d> m_compliance;         // V: the same of Σ M_ij t_i (R_b t_j⁰)
     std::vector<Eigen::Quaterniond> m_quaternions;
     std::vector<Eigen::Matrix3d> m_rotations, m_covariances;
     Eigen::Matrix3Xd m_tangents;  // of the last evaluation, then differences from R t⁰
