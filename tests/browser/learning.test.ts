@@ -21,6 +21,7 @@ test('a key and a button show all keys, and the keys do what the sheet says', as
     /Drag without snapping\s+Ctrl \+ drag/,
     /Rename a handle or a group\s+F2/,
     /See the whole net\s+Home/,
+    /Set the pen down, or lift it\s+Space or Enter/,
   ]) {
     expect(text).toMatch(line);
   }

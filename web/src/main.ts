@@ -191,14 +191,6 @@ function pressKey(event: KeyboardEvent): void {
 }
 
 async function showKeys(): Promise<void> {
-  const [{ showKeySheet }, { AXIS_KEYS, ROW_KEYS, SELECTION_KEYS, SNAP_KEYS, VIEW_KEYS }] = await Promise.all([
-    keySheet(),
-    lateKeys(),
-  ]);
-  showKeySheet(element('panels'), [
-    { where: 'page', rows: PAGE_KEYS },
-    { where: 'picture', rows: VIEW_KEYS },
-    { where: 'selection', rows: [...SELECTION_KEYS, ...AXIS_KEYS, ...SNAP_KEYS] },
-    { where: 'list', rows: ROW_KEYS },
-  ]);
+  const [{ showKeySheet }, { LATE_TABLES }] = await Promise.all([keySheet(), lateKeys()]);
+  showKeySheet(element('panels'), [{ where: 'page', rows: PAGE_KEYS }, ...LATE_TABLES]);
 }

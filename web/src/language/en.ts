@@ -153,8 +153,6 @@ export const en = {
   keys: {
     title: 'Keys',
     hint: 'All keys (?)',
-    click: 'click',
-    drag: 'drag',
   },
   equalize: {
     command: 'Equalise…',

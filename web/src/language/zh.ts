@@ -151,8 +151,6 @@ export const zh: Words = {
   keys: {
     title: '快捷键',
     hint: '全部快捷键（?）',
-    click: '点击',
-    drag: '拖动',
   },
   equalize: {
     command: '均匀化边长…',

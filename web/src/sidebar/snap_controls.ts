@@ -7,7 +7,6 @@ import type { HandleCommands } from '../handles/commands';
 import { borderOfNet, borderOfSurface, type Curve, throughHandles } from '../handles/curve';
 import { Snapping } from '../handles/snapping';
 import { SurfacePoints } from '../handles/surface_points';
-import { words } from '../language/language';
 import { panelWords } from '../language/panels';
 import type { OpenedNet } from '../worker/protocol';
 import './snap_controls.css';
@@ -15,7 +14,7 @@ import './snap_controls.css';
 const TEXT = panelWords.drag;
 
 export const SNAP_KEYS: readonly KeyRow[] = [
-  { keys: [`Ctrl+${words.keys.drag}`, `⌘+${words.keys.drag}`], does: 'suspendSnap' },
+  { keys: [`Ctrl+${panelWords.keys.drag}`, `⌘+${panelWords.keys.drag}`], does: 'suspendSnap' },
 ];
 
 /** Curves that drags can keep to. */

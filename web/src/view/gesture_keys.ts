@@ -1,6 +1,8 @@
-/** Tables of what keys, Escape and the pointer with Shift do in gestures.ts, for the sheet of keys. */
+/** Tables of what keys, Escape and the pointer with Shift do in gestures.ts and pen.ts, for the sheet of keys. */
 import type { KeyRow } from '../elements/keys';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
+
+const { click, drag, space } = panelWords.keys;
 
 export const VIEW_KEYS: readonly KeyRow[] = [
   { keys: ['← → ↑ ↓'], does: 'turn' },
@@ -11,7 +13,13 @@ export const VIEW_KEYS: readonly KeyRow[] = [
 export const SELECTION_KEYS: readonly KeyRow[] = [
   { keys: ['← → ↑ ↓'], does: 'nudge' },
   { keys: ['Shift+← → ↑ ↓'], does: 'bigNudge' },
-  { keys: [`Shift+${words.keys.click}`], does: 'toggle' },
-  { keys: [`Shift+${words.keys.drag}`], does: 'box' },
+  { keys: [`Shift+${click}`], does: 'toggle' },
+  { keys: [`Shift+${drag}`], does: 'box' },
   { keys: ['Esc'], does: 'cancel' },
+];
+export const PEN_KEYS: readonly KeyRow[] = [
+  { keys: ['← → ↑ ↓'], does: 'movePen' },
+  { keys: ['Shift+← → ↑ ↓'], does: 'movePenFar' },
+  { keys: [space, 'Enter'], does: 'setPenDown' },
+  { keys: ['Esc'], does: 'putPenAway' },
 ];
