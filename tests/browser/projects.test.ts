@@ -261,6 +261,26 @@ test('several projects with names and pictures: opened, renamed, copied, deleted
   await page.screenshot({ path: join(OUTPUT, 'projects-phone.png') });
 });
 
+test('what is kept for the first time is listed at once, with its name, date and picture', async () => {
+  const visit = await arrive('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { dialog, show } = chooserOf(visit);
+  await show();
+  await dialog.getByRole('button', { name: 'Keep it' }).click();
+  await dialog.getByText('open now').waitFor();
+  await visit.page.screenshot({ path: join(OUTPUT, 'projects-first.png') });
+  const field = dialog.getByRole('textbox');
+  const name = await field.getAttribute('placeholder');
+  expect(name).toMatch(/\w/);
+  expect(await field.getAttribute('aria-label')).toBe(`Name of ${name}`);
+  expect(await dialog.locator('li small').innerText()).toMatch(/\d.* · open now$/);
+  const isDrawn = (canvas: HTMLCanvasElement) =>
+    canvas
+      .getContext('2d')!
+      .getImageData(0, 0, canvas.width, canvas.height)
+      .data.some((value) => value > 0);
+  expect(await dialog.locator('canvas').evaluate(isDrawn)).toBe(true);
+});
+
 test('a broken project is refused with what is wrong, and the net stays', async () => {
   const { page, script } = await arrive();
   const before = await standing(script);

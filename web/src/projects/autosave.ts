@@ -90,7 +90,8 @@ export class Autosave {
       const { writeProject } = await projectFormat();
       await keep(id, writeProject(project, present.bytes + LARGEST_HISTORY));
       this.#refused = false;
-      void this.#noteLook(id);
+      // Only then the list of projects can show it.
+      await this.#noteLook(id);
     } catch {
       this.#refused = true;
       // So that the next occasion tries again.
