@@ -275,6 +275,19 @@ describe('a handle', () => {
     expect(distance(await targetOf(corner), rest(corner))).toBeGreaterThan(1e-3 * meanLength);
   });
 
+  test('is added by its number, and the field is empty again as at first', async () => {
+    await openSection();
+    const field = visit.page.getByRole('spinbutton', { name: 'Vertex number' });
+    const border = () => field.evaluate((input) => getComputedStyle(input).borderColor);
+    const before = await border();
+    await field.fill(String(left));
+    await field.press('Enter');
+    await isSelected(left).waitFor();
+    await field.blur();
+    expect(await field.inputValue()).toBe('');
+    expect(await border()).toBe(before);
+  });
+
   test('keeps name, softness and being hidden in a link; undo takes them back', async () => {
     await click(dragged);
     await openSection();

@@ -62,7 +62,10 @@ export class HandleList implements Panel {
     const add = make('form', { class: 'add-handle' }, this.#number.input, make('button', {}, panelWords.handles.add));
     add.addEventListener('submit', (event) => {
       event.preventDefault();
-      this.#add(this.#number.input.valueAsNumber);
+      const vertex = this.#number.input.valueAsNumber;
+      // A field that is only emptied counts as one that the visitor has left empty.
+      add.reset();
+      this.#add(vertex);
     });
     this.#form = new SelectionForm(events);
     this.#symmetry = new SymmetryChoice((symmetry) => events.handles.setSymmetry(symmetry));
@@ -151,7 +154,6 @@ export class HandleList implements Panel {
   }
 
   #add(vertex: number): void {
-    this.#number.input.value = '';
     if (this.#handles.some((handle) => handle.vertex === vertex)) this.#events.handles.select([vertex]);
     else this.#events.handles.add(vertex);
   }
