@@ -163,6 +163,32 @@ test('a line is cut, one side goes, a row comes, and a reason is given where it 
   expect(half).toBeGreaterThan(line);
 });
 
+test('pieces are kept and deleted while one without a chosen handle is left', async () => {
+  await choose(net.suggestedHandles.at(-1)!);
+  await press('Cut');
+  await visit.page.getByText(/It has 2 pieces\./).waitFor();
+  await script.settled();
+  const [keep, remove] = ['Keep only this piece', 'Delete this piece'].map((name) =>
+    section().getByRole('button', { name }),
+  );
+  await visit.page.locator('#view canvas').press('Control+a');
+  await section()
+    .getByText(/^At the \d+ chosen handles/)
+    .waitFor();
+  for (const button of [keep!, remove!]) {
+    expect(await button.isDisabled()).toBe(true);
+    expect(await button.getAttribute('title')).toMatch(/^Every piece of the net has a chosen handle/);
+  }
+  expect(await section().getByRole('button', { name: 'Delete faces at the handles' }).isEnabled()).toBe(true);
+  await visit.page.screenshot({ path: join(OUTPUT, 'change-pieces.png') });
+
+  await choose((await visit.page.evaluate(() => window.chebnet.handles()))[0]!.vertex);
+  for (const button of [keep!, remove!]) {
+    expect(await button.isEnabled()).toBe(true);
+    expect(await button.getAttribute('title')).toMatch(/^Deletes /);
+  }
+});
+
 test('a row is put in and taken out, and the way through two handles is cut', async () => {
   const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
   const before = await vertices();

@@ -9,6 +9,7 @@ import { NumberField } from '../elements/number_field';
 import type { Choice } from '../handles/commands';
 import { wayThrough } from '../handles/way';
 import { panelWords } from '../language/panels';
+import { piecesOfVertices } from '../net/pieces';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { LineDrawing } from './line_drawing';
@@ -41,6 +42,8 @@ export class ChangePanel implements Panel {
   readonly #events: PanelEvents;
   #meanLength = 1;
   #net: OpenedNet | null = null;
+  /** Of each vertex its piece; null: there is one piece. */
+  #pieces: Int32Array | null = null;
   #choice: Pick<Choice, 'selection' | 'onBoundary' | 'lines'> = { selection: [], onBoundary: false, lines: 0 };
   /** How many lines there are to choose from, and of which kinds. */
   #offered = '';
@@ -89,6 +92,7 @@ export class ChangePanel implements Panel {
     this.#drawing.setNet(net);
     this.#meanLength = net.info.meanLength;
     const isOne = net.info.components < 2;
+    this.#pieces = isOne ? null : piecesOfVertices(net);
     // What has the focus goes.
     if (isOne && this.#ofPieces.some((button) => button === document.activeElement))
       this.element.querySelector('summary')?.focus();
@@ -117,6 +121,7 @@ export class ChangePanel implements Panel {
     for (const button of this.#atHandles) button.disabled = selection.length === 0;
     setText(this.#about, selection.length === 0 ? TEXT.choose : TEXT.chosen(selection.length));
     this.#allowSides();
+    this.#allowPieces();
     const names: LineChoice[] = [
       ...Array.from({ length: lines }, (_, line) => line),
       ...(onBoundary ? (['boundary'] as const) : []),
@@ -144,6 +149,17 @@ export class ChangePanel implements Panel {
   /** A line that parts nothing has no sides to keep. */
   #allowSides(): void {
     for (const button of this.#keeping) button.disabled = this.#isDrawnChosen && !this.#drawing.parts;
+  }
+
+  /** If all are chosen there is nothing to keep one from, and nothing would be left. */
+  #allowPieces(): void {
+    const { selection } = this.#choice;
+    const chosen = new Set(selection.map((vertex) => this.#pieces?.[vertex]));
+    const areAll = chosen.size === this.#net?.info.components;
+    this.#ofPieces.forEach((button, k) => {
+      button.disabled ||= areAll;
+      button.title = areAll ? TEXT.allPieces : TEXT.hints[OF_PIECES[k]!];
+    });
   }
 
   get #isDrawnChosen(): boolean {

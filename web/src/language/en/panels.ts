@@ -146,6 +146,7 @@ export const panels = {
     choose: 'Choose a handle, or draw a line: along it the net can be cut, shortened or lengthened.',
     chosen: (handles: number) =>
       handles === 1 ? 'At the chosen handle:' : `At the ${handles} chosen handles, lines through the last one:`,
+    allPieces: 'Every piece of the net has a chosen handle: choose fewer handles',
     line: 'Line',
     lineName: (name: number) => `Net line ${name + 1}`,
     lines: {
