@@ -163,6 +163,18 @@ test('a line is cut, one side goes, a row comes, and a reason is given where it 
   expect(half).toBeGreaterThan(line);
 });
 
+test('what is said of a change goes as that is undone', async () => {
+  const whole = await vertices();
+  await choose(net.suggestedHandles.at(-1)!);
+  await press('Keep the smaller side');
+  const said = visit.page.getByText(/handles are gone: their vertices are no more/);
+  await said.waitFor();
+  await undo();
+  await expect.poll(vertices).toBe(whole);
+  // It would go by itself some seconds later.
+  expect(await said.count()).toBe(0);
+});
+
 test('pieces are kept and deleted while one without a chosen handle is left', async () => {
   await choose(net.suggestedHandles.at(-1)!);
   await press('Cut');

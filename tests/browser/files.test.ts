@@ -240,6 +240,23 @@ test.each([
   expect(largestError(await script.positions(), before)).toBe(0);
 });
 
+test('what was wrong with a file goes as the next is taken, and what is said of a net as the next is opened', async () => {
+  await drop('text.txt', 'Nothing of a net.');
+  const alert = visit.page.getByRole('alert');
+  await alert.getByText('text.txt').waitFor();
+  await drop('oblong.obj', UNEQUAL);
+  await report();
+  expect(await alert.innerText()).toBe('');
+
+  await visit.page.keyboard.press('Enter');
+  await waitForVertices(4);
+  const said = visit.page.getByText('Pick a vertex to make it a handle.');
+  await said.waitFor();
+  await script.open({ recipe: 'vault:vertices=300' });
+  // It would go by itself some seconds later.
+  expect(await said.count()).toBe(0);
+});
+
 test('a file of 300 MB is refused before it is read, and so is a project', async () => {
   for (const name of ['scan.obj', 'scan.chebnet.json']) {
     await visit.page.evaluate((fileName) => {

@@ -58,6 +58,7 @@ beforeEach(() => {
     leaving: () => told.push('leaving'),
     opened: () => told.push('opened'),
     say: () => told.push('said'),
+    unsay: () => told.push('unsaid'),
     notice: (isShown, canCancel) =>
       told.push(isShown ? `notice, ${canCancel ? '' : 'not '}to be cancelled` : 'no notice'),
   });

@@ -103,7 +103,7 @@ export interface Action {
 }
 
 /** One of the controls: its element, and those methods of Panels that concern it. */
-export interface Panel extends Partial<Omit<Panels, 'say' | 'offer'>> {
+export interface Panel extends Partial<Omit<Panels, 'say' | 'unsay' | 'offer'>> {
   readonly element: HTMLElement;
   /** Each frame; setFrame() has the latest, no more often than numbers can be read. */
   onFrame?(frame: FrameData): void;
@@ -131,6 +131,8 @@ export interface Panels {
   setRuns(run: Run | null, beside: readonly Run[]): void;
   /** A toast for the user; `error` stays until dismissed. Read out by screen readers. */
   say(message: string, kind: 'info' | 'error', action?: Action): void;
+  /** Takes away what was said: it is of what is no more. */
+  unsay(): void;
   /** A message with a button; it stays until that is pressed or the message is dismissed. */
   offer(message: string, button: string, accept: () => void): void;
 }

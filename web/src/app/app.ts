@@ -173,6 +173,11 @@ export class App {
     this.#presenter.panels.say(message, 'info', action);
   }
 
+  /** Takes away what was said: something else is being done. */
+  unsay(): void {
+    this.#presenter.panels.unsay();
+  }
+
   /** A line with a button. */
   offer(message: string, button: string, accept: () => void): void {
     this.#presenter.panels.offer(message, button, accept);
@@ -437,6 +442,7 @@ export class App {
         this.#presenter.presentNet();
       },
       say: (message) => this.say(message),
+      unsay: () => this.unsay(),
       notice: (isShown, canCancel) => this.#presenter.panels.setOpening(isShown, canCancel),
     });
   }

@@ -17,6 +17,8 @@ export interface OpenerEvents {
   leaving(): void;
   opened(): void;
   say(message: string): void;
+  /** What was said is of a state that is left. */
+  unsay(): void;
   /** Shows or hides the notice that a net is being opened, with or without a button to cancel. */
   notice(isShown: boolean, canCancel: boolean): void;
 }
@@ -95,6 +97,7 @@ export class Opener {
     const from = history.present;
     const state = now === null || this.isOpening ? null : history.goTo(index, now);
     if (now === null || state === null) return;
+    this.#events.unsay();
     try {
       await this.restore(state);
     } catch (error) {

@@ -35,6 +35,7 @@ export interface OpenNet {
   openScene(scene: Scene, change?: NamedChange): Promise<void>;
   readonly handles: { readonly choice: Choice };
   say(message: string): void;
+  unsay(): void;
   frameAll(from: 'here'): void;
 }
 
@@ -56,7 +57,9 @@ export class Openers {
     });
   }
 
+  /** What was wrong with the one before is not to stand behind the questions about this one. */
   openFile(file: File): Promise<void> {
+    this.#app.unsay();
     return this.#files.open(file);
   }
 

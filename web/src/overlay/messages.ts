@@ -1,4 +1,4 @@
-/** Toasts, read out by screen readers. An error stays until it is dismissed, or there is another net. */
+/** Toasts, read out by screen readers. An error stays until it is dismissed, and no message outlives what it speaks of. */
 import { words } from '../language/language';
 import { make, makeButton } from '../elements/dom';
 import type { Action, Panel } from '../panels';
@@ -21,10 +21,15 @@ export class Messages implements Panel {
     else this.#sayInfo(message, action);
   }
 
-  /** An error is of another one; before the first, it is why that is shown. */
+  /** What was said is of another one; before the first, it is why that is shown. */
   setNet(): void {
-    if (this.#hasNet) this.#errors.replaceChildren();
+    if (this.#hasNet) this.unsay();
     this.#hasNet = true;
+  }
+
+  /** Takes away all but what is offered. */
+  unsay(): void {
+    for (const place of [this.#infos, this.#errors]) place.replaceChildren();
   }
 
   /** A message that stays until the user accepts or dismisses it. */

@@ -153,6 +153,10 @@ class Sidebar implements Panels {
     this.#messages.say(message, kind, action);
   }
 
+  unsay(): void {
+    this.#messages.unsay();
+  }
+
   offer(message: string, button: string, accept: () => void): void {
     this.#messages.offer(message, button, accept);
   }
