@@ -315,10 +315,12 @@ test('on a surface of our own the net follows sliders and arrow keys, and to can
 
   const length = draper().getByRole('spinbutton', { name: 'Edge length' });
   await length.fill('0');
-  await length.blur();
+  // No net of another length than is in sight: why stands below the field.
+  await press('Open this net');
   await draper()
     .getByText(/^Allowed: a number of at least 0\.\d+\. A finer net could not follow the hand\.$/)
     .waitFor();
+  expect(await length.evaluate((field) => field === document.activeElement)).toBe(true);
   await draper().getByRole('slider', { name: 'Cells' }).press('ArrowRight');
   await draper().getByText('Allowed: ').waitFor({ state: 'detached' });
 

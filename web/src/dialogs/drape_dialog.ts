@@ -109,7 +109,7 @@ export class DrapeDialog implements DraperLike {
     traceWanted: (points, revision) => this.#draping.trace('creases', points, revision),
   });
   readonly #howTo = make('figcaption', { class: 'quiet' }, TEXT.howTo);
-  readonly #take = makeButton(TEXT.take, () => this.#finish(this.#taken()), { class: 'primary', disabled: true });
+  readonly #take = makeButton(TEXT.take, () => this.#takeNet(), { class: 'primary', disabled: true });
   /** The surface that is shown. */
   #surface: GuideSource;
   /** Its name. */
@@ -292,6 +292,7 @@ export class DrapeDialog implements DraperLike {
   }
 
   #remesh(): void {
+    if (!this.#form.isAllowed()) return;
     this.#setMaking(true);
     this.#results.removeNet();
     this.#draping.remesh({ ...this.#form.readWhole(), ...this.#singular.read(), ...this.#creases.read() });
@@ -386,6 +387,11 @@ export class DrapeDialog implements DraperLike {
 
   #settings(): DrapeSettings {
     return { ...this.#form.read(), ...this.#arms.read(), seed: this.#seed, cuts: this.#cuts.read() };
+  }
+
+  /** A net of other settings than are in sight is not opened without a word. */
+  #takeNet(): void {
+    if (this.#form.isAllowed()) this.#finish(this.#taken());
   }
 
   #taken(): TakenNet | null {

@@ -165,6 +165,14 @@ export class DrapeForm {
     };
   }
 
+  /** Whether nothing that is set is refused. If something is, its field has the focus: why stands below it. */
+  isAllowed(): boolean {
+    const fields = this.isWhole ? [this.#length] : [this.#length, this.#reach];
+    const refused = fields.find(({ value }) => value === null);
+    refused?.input.focus();
+    return refused === undefined;
+  }
+
   /** Another surface, and a length that suits it. */
   setSurface({ area, boundaryLoops }: SurfaceReport, length: number): void {
     this.#area = area;
