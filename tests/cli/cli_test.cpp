@@ -402,6 +402,22 @@ TEST_CASE(
     for (const json& frame : report.at("frames")) CHECK(frame.at("max_dL") < 1e-6);
 }
 
+TEST_CASE("a drag comes to the same net in whatever order the file has handles that move and handles that stay") {
+    const Sandbox box;
+    json edit = pull_edit(0.2);
+    const auto end_of_drag = [&](const std::string& name) {
+        box.write(name + ".json", edit.dump());
+        const Run run = box.run("drag " + k_recipe + " --edit " + name + ".json --frames 5 -o " + name + ".obj");
+        INFO(run.err);
+        CHECK(run.exit_code == 0);
+        CHECK(run.json().at("max_handle_error") == 0);
+        return read_obj(box.read(name + ".obj"), name).positions;
+    };
+    const Positions mover_last = end_of_drag("last");
+    std::reverse(edit["handles"].begin(), edit["handles"].end());
+    CHECK((end_of_drag("first") - mover_last).cwiseAbs().maxCoeff() < 1e-6);
+}
+
 TEST_CASE("what a surface does to the net needs a surface") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.2).dump());

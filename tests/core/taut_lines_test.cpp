@@ -85,6 +85,25 @@ TEST_CASE("A line that is let go sags, and one that is drawn straight again is h
     CHECK(editor.taut_vertices().size() == k_columns - 2);
 }
 
+TEST_CASE("A hand draws nothing out of a sheet that is held taut, however small the steps") {
+    Editor editor = held_sheet();
+    constexpr int k_middle = 4 * k_columns + 5;
+    std::vector<Handle> handles = editor.handles();
+    const Eigen::Vector3d from = editor.net().rest_positions().col(k_middle);
+    handles.push_back({k_middle, from});
+    editor.set_handles(handles);
+    REQUIRE(editor.solve().status == Status::converged);
+    double deviation = 0, height = 0;
+    for (int frame = 1; frame <= 40; ++frame) {
+        editor.drag_handle(k_middle, from + Eigen::Vector3d(0, 0, 0.05 * frame));
+        CHECK(keeps_lengths(editor.solve().status));
+        deviation = std::max(deviation, max_deviation(editor.net(), editor.positions()));
+        height = std::max(height, editor.positions().row(2).cwiseAbs().maxCoeff());
+    }
+    CHECK(deviation < 1e-9);
+    CHECK(height < 0.01);
+}
+
 TEST_CASE("What a taut line bears stands on the handles that hold it") {
     Editor editor = dragged_sheet(k_inwards_and_up, 1);
     editor.set_option("gravity", "0.01");

@@ -89,6 +89,7 @@ private:
     bool begin_opening();
     Status open_rest_shape(Positions& positions, TraceRow& row);
     Status begin(Positions& positions, bool same_energy);
+    bool is_held_as_net() const;
     Status without_rest(const Positions& positions) const;
     bool is_carried() const;
     bool prepare_energy(const Positions& positions, bool same_energy);
@@ -291,8 +292,7 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
-    const bool is_all_held = m_part->size() == 0 && m_max_deviation < m_options.threshold;
-    if (m_stage == net && m_reachable && is_all_held) return without_rest(positions);
+    if (m_stage == net && m_reachable && is_held_as_net()) return without_rest(positions);
     if (m_stage == net && m_only_nets) return Status::unreachable;
     if (m_stage == net) {
         const Status status = projection().start(problem(), positions, m_options);
@@ -312,6 +312,12 @@ Status Equilibrium::begin(Positions& positions, bool same_energy) {
     if (!is_at_rest()) return Status::running;
     m_result = positions;
     return Status::converged;
+}
+
+/// Whether nothing may move, and nothing has to. What a hand moves within the threshold would creep off the lengths,
+/// and end where no net is near.
+bool Equilibrium::is_held_as_net() const {
+    return m_part->size() == 0 && m_max_deviation < (m_only_nets ? k_end_deviation : m_options.threshold);
 }
 
 /// Of a net where the systems for rest are too large, or nothing may move.
