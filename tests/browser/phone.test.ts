@@ -242,3 +242,46 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     expect(await faults(page, 'dialog[open]')).toEqual([]);
   });
 });
+
+/** Lower than wide, from a small phone on its side to a low window. */
+const LOW = [
+  { width: 740, height: 360 },
+  { width: 844, height: 390 },
+  { width: 1024, height: 500 },
+] as const;
+
+describe.each(LOW)('on a screen of $width × $height', (viewport) => {
+  const open = async (label: string) => {
+    const { page } = await share();
+    await page.getByRole('button', { name: 'Share', exact: true }).waitFor();
+    await page.setViewportSize(viewport);
+    const [fold, button] = ['Controls', label].map((name) => page.getByRole('button', { name, exact: true }));
+    if (!(await button!.isVisible())) await fold!.click();
+    await button!.click();
+    return page;
+  };
+  /** Where it is; null: a part of it cannot be seen, for something lies over it or it is beside its dialog's scrolled part. */
+  const seenWhole = (page: Page, of: string) =>
+    page.locator(of).evaluate((element) => {
+      const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
+      const corners = [left + 12, right - 12].flatMap((x) => [top + 12, bottom - 12].map((y) => [x, y] as const));
+      const isSeen = corners.every(([x, y]) => element.contains(document.elementFromPoint(x, y)));
+      return isSeen ? { width, height } : null;
+    });
+
+  test('the picture of a net being laid takes most of the height, and stays in sight', async () => {
+    const page = await open('On a surface…');
+    await page.locator('dialog.drape .primary:not([disabled])').waitFor();
+    expect((await seenWhole(page, '.drape .picture'))!.height).toBeGreaterThan(200);
+    await page.getByRole('button', { name: 'Draw a cut' }).scrollIntoViewIfNeeded();
+    expect((await seenWhole(page, '.drape .picture'))!.height).toBeGreaterThan(200);
+    const texts = page.locator('.drape :is(figcaption, .proposals, .side, .results)');
+    const ends = await texts.evaluateAll((all) =>
+      all
+        .map((each) => each.getBoundingClientRect())
+        .sort((a, b) => a.top - b.top)
+        .map(({ top, bottom }) => [top, bottom] as const),
+    );
+    for (const [i, [top]] of ends.entries()) if (i > 0) expect(top).toBeGreaterThanOrEqual(ends[i - 1]![1]);
+  });
+});
