@@ -284,4 +284,19 @@ describe.each(LOW)('on a screen of $width × $height', (viewport) => {
     );
     for (const [i, [top]] of ends.entries()) if (i > 0) expect(top).toBeGreaterThanOrEqual(ends[i - 1]![1]);
   });
+
+  test('the code of a link is seen whole, and nothing lies over it', async () => {
+    const page = await open('Share');
+    await page.getByRole('dialog').getByText('The link is copied.').waitFor();
+    const code = page.getByRole('img', { name: 'QR code' });
+    await code.scrollIntoViewIfNeeded();
+    const { width, height } = (await seenWhole(page, '.qr svg'))!;
+    expect(width).toBe(height);
+    expect(width).toBeGreaterThanOrEqual(200);
+    const below = (await page.getByRole('heading', { name: 'To embed in a page' }).boundingBox())!;
+    const { y } = (await code.boundingBox())!;
+    expect(below.y).toBeGreaterThanOrEqual(y + height);
+    await page.getByRole('button', { name: 'Copy code' }).click();
+    await page.getByRole('dialog').getByText('The code is copied.').waitFor();
+  });
 });
