@@ -115,6 +115,39 @@ test('a vault has a flat pattern of the size asked for, a torus has none', async
     .waitFor();
 });
 
+test.each([
+  ['with a mouse', () => menu().getByRole('button', { name: 'SVG' }).click()],
+  [
+    'by keys',
+    async () => {
+      await menu().getByRole('button', { name: 'SVG' }).focus();
+      await visit.page.keyboard.press('Enter');
+    },
+  ],
+])('a flat pattern of a size that cannot be is refused beside its field, %s', async (_, order) => {
+  await visit.script.open({ recipe: 'vault:vertices=300' });
+  const saved: string[] = [];
+  visit.page.on('download', (file) => saved.push(file.suggestedFilename()));
+  await press('Export');
+  const edge = menu().getByLabel('Length of an edge on the pattern in millimetres');
+  const allowed = menu().getByText('Allowed: a number from 1 to 1,000.');
+  for (const size of ['-4', '0', '1001', '']) {
+    await edge.fill(size);
+    await order();
+    await allowed.waitFor();
+    expect(await edge.evaluate((field) => field === document.activeElement)).toBe(true);
+    expect(await edge.inputValue()).toBe(size);
+  }
+  await visit.page.screenshot({ path: join(OUTPUT, 'export-refused.png') });
+  // Other kinds are not of that size.
+  expect((await save('CSV')).name).toBe('vault.csv');
+  await press('Export');
+  await edge.fill('2.5');
+  await allowed.waitFor({ state: 'hidden' });
+  expect((await save('SVG')).name).toBe('vault.svg');
+  expect(saved).toEqual(['vault.csv', 'vault.svg']);
+});
+
 test('a picture can have more pixels than the screen, which stays as it is', async () => {
   const size = (): Promise<number[]> =>
     visit.page

@@ -1,10 +1,11 @@
 /** What the menu of exports offers: kinds of files, with their settings. Loaded after the first picture. */
 import { kindsFor } from '../export/kinds';
-import type { FileKind, Purpose, SaveRequest } from '../export/kinds';
+import type { FileKind, Purpose } from '../export/kinds';
 import { filmType } from '../export/film_type';
 import { panelWords } from '../language/panels';
 import { make } from '../elements/dom';
 import type { Menu, MenuItem } from '../elements/menu';
+import { NumberField } from '../elements/number_field';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 
@@ -14,7 +15,7 @@ const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
 
 export class ExportLines implements Panel {
   readonly element: HTMLElement;
-  readonly #edge = makeEdgeInput();
+  readonly #edge = makeEdgeField();
   readonly #size = makeSizeSelect();
   readonly #menu: Menu;
   readonly #events: PanelEvents;
@@ -27,12 +28,12 @@ export class ExportLines implements Panel {
 
   setTables({ formats }: Tables): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
-      svg: [this.#edge, make('span', {}, 'mm')],
+      svg: [this.#edge.input, make('span', {}, 'mm'), this.#edge.note],
       png: [this.#size],
     };
     const items = (purpose: Purpose): MenuItem[] =>
       kindsFor(purpose, formats, words).map(({ kind, title, hint }) => {
-        return { title, hint, choose: () => this.#events.save(this.#request(kind)), beside: beside[kind] };
+        return { title, hint, choose: () => this.#save(kind), beside: beside[kind] };
       });
     this.#menu.setContent([
       { title: words.meshes, items: items('meshes') },
@@ -41,17 +42,25 @@ export class ExportLines implements Panel {
     ]);
   }
 
-  #request(kind: FileKind): SaveRequest {
-    const { usual, smallest, largest } = EDGE_MM;
-    this.#edge.valueAsNumber = Math.min(largest, Math.max(smallest, this.#edge.valueAsNumber || usual));
-    return { kind, edgeMm: this.#edge.valueAsNumber, magnification: Number(this.#size.value) };
+  /** A file of another kind has no edges to be drawn. */
+  #save(kind: FileKind): void {
+    const edgeMm = kind === 'svg' ? this.#edge.value : EDGE_MM.usual;
+    if (edgeMm === null) return this.#refuse();
+    this.#events.save({ kind, edgeMm, magnification: Number(this.#size.value) });
+  }
+
+  /** The menu, which has closed, comes back: beside the field stands what is allowed. */
+  #refuse(): void {
+    this.#menu.menu.showPopover();
+    this.#edge.input.focus();
+    this.#edge.input.checkValidity();
   }
 }
 
-function makeEdgeInput(): HTMLInputElement {
+function makeEdgeField(): NumberField {
   const { usual, smallest, largest } = EDGE_MM;
-  return make('input', {
-    type: 'number',
+  return new NumberField({
+    required: true,
     value: usual,
     min: smallest,
     max: largest,
