@@ -411,6 +411,62 @@ async function clickPicture(...places: [number, number][]) {
   for (const [across, down] of places) await visit.page.mouse.click(x + across * width, y + down * height);
 }
 
+/** What is drawn in the dialog, on a net of one piece or over the whole: the button, and how its words begin meanwhile. */
+const DRAWINGS = [
+  { net: 'piece', draw: 'Draw a cut', howTo: /^Pick points of the cut/ },
+  { net: 'piece', draw: 'Draw the curve', howTo: /^Pick points of the curve/ },
+  { net: 'whole', draw: 'Draw a line', howTo: /^Pick points of the line/ },
+  { net: 'whole', draw: 'Pin another', howTo: /^Pick where on the surface/ },
+  { net: 'whole', draw: 'Keep a region free', howTo: /^Pick where on the surface/ },
+] as const;
+
+/** Opens the dialog, and begins to draw by a button. */
+async function beginDrawing({ net, draw, howTo }: (typeof DRAWINGS)[number]) {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  if (net === 'whole') await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption(net);
+  const button = draper().getByRole('button', { name: draw, exact: true });
+  if (draw === 'Draw the curve') {
+    await draper().getByRole('combobox', { name: 'Through the seed' }).selectOption('one follows a curve');
+    await button.click();
+  }
+  await button.click();
+  const words = draper().getByText(howTo);
+  await words.waitFor();
+  return { button, words };
+}
+
+test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $draw', async (drawing) => {
+  const { button, words } = await beginDrawing(drawing);
+  if (drawing.net === 'piece') await measured();
+  const before = drawing.net === 'piece' ? await figures() : '';
+  await clickPicture([0.3, 0.45], [0.5, 0.5], [0.66, 0.42]);
+  const back = draper().getByRole('button', { name: /^Undo( the point)?$/ });
+  await expect.poll(async () => (await back.all()).length).toBeGreaterThan(0);
+  await visit.page.keyboard.press('Escape');
+  await words.waitFor({ state: 'hidden' });
+  expect(await button.getAttribute('aria-pressed')).toBe('false');
+  expect(
+    await draper()
+      .getByRole('button', { name: /^End the / })
+      .count(),
+  ).toBe(0);
+  if (drawing.net === 'piece') {
+    // Nothing is cut or followed, and clicks set nothing any more.
+    await clickPicture([0.4, 0.45]);
+    expect(await back.count()).toBe(0);
+    expect(await figures()).toBe(before);
+  }
+  // From the button as well.
+  await button.click();
+  await words.waitFor();
+  await visit.page.keyboard.press('Escape');
+  await words.waitFor({ state: 'hidden' });
+  expect(await draper().isVisible()).toBe(true);
+  await visit.page.keyboard.press('Escape');
+  await draper().waitFor({ state: 'detached' });
+});
+
 test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are opened as one', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();

@@ -88,6 +88,13 @@ export class DrapeArms {
     this.#setDrawing(false);
   }
 
+  /** Ends the drawing without the curve; false: nothing is drawn. */
+  abandon(): boolean {
+    const wasDrawing = this.#isDrawing;
+    this.stopDrawing();
+    return wasDrawing;
+  }
+
   /** Of the net that is shown. */
   setShown(arms: Arms): void {
     this.#shown = arms;

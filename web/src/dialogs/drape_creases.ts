@@ -96,6 +96,15 @@ export class DrapeCreases {
     this.#line.end();
   }
 
+  /** Ends the drawing without the crease whose points are being set; false: nothing is drawn. */
+  abandon(): boolean {
+    if (!this.#isDrawing) return false;
+    this.#line.clear();
+    this.setDrawing(false);
+    this.#show();
+    return true;
+  }
+
   /** Takes back the last point, or the last crease. */
   undo(): void {
     if (!this.#line.takeBack() && this.#creases.length > 0) this.#put(this.#creases.slice(0, -1));

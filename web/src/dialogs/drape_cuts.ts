@@ -121,6 +121,14 @@ export class DrapeCuts {
     this.#line.end();
   }
 
+  /** Ends the drawing without the cut whose points are being set; false: nothing is drawn. */
+  abandon(): boolean {
+    if (!this.#isCutting) return false;
+    this.#line.clear();
+    this.setCutting(false);
+    return true;
+  }
+
   /** Takes back the last point, or the last cut. */
   undo(): void {
     if (!this.#line.takeBack() && this.#cuts.length > 0) this.#change(this.#cuts.slice(0, -1));

@@ -1,5 +1,5 @@
 /** A net being laid on a surface: the seed is dragged in the picture, the rest is set at the side, and the net follows.
- *  Escape or Cancel ends it at any time. */
+ *  Cancel ends it at any time, and so does Escape, which ends what is being drawn first. */
 import type { Mesh, Point } from '../../../wasm/chebnet';
 import type { GuideSource, ViewState } from '../document/document';
 import { createPicture } from '../drape/drape_picture';
@@ -162,6 +162,10 @@ export class DrapeDialog implements DraperLike {
         makeButton(TEXT.cancel, () => this.close()),
       ),
     );
+    // The way back on a phone is no key.
+    this.#dialog.addEventListener('cancel', (event) => {
+      if (this.#abandonDrawing()) event.preventDefault();
+    });
     root.append(this.#dialog);
     this.#dialog.showModal();
     this.#picture = createPicture(picture, TEXT.picture, parts.upAxis, {
@@ -170,6 +174,7 @@ export class DrapeDialog implements DraperLike {
       seedBack: ({ position, direction }) => this.#turn(direction, position),
       pointed: (at) => (this.#drawn === null ? this.#singular.point(at) : this.#drawn.add(at)),
       cutEnded: () => this.#drawn?.end(),
+      cutAbandoned: () => this.#abandonDrawing(),
       cutUndone: () => (this.#drawn ?? this.#singular).undo(),
       cutMoved: (to) => this.#creases.move(to),
       markChosen: (mark) => this.#singular.choose(mark),
@@ -209,6 +214,11 @@ export class DrapeDialog implements DraperLike {
   get #drawn(): DrapeArms | DrapeCuts | DrapeCreases | null {
     if (this.#form.isWhole) return this.#creases.isDrawing ? this.#creases : null;
     return this.#arms.isDrawing ? this.#arms : this.#cuts;
+  }
+
+  /** False: nothing is drawn. */
+  #abandonDrawing(): boolean {
+    return [this.#arms, this.#cuts, this.#creases, this.#singular].some((each) => each.abandon());
   }
 
   async #untilFinished(): Promise<TakenNet | null> {

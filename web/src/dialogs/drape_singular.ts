@@ -115,6 +115,13 @@ export class DrapeSingular {
     this.choose(null);
   }
 
+  /** Clicks on the surface set nothing any more; false: they have not. */
+  abandon(): boolean {
+    const wasPointing = this.#tool !== 'none';
+    this.#setTool('none');
+    return wasPointing;
+  }
+
   /** A net is being made: what it is to have stays. */
   setBusy(busy: boolean): void {
     this.#isBusy = busy;

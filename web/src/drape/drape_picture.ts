@@ -33,6 +33,8 @@ export interface PictureEvents {
   /** While a line is drawn: the next point, where a ray meets the surface, or the seed. */
   pointed(at: Ray | Point): void;
   cutEnded(): void;
+  /** No more points, and no line through those that there are. */
+  cutAbandoned(): void;
   cutUndone(): void;
   /** Its last point is wanted where a ray meets the surface: by keys, where there is no seed. */
   cutMoved(to: Ray): void;
@@ -239,6 +241,7 @@ class DrapePicture implements Picture {
   setCutting(cutting: boolean): void {
     this.#isCutting = cutting;
     this.#renderer.domElement.style.cursor = cutting ? 'crosshair' : '';
+    if (!cutting) this.#pressed = null;
   }
 
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void {
@@ -442,10 +445,12 @@ class DrapePicture implements Picture {
     return { x: this.#size.x / 2, y: this.#size.y / 2 };
   }
 
+  /** Wherever the focus is; browsers do not always ask before they close a dialog. */
   #escape(event: KeyboardEvent): void {
-    if (event.key !== 'Escape' || this.#grip === null) return;
+    if (event.key !== 'Escape' || (this.#grip === null && !this.#isCutting)) return;
     event.preventDefault();
     event.stopPropagation();
+    if (this.#grip === null) return this.#events.cutAbandoned();
     const { back } = this.#grip;
     this.#grip = null;
     back();

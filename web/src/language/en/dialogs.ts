@@ -141,7 +141,7 @@ export const dialogs = {
       end: 'End the curve',
       undo: 'Undo the point',
       howTo:
-        'Pick points of the curve on the surface; then end it. By keys: arrows move the seed, Space sets a point there, Enter ends the curve, Backspace takes a point back.',
+        'Pick points of the curve on the surface; then end it. By keys: arrows move the seed, Space sets a point there, Enter ends the curve, Backspace takes a point back, Esc gives it up.',
       noCurve: 'No curve is drawn yet: lines run straight on.',
       along: 'The curve gives the direction, and the seed slides along it.',
       noBetter: 'Bent lines would not make a better net here: they run straight on.',
@@ -198,7 +198,7 @@ export const dialogs = {
       clear: 'Remove cuts',
       propose: 'Propose cuts',
       howTo:
-        'Pick points of the cut on the surface. By keys: arrows move the seed, Space sets a point there, Enter ends the cut, Backspace takes a point back.',
+        'Pick points of the cut on the surface. By keys: arrows move the seed, Space sets a point there, Enter ends the cut, Backspace takes a point back, Esc gives it up.',
       proposing: 'Trying cuts, which takes some seconds…',
       helped: (before: string, after: string) => `With these cuts ${after} is covered, without them ${before}.`,
       noneHelps: 'Of the cuts that were tried none lets the net cover more.',
@@ -214,7 +214,7 @@ export const dialogs = {
       undo: 'Undo',
       clear: 'Remove lines',
       howTo:
-        'Pick points of the line on the surface; then end it, or close it to a ring. By keys: Space sets a point, arrows move it, Enter ends the line, Backspace takes a point back.',
+        'Pick points of the line on the surface; then end it, or close it to a ring. By keys: Space sets a point, arrows move it, Enter ends the line, Backspace takes a point back, Esc gives it up.',
       next: 'Net lines are to run along it. It holds for the next net.',
       kept: (missed: number, edges: string) =>
         missed === 0
@@ -240,7 +240,8 @@ export const dialogs = {
       only: 'These and no others',
       howTo:
         'Drag a numbered dot to where its singular vertex is to be; arrow keys move the one that is chosen. It holds for the next net.',
-      click: 'Pick where on the surface. By keys: Space sets it in the middle of the picture, arrows move it.',
+      click:
+        'Pick where on the surface. By keys: Space sets it in the middle of the picture, arrows move it, Esc ends it.',
       added: 'Pinned there: it takes its turn from the others. It holds for the next net.',
       moved: 'Pinned there. It holds for the next net.',
       forbidden: 'No singular vertex is to stand in this region. It holds for the next net.',
