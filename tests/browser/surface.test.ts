@@ -1,6 +1,7 @@
 /** A net on the visitor's own surface: a mesh of triangles is dropped, told about, a net laid on it by hand, opened and edited. */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { Locator } from 'playwright-core';
 import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
@@ -420,8 +421,8 @@ const DRAWINGS = [
   { net: 'whole', draw: 'Keep a region free', howTo: /^Pick where on the surface/ },
 ] as const;
 
-/** Opens the dialog, and begins to draw by a button. */
-async function beginDrawing({ net, draw, howTo }: (typeof DRAWINGS)[number]) {
+/** Opens the dialog, and begins to draw by a button: with a mouse, or by a key. */
+async function beginDrawing({ net, draw, howTo }: (typeof DRAWINGS)[number], by: 'mouse' | 'Enter' | ' ') {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();
   if (net === 'whole') await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption(net);
@@ -430,14 +431,28 @@ async function beginDrawing({ net, draw, howTo }: (typeof DRAWINGS)[number]) {
     await draper().getByRole('combobox', { name: 'Through the seed' }).selectOption('one follows a curve');
     await button.click();
   }
-  await button.click();
+  if (by === 'mouse') await button.click();
+  else {
+    await tabTo(button);
+    await visit.page.keyboard.press(by);
+  }
   const words = draper().getByText(howTo);
   await words.waitFor();
   return { button, words };
 }
 
+/** From the button after it back to it, as keys go. */
+async function tabTo(button: Locator) {
+  await button.focus();
+  await visit.page.keyboard.press('Tab');
+  await visit.page.keyboard.press('Shift+Tab');
+  expect(await hasFocus(button)).toBe(true);
+}
+
+const hasFocus = (element: Locator) => element.evaluate((each) => each === document.activeElement);
+
 test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $draw', async (drawing) => {
-  const { button, words } = await beginDrawing(drawing);
+  const { button, words } = await beginDrawing(drawing, 'mouse');
   if (drawing.net === 'piece') await measured();
   const before = drawing.net === 'piece' ? await figures() : '';
   await clickPicture([0.3, 0.45], [0.5, 0.5], [0.66, 0.42]);
@@ -465,6 +480,44 @@ test.each(DRAWINGS)('Escape gives up what is being drawn, and then the dialog: $
   expect(await draper().isVisible()).toBe(true);
   await visit.page.keyboard.press('Escape');
   await draper().waitFor({ state: 'detached' });
+});
+
+test.each(DRAWINGS)('begun by a key, the picture has the keys until the drawing ends: $draw', async (drawing) => {
+  const { button, words } = await beginDrawing(drawing, drawing.draw === 'Draw a cut' ? ' ' : 'Enter');
+  const canvas = draper().locator('.picture canvas');
+  expect(await hasFocus(canvas)).toBe(true);
+  const body = draper().locator('.body');
+  const scrolled = await body.evaluate((each) => each.scrollTop);
+  await visit.page.keyboard.press(' ');
+  await draper()
+    .getByRole('button', { name: /^Undo( the point)?$/ })
+    .first()
+    .waitFor();
+  await visit.page.keyboard.press('Shift+ArrowLeft');
+  expect(await button.getAttribute('aria-pressed')).toBe('true');
+  expect(await body.evaluate((each) => each.scrollTop)).toBe(scrolled);
+  await visit.page.keyboard.press('Escape');
+  await words.waitFor({ state: 'hidden' });
+  expect(await hasFocus(button)).toBe(true);
+  await visit.page.keyboard.press('Escape');
+  await draper().waitFor({ state: 'detached' });
+});
+
+test('a curve that keys end leads back to its button; one begun with the mouse leaves the focus where it is', async () => {
+  const { button } = await beginDrawing(DRAWINGS[1], 'Enter');
+  const canvas = draper().locator('.picture canvas');
+  await visit.page.keyboard.press(' ');
+  const start = await places();
+  await visit.page.keyboard.press('Shift+ArrowLeft');
+  await expect.poll(async () => Math.round(start.seed.x - (await places()).seed.x)).toBe(30);
+  await visit.page.keyboard.press(' ');
+  await draper().getByRole('button', { name: 'End the curve' }).waitFor();
+  await visit.page.keyboard.press('Enter');
+  await draper().getByText('The curve gives the direction, and the seed slides along it.').waitFor();
+  expect(await hasFocus(button)).toBe(true);
+  await canvas.focus();
+  await button.click();
+  expect(await hasFocus(button)).toBe(true);
 });
 
 test('cuts are drawn on the surface, by hand and by keys; nets on all pieces are opened as one', async () => {

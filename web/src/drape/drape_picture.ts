@@ -61,7 +61,8 @@ export interface Picture {
   focus(): void;
   /** Whether cells are coloured by their shear. */
   setShear(shown: boolean): void;
-  /** Whether what is clicked on the surface is a point of a line. */
+  /** Whether what is clicked on the surface is a point of a line. Begun by a key on a button, the picture has the keys until it
+   *  ends, and the button after that. */
   setCutting(cutting: boolean): void;
   /** @param points of the cut that is being drawn. */
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void;
@@ -158,6 +159,8 @@ class DrapePicture implements Picture {
   #isCutting = false;
   #cutPoints: readonly Point[] = [];
   #curvePoints: readonly Point[] = [];
+  /** The button whose key began what is being drawn. */
+  #keysFrom: HTMLButtonElement | null = null;
   /** Where a pointer went down that may be a click. */
   #pressed: Place | null = null;
 
@@ -241,7 +244,9 @@ class DrapePicture implements Picture {
   setCutting(cutting: boolean): void {
     this.#isCutting = cutting;
     this.#renderer.domElement.style.cursor = cutting ? 'crosshair' : '';
-    if (!cutting) this.#pressed = null;
+    if (cutting) return this.#takeKeys();
+    this.#pressed = null;
+    this.#giveKeysBack();
   }
 
   setCuts(cuts: readonly Cut[], points: readonly Point[]): void {
@@ -400,6 +405,20 @@ class DrapePicture implements Picture {
     else return false;
     event.preventDefault();
     return true;
+  }
+
+  /** Not from a list, whose arrow keys may be going on. */
+  #takeKeys(): void {
+    const button = document.activeElement;
+    if (!button?.matches('button:focus-visible')) return;
+    this.#keysFrom = button as HTMLButtonElement;
+    this.focus();
+  }
+
+  /** Unless they are elsewhere by now. */
+  #giveKeysBack(): void {
+    if (document.activeElement === this.#renderer.domElement) this.#keysFrom?.focus();
+    this.#keysFrom = null;
   }
 
   #key(event: KeyboardEvent): void {
