@@ -170,6 +170,7 @@ test('no text stands outside of language/', () => {
     'Delete',
     'Esc',
     'Home',
+    'Enter',
   ];
   const COMMENT_OR_LITERAL = /\/\*[\s\S]*?\*\/|\/\/.*|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`/g;
   /** Two words side by side, or one with a capital. */

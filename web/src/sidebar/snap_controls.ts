@@ -14,7 +14,7 @@ import './snap_controls.css';
 const TEXT = panelWords.drag;
 
 export const SNAP_KEYS: readonly KeyRow[] = [
-  { keys: [`Ctrl+${panelWords.keys.drag}`, `⌘+${panelWords.keys.drag}`], does: 'suspendSnap' },
+  { keys: [`Ctrl+${panelWords.keys.dragging}`, `⌘+${panelWords.keys.dragging}`], does: 'suspendSnap' },
 ];
 
 /** Curves that drags can keep to. */

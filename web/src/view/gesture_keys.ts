@@ -2,7 +2,7 @@
 import type { KeyRow } from '../elements/keys';
 import { panelWords } from '../language/panels';
 
-const { click, drag, space } = panelWords.keys;
+const { click, dragging, space } = panelWords.keys;
 
 export const VIEW_KEYS: readonly KeyRow[] = [
   { keys: ['← → ↑ ↓'], does: 'turn' },
@@ -14,7 +14,7 @@ export const SELECTION_KEYS: readonly KeyRow[] = [
   { keys: ['← → ↑ ↓'], does: 'nudge' },
   { keys: ['Shift+← → ↑ ↓'], does: 'bigNudge' },
   { keys: [`Shift+${click}`], does: 'toggle' },
-  { keys: [`Shift+${drag}`], does: 'box' },
+  { keys: [`Shift+${dragging}`], does: 'box' },
   { keys: ['Esc'], does: 'cancel' },
 ];
 export const PEN_KEYS: readonly KeyRow[] = [

@@ -417,7 +417,7 @@ export const panels = {
     close: 'Close',
     or: 'or',
     click: 'click',
-    drag: 'drag',
+    dragging: 'drag',
     space: 'Space',
     where: {
       page: 'Anywhere',

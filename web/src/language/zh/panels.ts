@@ -598,7 +598,7 @@ export const panels: Widened<typeof en> = {
     close: '关闭',
     or: '或',
     click: '点击',
-    drag: '拖动',
+    dragging: '拖动',
     space: '空格',
     where: {
       page: '任何位置',
