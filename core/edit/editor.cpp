@@ -24,7 +24,7 @@ namespace {
 /// after all.
 constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
 // What a solve takes in hand itself is drawn by so many iterations at most.
-constexpr int k_most_by_hand = 60;
+constexpr int k_most_by_hand = 100;
 // Lines that are to be straight are held so when no vertex of them is farther from that, in edge lengths: from there on
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
