@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <new>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -13,7 +11,6 @@
 #include "edit/near_targets.h"
 #include "net/measures.h"
 #include "solve/parts/held_vertices.h"
-#include "solve/parts/rest_energy.h"
 
 namespace chebnet {
 
@@ -23,8 +20,6 @@ namespace {
 /// lengths: as hard as a pull can be without being stiff. Where it comes so close to its target, it may be held there
 /// after all.
 constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
-// What a solve takes in hand itself is drawn by so many iterations at most.
-constexpr int k_most_by_hand = 100;
 // Lines that are to be straight are held so when no vertex of them is farther from that, in edge lengths: from there on
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
@@ -216,11 +211,7 @@ bool Editor::is_nearly_there() const {
 /// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
 /// move_handle().
 bool Editor::goes_on_otherwise(Status status) {
-    if (m_in_hand.empty() && m_may_take_in_hand && is_crumpled(status)) {
-        m_may_take_in_hand = false;
-        return take_in_hand(m_net_before, status) || take_in_hand(m_net->rest_positions(), status);
-    }
-    if (m_in_hand.empty()) return false;
+    if (m_in_hand.empty()) return is_crumpled(status) && take_in_hand(status);
     if (status == Status::unreachable && m_holds_back) {
         if (m_hand_along != k_all_axes)
             keep_hand_to(k_all_axes);
@@ -239,72 +230,6 @@ bool Editor::goes_on_otherwise(Status status) {
     m_was_nearly_there = true;
     hold_back(false);
     return true;
-}
-
-/// Whether a solve that has ended so may be improved on by hand: where what is pressed together had to be made a net by
-/// its lengths alone, it is crumpled.
-bool Editor::is_crumpled(Status status) const {
-    if (!m_reachable || m_region || !m_method->goes_from_net_to_net()) return false;
-    if (status == Status::stalled) return true;
-    return keeps_lengths(status) &&
-           sharp_folds(*m_net, m_positions, k_fold) > sharp_folds(*m_net, m_net_before, k_fold);
-}
-
-/// Draws handles to their places from where a net has them, as a hand does: what is pressed together gives way as a
-/// whole. False if this is no net, or has all of them in place.
-bool Editor::take_in_hand(const Positions& from, Status without) {
-    if (!(max_deviation(*m_net, from) < m_options.threshold)) return false;
-    for (const Handle& handle : m_handles) {
-        if (!handle.is_exact() || handle.holds_at(from.col(handle.vertex))) continue;
-        m_in_hand.push_back(handle.vertex);
-        m_is_in_hand[handle.vertex] = true;
-    }
-    if (m_in_hand.empty()) return false;
-    m_took_in_hand = true;
-    m_taken_at = m_iterations;
-    m_without_hand = {without, m_positions, energy()};
-    m_positions = from;
-    hold_back(true);
-    return true;
-}
-
-/// After a solve that has taken handles in hand itself has ended: near their places they are held there; where that
-/// does not lead to a net of less energy than what was found without a hand, that is the end again.
-bool Editor::goes_on_by_hand(SolveReport& report) {
-    if (m_holds_back && keeps_lengths(report.status) && is_nearly_there()) {
-        hold_back(false);
-        return true;
-    }
-    const bool is_better = !m_holds_back && has_all_in_place() && energy() < m_without_hand.energy;
-    empty_hand();
-    if (is_better && report.status == Status::max_iterations) report.status = Status::exact;
-    if (is_better) return false;
-    m_positions = m_without_hand.positions;
-    m_unit_positions = in_unit(m_positions);
-    report.status = m_without_hand.status;
-    if (keeps_lengths(report.status)) begin_solve(report.trace);  // the method knows it again
-    return false;
-}
-
-bool Editor::has_all_in_place() const {
-    return std::all_of(m_handles.begin(), m_handles.end(), [&](const Handle& handle) {
-        return !handle.is_exact() || handle.holds_at(m_positions.col(handle.vertex));
-    });
-}
-
-/// Of what take_in_hand() took, while it is on its way: it is not drawn for ever.
-Status Editor::drawn_by_hand() const {
-    if (m_iterations - m_taken_at < k_most_by_hand) return Status::running;
-    return is_nearly_there() ? Status::exact : Status::stalled;
-}
-
-/// Of the method's last net; infinite where it has found none.
-double Editor::energy() const {
-    const std::optional<RestState> state = rest_state();
-    if (!state || !(max_deviation(*m_net, m_positions) < m_options.threshold))
-        return std::numeric_limits<double>::infinity();
-    const std::span<const double> energies = state->energy.values();
-    return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 const Handle* Editor::find_handle(int vertex) const {
@@ -687,8 +612,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (!m_running) {
         m_iterations = 0;
         m_elapsed_ms = 0;
-        m_may_take_in_hand = true;
-        m_net_before = m_last_net;
+        note_beginning();
         report.status = begin_solve(report.trace);
     }
     for (;;) {

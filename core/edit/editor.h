@@ -184,7 +184,9 @@ private:
     void keep_hand_to(Axes axes);
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
+    void note_beginning();
     bool is_crumpled(Status status) const;
+    bool take_in_hand(Status without);
     bool take_in_hand(const Positions& from, Status without);
     bool goes_on_by_hand(SolveReport& report);
     bool has_all_in_place() const;
@@ -224,7 +226,7 @@ private:
     bool m_was_nearly_there = false;                    // and holding them has been tried again
     bool m_is_released = false;                         // in hand until the solve ends
     // Of the solve under way: whether it may take handles in hand itself, and has; in which iteration; what it had
-    // found without; and the last net before it.
+    // found without; where it began, and the last net before it.
     bool m_may_take_in_hand = false, m_took_in_hand = false;
     int m_taken_at = 0;
     struct {
@@ -232,7 +234,7 @@ private:
         Positions positions;
         double energy;
     } m_without_hand;
-    Positions m_net_before;
+    Positions m_begun, m_net_before;
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()

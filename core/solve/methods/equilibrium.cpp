@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "base/error.h"
@@ -63,8 +62,8 @@ constexpr int k_most_refinements = 20;
 // Of the bow that a flat net gets which is at rest in its plane alone, in edge lengths.
 constexpr double k_first_bow = 1;
 constexpr int k_most_bows = 6, k_most_loads = 20;  // that are tried
-// A net has given way nowhere with less energy of bending than this, and is pressed by more force than this.
-constexpr double k_unbent = 1e-9, k_push = 1e-4;
+// A net has given way nowhere with less energy of bending than this.
+constexpr double k_unbent = 1e-9;
 
 class Equilibrium : public Method {
 public:
@@ -107,8 +106,6 @@ private:
     void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
     bool give_way(Positions& positions);
     bool find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow);
-    bool is_pressed_unbent() const;
-    bool find_buckling(Eigen::Matrix3Xd& bow);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     bool is_net() const;
@@ -611,7 +608,10 @@ bool Equilibrium::give_way(Positions& positions) {
     if (m_has_given_way || !m_is_linearised) return false;
     const auto normal = normal_of_flat(*m_net, positions);
     Eigen::Matrix3Xd bow;
-    if (!(normal ? find_bow(*normal, bow) : m_steps > 0 && is_pressed_unbent() && find_buckling(bow))) return false;
+    if (!(normal ? find_bow(*normal, bow)
+                 : m_steps > 0 && m_rest_energy.values().front() < k_unbent &&
+                       m_newton->find_buckling(m_rest_energy.terms(), k_most_loads, bow)))
+        return false;
     m_has_given_way = true;
     const bool is_up = !normal || normal->dot(bow.rowwise().sum()) >= 0, hangs = normal && m_options.gravity > 0;
     const double height = (is_up == hangs ? -1 : 1) * k_first_bow * m_net->mean_length();
@@ -632,20 +632,6 @@ bool Equilibrium::find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow)
     load.colwise() = normal;
     m_newton->give_way(load, bow);
     return m_newton->find_negative_curvature(m_rest_energy.terms(), k_most_bows, bow);
-}
-
-/// No line is bent other than at rest, but edges push.
-bool Equilibrium::is_pressed_unbent() const {
-    const auto terms = m_rest_energy.values();
-    return terms.front() < k_unbent && m_newton->multipliers().head(m_net->edge_count()).minCoeff() < -k_push;
-}
-
-/// Of a net that is not flat, any way in which it would give way: by a load that favours none.
-bool Equilibrium::find_buckling(Eigen::Matrix3Xd& bow) {
-    Eigen::Matrix3Xd load(3, m_net->vertex_count());
-    std::minstd_rand numbers;  // the same each time
-    for (double& entry : load.reshaped()) entry = static_cast<double>(numbers()) / std::minstd_rand::max() - 0.5;
-    return m_newton->find_negative_curvature_by(load, m_rest_energy.terms(), k_most_loads, bow);
 }
 
 Status Equilibrium::step_to_rest(Positions& positions, TraceRow& row) {

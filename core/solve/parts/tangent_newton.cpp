@@ -22,8 +22,6 @@ constexpr double k_metric_shift = 1e-6;
 constexpr double k_penalty = 500;
 constexpr double k_block_shift = 1e-4;
 constexpr double k_multiplier_tolerance = 1e-7;
-// Edge lengths, beyond where a search for negative curvature looks.
-constexpr double k_far = 1e6;
 
 }  // namespace
 
@@ -254,20 +252,6 @@ bool TangentNewton::find_negative_curvature(std::span<const std::unique_ptr<Term
         give_way(m_image, step);
         d -= step;
     }
-}
-
-bool TangentNewton::find_negative_curvature_by(const Eigen::Matrix3Xd& load,
-                                               std::span<const std::unique_ptr<Term>> terms, int most_iterations,
-                                               Eigen::Matrix3Xd& d) {
-    m_residual = load;
-    mask(m_residual);
-    project_forces(m_residual);
-    precondition(m_residual, m_preconditioned);
-    m_enough = 0;
-    d.setZero(3, load.cols());
-    descend(terms, Curvature::exact, most_iterations, k_far * m_net.mean_length(), d);
-    d = m_search;
-    return m_met_negative_curvature;
 }
 
 /// To m_image.

@@ -79,9 +79,9 @@ private:
     bool m_turns;              // whether there are rotations
     std::vector<int> m_start;  // V + 1, into the spokes
     std::vector<Spoke> m_spokes;
-    Eigen::Matrix3Xd m_rest;                         // spokes: t_i⁰
-    Eigen::Matrix3Xd m_rest_formed;                  // spokes: Σ_j M_ij t_j⁰
-    std::vector<Eigen::Matrix3d> m_rest_compliance;  // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
+    Eigen::Matrix3Xd m_rest;                           // spokes: t_i⁰
+    Eigen::Matrix3Xd m_rest_formed;                    // spokes: Σ_j M_ij t_j⁰
+    std::vector<Eigen::Matrix3d> m_rest_compliance;    // V: inverse of the inertia of Σ M_ij t_i⁰ t_j⁰
     std::vector<Eigen::Matrix3d> m_turned_compliance;  // V: that turned by R_b
     std::vector<Eigen::Matrix3d> m_compliance;         // V: the same of Σ M_ij t_i (R_b t_j⁰)
     std::vector<Eigen::Quaterniond> m_quaternions;
