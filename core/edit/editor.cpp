@@ -147,7 +147,6 @@ void Editor::release_handles() { m_is_released = !m_in_hand.empty(); }
 
 std::vector<Handle> Editor::standing_handles() const {
     std::vector<Handle> handles = m_handles;
-    if (m_took_in_hand) return handles;
     for (int vertex : m_in_hand) handles[m_handle_at[vertex]].target = m_positions.col(vertex);
     return handles;
 }
@@ -163,7 +162,7 @@ void Editor::empty_hand() {
     m_in_hand.clear();
     m_hand_along = k_all_axes;
     hold_back(false);
-    m_is_released = m_took_in_hand = false;
+    m_is_released = false;
 }
 
 /// Held at its target by the method, rather than pulled there.
@@ -200,9 +199,9 @@ void Editor::hold_back(bool on) {
 }
 
 bool Editor::is_nearly_there() const {
-    const double near = k_nearly_there * m_unit_net->mean_length();
+    const double near = k_nearly_there * m_net->mean_length();
     return std::all_of(m_in_hand.begin(), m_in_hand.end(), [&](int vertex) {
-        return (m_unit_positions.col(vertex) - m_handles[m_handle_at[vertex]].target / m_unit).stableNorm() < near;
+        return (m_positions.col(vertex) - m_handles[m_handle_at[vertex]].target).stableNorm() < near;
     });
 }
 
@@ -211,7 +210,7 @@ bool Editor::is_nearly_there() const {
 /// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
 /// move_handle().
 bool Editor::goes_on_otherwise(Status status) {
-    if (m_in_hand.empty()) return is_crumpled(status) && take_in_hand(status);
+    if (m_in_hand.empty()) return false;
     if (status == Status::unreachable && m_holds_back) {
         if (m_hand_along != k_all_axes)
             keep_hand_to(k_all_axes);
@@ -612,22 +611,19 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (!m_running) {
         m_iterations = 0;
         m_elapsed_ms = 0;
-        note_beginning();
         report.status = begin_solve(report.trace);
     }
     for (;;) {
         if (report.status != Status::running) {
             if (has_moved) store_positions();
             const bool found_rest = report.status == Status::converged;
-            const bool goes_on = m_took_in_hand ? goes_on_by_hand(report) : goes_on_otherwise(report.status);
-            if (!goes_on && (found_rest || !find_taut_lines())) break;
+            if (!goes_on_otherwise(report.status) && (found_rest || !find_taut_lines())) break;
             report.status = begin_solve(report.trace);
             has_moved = false;
             continue;
         }
         if (m_iterations >= m_options.max_iterations) {
             report.status = m_reachable ? Status::max_iterations : Status::unreachable;
-            if (m_took_in_hand) continue;
             break;
         }
         const bool budget_spent = report.iterations >= budget.iterations || watch.milliseconds() >= budget.milliseconds;
@@ -636,7 +632,6 @@ SolveReport Editor::go_on(const Budget& budget) {
         report.status = iterate(row);
         has_moved = true;
         row.iteration = ++m_iterations;
-        if (report.status == Status::running && m_took_in_hand && m_holds_back) report.status = drawn_by_hand();
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
         report.trace.push_back(row);
