@@ -11,7 +11,8 @@
 namespace chebnet {
 namespace {
 
-constexpr double k_arrived = 1e-9;  // edge lengths, as near as a net that comes to rest there is
+// A handle that is as near to its target, in edge lengths, has come there but for rounding.
+constexpr double k_arrived = 1e-9;
 
 struct DragArguments {
     SolverArguments solver;
