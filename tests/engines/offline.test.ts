@@ -46,11 +46,15 @@ function anotherVersion(): { folder: string; script: string } {
 /** The visitor does as the page says about a version that came. */
 async function goOver(to: { script: string }): Promise<void> {
   await visitor.driver.reload();
+  await acceptOffer(to);
+  await visitor.waitForNet();
+}
+
+async function acceptOffer(to: { script: string }): Promise<void> {
   // Again where another message pushed the button aside meanwhile: once it is hit, it goes.
   do await visitor.clickOn('Reload');
   while (await isOffered().catch(() => false));
   await vi.waitUntil(async () => (await script().catch(() => undefined)) === to.script, PATIENCE);
-  await visitor.waitForNet();
 }
 
 test('what the page had before it could be kept is kept, too', async () => {
@@ -103,8 +107,7 @@ test('a window goes over to a version that another window has taken already', as
     while (waiting!.state !== 'activated')
       await new Promise((done) => waiting!.addEventListener('statechange', done, { once: true }));
   });
-  await visitor.clickOn('Reload');
-  await vi.waitUntil(async () => (await script().catch(() => undefined)) === other.script, PATIENCE);
+  await acceptOffer(other);
 });
 
 test('an update that was cut off half way does not push out the version of an open page', async () => {
