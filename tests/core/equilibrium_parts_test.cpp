@@ -238,6 +238,17 @@ TEST_CASE("A path goes on through its last three points, whatever lies between t
     CHECK(!path.is_known());
 }
 
+TEST_CASE("What stands in all points of a path stays where it is to the last bit") {
+    PathExtrapolation path;
+    Positions x(3, 2);
+    x.col(0) << 0.1, 1 / 3.0, 19.5;
+    for (double way : {0.0, 0.7, 1.9}) {
+        x.col(1) << way, way * way, 3;
+        path.add(x);
+    }
+    for (double t : {0.3, 1.0, 16.0}) CHECK(at(path, t).col(0) == x.col(0));
+}
+
 TEST_CASE("A straight path goes on straight, and a bent one errs by the third power of its steps") {
     PathExtrapolation path;
     for (double x : {0.0, 1.0, 4.0}) path.add(Eigen::Vector3d(x, 2 * x, -x));

@@ -32,15 +32,14 @@ bool PathExtrapolation::is_known() const {
 
 void PathExtrapolation::go(double t, Positions& x) const {
     const double ratio = distance(m_points[0], m_points[1]) / distance(m_points[1], m_points[2]);
-    // Newton's form with nodes 0, −1 and −1 − 1 / ratio, by points.
+    // Newton's form with nodes 0, −1 and −1 − 1 / ratio, by differences: what stands in all three stays to the last
+    // bit.
     const double bend = t * (t + 1) / (1 + 1 / ratio);
-    const double weights[] = {1 + t + bend, -t - bend - bend * ratio, bend * ratio};
-    x = m_points[0];
-    for (Eigen::Index k = 0; k < x.size(); ++k) {
-        double sum = 0;
-        for (int i = 0; i < 3; ++i) sum += weights[i] * m_points[i].data()[k];
-        x.data()[k] = sum;
-    }
+    const auto& [last, middle, first] = m_points;
+    x = last;
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+        x.data()[k] +=
+            (t + bend) * (last.data()[k] - middle.data()[k]) + bend * ratio * (first.data()[k] - middle.data()[k]);
 }
 
 double PathExtrapolation::farthest(const Positions& x) const {
