@@ -147,6 +147,7 @@ void Editor::release_handles() { m_is_released = !m_in_hand.empty(); }
 
 std::vector<Handle> Editor::standing_handles() const {
     std::vector<Handle> handles = m_handles;
+    if (m_took_in_hand) return handles;
     for (int vertex : m_in_hand) handles[m_handle_at[vertex]].target = m_positions.col(vertex);
     return handles;
 }
@@ -162,7 +163,7 @@ void Editor::empty_hand() {
     m_in_hand.clear();
     m_hand_along = k_all_axes;
     hold_back(false);
-    m_is_released = false;
+    m_is_released = m_took_in_hand = false;
 }
 
 /// Held at its target by the method, rather than pulled there.
@@ -199,9 +200,9 @@ void Editor::hold_back(bool on) {
 }
 
 bool Editor::is_nearly_there() const {
-    const double near = k_nearly_there * m_net->mean_length();
+    const double near = k_nearly_there * m_unit_net->mean_length();
     return std::all_of(m_in_hand.begin(), m_in_hand.end(), [&](int vertex) {
-        return (m_positions.col(vertex) - m_handles[m_handle_at[vertex]].target).stableNorm() < near;
+        return (m_unit_positions.col(vertex) - m_handles[m_handle_at[vertex]].target / m_unit).stableNorm() < near;
     });
 }
 
@@ -210,7 +211,7 @@ bool Editor::is_nearly_there() const {
 /// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
 /// move_handle().
 bool Editor::goes_on_otherwise(Status status) {
-    if (m_in_hand.empty()) return false;
+    if (m_in_hand.empty()) return is_crumpled(status) && take_in_hand(status);
     if (status == Status::unreachable && m_holds_back) {
         if (m_hand_along != k_all_axes)
             keep_hand_to(k_all_axes);
@@ -319,6 +320,8 @@ void Editor::set_state(EditState next) {
     check_softness(next.handles, other_method ? *other_method : *m_method, next.method);
     check_positions(*m_net, next.positions);
     if (next.locality) check_locality(*m_net, *next.locality);
+    // Before handles snap, which may leave edges with their lengths by chance, turned back on themselves.
+    if (max_deviation(*m_net, next.positions) < m_options.threshold) m_last_net = next.positions;
     normalise(next);
     if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
     std::optional<Region> region = region_of(next.locality);
@@ -350,7 +353,6 @@ void Editor::set_state(EditState next) {
     replace_handles(std::move(next.handles));
     replace_region(std::move(region));
     m_positions = std::move(next.positions);
-    if (max_deviation(*m_net, m_positions) < m_options.threshold) m_last_net = m_positions;
     m_running = false;
 }
 
@@ -611,19 +613,23 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (!m_running) {
         m_iterations = 0;
         m_elapsed_ms = 0;
+        m_may_take_in_hand = true;
+        m_net_before = m_last_net;
         report.status = begin_solve(report.trace);
     }
     for (;;) {
         if (report.status != Status::running) {
             if (has_moved) store_positions();
             const bool found_rest = report.status == Status::converged;
-            if (!goes_on_otherwise(report.status) && (found_rest || !find_taut_lines())) break;
+            const bool goes_on = m_took_in_hand ? goes_on_by_hand(report) : goes_on_otherwise(report.status);
+            if (!goes_on && (found_rest || !find_taut_lines())) break;
             report.status = begin_solve(report.trace);
             has_moved = false;
             continue;
         }
         if (m_iterations >= m_options.max_iterations) {
             report.status = m_reachable ? Status::max_iterations : Status::unreachable;
+            if (m_took_in_hand) continue;
             break;
         }
         const bool budget_spent = report.iterations >= budget.iterations || watch.milliseconds() >= budget.milliseconds;
@@ -632,6 +638,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         report.status = iterate(row);
         has_moved = true;
         row.iteration = ++m_iterations;
+        if (report.status == Status::running && m_took_in_hand && m_holds_back) report.status = drawn_by_hand();
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
         report.trace.push_back(row);

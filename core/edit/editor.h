@@ -99,7 +99,7 @@ public:
     /// the place where they stand as their target. Any other change of the state lets go at once.
     void release_handles();
     /// Whether handles in hand are held back now.
-    bool holds_back() const { return m_holds_back; }
+    bool holds_back() const { return m_holds_back && !m_took_in_hand; }
     /// From now on only what lies within `radius` of the `origins` may move, in mean edge lengths along the net, and
     /// the harder the closer to that border (see Region; methods that know no pulls have the border only). All else
     /// stays exactly where it stands, until the next call, or until other handles are moved or all set, positions are
@@ -135,8 +135,10 @@ public:
     /// made unless there is nothing to do. Never throws over a hard problem: see Status. If handles are out of reach
     /// the net is stretched as evenly as the first stage can and the status is `unreachable`; towards targets that are
     /// very far it is stretched as towards nearer ones in their direction (see near_targets), and the handle alone
-    /// stands at the target. Throws Error too_large if the method needs more memory for a net of this size than is
-    /// allowed or there (see k_most_factor_bytes); then the positions stay, and another method may do.
+    /// stands at the target. A net that came out crumpled is compared with the one to which its handles are drawn from
+    /// the net before, as by a hand, where iterations are left for it; the one of less energy stays. Throws Error
+    /// too_large if the method needs more memory for a net of this size than is allowed or there (see
+    /// k_most_factor_bytes); then the positions stay, and another method may do.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles that do not slide, farther apart than the net allows, worst first, and such a handle with
@@ -182,6 +184,13 @@ private:
     void keep_hand_to(Axes axes);
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
+    bool is_crumpled(Status status) const;
+    bool take_in_hand(Status without);
+    bool take_in_hand(const Positions& from, Status without);
+    bool goes_on_by_hand(SolveReport& report);
+    bool has_all_in_place() const;
+    Status drawn_by_hand() const;
+    double energy() const;
     void empty_hand();
     void let_go();
     void collect_pulls();
@@ -215,6 +224,16 @@ private:
     bool m_holds_back = false;                          // those in hand are pulled, not held
     bool m_was_nearly_there = false;                    // and holding them has been tried again
     bool m_is_released = false;                         // in hand until the solve ends
+    // Of the solve under way: whether it may take handles in hand itself, and has; in which iteration; what it had
+    // found without; and the last net before it.
+    bool m_may_take_in_hand = false, m_took_in_hand = false;
+    int m_taken_at = 0;
+    struct {
+        Status status;
+        Positions positions;
+        double energy;
+    } m_without_hand;
+    Positions m_net_before;
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;
     Eigen::Matrix3Xd m_near_targets;  // of the handles, see near_targets()

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace chebnet {
 
@@ -141,12 +142,17 @@ int sharp_quads(const Net& net, const Positions& positions, double angle) {
 }
 
 int sharp_folds(const Net& net, const Positions& positions, double angle) {
+    const std::vector<double> folds = fold_angles(net, positions);
+    return static_cast<int>(std::count_if(folds.begin(), folds.end(), [&](double fold) { return fold > angle; }));
+}
+
+std::vector<double> fold_angles(const Net& net, const Positions& positions) {
     struct Side {
         Eigen::Vector3d normal;
         bool is_forward;
     };
     std::map<std::pair<int, int>, Side> firsts;
-    int count = 0;
+    std::vector<double> folds;
     for (int f = 0; f < net.face_count(); ++f) {
         const std::span<const int> face = net.faces()[f];
         // Newell's sum: faces need not be plane.
@@ -160,10 +166,10 @@ int sharp_folds(const Net& net, const Positions& positions, double angle) {
             if (is_first) continue;
             // Neighbours that are wound alike run along an edge both ways.
             const Eigen::Vector3d other = at->second.is_forward == (a < b) ? -at->second.normal : at->second.normal;
-            if (std::atan2(normal.cross(other).norm(), normal.dot(other)) > angle) ++count;
+            folds.push_back(std::atan2(normal.cross(other).norm(), normal.dot(other)));
         }
     }
-    return count;
+    return folds;
 }
 
 Eigen::VectorXd vertex_corner_angles(const Net& net, const Positions& positions) {

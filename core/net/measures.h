@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <numbers>
+#include <vector>
 
 #include "net/net.h"
 #include "net/topology.h"
@@ -48,6 +49,9 @@ inline constexpr double k_fold = std::numbers::pi / 3;
 
 /// How many edges have a face on either side whose normals are farther apart than this angle, radians.
 int sharp_folds(const Net& net, const Positions& positions, double angle);
+
+/// The angle by which the net folds at each edge between two faces, in a fixed order; 0 where it is flat.
+std::vector<double> fold_angles(const Net& net, const Positions& positions);
 
 /// V, at each vertex the corner angle farthest from a right angle, radians in [0, π]: the shear a wire mesh shows
 /// there. Of quads only, if there are any: the other faces are where a border has cut them, or at patches.

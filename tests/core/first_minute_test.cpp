@@ -106,6 +106,36 @@ TEST_CASE("A tube twisted by a right angle ends in one net, in however few frame
     }
 }
 
+TEST_CASE("A straight tube that is pressed together gives way as a whole, also at once") {
+    // By two edges: a rim that snaps there has all lengths, turned back through the next row.
+    const double by = GENERATE(0.5, 2.0, 4.0);
+    CAPTURE(by);
+    const int around = 20, along = 21, top = (along - 1) * around;
+    const double radius = 0.5 / std::sin(EIGEN_PI / around);
+    Positions x(3, around * along);
+    Faces faces;
+    for (int v = 0; v < around * along; ++v) {
+        const double u = 2 * EIGEN_PI * v / around;
+        x.col(v) << radius * std::cos(u), radius * std::sin(u), v / around;
+        const int next = (v + 1) % around == 0 ? v + 1 - around : v + 1;
+        if (v < top) faces.add({v, next, next + around, v + around});
+    }
+    const Net tube(x, faces);
+    std::vector<Handle> handles;
+    for (int i = 0; i < around; ++i) {
+        handles.push_back({i, x.col(i)});
+        handles.push_back({top + i, x.col(top + i) - by * Eigen::Vector3d::UnitZ()});
+    }
+    Editor editor(tube);
+    editor.set_method("equilibrium");
+    editor.set_handles(handles);
+    editor.solve();
+    CHECK(max_deviation(editor.net(), editor.positions()) < 1e-9);
+    CHECK(sharp_folds(editor.net(), editor.positions(), k_fold) == 0);
+    CHECK(smallest_angle(editor) > k_limit);
+    for (const Handle& handle : handles) CHECK(editor.positions().col(handle.vertex) == handle.target);
+}
+
 TEST_CASE("A vault pushed three units aside is a net within the limit") {
     const Shape vault = make_shape("vault:vertices=600");
     Editor editor = at_rest(vault.net, vault.suggested_handles);

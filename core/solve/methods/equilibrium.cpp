@@ -61,7 +61,9 @@ constexpr double k_end_deviation = 1e-12;
 constexpr int k_most_refinements = 20;
 // Of the bow that a flat net gets which is at rest in its plane alone, in edge lengths.
 constexpr double k_first_bow = 1;
-constexpr int k_most_bows = 6;  // that are tried
+constexpr int k_most_bows = 6, k_most_loads = 20;  // that are tried
+// A net has given way nowhere with less energy of bending than this.
+constexpr double k_unbent = 1e-9;
 
 class Equilibrium : public Method {
 public:
@@ -102,7 +104,8 @@ private:
     void walk(double part, Positions& x);
     bool move_handles(double part, Positions& x);
     void add_bow(const Positions& x, Eigen::Matrix3Xd& moves);
-    bool leave_plane(Positions& positions);
+    bool give_way(Positions& positions);
+    bool find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow);
     Status find_another_net(Positions& positions);
     bool begin_at_rest_shape(double nearer_than);
     bool is_net() const;
@@ -161,13 +164,13 @@ private:
     int m_idle_steps = 0;          // one after the other
     // Of the last step: the gradient's norm before, and how far it went in edge lengths.
     double m_gradient_before = 0, m_moved = 0;
-    PathExtrapolation m_path;       // of the descent in stage 3
-    Positions m_result;             // where the method last left the net; empty: nowhere
-    bool m_has_left_plane = false;  // in this solve
-    bool m_began_as_net = false;    // this solve, which walks to it all the same
-    Positions m_begun;              // if so
-    bool m_was_placed = false;      // the rest shape, in this solve: a walk has begun there
-    Positions m_stuck_at;           // where a walk before that ended early; empty: none did
+    PathExtrapolation m_path;      // of the descent in stage 3
+    Positions m_result;            // where the method last left the net; empty: nowhere
+    bool m_has_given_way = false;  // in this solve
+    bool m_began_as_net = false;   // this solve, which walks to it all the same
+    Positions m_begun;             // if so
+    bool m_was_placed = false;     // the rest shape, in this solve: a walk has begun there
+    Positions m_stuck_at;          // where a walk before that ended early; empty: none did
     // At m_result, in stages 2 and 3:
     double m_energy = 0;
     Eigen::Matrix3Xd m_gradient;
@@ -288,7 +291,7 @@ Status Equilibrium::open_rest_shape(Positions& positions, TraceRow& row) {
 Status Equilibrium::begin(Positions& positions, bool same_energy) {
     m_steps = 0;
     m_was_placed = false;
-    m_has_left_plane = false;
+    m_has_given_way = false;
     m_stuck_at.resize(3, 0);
     const bool can_rest = m_reachable && m_part->size() > 0 && prepare_energy(positions, same_energy);
     m_stage = can_rest ? first_stage(positions) : net;
@@ -386,10 +389,12 @@ Equilibrium::Stage Equilibrium::first_stage(const Positions& positions) {
         m_result = m_rest_shape;
         return follow;
     }
-    if (is_net) return rest;
-    if (m_last_net == nullptr || !was_left(*m_last_net, positions)) return net;
-    m_result = *m_last_net;
-    return max_deviation(*m_net, m_result) < m_options.threshold ? follow : net;
+    if (m_last_net != nullptr && *m_last_net != positions && was_left(*m_last_net, positions) &&
+        max_deviation(*m_net, *m_last_net) < m_options.threshold) {
+        m_result = *m_last_net;
+        return follow;
+    }
+    return is_net ? rest : net;
 }
 
 /// Whether what is free stands where it was in a state of before.
@@ -579,9 +584,9 @@ bool Equilibrium::is_net() const {
 Status Equilibrium::stuck() const { return is_net() ? Status::exact : Status::stalled; }
 
 Status Equilibrium::relax(Positions& positions, TraceRow& row) {
-    if (m_steps == 0) leave_plane(positions);
+    if (m_steps == 0) give_way(positions);
     const Status status = step_to_rest(positions, row);
-    if (status != Status::running && leave_plane(positions)) return Status::running;
+    if (status != Status::running && give_way(positions)) return Status::running;
     if (status == Status::exact) refine_lengths(positions);
     return status;
 }
@@ -599,17 +604,18 @@ void Equilibrium::refine_lengths(Positions& positions) {
     }
 }
 
-/// A flat net is without a force across its plane, however much it is squeezed within it. Where it would lose energy by
-/// bending out of the plane it is given a first bow. False if it stays.
-bool Equilibrium::leave_plane(Positions& positions) {
-    const auto normal = m_has_left_plane || !m_is_linearised ? std::nullopt : normal_of_flat(*m_net, positions);
-    if (!normal) return false;
-    Eigen::Matrix3Xd load(3, positions.cols()), bow;
-    load.colwise() = *normal;
-    m_newton->give_way(load, bow);
-    if (!m_newton->find_negative_curvature(m_rest_energy.terms(), k_most_bows, bow)) return false;
-    m_has_left_plane = true;
-    const bool is_up = normal->dot(bow.rowwise().sum()) >= 0, hangs = m_options.gravity > 0;
+/// A net that is pressed as it stands, flat or with straight lines, is without a force that would bend it, however hard
+/// it is pressed. Where it would lose energy by bending it is given a first bow. False if it stays.
+bool Equilibrium::give_way(Positions& positions) {
+    if (m_has_given_way || !m_is_linearised) return false;
+    const auto normal = normal_of_flat(*m_net, positions);
+    Eigen::Matrix3Xd bow;
+    if (!(normal ? find_bow(*normal, bow)
+                 : m_steps > 0 && m_rest_energy.values().front() < k_unbent &&
+                       m_newton->find_buckling(m_rest_energy.terms(), k_most_loads, bow)))
+        return false;
+    m_has_given_way = true;
+    const bool is_up = !normal || normal->dot(bow.rowwise().sum()) >= 0, hangs = normal && m_options.gravity > 0;
     const double height = (is_up == hangs ? -1 : 1) * k_first_bow * m_net->mean_length();
     const std::vector<double> held = m_constraints->held();
     Positions bent = positions + height / bow.colwise().norm().maxCoeff() * bow;
@@ -620,6 +626,14 @@ bool Equilibrium::leave_plane(Positions& positions) {
     positions = bent;
     enter_rest(positions);
     return true;
+}
+
+/// Out of the plane of a flat net, which takes nothing from lengths to first order.
+bool Equilibrium::find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow) {
+    Eigen::Matrix3Xd load(3, m_net->vertex_count());
+    load.colwise() = normal;
+    m_newton->give_way(load, bow);
+    return m_newton->find_negative_curvature(m_rest_energy.terms(), k_most_bows, bow);
 }
 
 Status Equilibrium::step_to_rest(Positions& positions, TraceRow& row) {

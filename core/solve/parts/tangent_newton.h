@@ -48,6 +48,11 @@ public:
     /// d − M⁻¹ H d at most, at the net of the last linearise(). True as soon as d·H d < 0.
     bool find_negative_curvature(std::span<const std::unique_ptr<Term>> terms, int most_steps, Eigen::Matrix3Xd& d);
 
+    /// A move with d·H d < 0 that keeps lengths to first order, by so many conjugate gradients at most from how the net
+    /// gives way to a load that favours nothing. False if no edge pushes, or none is found. Only at the net of the last
+    /// linearise().
+    bool find_buckling(std::span<const std::unique_ptr<Term>> terms, int most_iterations, Eigen::Matrix3Xd& d);
+
     /// Takes a net and the gradient of its energy there, and finds the multipliers λ of ∇E + Jᵀλ = 0 that fit best.
     /// False if that cannot be done.
     /// `lengths` is kept, its system is assembled and factored for x. It may have rows beside the edges.
