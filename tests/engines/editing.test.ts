@@ -64,3 +64,23 @@ test('the wheel brings the net nearer, and moves no vertex', async () => {
   await expect.poll(apart).toBeGreaterThan(1.05 * before);
   expect(largestError(await visitor.positions(), restPositions)).toBeLessThan(1e-9);
 });
+
+test('a coordinate may be typed with a comma for the decimal point', async () => {
+  await visitor.openNet({ recipe: SHAPE });
+  await visitor.clickOn(`Handles (${suggestedHandles.length})`);
+  const before = placeIn(await visitor.positions())[2]!;
+  const wanted = (before - 0.25).toFixed(2);
+  const chooseHeight = async () => {
+    await visitor.clickOn(`Vertex ${dragged}`);
+    return visitor.run(() => {
+      const inputs = [...document.querySelectorAll<HTMLInputElement>('.handles .coordinates input')];
+      const height = inputs.filter((input) => input.checkVisibility())[2];
+      height?.focus();
+      height?.select();
+      return height !== undefined;
+    });
+  };
+  await expect.poll(chooseHeight).toBe(true);
+  for (const key of [...wanted.replace('.', ','), 'Enter']) await visitor.press(key);
+  await expect.poll(async () => placeIn(await visitor.positions())[2]!).toBeCloseTo(Number(wanted), 9);
+});

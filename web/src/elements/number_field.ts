@@ -3,6 +3,7 @@
 import { count } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type Attributes, make, setText } from './dom';
+import { makeNumberInput } from './number_input';
 
 const TEXT = panelWords.allowed;
 
@@ -22,7 +23,7 @@ export class NumberField {
   constructor({ above = -Infinity, ...attributes }: Attributes & { above?: number }, reason = '') {
     this.#above = above;
     this.#reason = reason;
-    this.input = make('input', { type: 'number', ...attributes });
+    this.input = makeNumberInput(attributes);
     this.input.addEventListener('change', () => this.#say());
     this.input.addEventListener('input', () => {
       if (this.#isAllowed) this.#say();

@@ -5,6 +5,7 @@ import type { HandleTraits } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
+import { makeNumberInput } from '../elements/number_input';
 import { ICONS } from '../elements/icons';
 import { Sliding, type Slipway } from './sliding';
 import { Softness } from './softness';
@@ -131,7 +132,7 @@ export class HandleRow {
   }
 
   #makeCoordinate(axis: number): HTMLInputElement {
-    const input = make('input', { type: 'number', step: 'any', required: true });
+    const input = makeNumberInput({ step: 'any', required: true });
     input.addEventListener('change', () => {
       if (!this.#handle || !input.checkValidity()) return;
       // The other two keep digits that their fields do not show.

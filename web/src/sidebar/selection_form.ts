@@ -5,6 +5,7 @@ import { AXES, type Axis, centreOf, type Motion } from '../handles/transform';
 import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import { make, setText, setValue } from '../elements/dom';
+import { makeNumberInput } from '../elements/number_input';
 import { makeCoordinates } from './handle_row';
 import type { PanelEvents } from '../panels';
 import { Sliding, type Slipway } from './sliding';
@@ -121,8 +122,7 @@ export class SelectionForm {
 }
 
 function numberField(value: string, label = ''): HTMLInputElement {
-  return make('input', {
-    type: 'number',
+  return makeNumberInput({
     step: 'any',
     required: true,
     value,
