@@ -320,8 +320,7 @@ void Editor::set_state(EditState next) {
     check_softness(next.handles, other_method ? *other_method : *m_method, next.method);
     check_positions(*m_net, next.positions);
     if (next.locality) check_locality(*m_net, *next.locality);
-    // Before handles snap, which may leave edges with their lengths by chance, turned back on themselves.
-    if (max_deviation(*m_net, next.positions) < m_options.threshold) m_last_net = next.positions;
+    const Positions given = next.positions;
     normalise(next);
     if (next == present && m_in_hand.empty()) return;  // a solve under way goes on
     std::optional<Region> region = region_of(next.locality);
@@ -353,6 +352,12 @@ void Editor::set_state(EditState next) {
     replace_handles(std::move(next.handles));
     replace_region(std::move(region));
     m_positions = std::move(next.positions);
+    // Handles that snap may leave edges with their lengths by chance, turned back on themselves.
+    const auto is_net = [&](const Positions& x) { return max_deviation(*m_net, x) < m_options.threshold; };
+    if (is_net(given))
+        m_last_net = given;
+    else if (is_net(m_positions))
+        m_last_net = m_positions;
     m_running = false;
 }
 

@@ -76,6 +76,21 @@ TEST_CASE("All edges are longer by the length scale, and as long as before witho
     CHECK((editor.positions() - before).colwise().norm().maxCoeff() < 0.02);
 }
 
+TEST_CASE("A net from before its edges grew is what handles are walked from") {
+    Editor editor = editor_of(samples::patch(11, 11, 0.4), {0, 10, 110, 120, k_middle});
+    const Handle near = crown_lifted(editor.net(), 0.2), far = crown_lifted(editor.net(), 0.5);
+    editor.move_handle(near.vertex, near.target);
+    editor.solve();
+    const EditState before = editor.state();
+    set_scale(editor, 1.3);
+    editor.solve();
+    editor.set_state(before);
+    editor.move_handle(far.vertex, far.target);
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.trace.front().stage == 2);  // following its handles
+}
+
 TEST_CASE("A net at rest is a larger one with longer edges") {
     Editor editor(samples::patch(6, 5));
     set_scale(editor, 2);
