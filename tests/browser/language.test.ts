@@ -99,12 +99,13 @@ test('shapes and their parameters are named in Chinese from the first picture on
     page.locator(controls).evaluateAll((all) => all.map((each) => (each as HTMLElement).title));
   const explained = (texts: string[]) => texts.length > 0 && texts.every((text) => /\p{Script=Han}.*。$/u.test(text));
   await page.getByRole('button', { name: '拱顶' }).waitFor();
-  expect(await page.locator('.parameters label > span').allInnerTexts()).toEqual(['顶点数', '延伸角']);
+  // Sliders come with the net, after the gallery's tables; explanations with the sections after both.
+  await expect.poll(() => page.locator('.parameters label > span').allInnerTexts()).toEqual(['顶点数', '延伸角']);
   await expect.poll(() => titles('.gallery button[aria-pressed]')).toSatisfy(explained);
-  expect(await titles('.parameters input')).toSatisfy(explained);
+  await expect.poll(() => titles('.parameters input')).toSatisfy(explained);
   await page.getByRole('button', { name: '大象' }).click();
   await page.getByRole('slider', { name: '鼻长' }).waitFor();
-  expect(await titles('.parameters input')).toSatisfy(explained);
+  await expect.poll(() => titles('.parameters input')).toSatisfy(explained);
   expect(await page.evaluate(() => [...(window as unknown as { foreign: Set<string> }).foreign])).toEqual([]);
 });
 
