@@ -159,8 +159,9 @@ async function record(): Promise<void> {
   const type = filmType();
   if (net === undefined || type === null) return;
   const [{ Recording }, { RecordingNotice }] = await filming();
-  if (document.querySelector('.recording')) return;
-  const recording = new Recording(app.film(), type, (seconds) => notice.setSeconds(seconds));
+  const film = await app.film();
+  if (document.querySelector('.recording')) return film.end();
+  const recording = new Recording(film, type, (seconds) => notice.setSeconds(seconds));
   const notice = new RecordingNotice(element('panels'), () => recording.stop());
   try {
     download(fileNameOf(net, filmExtension(type), app.formats), await recording.done, type);

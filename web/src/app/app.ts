@@ -248,7 +248,7 @@ export class App {
   }
 
   /** What the view shows from now on. */
-  film(): Film {
+  film(): Promise<Film> {
     return this.#presenter.view.film();
   }
 

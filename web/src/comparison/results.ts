@@ -42,6 +42,8 @@ export class ComparisonResults {
       show: (run) => events.showRun(run === this.#current ? null : run),
       showBeside: (run) => this.#toggleBeside(run),
     });
+    // Where its nets are shown, beside the user's: what the document calls that is English.
+    document.querySelector('#beside')?.setAttribute('aria-label', panelWords.comparison.nets);
     this.#stop = makeButton(panelWords.comparison.cancel, () => events.cancelComparison());
     this.element = make(
       'section',

@@ -42,7 +42,6 @@ export const en = {
     noGraphics:
       'The net is drawn with WebGL 2, which this browser lacks or has switched off. The panels and the solver still work.',
     noPicture: 'There is no picture without WebGL 2.',
-    pictureFailed: 'The picture could not be made.',
     strain: (distance: string, reach: string) => `${distance} apart, the net reaches ${reach}`,
   },
   opening: {
@@ -146,9 +145,6 @@ export const en = {
     ended: 'The browser ended it, perhaps for want of memory.',
     stopped: (reason: string) => `The solver stopped and cannot go on with this net: ${reason}`,
     restarted: (reason: string) => `The solver stopped and was started again; the net is as it last stood. ${reason}`,
-  },
-  comparison: {
-    net: 'Nets of a comparison',
   },
   keys: {
     title: 'Keys',

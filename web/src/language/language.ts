@@ -14,5 +14,4 @@ export function translateDocument(document: Document): void {
   document.querySelector('meta[name=description]')?.setAttribute('content', words.page.description);
   if (language !== 'en')
     document.querySelector('link[rel=manifest]')?.setAttribute('href', `./manifest.${language}.webmanifest`);
-  document.querySelector('#beside')?.setAttribute('aria-label', words.comparison.net);
 }

@@ -41,7 +41,6 @@ export const zh: Words = {
     pictureLost: '显卡丢失了画面，正在等待恢复…',
     noGraphics: '绘制网需要 WebGL 2，此浏览器没有。面板和求解器仍可用。',
     noPicture: '没有 WebGL 2 就没有图像。',
-    pictureFailed: '无法生成图像。',
     strain: (distance, reach) => `相距 ${distance}，网只够 ${reach}`,
   },
   opening: {
@@ -144,9 +143,6 @@ export const zh: Words = {
     ended: '浏览器终止了它，可能是内存不足。',
     stopped: (reason) => `求解器已停止，无法继续处理这张网：${reason}`,
     restarted: (reason) => `求解器停止后已重新启动，网保持在停止前的状态。${reason}`,
-  },
-  comparison: {
-    net: '用于比较的网',
   },
   keys: {
     title: '快捷键',

@@ -1,6 +1,6 @@
 /** Pictures and videos of what a renderer draws. */
 import { Color, type Scene, SRGBColorSpace, type Vector2, type WebGLRenderer } from 'three';
-import { words } from '../language/language';
+import { panelWords } from '../language/panels';
 import type { Theme } from './theme';
 import type { Film } from './view';
 import { Failure } from '../failure';
@@ -22,7 +22,7 @@ export function takePicture(
   draw();
   const picture = new Promise<Blob>((resolve, reject) => {
     const take = (blob: Blob | null): void =>
-      blob ? resolve(blob) : reject(new Failure('no_picture', words.view.pictureFailed));
+      blob ? resolve(blob) : reject(new Failure('no_picture', panelWords.picture.failed));
     renderer.domElement.toBlob(take, 'image/png');
   });
   renderer.setPixelRatio(ratio);

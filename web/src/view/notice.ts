@@ -41,6 +41,7 @@ export function createBlankView(container: HTMLElement): View {
   const notice = createNotice(container);
   notice.show(words.view.noGraphics);
   const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
+  const refuse = () => Promise.reject(new Failure('no_picture', words.view.noPicture));
   return {
     setNet() {},
     setFrame() {},
@@ -52,7 +53,7 @@ export function createBlankView(container: HTMLElement): View {
     setReadout() {},
     setPreview() {},
     setMarks() {},
-    takePen: () => Promise.reject(new Failure('no_picture', words.view.noPicture)),
+    takePen: refuse,
     setAppearance() {},
     setStepArrows() {},
     setShares() {},
@@ -60,10 +61,8 @@ export function createBlankView(container: HTMLElement): View {
     camera: () => nowhere,
     heading: () => null,
     setCamera() {},
-    picture: () => Promise.reject(new Failure('no_picture', words.view.noPicture)),
-    film: () => {
-      throw new Failure('no_picture', words.view.noPicture);
-    },
+    picture: refuse,
+    film: refuse,
     framesPerSecond: () => 0,
     screenPosition: () => ({ x: 0, y: 0 }),
     dispose: () => notice.remove(),

@@ -9,7 +9,6 @@ import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
 import { directionFor, fitCamera, type Margins, type Side, type Stand, standBack } from './camera_fit';
 import { CameraRig } from './camera_rig';
-import { takeFilm, takePicture } from './capture';
 import type { AxisDrag } from './axis_drag';
 import { type DragEvents, DragReport } from './drag';
 import { endFirstVisit, isFirstVisit } from './first_visit';
@@ -28,6 +27,8 @@ import type { SymmetrySheet } from './symmetry_sheet';
 import { onThemeChange, readTheme, type Theme } from './theme';
 import type { Film, Pen, PenEvents, View, ViewChoice, ViewEvents } from './view';
 import './view.css';
+
+const captures = lazy(() => import('./capture'));
 
 /** Higher pixel ratios cost much and show little; without a graphics card every pixel is expensive. */
 const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
@@ -303,11 +304,13 @@ class SceneView implements View {
     return this.#netData && heading && this.#fromStand(heading);
   }
 
-  picture(magnification: number): Promise<Blob> {
+  async picture(magnification: number): Promise<Blob> {
+    const { takePicture } = await captures();
     return takePicture(this.#renderer, this.#size, magnification, () => this.#draw());
   }
 
-  film(): Film {
+  async film(): Promise<Film> {
+    const { takeFilm } = await captures();
     return takeFilm(this.#renderer, this.#scene, this.#theme, () => this.#requestDraw());
   }
 

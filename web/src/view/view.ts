@@ -106,7 +106,7 @@ export interface View {
   /** The view as PNG with a transparent background, at a multiple of the screen's resolution. */
   picture(magnification: number): Promise<Blob>;
   /** A stream of the view on a plain background, until its end() is called. */
-  film(): Film;
+  film(): Promise<Film>;
   /** Frames drawn in the last second. */
   framesPerSecond(): number;
   /** Where a vertex stands on the canvas, CSS pixels from the top left of the page; for tests and labels. */

@@ -352,6 +352,7 @@ export const panels = {
   },
   comparison: {
     wasCancelled: 'The comparison was cancelled.',
+    nets: 'Nets of a comparison',
     ofRuns: {
       yourNet: 'your net',
       back: 'Back to your net',
@@ -625,6 +626,7 @@ export const panels = {
     here: 'Drop the file here',
     taken: (formats: readonly string[]) => `A mesh (${formats.join(', ')}) or a project`,
   },
+  picture: { failed: 'The picture could not be made.' },
   recording: {
     title: 'Recording',
     stop: 'Stop and save',

@@ -540,6 +540,7 @@ export const panels: Widened<typeof en> = {
   },
   comparison: {
     wasCancelled: '比较已取消。',
+    nets: '用于比较的网',
     ofRuns: {
       yourNet: '您的网',
       back: '回到您的网',
@@ -793,6 +794,7 @@ export const panels: Widened<typeof en> = {
     here: '把文件放在这里',
     taken: (formats) => `网格文件（${formats.join('、')}）或项目`,
   },
+  picture: { failed: '无法生成图像。' },
   recording: {
     title: '正在录制',
     stop: '停止并保存',
