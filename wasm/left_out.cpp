@@ -1,5 +1,5 @@
 // What chebnet_editor has in place of sources that it does without (left_out.cmake): OBJ, edge tables, flat patterns,
-// nets pushed through, handles that slide or are drawn where a net came out crumpled, localities, shapes that are
+// nets pushed through, handles that slide, turn together or are drawn where no way leads, localities, shapes that are
 // relaxed, surfaces, families of net lines and rods that were bent beforehand. Called, they throw the code "left_out".
 
 #include <memory>
@@ -18,6 +18,7 @@
 #include "solve/parts/length_system.h"
 #include "solve/parts/neighbour_system.h"
 #include "solve/parts/tangent_newton.h"
+#include "solve/parts/turned_handles.h"
 #include "solve/terms/bending_term.h"
 #include "solve/terms/closeness_term.h"
 
@@ -49,10 +50,8 @@ std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, doub
 Eigen::VectorXd heights_over(const Surface&, const SurfaceTree&, const Positions&) { leave_to_the_whole_core(); }
 std::optional<std::vector<int>> edge_families(const Net&) { leave_to_the_whole_core(); }
 void BendingTerm::bend_rest_lines(const Net&, const Positions&, double) { leave_to_the_whole_core(); }
-/// Folds are not counted here: what a hand drags on the page is not crumpled, and what else is asked for is a net.
-bool Editor::is_crumpled(Status status) const { return status == Status::stalled; }
 /// The whole core begins the solve again.
-bool Editor::take_in_hand(Status) {
+bool Editor::take_in_hand() {
     m_positions = m_net_before;
     m_running = false;
     leave_to_the_whole_core();
@@ -61,7 +60,18 @@ bool Editor::take_in_hand(Status) {
 bool TangentNewton::find_buckling(std::span<const std::unique_ptr<Term>>, int, Eigen::Matrix3Xd&) { return false; }
 // Never called where nothing has been taken in hand.
 bool Editor::goes_on_by_hand(SolveReport&) { return false; }
-Status Editor::drawn_by_hand() const { return Status::running; }
+Status Editor::status_by_hand() const { return Status::running; }
+Eigen::Vector3d Editor::goal(const Handle& handle) const { return handle.target; }
+void Editor::take_better_net(SolveReport&) {}
+/// Handles that move one by one.
+std::shared_ptr<const TurnedHandles> TurnedHandles::find(const Topology& topology, const HeldVertices& held,
+                                                         const Positions& from, const Positions& to) {
+    for (int v : held.vertices())
+        for (int n : topology.neighbours(v))
+            if (!held.stands_the_same(v, from, to) && !held.stands_the_same(n, from, to)) leave_to_the_whole_core();
+    return nullptr;
+}
+void TurnedHandles::go(double, const Positions&, const Positions&, const Positions&, Eigen::Matrix3Xd&) const {}
 void check_slide(int, Axes, bool) { leave_to_the_whole_core(); }
 // Never called where no handle has passed that check.
 void LengthSystem::set_slides(std::span<const Slide>) {}

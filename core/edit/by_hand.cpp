@@ -1,17 +1,22 @@
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "edit/editor.h"
 #include "net/measures.h"
+#include "solve/parts/handle_walk.h"
 #include "solve/parts/rest_energy.h"
 
 namespace chebnet {
 
 namespace {
 
-// What a solve takes in hand itself is drawn by so many iterations at most.
-constexpr int k_most_by_hand = 100;
+// What a solve takes in hand itself is drawn by so many iterations at most, and by half of those that are left; and in
+// each step by so many, and held where that ends by as many, before the walk goes on.
+constexpr int k_most_by_hand = 100, k_most_of_a_step = 8;
 
 /// Whether an edge folds so much more than before that no smooth bend would fold it so. Nets that are rough as they
 /// come, as coarse animals are, may fold sharply all over.
@@ -24,22 +29,33 @@ bool folds_more(const Net& net, const Positions& before, const Positions& now) {
 
 }  // namespace
 
-/// Whether a solve that has ended so may be improved on by hand: where what is pressed together had to be made a net by
-/// its lengths alone, it is crumpled.
-bool Editor::is_crumpled(Status status) const {
-    if (!m_may_take_in_hand || !m_reachable || m_region || !m_method->goes_from_net_to_net()) return false;
-    return status == Status::stalled || (keeps_lengths(status) && folds_more(*m_net, m_net_before, m_positions));
-}
+/// What a solve knows that has taken handles in hand itself.
+struct Editor::ByHand {
+    Positions before;  // what it had come to
+    int until;         // no step begins after this iteration
+    HandleWalk way;    // of the step under way
+    Positions goals;   // where that ends
+    int since = 0;     // in which iteration it began
+    struct Found {
+        Status status;
+        Positions positions;
+        double energy;
+    };
+    std::optional<Found> found;  // where another net is looked for all the same
+};
 
-/// From the last net, or where that has all in place, from the rest shape; once in a solve.
-bool Editor::take_in_hand(Status without) {
+/// Of the last net, or where that has all in place, of the rest shape; once in a solve. What it has come to is kept for
+/// where that leads nowhere. False if neither is a net to begin with.
+bool Editor::take_in_hand() {
     m_may_take_in_hand = false;
-    return take_in_hand(m_net_before, without) || take_in_hand(m_net->rest_positions(), without);
+    m_by_hand = std::make_shared<ByHand>();
+    m_by_hand->before = m_positions;
+    m_by_hand->until = m_iterations + std::min(k_most_by_hand, (m_options.max_iterations - m_iterations) / 2);
+    return take_in_hand(m_net_before) || take_in_hand(m_net->rest_positions());
 }
 
-/// Draws handles to their places from where a net has them, as a hand does: what is pressed together gives way as a
-/// whole. False if this is no net, or has all of them in place.
-bool Editor::take_in_hand(const Positions& from, Status without) {
+/// False if this is no net, or has all handles in place.
+bool Editor::take_in_hand(const Positions& from) {
     if (!(max_deviation(*m_net, from) < m_options.threshold)) return false;
     for (const Handle& handle : m_handles) {
         if (!handle.is_exact() || handle.holds_at(from.col(handle.vertex))) continue;
@@ -48,29 +64,71 @@ bool Editor::take_in_hand(const Positions& from, Status without) {
     }
     if (m_in_hand.empty()) return false;
     m_took_in_hand = true;
-    m_taken_at = m_iterations;
-    m_without_hand = {without, m_positions, energy()};
     m_positions = from;
-    hold_back(true);
+    m_by_hand->way.set_handles(HeldVertices(m_net->vertex_count(), m_in_hand, {}), *m_topology);
+    draw_a_step();
     return true;
 }
 
-/// After a solve that has taken handles in hand itself has ended: near their places they are held there; where that
-/// does not lead to a net of less energy than what was found without a hand, that is the end again.
+/// Pulls what is in hand, from where it stands, as far as a walk goes in a step.
+void Editor::draw_a_step() {
+    auto& [before, until, way, goals, since, found] = *m_by_hand;
+    Positions to = m_positions;
+    for (int vertex : m_in_hand) to.col(vertex) = m_handles[m_handle_at[vertex]].target;
+    way.begin(m_positions, to, m_net->mean_length());
+    way.go_to(way.next());
+    goals = way.walked() < 1 ? Positions(m_positions + way.moves_to(way.walked(), m_positions)) : to;
+    since = m_iterations;
+    hold_back(true);
+}
+
+/// Where a handle is to be now.
+Eigen::Vector3d Editor::goal(const Handle& handle) const {
+    const bool is_on_step = m_took_in_hand && m_is_in_hand[handle.vertex] && m_by_hand->way.walked() < 1;
+    return is_on_step ? Eigen::Vector3d(m_by_hand->goals.col(handle.vertex)) : handle.target;
+}
+
+/// After a solve that has taken handles in hand itself has ended. What has given way to the pull of a step is held at
+/// its end, and walks on from there; where that leads no farther, it is drawn by the next step.
 bool Editor::goes_on_by_hand(SolveReport& report) {
-    if (m_holds_back && keeps_lengths(report.status) && is_nearly_there()) {
+    const bool is_net = max_deviation(*m_net, m_positions) < m_options.threshold;
+    if (is_net && m_holds_back && is_nearly_there()) {
+        m_by_hand->since = m_iterations;
         hold_back(false);
         return true;
     }
-    const bool is_better = !m_holds_back && has_all_in_place() && energy() < m_without_hand.energy;
+    if (is_net && !m_holds_back && report.status == Status::unreachable && m_iterations < m_by_hand->until) {
+        draw_a_step();
+        return true;
+    }
+    if (is_net && !m_holds_back && report.status != Status::unreachable && m_by_hand->way.walked() < 1) {
+        m_by_hand->way.go_to(1);
+        return true;
+    }
+    return goes_on_without_hand(is_net && !m_holds_back && has_all_in_place(), report);
+}
+
+/// Where handles that were taken in hand have not arrived, or the net came out crumpled all the same, it is looked for
+/// by its lengths alone.
+bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
+    const bool is_last = m_iterations >= m_options.max_iterations;
+    if (has_arrived && is_last) report.status = Status::exact;
     empty_hand();
-    if (is_better && report.status == Status::max_iterations) report.status = Status::exact;
-    if (is_better) return false;
-    m_positions = m_without_hand.positions;
+    if (has_arrived && (is_last || !folds_more(*m_net, m_net_before, m_positions))) return false;
+    if (has_arrived) m_by_hand->found = {report.status, m_positions, energy()};
+    m_positions = m_by_hand->before;
     m_unit_positions = in_unit(m_positions);
-    report.status = m_without_hand.status;
-    if (keeps_lengths(report.status)) begin_solve(report.trace);  // the method knows it again
-    return false;
+    return true;
+}
+
+/// After a solve that looked for a net by its lengths alone, too: that of less energy stays.
+void Editor::take_better_net(SolveReport& report) {
+    if (!m_by_hand || !m_by_hand->found || energy() < m_by_hand->found->energy) return;
+    m_positions = m_by_hand->found->positions;
+    m_unit_positions = in_unit(m_positions);
+    report.status = m_by_hand->found->status;
+    begin_solve(report.trace);  // the method knows it again
+    store_positions();
 }
 
 bool Editor::has_all_in_place() const {
@@ -79,10 +137,11 @@ bool Editor::has_all_in_place() const {
     });
 }
 
-/// Of what take_in_hand() took, while it is on its way: it is not drawn for ever.
-Status Editor::drawn_by_hand() const {
-    if (m_iterations - m_taken_at < k_most_by_hand) return Status::running;
-    return is_nearly_there() ? Status::exact : Status::stalled;
+/// The status of what take_in_hand() took, while it is under way: a step has its end.
+Status Editor::status_by_hand() const {
+    const bool has_time =
+        m_iterations - m_by_hand->since < k_most_of_a_step && (!m_holds_back || m_iterations < m_by_hand->until);
+    return has_time || m_by_hand->way.walked() == 1 ? Status::running : Status::exact;
 }
 
 /// Of the method's last net; infinite where it has found none.

@@ -202,7 +202,7 @@ void Editor::hold_back(bool on) {
 bool Editor::is_nearly_there() const {
     const double near = k_nearly_there * m_unit_net->mean_length();
     return std::all_of(m_in_hand.begin(), m_in_hand.end(), [&](int vertex) {
-        return (m_unit_positions.col(vertex) - m_handles[m_handle_at[vertex]].target / m_unit).stableNorm() < near;
+        return (m_unit_positions.col(vertex) - goal(m_handles[m_handle_at[vertex]]) / m_unit).stableNorm() < near;
     });
 }
 
@@ -211,7 +211,11 @@ bool Editor::is_nearly_there() const {
 /// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
 /// move_handle().
 bool Editor::goes_on_otherwise(Status status) {
-    if (m_in_hand.empty()) return is_crumpled(status) && take_in_hand(status);
+    if (m_in_hand.empty()) {
+        if (!(m_may_take_in_hand && m_reachable && status == Status::unreachable)) return false;
+        take_in_hand();
+        return true;  // also without: by lengths alone
+    }
     if (status == Status::unreachable && m_holds_back) {
         if (m_hand_along != k_all_axes)
             keep_hand_to(k_all_axes);
@@ -472,8 +476,8 @@ void Editor::collect_pulls() {
 }
 
 Problem Editor::problem() const {
-    return {*m_unit_net, *m_topology,        m_fixed, m_pulls, m_reachable, &m_unit_last_net, m_guide,
-            m_unit,      !m_in_hand.empty(), m_slides};
+    return {*m_unit_net, *m_topology,        m_fixed,  m_pulls,           m_reachable, &m_unit_last_net, m_guide,
+            m_unit,      !m_in_hand.empty(), m_slides, m_may_take_in_hand};
 }
 
 void Editor::prepare() {
@@ -489,7 +493,7 @@ void Editor::draw_targets_near() {
     const auto count = static_cast<Eigen::Index>(m_handles.size());
     Eigen::Matrix3Xd targets(3, count), rest(3, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        targets.col(i) = m_handles[i].target;
+        targets.col(i) = goal(m_handles[i]);
         rest.col(i) = m_net->rest_positions().col(m_handles[i].vertex);
     }
     const double farthest = k_farthest_target * m_net->mean_length();
@@ -618,7 +622,9 @@ SolveReport Editor::go_on(const Budget& budget) {
     if (!m_running) {
         m_iterations = 0;
         m_elapsed_ms = 0;
-        m_may_take_in_hand = true;
+        // What is pressed together would come out crumpled where it is made a net by its lengths alone.
+        m_may_take_in_hand = m_in_hand.empty() && !m_region;
+        m_by_hand.reset();
         m_net_before = m_last_net;
         report.status = begin_solve(report.trace);
     }
@@ -643,7 +649,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         report.status = iterate(row);
         has_moved = true;
         row.iteration = ++m_iterations;
-        if (report.status == Status::running && m_took_in_hand && m_holds_back) report.status = drawn_by_hand();
+        if (report.status == Status::running && m_took_in_hand) report.status = status_by_hand();
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
         report.trace.push_back(row);
@@ -651,6 +657,7 @@ SolveReport Editor::go_on(const Budget& budget) {
     }
     m_running = report.status == Status::running;
     store_positions();
+    if (!m_running) take_better_net(report);
     if (const std::optional<RestState> state = rest_state()) report.to_rest = state->left;
     report.max_deviation = max_deviation(*m_net, m_positions);
     if (report.max_deviation < m_options.threshold) m_last_net = m_positions;

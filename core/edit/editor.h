@@ -135,10 +135,11 @@ public:
     /// made unless there is nothing to do. Never throws over a hard problem: see Status. If handles are out of reach
     /// the net is stretched as evenly as the first stage can and the status is `unreachable`; towards targets that are
     /// very far it is stretched as towards nearer ones in their direction (see near_targets), and the handle alone
-    /// stands at the target. A net that came out crumpled is compared with the one to which its handles are drawn from
-    /// the net before, as by a hand, where iterations are left for it; the one of less energy stays. Throws Error
-    /// too_large if the method needs more memory for a net of this size than is allowed or there (see
-    /// k_most_factor_bytes); then the positions stay, and another method may do.
+    /// stands at the target. With a method that goes from net to net, handles to which no way leads are drawn there as
+    /// by a hand, as long as iterations are left for it; where that leads nowhere, or to a net that is crumpled, one is
+    /// looked for by its lengths alone, and of two the one of less energy stays. Throws Error too_large if the method
+    /// needs more memory for a net of this size than is allowed or there (see k_most_factor_bytes); then the positions
+    /// stay, and another method may do.
     SolveReport solve(const Budget& budget = {});
 
     /// Pairs of exact handles that do not slide, farther apart than the net allows, worst first, and such a handle with
@@ -184,12 +185,15 @@ private:
     void keep_hand_to(Axes axes);
     void hold_back(bool on);
     bool goes_on_otherwise(Status status);
-    bool is_crumpled(Status status) const;
-    bool take_in_hand(Status without);
-    bool take_in_hand(const Positions& from, Status without);
+    bool take_in_hand();
+    bool take_in_hand(const Positions& from);
+    void draw_a_step();
+    Eigen::Vector3d goal(const Handle& handle) const;
     bool goes_on_by_hand(SolveReport& report);
+    bool goes_on_without_hand(bool has_arrived, SolveReport& report);
+    void take_better_net(SolveReport& report);
     bool has_all_in_place() const;
-    Status drawn_by_hand() const;
+    Status status_by_hand() const;
     double energy() const;
     void empty_hand();
     void let_go();
@@ -224,15 +228,11 @@ private:
     bool m_holds_back = false;                          // those in hand are pulled, not held
     bool m_was_nearly_there = false;                    // and holding them has been tried again
     bool m_is_released = false;                         // in hand until the solve ends
-    // Of the solve under way: whether it may take handles in hand itself, and has; in which iteration; what it had
-    // found without; and the last net before it.
+    // Of the solve under way: whether it may take handles in hand itself, and has; what it knows then; and the last net
+    // before it.
     bool m_may_take_in_hand = false, m_took_in_hand = false;
-    int m_taken_at = 0;
-    struct {
-        Status status;
-        Positions positions;
-        double energy;
-    } m_without_hand;
+    struct ByHand;
+    std::shared_ptr<ByHand> m_by_hand;  // null: it has not
     Positions m_net_before;
     // For the solve under way, in the solver's unit:
     Positions m_unit_positions, m_unit_last_net;

@@ -36,10 +36,11 @@ public:
     /// fixed vertices already stand. May move free vertices off degenerate places. Returns `running`, or `converged` if
     /// nothing is to be done. What is not reachable gets the most even shape and ends with `unreachable`. If only nets
     /// are asked for, fixed vertices stand where the net has come on the way to their places, and the solve ends with
-    /// `unreachable` at the last net where none leads on, or before it begins where none is known.
+    /// `unreachable` at the last net where none leads on, or before it begins where none is known. If only walks are
+    /// asked for, a solve whose walks from net to net lead no farther ends with `unreachable` there.
     virtual Status start(const Problem& problem, Positions& positions, const Options& options) = 0;
 
-    /// Whether Problem::only_nets is heeded.
+    /// Whether Problem::only_nets and only_walks are heeded.
     virtual bool goes_from_net_to_net() const { return false; }
 
     /// One iteration: moves free vertices only, or if only nets are asked for, all, and fills `row` (all but iteration

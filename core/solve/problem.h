@@ -25,6 +25,7 @@ struct Problem {
     double unit = 1;                               ///< of the net, in that of the guide and of the options' lengths
     bool only_nets = false;                        ///< see Method::start(); for methods that go from net to net
     std::span<const Slide> slides = {};            ///< of free vertices, distinct; for methods that know slides
+    bool only_walks = false;                       ///< see Method::start(); for methods that go from net to net
 };
 
 }  // namespace chebnet

@@ -28,14 +28,14 @@ Eigen::Quaterniond random_turn(std::mt19937& random) {
 }
 
 /// Handles at these vertices; the last of them slides along the given axes, if any.
-HandleWalk walk_of(const Net& net, std::vector<int> handles, Axes along = k_no_axes) {
+HandleWalk walk_of(const Net& net, const Topology& topology, std::vector<int> handles, Axes along = k_no_axes) {
     std::vector<Slide> slides;
     if (along != k_no_axes) {
         slides.push_back({handles.back(), along});
         handles.pop_back();
     }
     HandleWalk walk;
-    walk.set_handles(HeldVertices(net.vertex_count(), handles, slides));
+    walk.set_handles(HeldVertices(net.vertex_count(), handles, slides), topology);
     walk.forget_moves(net.vertex_count());
     return walk;
 }
@@ -43,7 +43,8 @@ HandleWalk walk_of(const Net& net, std::vector<int> handles, Axes along = k_no_a
 /// In how many steps a handle goes so many edge lengths.
 int steps_over(double edge_lengths) {
     const Net net = samples::patch(4, 4);
-    HandleWalk walk = walk_of(net, {0, 15});
+    const Topology topology(net);
+    HandleWalk walk = walk_of(net, topology, {0, 15});
     Positions to = net.rest_positions();
     to.col(15).z() += edge_lengths;
     walk.begin(net.rest_positions(), to, 1);
@@ -120,7 +121,8 @@ TEST_CASE("Handles go an edge length at once, and farther in quarters of one or 
 
 TEST_CASE("Of what slides, the way is what it has to go across") {
     const Net net = samples::patch(4, 4);
-    HandleWalk walk = walk_of(net, {0, 15}, 3);  // along x and y
+    const Topology topology(net);
+    HandleWalk walk = walk_of(net, topology, {0, 15}, 3);  // along x and y
     Positions to = net.rest_positions();
     to.col(15) += Eigen::Vector3d(5, 7, 0.5);
     walk.begin(net.rest_positions(), to, 1);
@@ -133,9 +135,52 @@ TEST_CASE("Of what slides, the way is what it has to go across") {
     CHECK(walk.way_left(x) == 0);
 }
 
+TEST_CASE("Handles joined by edges turn together on their way, others go straight") {
+    const unsigned seed = GENERATE(range(1u, 4u));
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const std::vector<int> joined =
+        GENERATE(std::vector<int>{0, 1, 4, 5}, std::vector<int>{0, 1, 2});  // a face, a line
+    const Net net = samples::patch(4, 4, 0);
+    const Topology topology(net);
+    std::vector<int> handles = joined;
+    handles.push_back(15);
+    HandleWalk walk = walk_of(net, topology, handles);
+    const Positions from = net.rest_positions();
+    const Eigen::Quaterniond turn = random_turn(random);
+    Positions to = from;
+    for (int v : joined) to.col(v) = turn * from.col(v) + Eigen::Vector3d(1, 2, 3);
+    to.col(15) += Eigen::Vector3d(0, 3, 4);
+    walk.begin(from, to, 1);
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+        const Positions x = from + walk.moves_to(part, from);
+        CHECK((x.col(15) - from.col(15) - part * Eigen::Vector3d(0, 3, 4)).norm() < 1e-12);
+        for (int a : joined)
+            for (int b : joined)
+                CHECK((x.col(a) - x.col(b)).norm() == Approx((from.col(a) - from.col(b)).norm()).margin(1e-12));
+    }
+    const Positions end = from + walk.moves_to(1, from);
+    CHECK((end - to).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("Handles joined by edges that change their shape come to their places evenly") {
+    const Net net = samples::patch(4, 4, 0);
+    const Topology topology(net);
+    HandleWalk walk = walk_of(net, topology, {0, 1, 4, 5});
+    const Positions from = net.rest_positions();
+    Positions to = from;
+    for (int v : {0, 1, 4, 5}) to.col(v) = 2 * Eigen::Vector3d(3 - from(1, v), from(0, v), 0);
+    walk.begin(from, to, 1);
+    CHECK((from + walk.moves_to(1, from) - to).norm() < 1e-12);
+    const Positions half = from + walk.moves_to(0.5, from);
+    CHECK((half.col(0) - half.col(1)).norm() == Approx(1.5));
+    CHECK((half.col(0) - half.col(5)).norm() == Approx(1.5 * std::sqrt(2)));
+}
+
 TEST_CASE("A step that is like the last one repeats it, one across it does not") {
     const Net net = samples::patch(4, 4);
-    HandleWalk walk = walk_of(net, {0, 15});
+    const Topology topology(net);
+    HandleWalk walk = walk_of(net, topology, {0, 15});
     Eigen::Matrix3Xd last = Eigen::Matrix3Xd::Zero(3, 16);
     last.col(15) = Eigen::Vector3d(0, 0, 0.2);
     walk.note_move(last);
@@ -155,14 +200,15 @@ TEST_CASE("A shape is placed where handles have it, and turned as the last net w
     CAPTURE(seed);
     std::mt19937 random(seed);
     const Net net = samples::patch(5, 5);
+    const Topology topology(net);
     const Positions& shape = net.rest_positions();
     const Positions moved = (random_turn(random).toRotationMatrix() * shape).colwise() + Eigen::Vector3d(3, 1, 2);
-    HandleWalk by_three = walk_of(net, {0, 4, 20});
+    HandleWalk by_three = walk_of(net, topology, {0, 4, 20});
     by_three.begin(shape, moved, 1);
     CHECK((by_three.placed(shape, shape) - moved).norm() < 1e-9);
     CHECK(by_three.ends_as_in(shape, shape));
 
-    HandleWalk by_two = walk_of(net, {0, 24});
+    HandleWalk by_two = walk_of(net, topology, {0, 24});
     by_two.begin(shape, moved, 1);
     CHECK((by_two.placed(shape, moved) - moved).norm() < 1e-3);  // the last net counts for little
     Positions pulled = moved;

@@ -108,7 +108,7 @@ TEST_CASE("A tube twisted by a right angle ends in one net, in however few frame
 
 TEST_CASE("A straight tube that is pressed together gives way as a whole, also at once") {
     // By two edges: a rim that snaps there has all lengths, turned back through the next row.
-    const double by = GENERATE(0.5, 2.0, 4.0);
+    const double by = GENERATE(0.5, 2.0, 4.0, 5.0);
     CAPTURE(by);
     const int around = 20, along = 21, top = (along - 1) * around;
     const double radius = 0.5 / std::sin(EIGEN_PI / around);
@@ -134,6 +134,31 @@ TEST_CASE("A straight tube that is pressed together gives way as a whole, also a
     CHECK(sharp_folds(editor.net(), editor.positions(), k_fold) == 0);
     CHECK(smallest_angle(editor) > k_limit);
     for (const Handle& handle : handles) CHECK(editor.positions().col(handle.vertex) == handle.target);
+}
+
+TEST_CASE("The end of a strip that is turned at once takes the strip along without a fold") {
+    const double degrees = GENERATE(90.0, 150.0, 180.0);
+    CAPTURE(degrees);
+    const int wide = 9, rows = 31, top = wide * (rows - 1);
+    const Net strip = samples::patch(wide, rows, 0);
+    const Positions x = strip.rest_positions();
+    const Eigen::Vector3d middle(x.row(0).mean(), rows - 1, 0);
+    // The longest net lines lie on a helix of this height.
+    const double radius = (wide - 1) / 2.0, angle = degrees * EIGEN_PI / 180;
+    const double height = 0.97 * std::sqrt((rows - 1) * (rows - 1) - radius * radius * angle * angle);
+    std::vector<Handle> handles;
+    for (int i = 0; i < wide; ++i) {
+        handles.push_back({i, x.col(i)});
+        const Eigen::Vector3d turned = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()) * (x.col(top + i) - middle);
+        handles.push_back({top + i, turned + Eigen::Vector3d(middle.x(), height, 0)});
+    }
+    Editor editor(strip);
+    editor.set_method("equilibrium");
+    editor.set_handles(handles);
+    CHECK(editor.solve().status == Status::converged);
+    CHECK(max_deviation(editor.net(), editor.positions()) < 1e-9);
+    CHECK(sharp_folds(editor.net(), editor.positions(), k_fold) == 0);
+    CHECK(smallest_angle(editor) > k_limit);
 }
 
 TEST_CASE("A vault pushed three units aside is a net within the limit") {

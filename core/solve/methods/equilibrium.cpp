@@ -152,7 +152,7 @@ private:
     HandleWalk m_walk;          // stage 2
 
     Options m_options;
-    bool m_reachable = true, m_only_nets = false;
+    bool m_reachable = true, m_only_nets = false, m_only_walks = false;
     const Positions* m_last_net = nullptr;  // of the problem
     Stage m_stage = net;
     int m_steps = 0;               // Newton steps of this solve
@@ -192,7 +192,7 @@ void Equilibrium::prepare(const Problem& problem) {
     m_is_free = free_vertices(of.vertex_count(), problem.fixed);
     m_slides.assign(problem.slides.begin(), problem.slides.end());
     m_pulls_changed |= m_options.gravity > 0;  // the net may hang by other vertices, or by none
-    m_walk.set_handles(HeldVertices(of.vertex_count(), problem.fixed, problem.slides));
+    m_walk.set_handles(HeldVertices(of.vertex_count(), problem.fixed, problem.slides), problem.topology);
     m_walk.forget_moves(of.vertex_count());
     m_part = std::make_unique<FreePart>(of, m_is_free);
     m_projection.reset();
@@ -239,6 +239,7 @@ Status Equilibrium::start(const Problem& problem, Positions& positions, const Op
     m_options = options;
     m_reachable = problem.reachable;
     m_only_nets = problem.only_nets;
+    m_only_walks = problem.only_walks;
     m_last_net = problem.last_net;
     m_max_deviation = max_deviation(*m_net, positions);
     const bool is_where_left = m_result.cols() > 0 && m_result == positions;
@@ -516,11 +517,15 @@ void Equilibrium::add_bow(const Positions& x, Eigen::Matrix3Xd& moves) {
 }
 
 /// Where the way from the last net leads no farther: by the way from the rest shape, or else, if it was to end where
-/// all edges had their lengths, from there, or else by `projection`.
+/// all edges had their lengths, from there, or else by `projection`; none of the two if only walks are asked for.
 Status Equilibrium::find_another_net(Positions& positions) {
     if (begin_at_rest_shape(std::numeric_limits<double>::infinity())) {
         m_stuck_at = positions;
         return Status::running;
+    }
+    if (m_only_walks) {
+        if (m_stuck_at.cols() > 0) positions = m_stuck_at;
+        return Status::unreachable;
     }
     if (m_began_as_net) {
         positions = m_result = m_begun;

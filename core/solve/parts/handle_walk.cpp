@@ -32,6 +32,7 @@ void HandleWalk::begin(const Positions& from, const Positions& to, double edge_l
     m_length = way_left(m_from);
     m_stride = m_length <= k_one_step ? 1 : std::max(k_careful_step / m_length, k_least_stride);
     m_walked = 0;
+    m_turned = TurnedHandles::find(*m_topology, m_held, m_from, m_to);
 }
 
 bool HandleWalk::is_jump() const { return m_length > k_jump; }
@@ -46,6 +47,7 @@ Eigen::Matrix3Xd HandleWalk::moves_to(double part, const Positions& from) const 
     Eigen::Matrix3Xd moves = Eigen::Matrix3Xd::Zero(3, from.cols());
     for (int v : m_held.vertices())
         moves.col(v) = m_held.held_part(v, m_from.col(v) + part * (m_to.col(v) - m_from.col(v)) - from.col(v));
+    if (m_turned) m_turned->go(part, m_from, m_to, from, moves);
     return moves;
 }
 

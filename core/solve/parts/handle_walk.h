@@ -1,19 +1,26 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <utility>
 
 #include "net/net.h"
+#include "net/topology.h"
 #include "solve/parts/held_vertices.h"
+#include "solve/parts/turned_handles.h"
 
 namespace chebnet {
 
 /// The way of exact handles from where a net has them to where they are to be, gone in steps. It knows where handles
 /// stand along it; a method makes the net follow. Of a vertex that slides, the way is what it has to go across the axes
-/// along which it slides.
+/// along which it slides. Handles joined by edges turn together, see TurnedHandles; others go straight.
 class HandleWalk {
 public:
-    void set_handles(HeldVertices held) { m_held = std::move(held); }
+    /// Keeps a reference to the topology.
+    void set_handles(HeldVertices held, const Topology& topology) {
+        m_held = std::move(held);
+        m_topology = &topology;
+    }
     const HeldVertices& held() const { return m_held; }
 
     /// From the first to the second, both 3×V; `edge_length`: the unit of the way.
@@ -54,8 +61,10 @@ public:
     static constexpr double k_same = 1e-6;
 
 private:
+    const Topology* m_topology = nullptr;
     HeldVertices m_held;
     Positions m_from, m_to;
+    std::shared_ptr<const TurnedHandles> m_turned;  // null: all go straight
     double m_edge_length = 1, m_length = 0;
     double m_walked = 0, m_stride = 1;  // parts of the way: gone, and of a step
     Eigen::Matrix3Xd m_last_move;

@@ -17,6 +17,7 @@ public:
 
     /// The fixed ones first.
     const std::vector<int>& vertices() const { return m_vertices; }
+    bool is_fixed(int vertex) const { return m_free_axes[vertex] == k_no_axes; }
     /// What of a vertex's move is the handles' to say.
     Eigen::Vector3d held_part(int vertex, const Eigen::Vector3d& move) const {
         return across(m_free_axes[vertex], move);
