@@ -97,15 +97,17 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
         hold_back(false);
         return true;
     }
-    if (is_net && !m_holds_back && report.status == Status::unreachable && m_iterations < m_by_hand->until) {
+    const bool is_held = is_net && !m_holds_back, is_stuck = report.status == Status::unreachable;
+    const bool may_draw = m_iterations > m_by_hand->since && m_iterations < m_by_hand->until;
+    if (is_held && is_stuck && may_draw) {
         draw_a_step();
         return true;
     }
-    if (is_net && !m_holds_back && report.status != Status::unreachable && m_by_hand->way.walked() < 1) {
+    if (is_held && !is_stuck && m_by_hand->way.walked() < 1) {
         m_by_hand->way.go_to(1);
         return true;
     }
-    return goes_on_without_hand(is_net && !m_holds_back && has_all_in_place(), report);
+    return goes_on_without_hand(is_held && has_all_in_place(), report);
 }
 
 /// Where handles that were taken in hand have not arrived, or the net came out crumpled all the same, it is looked for
