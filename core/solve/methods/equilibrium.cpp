@@ -858,10 +858,11 @@ constexpr auto k_equilibrium_options =
 ///
 ///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails from the
 ///      last net and from the rest shape;
-///   2  after handles have moved: in steps of an edge length at most, free vertices go on as in the step before, as far
-///      as the handles do, and follow the rest of the handles' way as smoothly as the energy's bound allows; they are
-///      projected onto the lengths, and make one step of stage 3. So a jump ends where a drag does. Where the way leads
-///      no farther, and where it is shorter for handles that jump, it begins at the rest shape;
+///   2  after handles have moved: in steps of an edge length at most, in which handles joined by edges turn together
+///      (TurnedHandles), free vertices go on as in the step before, as far as the handles do, and follow the rest of
+///      the handles' way as smoothly as the energy's bound allows; they are projected onto the lengths, and make one
+///      step of stage 3. So a jump ends where a drag does. Where the way leads no farther, and where it is shorter for
+///      handles that jump, it begins at the rest shape;
 ///   3  Newton steps for the energy among nets (TangentNewton), each turning the net where it turns (TurnedMove),
 ///      projected onto the lengths and out of corners that are too sharp (CornerLimit), until the gradient that the
 ///      constraints leave is below Options::rest_tolerance. Where they follow a valley, they are carried on along it
