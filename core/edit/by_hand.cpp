@@ -32,7 +32,7 @@ bool folds_more(const Net& net, const Positions& before, const Positions& now) {
 /// What a solve knows that has taken handles in hand itself.
 struct Editor::ByHand {
     Positions before;  // what it had come to
-    int until;         // no step begins after this iteration
+    int until = 0;     // no step begins after this iteration
     HandleWalk way;    // of the step under way
     Positions goals;   // where that ends
     int since = 0;     // in which iteration it began
