@@ -41,7 +41,6 @@ export const en = {
     pictureLost: 'The graphics card dropped the picture; waiting for it…',
     noGraphics:
       'The net is drawn with WebGL 2, which this browser lacks or has switched off. The panels and the solver still work.',
-    noPicture: 'There is no picture without WebGL 2.',
     strain: (distance: string, reach: string) => `${distance} apart, the net reaches ${reach}`,
   },
   opening: {

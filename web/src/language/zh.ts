@@ -40,7 +40,6 @@ export const zh: Words = {
     net: '网。方向键转动视图或移动选中的手柄，加号和减号缩放，Home 键显示整张网。',
     pictureLost: '显卡丢失了画面，正在等待恢复…',
     noGraphics: '绘制网需要 WebGL 2，此浏览器没有。面板和求解器仍可用。',
-    noPicture: '没有 WebGL 2 就没有图像。',
     strain: (distance, reach) => `相距 ${distance}，网只够 ${reach}`,
   },
   opening: {

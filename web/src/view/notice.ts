@@ -41,7 +41,7 @@ export function createBlankView(container: HTMLElement): View {
   const notice = createNotice(container);
   notice.show(words.view.noGraphics);
   const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
-  const refuse = () => Promise.reject(new Failure('no_picture', words.view.noPicture));
+  const refuse = () => Promise.reject(new Failure('no_picture', words.view.noGraphics));
   return {
     setNet() {},
     setFrame() {},
