@@ -3,7 +3,6 @@
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 #include "edit/editor.h"
 #include "net/measures.h"
@@ -44,8 +43,8 @@ struct Editor::ByHand {
     std::optional<Found> found;  // where another net is looked for all the same
 };
 
-/// Of the last net, or where that has all in place, of the rest shape; once in a solve. What it has come to is kept for
-/// where that leads nowhere. False if neither is a net to begin with.
+/// Draws handles from where the last net has them, or if those are their places, the rest shape; once in a solve. What
+/// it has come to is kept for where that leads nowhere. False if neither is a net to begin with.
 bool Editor::take_in_hand() {
     m_may_take_in_hand = false;
     m_by_hand = std::make_shared<ByHand>();
@@ -54,7 +53,7 @@ bool Editor::take_in_hand() {
     return take_in_hand(m_net_before) || take_in_hand(m_net->rest_positions());
 }
 
-/// False if this is no net, or has all handles in place.
+/// From where a net has them. False if this is no net, or has all of them in place.
 bool Editor::take_in_hand(const Positions& from) {
     if (!(max_deviation(*m_net, from) < m_options.threshold)) return false;
     for (const Handle& handle : m_handles) {
