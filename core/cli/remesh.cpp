@@ -195,7 +195,7 @@ Command add_remesh(CLI::App& program) {
         .add_option(
             "--border", arguments->border,
             "Where the surface ends: in a net line (always), in steps (never), or with net lines that run up to it at "
-            "45 degrees (across); fitting: as fits best")
+            "45 degrees (across); fitting: as fits best, left open along gaps where all others would crumple")
         ->check(CLI::IsMember(k_borders))
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");

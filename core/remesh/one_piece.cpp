@@ -9,17 +9,8 @@
 
 namespace chebnet {
 
-namespace {
-
-bool is_disc(const Net& net) {
-    return net.vertex_count() - net.edge_count() + net.face_count() == 1 && Topology(net).component_count() == 1;
-}
-
-}  // namespace
-
 std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, double cells, double length,
                              double smallest_angle) {
-    if (surface.euler_characteristic() != 1 || surface.boundary_loops().size() != 1) return std::nullopt;
     try {
         DrapeOptions options = suggested_drape(surface, tree, 1);
         options.length = length > 0 ? length : std::sqrt(surface.area() / cells);
@@ -31,7 +22,7 @@ std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, do
             options.length *= std::sqrt(net.face_count() / cells);
             net = drape(surface, tree, options).net;
         }
-        if (is_disc(net) && measure_drape(surface, tree, net).gaps == 0) return net;
+        if (Topology(net).component_count() == 1) return net;
     } catch (const Error&) {  // no cell fits where it would begin
     }
     return std::nullopt;

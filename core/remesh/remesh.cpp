@@ -68,12 +68,14 @@ constexpr double k_fewest_distance = 0.2, k_none_distance = 0.1;
 constexpr double k_smooth_tilt = 10 * std::numbers::pi / 180, k_most_tilted = 1.1;
 // A field that nothing holds is as smooth turned by any angle up to 90°. So many are tried, with k_fewest_cells.
 constexpr int k_turns_tried = 4;
-// Only what is clearly better is worth another angle, and survives rounding.
+// Only what is clearly better is worth another angle or another net, and survives rounding.
 constexpr double k_clearly_less = 0.95;
 // What counts against a net, where a mean distance of one edge from the surface counts 1: area that is not covered, of
 // all; the mean distance of the borders, in edges; what the smallest corner lacks of an open one, in radians; how much
-// cells are tilted against the surface, in radians, on average. A net with less than k_good_cost in all needs no rival.
+// cells are tilted against the surface, in radians, on average; borders of gaps and crumpled edges, by their length,
+// where that of a net line across all of the net counts 1. A net with less than k_good_cost in all needs no rival.
 constexpr double k_gap_weight = 5, k_border_weight = 0.05, k_sharp_weight = 0.1, k_tilt_weight = 1;
+constexpr double k_open_weight = 0.1, k_fold_weight = 1;
 constexpr double k_good_cost = 0.08;
 // A net of a given length may have too few cells for the surface, and shrinks within it then, or too many: where it is
 // farther from it than this, in edges, on average, another number of cells may fit.
@@ -511,12 +513,13 @@ public:
     Remesh run() {
         for (std::size_t k = 0; k < std::size(k_ways); ++k) {
             try_way(k);
-            if (k + 1 < k_rivals || best()->missed != 0 || best()->cost > k_good_cost) continue;
-            if (std::optional<Remesh> net = finish_best()) return std::move(*net);
+            if (k + 1 < k_rivals || !best()->is_good()) continue;
+            finish_best();
+            if (m_finished.is_good()) return std::move(*m_finished.made);
         }
-        while (!m_trials.empty())
-            if (std::optional<Remesh> net = finish_best()) return std::move(*net);
-        std::rethrow_exception(m_failure);
+        while (!m_trials.empty() && (!m_finished.made || promises_more(*best()))) finish_best();
+        if (!m_finished.made) std::rethrow_exception(m_failure);
+        return std::move(*m_finished.made);
     }
 
 private:
@@ -527,10 +530,13 @@ private:
     static constexpr std::size_t k_rivals = 2;
 
     struct Trial {
-        Way way;
+        Way way = std::nullopt;
         std::optional<Remesh> made;
         int missed = std::numeric_limits<int>::max();
         double cost = std::numeric_limits<double>::infinity();
+
+        bool is_good() const { return missed == 0 && cost <= k_good_cost; }
+        auto rank() const { return std::pair(missed, cost); }
     };
 
     bool are_few() const { return m_cells <= k_trial_cells; }
@@ -547,17 +553,22 @@ private:
             const double part = (static_cast<int>(phase) - first + done) / (k_remesh_phases - first);
             if (m_progress) m_progress(RemeshPhase::border, (static_cast<double>(k) + part) / std::size(k_ways));
         };
-        add({k_ways[k], made(k_ways[k], options, progress)});
+        m_trials.push_back(made(k_ways[k], options, progress));
     }
 
     std::vector<Trial>::iterator best() {
-        return std::min_element(m_trials.begin(), m_trials.end(), [](const Trial& a, const Trial& b) {
-            return std::pair(a.missed, a.cost) < std::pair(b.missed, b.cost);
-        });
+        return std::min_element(m_trials.begin(), m_trials.end(),
+                                [](const Trial& a, const Trial& b) { return a.rank() < b.rank(); });
     }
 
-    /// As it is asked for. Nothing where that leads to no net; the next is the best then.
-    std::optional<Remesh> finish_best() {
+    /// More than came of another, whose trial had promised that: a larger net may crumple where a small one does not.
+    bool promises_more(const Trial& trial) const {
+        return trial.missed < m_finished.missed ||
+               (trial.missed == m_finished.missed && trial.cost < k_clearly_less * m_finished.cost);
+    }
+
+    /// As it is asked for, unless one is finished that is better.
+    void finish_best() {
         const auto place = best();
         Trial trial = std::move(*place);
         m_trials.erase(place);
@@ -565,37 +576,38 @@ private:
         const double milliseconds = m_watch.milliseconds();
         const bool is_done = are_few() && !m_options.fewest;
         if (!is_done)
-            trial.made = made(trial.way, m_options, m_progress);
+            trial = made(trial.way, m_options, m_progress);
         else if (m_progress)
             m_progress(RemeshPhase::fit, 1);
-        if (!trial.made) return std::nullopt;
+        if (!trial.made) return;
         std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
         own[static_cast<int>(RemeshPhase::border)] =
             is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
-        return std::move(trial.made);
+        if (!m_finished.made || trial.rank() < m_finished.rank()) m_finished = std::move(trial);
     }
 
-    void add(Trial trial) {
+    /// Without a net where no such is found.
+    Trial made(Way way, RemeshOptions options, const RemeshProgress& progress) {
+        Trial trial;
+        trial.way = way;
+        if (way) {
+            options.border = *way;
+            try {
+                trial.made = Remesher(m_guide, options, progress).run();
+            } catch (const Error&) {
+                if (!m_failure) m_failure = std::current_exception();
+            }
+        } else {
+            trial.made = made_in_one_piece(options, progress);
+        }
         if (trial.made) {
             trial.missed = trial.made->kept.missed();
             trial.cost = cost(trial.made->net);
         }
-        m_trials.push_back(std::move(trial));
+        return trial;
     }
 
-    /// Nothing where no such net is found.
-    std::optional<Remesh> made(Way way, RemeshOptions options, const RemeshProgress& progress) {
-        if (!way) return made_in_one_piece(options, progress);
-        options.border = *way;
-        try {
-            return Remesher(m_guide, options, progress).run();
-        } catch (const Error&) {
-            if (!m_failure) m_failure = std::current_exception();
-            return std::nullopt;
-        }
-    }
-
-    /// Nothing where other surfaces, or wishes, ask for more than that.
+    /// Nothing where wishes ask for more than that.
     std::optional<Remesh> made_in_one_piece(const RemeshOptions& options, const RemeshProgress& progress) const {
         const bool is_free = options.singular.is_empty() && options.crease == 0 && options.marked_creases.empty();
         if (!is_free) return std::nullopt;
@@ -613,9 +625,11 @@ private:
     double cost(const Net& net) const {
         const DrapeReport report = measure_drape(m_guide->surface(), m_guide->tree(), net);
         const double distances = report.mean_distance + k_border_weight * border_distance(m_guide->surface(), net);
+        const double lines =
+            k_open_weight * report.open_border / report.length + k_fold_weight * crumpled_edges(*m_guide, net);
         return k_gap_weight * (1 - report.coverage) + distances / report.length +
                k_sharp_weight * std::max(0.0, k_open_angle - report.smallest_angle) +
-               k_tilt_weight * mean_tilt(*m_guide, net);
+               k_tilt_weight * mean_tilt(*m_guide, net) + lines / std::sqrt(net.face_count());
     }
 
     std::shared_ptr<const Guide> m_guide;
@@ -624,6 +638,7 @@ private:
     double m_cells;
     Stopwatch m_watch;
     std::vector<Trial> m_trials;
+    Trial m_finished;              // the best of those made as asked for
     std::exception_ptr m_failure;  // the first
 };
 

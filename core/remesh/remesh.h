@@ -19,10 +19,11 @@ struct RemeshOptions {
     /// cells fall; or its net lines run up to the border at 45°. Then the border may be longer or shorter than those
     /// beside it, for which cells shear: a ring is covered without singular vertices.
     enum class Border {
-        fitting,  ///< as fits best: the others are tried with fewer cells, and on a disc the net that grows from one
-                  ///< place (see one_piece), unless vertices or lines are wished for; not all where one is good.
-                  ///< Measured are what is covered, how far net and surface are apart, and their borders, how much
-                  ///< cells are tilted against the surface, and corners sharper than 40 degrees
+        fitting,  ///< as fits best: the others are tried with fewer cells, and the net that grows from one place (see
+                  ///< one_piece), unless vertices or lines are wished for; not all where one is good. Measured are what
+                  ///< is covered, how far net and surface are apart, and their borders, how much cells are tilted
+                  ///< against the surface, corners sharper than 40 degrees, folds, and gaps. So a net that would
+                  ///< crumple is left open where it locks
         always,   ///< in a net line, along all of the border that the field follows
         across,   ///< at 45°
         never     ///< in steps
@@ -77,10 +78,11 @@ struct Remesh {
 /// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
-/// surface. The same input gives the same net. What is wished of its singular vertices is not always kept, nor is each
-/// marked crease followed; of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a
-/// rough surface, such as a noisy scan, the net follows what it is without what is smaller than its cells (smoothed()),
-/// unless creases are followed.
+/// surface, but for gaps and slits that Border::fitting leaves where a net over all of it would crumple. The same input
+/// gives the same net. What is wished of its singular vertices is not always kept, nor is each marked crease followed;
+/// of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a rough surface, such as a
+/// noisy scan, the net follows what it is without what is smaller than its cells (smoothed()), unless creases are
+/// followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of
