@@ -32,6 +32,7 @@
 #include "remesh/fit.h"
 #include "remesh/grid_map.h"
 #include "remesh/one_piece.h"
+#include "remesh/pinholes.h"
 #include "remesh/rows.h"
 #include "remesh/tilt.h"
 #include "surface/smoothed_surface.h"
@@ -91,6 +92,7 @@ constexpr double k_angle_tolerance = 1e-3;
 constexpr double k_rough_tilt = 7 * std::numbers::pi / 180, k_fewest_smoothing_cells = 1500;
 constexpr double k_farthest_smoothing = 5;  // in cells
 constexpr int k_wish_digits = 4;            // of coordinates in messages
+constexpr int k_sides = 4;                  // of a cell
 
 int piece_count(const Surface& surface) {
     const std::vector<int> pieces = surface.components();
@@ -125,6 +127,15 @@ std::shared_ptr<const Guide> without_noise(const std::shared_ptr<const Guide>& g
     } catch (const Error&) {  // triangles that vanish
     }
     return smooth ? std::make_shared<const Guide>(*std::move(smooth)) : guide;
+}
+
+/// A hole that is smaller than a cell is none for a net.
+std::shared_ptr<const Guide> without_small_holes(const std::shared_ptr<const Guide>& guide,
+                                                 const RemeshOptions& options) {
+    const Surface& surface = guide->surface();
+    const double cell = std::sqrt(surface.area() / cells_asked_for(surface, options));
+    std::optional<Surface> closed = without_pinholes(surface, k_sides * cell);
+    return closed ? std::make_shared<const Guide>(*std::move(closed)) : guide;
 }
 
 /// By one way to end at the border.
@@ -517,7 +528,8 @@ public:
             finish_best();
             if (m_finished.is_good()) return std::move(*m_finished.made);
         }
-        while (!m_trials.empty() && (!m_finished.made || promises_more(*best()))) finish_best();
+        while (!m_trials.empty() && (!m_finished.made || (m_finals < k_most_finals && promises_more(*best()))))
+            finish_best();
         if (!m_finished.made) std::rethrow_exception(m_failure);
         return std::move(*m_finished.made);
     }
@@ -528,6 +540,8 @@ private:
     static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::across, Border::never};
     // So many are tried at least: each of the first two may be perfect where the other is only good.
     static constexpr std::size_t k_rivals = 2;
+    // Each takes its time.
+    static constexpr int k_most_finals = 2;
 
     struct Trial {
         Way way = std::nullopt;
@@ -580,6 +594,7 @@ private:
         else if (m_progress)
             m_progress(RemeshPhase::fit, 1);
         if (!trial.made) return;
+        ++m_finals;
         std::array<double, k_remesh_phases>& own = trial.made->milliseconds;
         own[static_cast<int>(RemeshPhase::border)] =
             is_done ? milliseconds - std::accumulate(own.begin(), own.end(), 0.0) : milliseconds;
@@ -638,6 +653,7 @@ private:
     double m_cells;
     Stopwatch m_watch;
     std::vector<Trial> m_trials;
+    int m_finals = 0;              // nets made as asked for
     Trial m_finished;              // the best of those made as asked for
     std::exception_ptr m_failure;  // the first
 };
@@ -682,10 +698,11 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
 
 Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress) {
     check_remesh(*guide, options);
-    const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(guide->surface());
+    const std::shared_ptr<const Guide> closed = without_small_holes(guide, options);
+    const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(closed->surface());
     const RemeshPhase first = tries_ways ? RemeshPhase::border : RemeshPhase::triangles;
     const Stopwatch watch;
-    const std::shared_ptr<const Guide> surface = without_noise(guide, options, [&] {
+    const std::shared_ptr<const Guide> surface = without_noise(closed, options, [&] {
         if (progress) progress(first, 0);
     });
     const double milliseconds = watch.milliseconds();

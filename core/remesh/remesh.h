@@ -78,7 +78,8 @@ struct Remesh {
 /// vertices where its curvature asks for them: a smooth field of four directions, a grid that follows it with whole
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
-/// surface, but for gaps and slits that Border::fitting leaves where a net over all of it would crumple. The same input
+/// surface, but for holes no longer around than a cell, which are covered, and for gaps and slits that Border::fitting
+/// leaves where a net over all of it would crumple. The same input
 /// gives the same net. What is wished of its singular vertices is not always kept, nor is each marked crease followed;
 /// of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a rough surface, such as a
 /// noisy scan, the net follows what it is without what is smaller than its cells (smoothed()), unless creases are

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -30,6 +31,7 @@
 #include "remesh/fewer_singular.h"
 #include "remesh/grid_map.h"
 #include "remesh/integers.h"
+#include "remesh/pinholes.h"
 #include "remesh/rows.h"
 #include "sample_nets.h"
 #include "sample_surfaces.h"
@@ -53,6 +55,16 @@ int singular_count(const Net& net) {
     int sum = 0;
     for (const auto& [valence, count] : Topology(net).singular_vertices()) sum += count;
     return sum;
+}
+
+Surface without_triangles_above(const Mesh& mesh, double z) {
+    Mesh left{mesh.positions, {}};
+    for (int f = 0; f < mesh.faces.size(); ++f) {
+        double height = 0;
+        for (const int v : mesh.faces[f]) height += mesh.positions(2, v) / 3;
+        if (height < z) left.faces.add(mesh.faces[f]);
+    }
+    return Surface(repair(left, k_all_defects).mesh);
 }
 
 /// A net over the whole of it, with all that is promised.
@@ -647,6 +659,28 @@ TEST_CASE("A disc with more curvature than a net can take is left open where the
     options.border = RemeshOptions::Border::across;
     const Net across = remesh(std::make_shared<const Guide>(saddle), options).net;
     CHECK(measure_drape(saddle, guide.tree(), across).folds > 10);
+}
+
+TEST_CASE("A hole that is smaller than a cell is covered, and a larger one stays open") {
+    const Surface small = without_triangles_above(samples::sphere(12), 0.98), large(samples::sphere(12, true));
+    const std::vector<std::vector<int>> loops = small.boundary_loops();
+    REQUIRE(loops.size() == 1);
+    double around = 0;
+    for (const int s : loops[0])
+        around += (small.positions().col(small.to(s)) - small.positions().col(small.from(s))).norm();
+    CHECK(!without_pinholes(small, 0.999 * around));
+    const std::optional<Surface> closed = without_pinholes(small, 1.001 * around);
+    REQUIRE(closed);
+    CHECK(closed->euler_characteristic() == 2);
+    CHECK(closed->boundary_loops().empty());
+    CHECK(closed->positions().leftCols(small.vertex_count()) == small.positions());
+    // What closes it is wound as the rest: its normal shows out.
+    CHECK(closed->normal_at({closed->face_count() - 1, Eigen::Vector3d::Constant(1. / 3)}).z() > 0.9);
+    const double cells = 4 * std::numbers::pi * std::pow(3.5 / around, 2);  // so that it is smaller than one of them
+    const Net net = remesh(std::make_shared<const Guide>(small), of_cells(cells)).net;
+    CHECK(Topology(net).boundary_loops().empty());
+    CHECK(net.vertex_count() - net.edge_count() + net.face_count() == 2);
+    CHECK(!without_pinholes(large, 1.001 * around));
 }
 
 TEST_CASE("The distance of borders is measured between them, whatever lies within") {

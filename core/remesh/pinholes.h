@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "surface/surface.h"
+
+namespace chebnet {
+
+/// The surface with holes closed whose border is no longer than `longest`, each by triangles to its middle, which have
+/// numbers behind its own. Nothing if it has none, or if that gives no surface, as where a hole touches itself.
+std::optional<Surface> without_pinholes(const Surface& surface, double longest);
+
+}  // namespace chebnet
