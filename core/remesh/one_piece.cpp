@@ -1,6 +1,8 @@
 #include "remesh/one_piece.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/error.h"
 #include "drape/drape.h"
@@ -11,6 +13,8 @@ namespace chebnet {
 
 std::optional<Net> one_piece(const Surface& surface, const SurfaceTree& tree, double cells, double length,
                              double smallest_angle) {
+    const std::vector<int> pieces = surface.components();
+    if (std::any_of(pieces.begin(), pieces.end(), [](int piece) { return piece > 0; })) return std::nullopt;
     try {
         DrapeOptions options = suggested_drape(surface, tree, 1);
         options.length = length > 0 ? length : std::sqrt(surface.area() / cells);

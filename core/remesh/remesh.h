@@ -79,11 +79,10 @@ struct Remesh {
 /// numbers of cells between singular vertices, the cells between its lines, and all edges brought to exactly one
 /// length, no corner sharper than the limit, near the surface. Topology, pieces and boundaries are those of the
 /// surface, but for holes no longer around than a cell, which are covered, and for gaps and slits that Border::fitting
-/// leaves where a net over all of it would crumple. The same input
-/// gives the same net. What is wished of its singular vertices is not always kept, nor is each marked crease followed;
-/// of the nets that are tried the one that keeps most of it is given, with what it keeps. Of a rough surface, such as a
-/// noisy scan, the net follows what it is without what is smaller than its cells (smoothed()), unless creases are
-/// followed.
+/// leaves where a net over all of it would crumple. The same input gives the same net. What is wished of its singular
+/// vertices is not always kept, nor is each marked crease followed; of the nets that are tried the one that keeps most
+/// of it is given, with what it keeps. Of a rough surface, such as a noisy scan, the net follows what it is without
+/// what is smaller than its cells (smoothed()), unless creases are followed.
 ///
 /// Throws Error bad_option (numbers out of range; fewest together with wishes for vertices; wishes as check_wishes
 /// does; marked creases as cut_line and cut_open do; a surface that is too thin or too narrow somewhere for cells of

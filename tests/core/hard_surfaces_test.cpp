@@ -12,6 +12,7 @@
 #include "drape/bridged_drape.h"
 #include "drape/drape.h"
 #include "net/topology.h"
+#include "remesh/one_piece.h"
 #include "remesh/pinholes.h"
 #include "remesh/remesh.h"
 #include "surface/curvature.h"
@@ -93,4 +94,16 @@ TEST_CASE("Surfaces of all kinds get a net over the whole of them, or a sentence
         }
     }
     CHECK(made >= 30);
+}
+
+TEST_CASE("What grows from one place over a surface is no net over several pieces") {
+    const Mesh one = samples::graph(21, 1, [](double x, double y) { return 0.2 * x * y; });
+    const Mesh other =
+        samples::changed(one, [](const auto& p) { return Eigen::Vector3d(p + Eigen::Vector3d(4, 0, 0)); });
+    const auto grown = [](const Mesh& mesh) {
+        const Guide guide{Surface(mesh)};
+        return one_piece(guide.surface(), guide.tree(), k_cells, 0, std::numbers::pi / 6);
+    };
+    CHECK(grown(one));
+    CHECK(!grown(samples::together(one, other)));
 }
