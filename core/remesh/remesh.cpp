@@ -698,10 +698,10 @@ void check_remesh(const Guide& guide, const RemeshOptions& options) {
 
 Remesh remesh(const std::shared_ptr<const Guide>& guide, const RemeshOptions& options, const RemeshProgress& progress) {
     check_remesh(*guide, options);
+    const Stopwatch watch;
     const std::shared_ptr<const Guide> closed = without_small_holes(guide, options);
     const bool tries_ways = options.border == RemeshOptions::Border::fitting && has_border(closed->surface());
     const RemeshPhase first = tries_ways ? RemeshPhase::border : RemeshPhase::triangles;
-    const Stopwatch watch;
     const std::shared_ptr<const Guide> surface = without_noise(closed, options, [&] {
         if (progress) progress(first, 0);
     });

@@ -82,6 +82,7 @@ TEST_CASE("Surfaces of all kinds get a net over the whole of them, or a sentence
                 const DrapeReport lies = measure_drape(guide->surface(), guide->tree(), net);
                 CHECK(lies.gaps > 0);
                 CHECK(lies.folds == 0);
+                CHECK(Topology(net).component_count() == report.components);
             } else {
                 CHECK(characteristic(net) == of_surface);
                 CHECK(std::ssize(Topology(net).boundary_loops()) == report.boundary_loops);

@@ -18,6 +18,7 @@
 
 #include "constants.h"
 #include "drape/drape.h"
+#include "hard_surfaces.h"
 #include "implicit_surface.h"
 #include "net/measures.h"
 #include "net/repair.h"
@@ -55,16 +56,6 @@ int singular_count(const Net& net) {
     int sum = 0;
     for (const auto& [valence, count] : Topology(net).singular_vertices()) sum += count;
     return sum;
-}
-
-Surface without_triangles_above(const Mesh& mesh, double z) {
-    Mesh left{mesh.positions, {}};
-    for (int f = 0; f < mesh.faces.size(); ++f) {
-        double height = 0;
-        for (const int v : mesh.faces[f]) height += mesh.positions(2, v) / 3;
-        if (height < z) left.faces.add(mesh.faces[f]);
-    }
-    return Surface(repair(left, k_all_defects).mesh);
 }
 
 /// A net over the whole of it, with all that is promised.
@@ -662,7 +653,8 @@ TEST_CASE("A disc with more curvature than a net can take is left open where the
 }
 
 TEST_CASE("A hole that is smaller than a cell is covered, and a larger one stays open") {
-    const Surface small = without_triangles_above(samples::sphere(12), 0.98), large(samples::sphere(12, true));
+    const Surface small(samples::without(samples::sphere(12), [](const auto& p) { return p.z() > 0.98; }));
+    const Surface large(samples::sphere(12, true));
     const std::vector<std::vector<int>> loops = small.boundary_loops();
     REQUIRE(loops.size() == 1);
     double around = 0;
