@@ -11,8 +11,8 @@ const PROGRAMS = ['/usr/bin/firefox-esr', '/usr/bin/firefox'];
 /** What Firefox says about drawing in software. */
 const EXPECTED = [/WebGL warning/, /GPU stall/];
 
-/** What Firefox says of a file that its service worker was handing to a page that is left, cut off like any other, but by
- *  way of the console. Of a page that stays it is a fault. */
+/** What Firefox says of a file that its service worker was handing to a page that is left, cut off like any other, but on the
+ *  console or as an error of the page. Of a page that stays it is a fault. */
 const CUT_OFF = /A ServiceWorker intercepted the request and encountered an unexpected error/;
 /** Milliseconds about the change of pages in which it may be said. */
 const LEAVING = 2000;
@@ -47,14 +47,8 @@ export async function startFirefox(): Promise<Engine> {
     await page.setViewport({ width: 1280, height: 800 });
     const complaints = complaintsOf(page);
     return {
-      goto: async (url) => {
-        complaints.leave();
-        await page.goto(url);
-      },
-      reload: async () => {
-        complaints.leave();
-        await page.reload();
-      },
+      goto: async (url) => void (await page.goto(url)),
+      reload: async () => void (await page.reload()),
       evaluate: (expression) => page.evaluate(expression),
       movePointer: (x, y) => page.mouse.move(x, y),
       pressButton: () => page.mouse.down(),
@@ -69,7 +63,7 @@ export async function startFirefox(): Promise<Engine> {
       },
       screenshot: async () => Buffer.from(await page.screenshot()),
       downloads: downloads.path,
-      complaints: async () => complaints.all(),
+      complaints: async () => complaints(),
       close: () => context.close(),
     };
   }
@@ -83,31 +77,32 @@ export async function startFirefox(): Promise<Engine> {
   return { name: 'firefox', newWindow, close };
 }
 
-function complaintsOf(page: Page) {
+function complaintsOf(page: Page): () => string[] {
   const complaints: string[] = [];
   const cutOff: { text: string; time: number }[] = [];
   const changes: { from: number; to: number }[] = [];
   let left: number | null = null;
+  page.on('request', (request) => {
+    if (request.isNavigationRequest()) left = Date.now();
+  });
+  // The page that came has been read.
   page.on('framenavigated', () => {
     changes.push({ from: left ?? Date.now(), to: Date.now() });
     left = null;
   });
+  const complain = (text: string): void => {
+    if (CUT_OFF.test(text)) cutOff.push({ text, time: Date.now() });
+    else complaints.push(text);
+  };
   page.on('console', (message: ConsoleMessage) => {
     const serious = ['error', 'warn', 'assert'].includes(message.type());
-    if (CUT_OFF.test(message.text())) cutOff.push({ text: message.text(), time: Date.now() });
-    else if (serious && !EXPECTED.some((each) => each.test(message.text()))) complaints.push(message.text());
+    if (serious && !EXPECTED.some((each) => each.test(message.text()))) complain(message.text());
   });
-  page.on('pageerror', (error) =>
-    complaints.push(error instanceof Error ? String(error.stack ?? error) : String(error)),
-  );
+  page.on('pageerror', (error) => complain(error instanceof Error ? String(error.stack ?? error) : String(error)));
   page.on('requestfailed', (request) => {
     const reason = request.failure()?.errorText ?? '';
     if (!GIVEN_UP.includes(reason)) complaints.push(`${request.url()}: ${reason}`);
   });
   const wasLeft = (time: number) => changes.some(({ from, to }) => time > from - LEAVING && time < to + LEAVING);
-  return {
-    /** The page is about to be left: it is while the next one is awaited. */
-    leave: () => (left = Date.now()),
-    all: () => [...complaints, ...cutOff.filter(({ time }) => !wasLeft(time)).map(({ text }) => text)],
-  };
+  return () => [...complaints, ...cutOff.filter(({ time }) => !wasLeft(time)).map(({ text }) => text)];
 }

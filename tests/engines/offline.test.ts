@@ -101,6 +101,8 @@ test('a window goes over to a version that another window has taken already', as
   served = other.folder;
   await visitor.driver.reload();
   await vi.waitUntil(isOffered, PATIENCE);
+  // What a worker is handing over when it is replaced is cut off.
+  await visitor.waitForSections();
   await visitor.run(async () => {
     const { waiting } = (await navigator.serviceWorker.getRegistration())!;
     waiting!.postMessage('activate');

@@ -267,9 +267,13 @@ export class Visitor {
 
   // ------------------------------------------------------------------------------------------------- as it was at first
 
-  /** Once all sections of the sidebar are there. */
-  async asAtFirst(): Promise<First> {
+  /** Until all sections of the sidebar are there: nothing of the page itself is on its way any more. */
+  async waitForSections(): Promise<void> {
     await vi.waitUntil(() => this.run(() => document.querySelector('.group') !== null), PATIENCE);
+  }
+
+  async asAtFirst(): Promise<First> {
+    await this.waitForSections();
     const { bytes } = await this.saved(() => this.press('Control+s'));
     return { project: bytes, state: await this.run(stateOfPage) };
   }
