@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/number.h"
+#include "solve/options.h"
 
 namespace chebnet {
 
@@ -17,7 +18,7 @@ constexpr const char* k_rest_tolerance = "0.01";
 }  // namespace
 
 Editor resting_near(Net net, std::shared_ptr<const Guide> guide, double shear_limit, Rods rods) {
-    const double closeness = closeness_for(rods, net.face_count());
+    const double closeness = closeness_for(rods, net.face_count()) * net.vertex_count() / k_guided_vertices;
     Editor editor(std::move(net));
     editor.set_method("equilibrium");
     editor.set_guide(std::move(guide));

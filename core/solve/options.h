@@ -14,6 +14,9 @@ enum class GuideMode {
     outside,  ///< the net does not go below it, to where its normals do not point
 };
 inline constexpr int k_guide_modes = 4;
+/// In mode `near` Options::guide_weight is the weight of so many vertices together: a net of more is drawn as a whole
+/// as strongly. If each were drawn for itself, a fine net would rather crumple than leave the guide with a handle.
+inline constexpr double k_guided_vertices = 50;
 
 /// The settings of the solvers, named as in the paper. Every method reads what applies to it.
 struct Options {
@@ -41,7 +44,7 @@ struct Options {
     bool square_corners = false;        ///< equilibrium: quads want right angles rather than those at rest
     double gravity = 0;                 ///< equilibrium: the weight of an edge, see GravityTerm
     int guide_mode = 1;                 ///< equilibrium: a GuideMode, of no effect without a guide
-    double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm
+    double guide_weight = 0.3;          ///< equilibrium: of ClosenessTerm, see k_guided_vertices
     double rest_tolerance = 1e-4;       ///< equilibrium: at rest when the gradient that constraints leave is below
     double length_scale = 1;            ///< every edge is to be so many times as long as in the net as it came
 

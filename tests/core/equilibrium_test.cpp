@@ -150,6 +150,28 @@ TEST_CASE(
     CHECK(rms_distance(edit, with.positions(), without.positions()) < 1e-3);
 }
 
+TEST_CASE("Equilibrium: a fine net leaves its guide with a handle rather than crumple on it") {
+    const int n = 40, middle = n / 2 * n + n / 2;
+    const Net net = samples::patch(n, n);
+    const Edit edit{"pulled off",
+                    net,
+                    {0, n - 1, n * n - n, n * n - 1, middle},
+                    {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                     Eigen::Vector3d(-6, -3, 9) * net.mean_length(), Eigen::Vector3d::Zero()}};
+    const auto guide = std::make_shared<const Guide>(Surface(Mesh{net.rest_positions(), net.faces()}));
+    Editor near = at_rest(edit), without = at_rest(edit);
+    near.set_guide(guide);
+    REQUIRE(keeps_lengths(drag(without, edit, 1).status));
+    REQUIRE(keeps_lengths(drag(near, edit, 1).status));
+    CHECK(sharp_folds(net, without.positions(), 45 * samples::k_degree) == 0);
+    CHECK(sharp_folds(net, near.positions(), 45 * samples::k_degree) == 0);
+    // It is near all the same where no handle takes it away.
+    const auto distance = [&](const Editor& editor) {
+        return heights_over(*guide, editor.positions()).cwiseAbs().mean();
+    };
+    CHECK(distance(near) < 0.5 * distance(without));
+}
+
 TEST_CASE("Equilibrium: without limit a net is sheared farther than with it") {
     const Edit edit = pulled_diagonal();
     Editor free = at_rest(edit);

@@ -1,6 +1,6 @@
 /** What becomes of a document whose net gets other faces. */
 import { expect, test } from 'vitest';
-import { changedScene } from '../../web/src/change/subject';
+import { changedScene, resizedGuide } from '../../web/src/change/subject';
 import type { ChebnetDocument, HandleSeed } from '../../web/src/document/document';
 
 /** Five vertices in a line, and of these the first, third and fifth: no faces are looked at. */
@@ -29,4 +29,24 @@ test('handles stay at their vertices; where these are gone, they go', () => {
 test('in a coarser net they go to the nearest vertex that no other has', () => {
   expect(verticesAfter('coarsen', 0, 3)).toEqual([0, 1]);
   expect(verticesAfter('coarsen', 0, 2, 4, 1)).toEqual([0, 1, 2]);
+});
+
+test('in another size its surface has that size, too, about the same centre', () => {
+  const guide = resizedGuide(
+    { own: 'shell' },
+    {
+      positions: Float64Array.of(1, 0, 0, 3, 0, 0, 2, 1, 0),
+      normals: new Float64Array(9),
+      triangles: Int32Array.of(0, 1, 2),
+    },
+    { mesh: line(5, 1), factor: 2 },
+  );
+  expect(guide).toEqual({
+    name: 'shell',
+    mesh: {
+      positions: Float64Array.of(0, 0, 0, 4, 0, 0, 2, 2, 0),
+      faceStart: Int32Array.of(0, 3),
+      faceVertices: Int32Array.of(0, 1, 2),
+    },
+  });
 });

@@ -33,6 +33,7 @@ import {
   singularWords,
 } from '../../web/src/dialogs/file_words';
 import { load } from '../wasm/load';
+import { grid } from './nets';
 
 const core = await load();
 const meshOf = (text: string): Mesh => core.readMesh(new TextEncoder().encode(text), 'net.obj');
@@ -225,6 +226,20 @@ describe('which way a mesh is up', () => {
       if (posture.isClear) expect(posture.up).toBe(up);
       expect(Math.max(...posture.sketch.edges)).toBeLessThan(posture.sketch.positions.length / 3);
     }
+  });
+
+  test.each([
+    ['a canopy with a flat crown', 1],
+    ['a dish with a flat bottom', -1],
+  ])('%s arches over its border, or hangs within it', (_, sign) => {
+    const { restPositions, faceStart, faceVertices } = grid(21, 21);
+    const positions = restPositions.map((x, i) => {
+      const [u, v] = [restPositions[i - (i % 3)]! / 10 - 1, restPositions[i - (i % 3) + 1]! / 10 - 1];
+      return i % 3 === 2 ? sign * 8 * (1 - (u * u + v * v) ** 2 / 4) : x;
+    });
+    const mesh = { positions, faceStart, faceVertices };
+    expect(postureOf(mesh)).toMatchObject({ up: 'z', isClear: true });
+    expect(postureOf(onItsBack(mesh))).toMatchObject({ up: 'y', isClear: true });
   });
 
   test('most of them show it clearly', () => {

@@ -45,6 +45,25 @@ test('on an open net they are the corners of its border', () => {
   expect(vertices.sort((a, b) => a - b)).toEqual([0, 20, 14 * 21, 15 * 21 - 1]);
 });
 
+test('a notch in its border is none of them', () => {
+  // A square without its quarter, of cells of one length: an L.
+  const side = 21;
+  const { restPositions, faceStart, faceVertices } = grid(side, side);
+  const isKept = (face: number): boolean => face % (side - 1) < 10 || face < 10 * (side - 1);
+  const kept = [...faceStart.keys()].slice(0, -1).filter(isKept);
+  const corners = kept.flatMap((face) => [...faceVertices.subarray(faceStart[face], faceStart[face + 1])]);
+  const used = [...new Set(corners)].sort((a, b) => a - b);
+  const net = mesh({
+    positions: Float64Array.from(used.flatMap((vertex) => [...restPositions.subarray(3 * vertex, 3 * vertex + 3)])),
+    faceStart: Int32Array.from({ length: kept.length + 1 }, (_, i) => 4 * i),
+    faceVertices: Int32Array.from(corners, (vertex) => used.indexOf(vertex)),
+  });
+  const vertices = proposedHandles(net).map(({ vertex }) => used[vertex]!);
+  const inner = 10 * side + 10;
+  expect(vertices).toHaveLength(5);
+  expect(vertices).not.toContain(inner);
+});
+
 test('on a tube, whose borders have no corners, there are some at each end', () => {
   const net = shape('tube:vertices=900');
   const vertices = proposedHandles(net).map(({ vertex }) => vertex);

@@ -253,6 +253,12 @@ describe('screen readers', () => {
     expect(narrator.element.textContent).toBe('');
     expect(frameComes({ ...underWay, maxDeviation: 0.1 })).toBe('');
     expect(frameComes(underWay)).toMatch(/\. Every edge keeps its length; settling\.$/);
+    const whatIsHeard = narrator.element.textContent;
+    expect(frameComes(underWay)).toBe(whatIsHeard);
+    isChanging = false;
+    expect(frameComes(atRest)).toBe('Every edge keeps its length');
+    isChanging = true;
+    expect(frameComes(underWay)).toBe('Every edge keeps its length');
     // What needs no solve is told at once.
     isChanging = false;
     narrator.onFrame(atRest);

@@ -2,6 +2,7 @@
 import type { ChangedMesh, Chebnet } from '../../../wasm/chebnet';
 import { codeOf, messageOf } from '../failure';
 import type { ChangedNet, ChangeRequest, ChangeResponse } from './change_protocol';
+import { centreOf, scaled } from './scaled';
 
 /** Milliseconds between two pieces of news; one iteration is the least. */
 const SLICE = 80;
@@ -28,16 +29,9 @@ function changedNet(core: Chebnet, request: ChangeRequest, news: (iterations: nu
 
 function changedFaces(core: Chebnet, { mesh, way, place, factor }: ChangeRequest): ChangedMesh {
   if (way !== 'resize') return core.change(mesh, way, place);
-  const positions = scaled(mesh.positions, factor);
+  const positions = scaled(mesh.positions, factor, centreOf(mesh.positions));
   const origins = Int32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   return { mesh: { ...mesh, positions }, origins, lengthFactor: factor, keepsEdges: true };
-}
-
-/** About their centre. */
-function scaled(positions: Float64Array, factor: number): Float64Array {
-  const centre = [0, 0, 0];
-  positions.forEach((x, i) => (centre[i % 3]! += (3 * x) / positions.length));
-  return positions.map((x, i) => centre[i % 3]! + factor * (x - centre[i % 3]!));
 }
 
 /** Null: no net is found near this shape whose edges have one length. */

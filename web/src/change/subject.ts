@@ -2,12 +2,15 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
 import type { ChangeName } from '../document/naming';
 import { asMade, usualMethod } from '../document/defaults';
-import type { ChebnetDocument, Scene } from '../document/document';
+import { guideTitle } from '../document/changes';
+import type { ChebnetDocument, GuideSource, Scene } from '../document/document';
 import { fileNameOf } from '../document/file_name';
 import type { Selection } from '../handles/selection';
 import type { Opening } from '../worker/opening';
+import type { DrawnSurface } from '../worker/protocol';
 import type { ChangedNet, ChangeRequest, Way } from './change_protocol';
 import { type Place, placeOf } from './place';
+import { centreOf, scaled } from './scaled';
 
 /** What is asked of a net: at its chosen handles, with another edge length, or all of it. */
 export type WantedChange =
@@ -35,7 +38,7 @@ export function requestOf({ document, net, frame }: Opening, wanted: WantedChang
 }
 
 /** Handles stay at their vertices, where these stand now; those whose vertices are gone go, but to the nearest vertex where
- *  the net is only coarser. The shape of the moment is the net's own from now on. A surface beside it stays, if it fits. */
+ *  the net is only coarser. The shape of the moment is the net's own from now on. A surface beside it stays; see resizedGuide(). */
 export function changedScene(
   document: ChebnetDocument,
   { way, mesh: { positions: before } }: Pick<ChangeRequest, 'way' | 'mesh'>,
@@ -59,7 +62,6 @@ export function changedScene(
   return {
     ...document,
     net,
-    guide: way === 'resize' ? undefined : document.guide,
     numbering: undefined,
     handles: document.handles.flatMap((handle) => {
       const vertex = placeFor(handle.vertex);
@@ -84,6 +86,22 @@ function nearestVertex(positions: Float64Array, point: Float64Array): number {
     least = distance;
   }
   return nearest;
+}
+
+/** The surface beside a net that gets another size: of that size, too. `drawn`: what it is. */
+export function resizedGuide(
+  guide: GuideSource,
+  { positions, triangles }: DrawnSurface,
+  { mesh, factor }: Pick<ChangeRequest, 'mesh' | 'factor'>,
+): GuideSource {
+  return {
+    name: guideTitle(guide),
+    mesh: {
+      positions: scaled(positions, factor, centreOf(mesh.positions)),
+      faceStart: Int32Array.from({ length: triangles.length / 3 + 1 }, (_, face) => 3 * face),
+      faceVertices: triangles,
+    },
+  };
 }
 
 /** What the history calls it. */

@@ -3,7 +3,7 @@
 import type { FormatInfo } from '../../../wasm/chebnet';
 import type { ChangedNet, ChangeRequest } from '../change/change_protocol';
 import { Changing } from '../change/changing';
-import { changedScene, nameOf, requestOf, type WantedChange } from '../change/subject';
+import { changedScene, nameOf, requestOf, resizedGuide, type WantedChange } from '../change/subject';
 import type { NamedChange } from '../document/changes';
 import { METHOD_AT_REST, MOST_VERTICES_AT_REST } from '../document/defaults';
 import type { NetSource, Scene, UpAxis } from '../document/document';
@@ -20,8 +20,10 @@ import { EqualizeDialog } from './equalize_dialog';
 import { takenScene } from './taken_scene';
 import { pickFile } from '../files/pick_file';
 import { FileDialog } from './file_dialog';
+import { lengthWords } from './file_words';
 import { createView } from '../view/scene';
 import type { Opening } from '../worker/opening';
+import type { DrawnSurface } from '../worker/protocol';
 import { codeOf, messageOf } from '../failure';
 import { FileOpener } from './file_opener';
 import type { TakenNet } from './file_opener';
@@ -33,7 +35,7 @@ export interface OpenNet {
   readonly formats: readonly FormatInfo[];
   openNet(net: NetSource, upAxis?: UpAxis): Promise<void>;
   openScene(scene: Scene, change?: NamedChange): Promise<void>;
-  readonly handles: { readonly choice: Choice };
+  readonly handles: { readonly choice: Choice; guide(): Promise<DrawnSurface | null> };
   say(message: string): void;
   unsay(): void;
   frameAll(from: 'here'): void;
@@ -100,8 +102,13 @@ export class Openers {
     const changed = await this.#changed(request);
     if (changed === null) return;
     const scene = changedScene(opening.document, request, changed, formats);
-    await this.#app.openScene(scene, { name: nameOf(wanted.way), key: null });
-    if (wanted.way === 'resize') this.#app.frameAll('here');
+    const name = { name: nameOf(wanted.way), key: null };
+    if (wanted.way === 'resize') {
+      await this.#app.openScene(await this.#withResizedGuide(scene, request), name);
+      this.#app.frameAll('here');
+      return this.#app.say(dialogWords.change.lengths(lengthWords(wanted.length)));
+    }
+    await this.#app.openScene(scene, name);
     const lostHandles = opening.document.handles.length - scene.handles.length;
     const { vertices, pieces, lost, tooManyToRest, restsAgain } = dialogWords.change;
     const aboutMethod = scene.method === METHOD_AT_REST ? restsAgain : tooManyToRest;
@@ -113,6 +120,11 @@ export class Openers {
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),
     );
+  }
+
+  async #withResizedGuide(scene: Scene, request: ChangeRequest): Promise<Scene> {
+    const drawn = scene.guide && (await this.#app.handles.guide());
+    return scene.guide && drawn ? { ...scene, guide: resizedGuide(scene.guide, drawn, request) } : scene;
   }
 
   /** Null: it was stopped, or the net does not allow it, and why is said. */

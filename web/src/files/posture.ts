@@ -23,9 +23,10 @@ export function postureOf(mesh: Mesh): Posture {
   return { up: y > z ? 'y' : 'z', isClear: Math.abs(y - z) > CLEARLY, sketch: sketchOf(mesh) };
 }
 
-/** How much speaks for an axis: that the mesh stands on more vertices than it has at the top, and that it lies level. */
+/** How much speaks for an axis: that the mesh stands on more vertices than it has at the top, that it lies level, and that
+ *  it arches over its border, or hangs within it. */
 function likelihood(mesh: Mesh, axis: 1 | 2): number {
-  return standing(mesh, axis) + Math.max(0, meanSlope(mesh, axis) - LEVEL);
+  return standing(mesh, axis) + Math.max(0, meanSlope(mesh, axis) - LEVEL) + arching(mesh, axis);
 }
 
 /** The part of the vertices at the bottom, less that at the top; 0 of a mesh that is flat across the axis. */
@@ -42,6 +43,54 @@ function standing({ positions }: Mesh, axis: 1 | 2): number {
     if (positions[i]! >= high - near) difference -= 1;
   }
   return difference / (positions.length / 3);
+}
+
+/** How far the mean vertex is from the mean one of the border, as a part of the height. */
+function arching(mesh: Mesh, axis: 1 | 2): number {
+  const isBorder = bordersOf(mesh);
+  const [all, border] = [new Heights(), new Heights()];
+  isBorder.forEach((is, vertex) => {
+    const height = mesh.positions[3 * vertex + axis]!;
+    all.add(height);
+    if (is) border.add(height);
+  });
+  return border.count > 0 && all.range > 0 ? Math.abs(all.mean - border.mean) / all.range : 0;
+}
+
+class Heights {
+  count = 0;
+  #sum = 0;
+  #low = Infinity;
+  #high = -Infinity;
+
+  add(height: number): void {
+    this.count += 1;
+    this.#sum += height;
+    this.#low = Math.min(this.#low, height);
+    this.#high = Math.max(this.#high, height);
+  }
+
+  get mean(): number {
+    return this.#sum / this.count;
+  }
+
+  get range(): number {
+    return this.#high - this.#low;
+  }
+}
+
+/** V: whether it is on a border, which is where what comes after it in its faces is not what comes before it. */
+function bordersOf({ positions, faceStart, faceVertices }: Mesh): boolean[] {
+  const balance = new Float64Array(positions.length / 3);
+  for (let face = 0; face + 1 < faceStart.length; face += 1) {
+    const [begin, end] = [faceStart[face]!, faceStart[face + 1]!];
+    for (let k = begin; k < end; k += 1) {
+      const [a, b] = [faceVertices[k]!, faceVertices[k + 1 < end ? k + 1 : begin]!];
+      balance[a]! += b;
+      balance[b]! -= a;
+    }
+  }
+  return Array.from(balance, (each) => each !== 0);
 }
 
 /** The mean of |n · axis| over the area. */

@@ -10,8 +10,7 @@ const LEAST_TURN = 65;
 
 /** The vertices of a boundary loop at its corners, the sharpest first. */
 export function cornersOf(net: OpenedNet, loop: readonly number[]): number[] {
-  const around = lengthOf(net, loop);
-  const reach = Math.min(WINDOW * net.info.meanLength, PART * around);
+  const reach = reachOn(net, loop);
   const turns = loop.map((_, at) => turnAt(net, loop, at, reach));
   const found: number[] = [];
   for (const at of [...loop.keys()].sort((a, b) => turns[b]! - turns[a]!)) {
@@ -19,6 +18,15 @@ export function cornersOf(net: OpenedNet, loop: readonly number[]): number[] {
     if (found.every((vertex) => apart(net, vertex, loop[at]!) > reach)) found.push(loop[at]!);
   }
   return found;
+}
+
+/** Of a vertex on a boundary loop, those over which it is looked at, before it and after it. */
+export function besideOn(net: OpenedNet, loop: readonly number[], vertex: number): number[] {
+  return [-1, 1].map((step) => within(net, loop, loop.indexOf(vertex), step, reachOn(net, loop)));
+}
+
+function reachOn(net: OpenedNet, loop: readonly number[]): number {
+  return Math.min(WINDOW * net.info.meanLength, PART * lengthOf(net, loop));
 }
 
 /** By how many degrees a loop turns between what lies before a vertex, within reach, and what lies after it. */

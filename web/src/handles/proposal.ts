@@ -1,9 +1,9 @@
-/** Handles to begin with on a net that has none: on each piece the corners of its border, or where it has no border with corners,
- *  the vertices that lie farthest out, such as the limbs of a body. One is to be dragged while the others hold the piece. */
+/** Handles to begin with on a net that has none: on each piece the outer corners of its border, or where it has no border with
+ *  such, the vertices that lie farthest out, such as the limbs of a body. One is to be dragged while the others hold the piece. */
 import type { HandleSeed } from '../document/document';
 import type { OpenedNet } from '../worker/protocol';
 import { type Away, distancesAround } from './around';
-import { cornersOf, lengthOf } from './corners';
+import { besideOn, cornersOf, lengthOf } from './corners';
 import { listsOf } from './lines';
 
 /** A border with fewer corners has none that could hold the net, one with more has steps. */
@@ -38,11 +38,17 @@ function piecesOf(net: OpenedNet): number[][] {
 function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
   const away = distancesAround(net, [middleOf(net, piece)], Infinity);
   const loop = longestLoop(net, new Set(piece));
-  const corners = loop ? cornersOf(net, loop) : [];
+  const corners = loop ? cornersOf(net, loop).filter((vertex) => pointsOut(net, loop, vertex, away)) : [];
   const areHolding = corners.length >= FEWEST && corners.length <= MOST;
   const vertices = areHolding ? corners : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
   const outwards = vertices.sort((a, b) => away.get(a)!.distance - away.get(b)!.distance);
   return outwards.map((vertex, i, { length }) => ({ vertex, target: null, anchor: i + 1 < length }));
+}
+
+/** Whether a corner of a border is no notch in it: farther from the middle than the border beside it. */
+function pointsOut(net: OpenedNet, loop: readonly number[], vertex: number, away: ReadonlyMap<number, Away>): boolean {
+  const [before = 0, after = 0] = besideOn(net, loop, vertex).map((each) => away.get(each)!.distance);
+  return 2 * away.get(vertex)!.distance > before + after;
 }
 
 function longestLoop(net: OpenedNet, piece: ReadonlySet<number>): number[] | undefined {

@@ -24,6 +24,8 @@ export class Narrator implements Panel {
   #news: string | null = null;
   /** The solver has sent a frame since then. */
   #isAnswered = false;
+  /** What was told last was of a net on its way to rest: how that ends is told, too. */
+  #isOnItsWay = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
   readonly #isChanging: () => boolean;
 
@@ -72,11 +74,17 @@ export class Narrator implements Panel {
 
   /** Not before the solver has answered with a net whose edges have their lengths, or has ended. */
   #say(): void {
-    if (this.#news === null || this.#frame === null) return;
+    if (this.#frame === null) return;
     const isChanging = this.#isChanging();
     const state = standing(this.#frame, isChanging);
-    if (isChanging && (!this.#isAnswered || state === 'running')) return;
-    this.element.textContent = panelWords.narrator.withResult(this.#news, words.status[state]);
-    this.#news = null;
+    if (this.#news !== null) {
+      if (isChanging && (!this.#isAnswered || state === 'running')) return;
+      this.element.textContent = panelWords.narrator.withResult(this.#news, words.status[state]);
+      this.#news = null;
+      this.#isOnItsWay = isChanging;
+    } else if (this.#isOnItsWay && !isChanging) {
+      this.element.textContent = words.status[state];
+      this.#isOnItsWay = false;
+    }
   }
 }

@@ -307,6 +307,7 @@ export const dialogs = {
     notExact:
       'No net whose edges have one length was found near this shape. Nothing was changed; pull the net flatter there first, or choose another line.',
     vertices: (count: string) => `The net has ${count} vertices now.`,
+    lengths: (length: string) => `The edges are ${length} long now.`,
     pieces: (count: number) => `It has ${count} pieces.`,
     lost: (handles: number) =>
       handles === 1

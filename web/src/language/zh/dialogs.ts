@@ -297,6 +297,7 @@ export const dialogs: Widened<typeof en> = {
     stop: '停止',
     notExact: '在此形状附近找不到等边长的网。什么也没有更改；请先把那里的网拉平一些，或另选一条线。',
     vertices: (count) => `网现在有 ${count} 个顶点。`,
+    lengths: (length) => `现在边长为 ${length}。`,
     pieces: (count) => `它分成 ${count} 块。`,
     lost: (handles) => `${handles} 个手柄随其顶点一起消失了。`,
     tooManyToRest: (limit) => `超过 ${limit} 个顶点，静止下来太慢，手等不及：现在网只保持边长。可在“材性”中更改。`,
