@@ -133,6 +133,24 @@ test('finer, another length, and back', async () => {
   await expect.poll(vertices).toBe(first);
 });
 
+test('in another size the surface beside it has that size, too', async () => {
+  await visit.page.evaluate(() => window.chebnet.setGuide({ own: 'shell' }));
+  const guide = visit.page.getByRole('group', { name: 'Surface: shell' });
+  await guide.waitFor();
+  const distance = async () => (await visit.page.evaluate(() => window.chebnet.report())).meanDistance;
+  await script.settled();
+  const before = await distance();
+  const length = Number(await section().getByLabel('Edge length').inputValue());
+  await section()
+    .getByLabel('Edge length')
+    .fill(String(2 * length));
+  await press('Apply');
+  await visit.page.getByText(/^The edges are [\d.]+ long now\.$/).waitFor();
+  await script.settled();
+  await guide.waitFor();
+  expect((await distance()) / before).toBeCloseTo(2, 1);
+});
+
 test('a line is cut, one side goes, a row comes, and a reason is given where it cannot be', async () => {
   const { vertex } = (await visit.page.evaluate(() => window.chebnet.handles())).at(-1)!;
   expect(await section().getByRole('button', { name: 'Cut' }).isEnabled()).toBe(false);
