@@ -14,8 +14,9 @@ enum class GuideMode {
     outside,  ///< the net does not go below it, to where its normals do not point
 };
 inline constexpr int k_guide_modes = 4;
-/// In mode `near` Options::guide_weight is the weight of so many vertices together: a net of more is drawn as a whole
-/// as strongly. If each were drawn for itself, a fine net would rather crumple than leave the guide with a handle.
+/// But for mode `outside`, which keeps out each vertex for itself, Options::guide_weight is that of so many vertices
+/// together: a net of more is drawn as a whole as strongly. If each were drawn for itself, a fine net would rather
+/// crumple than leave the guide with a handle.
 inline constexpr double k_guided_vertices = 50;
 
 /// The settings of the solvers, named as in the paper. Every method reads what applies to it.

@@ -148,6 +148,31 @@ test('the first handle, dragged up to the tools, can be taken again: the view fo
   expect(distance((await handle()).target, before)).toBeGreaterThan(0);
 });
 
+test('where corners at their limit keep it back, that is said', async () => {
+  visit = await share();
+  ({ script } = visit);
+  await script.open({ recipe: 'sheet:vertices=400' });
+  await script.settled();
+  // Two opposite corners: what is between them is sheared as they go apart.
+  const rest = await script.positions();
+  const along = (vertex: number) => rest[3 * vertex]! + rest[3 * vertex + 1]!;
+  const vertices = Array.from({ length: rest.length / 3 }, (_, vertex) => vertex).sort((a, b) => along(a) - along(b));
+  const [near, far] = [vertices[0]!, vertices.at(-1)!];
+  await script.setHandles([{ vertex: near }, { vertex: far, anchor: false }]);
+  await script.settled();
+  // From farther away there is room for that.
+  await visit.page.mouse.move(450, 400);
+  for (let turn = 0; turn < 4; turn++) await visit.page.mouse.wheel(0, 300);
+  const ends = () => Promise.all([near, far].map((vertex) => script.screenPosition(vertex)));
+  await expect.poll(async () => Math.abs((await ends()).reduce((x, end) => end.x - x, 0))).toBeLessThan(250);
+  const [a, b] = await ends();
+  await dragBy(script, far, [0.7 * (b!.x - a!.x), 0.7 * (b!.y - a!.y)]);
+  await script.settled();
+  await visit.page
+    .getByText('With edges of this length and no corner sharper than 30° the net does not reach where the hand was.')
+    .waitFor();
+});
+
 test('so far up that the net is larger than the picture: all of it is seen afterwards, and what is said can be dismissed', async () => {
   visit = await share({ viewport: { width: 390, height: 844 } });
   ({ script } = visit);

@@ -69,7 +69,8 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
     const auto mode = static_cast<GuideMode>(options.guide_mode);
     if (guide != nullptr && mode != GuideMode::off)
         ClosenessTerm(net, *guide, 1,
-                      (mode == GuideMode::near ? 50.0 / net.vertex_count() : 100) * options.guide_weight,
+                      (mode == GuideMode::near ? 1 : 100) *
+                          (mode == GuideMode::outside ? 1 : 50.0 / net.vertex_count()) * options.guide_weight,
                       mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both)
             .evaluate(x, gradient);
     PullTerm(net, pulls_of(resting)).evaluate(x, gradient);

@@ -16,7 +16,7 @@ namespace {
 
 // Shear is reckoned from no corner sharper than this, even without a limit.
 constexpr double k_least_open_angle = 15;  // degrees
-// A guide that holds weighs so many times Options::guide_weight on each vertex.
+// A guide that holds, or keeps out, weighs so many times as much as one that draws.
 constexpr double k_hold = 100;
 
 bool is_guided(const Options& options, const Guide* guide) { return guide != nullptr && options.guide_mode != 0; }
@@ -41,9 +41,10 @@ std::vector<double> stiffness_of_edges(const Net& net, const Options& options) {
 
 std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit, const Options& options) {
     const auto mode = static_cast<GuideMode>(options.guide_mode);
-    const double on_each = mode == GuideMode::near ? k_guided_vertices / net.vertex_count() : k_hold;
+    const double shared = mode == GuideMode::outside ? 1 : k_guided_vertices / net.vertex_count();
+    const double weight = (mode == GuideMode::near ? 1 : k_hold) * shared * options.guide_weight;
     const auto side = mode == GuideMode::outside ? ClosenessTerm::Side::below : ClosenessTerm::Side::both;
-    return make_closeness_term(net, guide, unit, on_each * options.guide_weight, side);
+    return make_closeness_term(net, guide, unit, weight, side);
 }
 
 }  // namespace

@@ -39,6 +39,9 @@ export class ShareDialog {
     spellcheck: 'false',
   });
   readonly #copyLink: ShareParts['copyLink'];
+  /** Until there is a link there is nothing to copy. */
+  readonly #again = makeButton(panelWords.share.copy, () => void this.#copy(), { class: 'primary', disabled: true });
+  readonly #embed = makeButton(panelWords.share.copyEmbed, () => void this.#copySnippet(), { disabled: true });
   #chosen: ShareLink | null = null;
 
   constructor(root: HTMLElement, { links, copyLink }: ShareParts) {
@@ -55,18 +58,13 @@ export class ShareDialog {
         this.#choice,
         this.#said,
         this.#code,
-        make(
-          'div',
-          { class: 'embed' },
-          make('h3', {}, panelWords.share.embed),
-          makeButton(panelWords.share.copyEmbed, () => void this.#copySnippet()),
-        ),
+        make('div', { class: 'embed' }, make('h3', {}, panelWords.share.embed), this.#embed),
         this.#snippet,
       ),
       make(
         'div',
         { class: 'buttons' },
-        makeButton(panelWords.share.copy, () => void this.#copy(), { class: 'primary', autofocus: true }),
+        this.#again,
         makeButton(panelWords.share.close, () => this.#dialog.close()),
       ),
     );
@@ -82,6 +80,8 @@ export class ShareDialog {
     const chosen = links[0]!;
     this.#choice.append(...links.map((link) => this.#option(link, link === chosen)));
     this.#choice.hidden = links.length < 2;
+    for (const button of [this.#again, this.#embed]) button.disabled = false;
+    this.#again.focus();
     this.#choose(chosen);
   }
 

@@ -12,6 +12,7 @@ import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
+import { sharpQuads } from '../net/fold';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -21,6 +22,8 @@ import './stuck_notice.css';
 const SOFT = 0.01;
 const SCALE = 'length_scale';
 const LIMIT = 'shear_limit';
+/** What is no farther from the limit of corners is held by it, in degrees. */
+const AT_LIMIT = 0.1;
 /** More than this could not be told apart, and would be slow to draw. */
 const MOST_MARKS = 500;
 
@@ -137,6 +140,12 @@ export class StuckNotice implements Panel {
     return method === METHOD_AT_REST ? Number(options?.[LIMIT] ?? this.#usualLimit) : 0;
   }
 
+  /** Whether corners keep the net from going farther. */
+  get #isAtLimit(): boolean {
+    const [net, frame] = [this.#net, this.#frame];
+    return net !== null && frame !== null && sharpQuads(net, frame.positions, this.#limit + AT_LIMIT).size > 0;
+  }
+
   #show(): void {
     const standing = this.#standing;
     const isAsked = standing === 'stuck' || standing === 'short';
@@ -220,7 +229,7 @@ export class StuckNotice implements Panel {
 
   #reason(standing: Standing): string {
     const { fellShort, grown, shrunk, leftSo, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
-    if (standing === 'short') return fellShort;
+    if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
     if (this.#worst === undefined) {
       if (!hasLostLengths(this.#frame!, this.#net!)) return tooSharp;

@@ -330,7 +330,7 @@ export const dialogs = {
     length: 'Length of every edge',
     mean: (length: string) => `The mean of the original, ${length}`,
     fitting: 'The best fit',
-    fittingKnown: (length: string) => `The best fit, ${length}`,
+    fittingKnown: (length: string) => `The best fit, about ${length}`,
     fittingHint:
       'The net keeps the size of the original. At the mean length, a mesh that was split from triangles must crumple, and that shrinks it.',
     given: 'Another length',
@@ -361,7 +361,7 @@ export const dialogs = {
       `There is no such net: handles ${a} and ${b} are ${distance} apart, and with this length the net between them reaches only ${reach}. Take a longer length, or do not hold the handles.`,
     fault: (sentence: string) => `It cannot be equalised: ${sentence}`,
     shrunk: (fitting: string) =>
-      `At this length the net had to shrink. With ${fitting}, the best fit, it keeps its size.`,
+      `At this length the net had to shrink. With the best fit, about ${fitting}, it keeps its size.`,
     range: (shortest: string, longest: string) => `${shortest} to ${longest}`,
     edgeLengths: (number: string) => `${number} edge lengths`,
     iterations: 'Iterations',

@@ -608,7 +608,9 @@ export const panels = {
     grow: 'Let edges grow',
     growing: (percent: string) => `How little must edges grow? Now trying ${percent} %.`,
     stop: 'Stop',
-    fellShort: 'With edges of this length the net does not reach where the hand was.',
+    /** `limit`: in degrees, if corners are at it; null: none is. */
+    fellShort: (limit: number | null) =>
+      `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net does not reach where the hand was.`,
     noLength: 'No length up to four times as long reaches there.',
     grown: (percent: string) => `Edges are ${percent} % longer.`,
     shrunk: (percent: string) => `Edges are ${percent} % shorter.`,

@@ -314,7 +314,7 @@ export const dialogs: Widened<typeof en> = {
     length: '每条边的长度',
     mean: (length) => `原网格的平均边长 ${length}`,
     fitting: '最佳贴合长度',
-    fittingKnown: (length) => `最佳贴合长度 ${length}`,
+    fittingKnown: (length) => `最佳贴合长度（约 ${length}）`,
     fittingHint: '网保持原来的大小。若取平均边长，由三角形拆分而来的网格必然起皱，从而缩小。',
     given: '其他长度',
     hold: (handles) => `固定 ${handles} 个手柄的位置`,
@@ -339,7 +339,7 @@ export const dialogs: Widened<typeof en> = {
     unreachable: (a, b, distance, reach) =>
       `不存在这样的网：手柄 ${a} 和 ${b} 相距 ${distance}，而在此边长下它们之间的网最多只能伸到 ${reach}。请取更大的边长，或不固定手柄。`,
     fault: (sentence) => `无法均匀化：${sentence}`,
-    shrunk: (fitting) => `在此边长下网不得不缩小。取最佳贴合长度 ${fitting} 可保持原来的大小。`,
+    shrunk: (fitting) => `在此边长下网不得不缩小。取最佳贴合长度（约 ${fitting}）可保持原来的大小。`,
     range: (shortest, longest) => `${shortest} 至 ${longest}`,
     edgeLengths: (number) => `${number} 倍边长`,
     iterations: '迭代次数',
