@@ -19,14 +19,15 @@ const CLEARLY = 0.01;
 const MOST_FACES = 3_000;
 
 export function postureOf(mesh: Mesh): Posture {
-  const [y, z] = [likelihood(mesh, 1), likelihood(mesh, 2)];
+  const isBorder = bordersOf(mesh);
+  const [y, z] = [likelihood(mesh, isBorder, 1), likelihood(mesh, isBorder, 2)];
   return { up: y > z ? 'y' : 'z', isClear: Math.abs(y - z) > CLEARLY, sketch: sketchOf(mesh) };
 }
 
 /** How much speaks for an axis: that the mesh stands on more vertices than it has at the top, that it lies level, and that
  *  it arches over its border, or hangs within it. */
-function likelihood(mesh: Mesh, axis: 1 | 2): number {
-  return standing(mesh, axis) + Math.max(0, meanSlope(mesh, axis) - LEVEL) + arching(mesh, axis);
+function likelihood(mesh: Mesh, isBorder: readonly boolean[], axis: 1 | 2): number {
+  return standing(mesh, axis) + Math.max(0, meanSlope(mesh, axis) - LEVEL) + arching(mesh, isBorder, axis);
 }
 
 /** The part of the vertices at the bottom, less that at the top; 0 of a mesh that is flat across the axis. */
@@ -46,11 +47,10 @@ function standing({ positions }: Mesh, axis: 1 | 2): number {
 }
 
 /** How far the mean vertex is from the mean one of the border, as a part of the height. */
-function arching(mesh: Mesh, axis: 1 | 2): number {
-  const isBorder = bordersOf(mesh);
+function arching({ positions }: Mesh, isBorder: readonly boolean[], axis: 1 | 2): number {
   const [all, border] = [new Heights(), new Heights()];
   isBorder.forEach((is, vertex) => {
-    const height = mesh.positions[3 * vertex + axis]!;
+    const height = positions[3 * vertex + axis]!;
     all.add(height);
     if (is) border.add(height);
   });
