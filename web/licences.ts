@@ -41,7 +41,7 @@ function packagesIn(bundle: Rolldown.OutputBundle): string[] {
 }
 
 function packageOf(module: string): string | undefined {
-  // Written by one of page_parts.ts, by Vite and by its bundler.
+  // Written by plasma.ts, by Vite and by its bundler.
   if (module === '\0plasma') return 'd3-scale-chromatic';
   return /^\0(vite|rolldown)\//.exec(module)?.[1] ?? /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(module)?.[1];
 }
