@@ -133,6 +133,31 @@ test('finer, another length, and back', async () => {
   await expect.poll(vertices).toBe(first);
 });
 
+test('a changed net is seen from the side from which it was, and so it is after a reload', async () => {
+  // The net has x to the right, from the front.
+  const isSeenFromBehind = async () => {
+    const positions = await script.positions();
+    const xs = Array.from({ length: positions.length / 3 }, (_, vertex) => positions[3 * vertex]!);
+    const [left, right] = await Promise.all(
+      [Math.min(...xs), Math.max(...xs)].map((x) => script.screenPosition(xs.indexOf(x))),
+    );
+    return left!.x > right!.x;
+  };
+  // Its arch is at the back, and is to be taken hold of first.
+  await script.open({ recipe: 'canopy:vertices=300' });
+  await script.settled();
+  expect(await isSeenFromBehind()).toBe(true);
+  const whole = await vertices();
+  await press('Refine');
+  await expect.poll(vertices).toBeGreaterThan(whole);
+  await script.settled();
+  expect(await isSeenFromBehind()).toBe(true);
+  await visit.page.reload();
+  await script.waitForNet();
+  expect(await vertices()).toBeGreaterThan(whole);
+  expect(await isSeenFromBehind()).toBe(true);
+});
+
 test('in another size the surface beside it has that size, too', async () => {
   await visit.page.evaluate(() => window.chebnet.setGuide({ own: 'shell' }));
   const guide = visit.page.getByRole('group', { name: 'Surface: shell' });

@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Opener } from '../../web/src/app/opener';
 import { State } from '../../web/src/app/state';
 import { defaultScene, usualMethod } from '../../web/src/document/defaults';
-import type { Scene } from '../../web/src/document/document';
+import type { CameraPlace, Scene } from '../../web/src/document/document';
 import type { Client, Opened } from '../../web/src/worker/client';
 import { ROOT } from '../wasm/load';
 
@@ -64,6 +64,25 @@ beforeEach(() => {
   });
 });
 afterEach(() => void vi.useRealTimers());
+
+test('a net to which the history goes back is seen as it was left', async () => {
+  const camera: CameraPlace = { position: [0, -5, 2], target: [0, 0, 0], aspect: 1.5 };
+  const goTo = async (index: number) => {
+    const going = opener.goTo(index);
+    asked.at(-1)!.answer();
+    await going;
+    const { view } = state.opening!.document;
+    return [recipeNow(), view.camera, view.behind];
+  };
+  await open('dome');
+  state.change({ view: { ...state.opening!.document.view, camera } });
+  await open('vault');
+  state.change({ view: { ...state.opening!.document.view, behind: true } });
+  await open('tube');
+  expect(await goTo(1)).toEqual(['vault', null, true]);
+  expect(await goTo(0)).toEqual(['dome', camera, undefined]);
+  expect(await goTo(2)).toEqual(['tube', null, undefined]);
+});
 
 test('a net has the method of the one before, but for the usual ones: large nets have another', async () => {
   const method = () => state.opening!.document.method;

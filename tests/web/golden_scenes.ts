@@ -80,6 +80,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
   options: { threshold: 1e-8, max_iterations: 150, adaptive_p: false },
   view: {
     camera: CAMERA,
+    behind: true,
     field: 'angle',
     colourMap: 'log',
     ends: {

@@ -252,6 +252,11 @@ export class App {
     return this.#presenter.view.film();
   }
 
+  /** Whether the net is seen from behind while nobody has turned the view. */
+  get isSeenFromBehind(): boolean {
+    return this.#presenter.view.behind;
+  }
+
   frameAll(from?: Side): void {
     this.#presenter.view.frameAll(from);
   }

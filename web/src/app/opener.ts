@@ -1,7 +1,7 @@
 /** Opens nets and goes through the history: one at a time; until the next net is open the present one stays. */
 import { type NamedChange, netChange, netTitle } from '../document/changes';
 import { asMade, freshScene, usualMethod } from '../document/defaults';
-import type { NetSource, Scene, UpAxis } from '../document/document';
+import type { NetSource, Scene, UpAxis, ViewPlace } from '../document/document';
 import type { Project } from '../document/project';
 import type { Snapshot } from '../document/undo';
 import { words } from '../language/language';
@@ -27,6 +27,8 @@ export class Opener {
   readonly #client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>;
   readonly #state: State;
   readonly #events: OpenerEvents;
+  /** From where nets were seen that have been left. */
+  readonly #seen = new WeakMap<NetSource, ViewPlace>();
   /** Number of nets being opened. */
   #underWay = 0;
 
@@ -78,7 +80,7 @@ export class Opener {
     const { document } = this.#state.opening;
     const { initialisation } = document;
     const options = asMade(document.options);
-    const { upAxis: __, ...view } = document.view;
+    const { upAxis: __, behind: ___, ...view } = document.view;
     const method = document.method === usualMethod(document.net) ? fresh.method : document.method;
     const scene = {
       ...fresh,
@@ -111,7 +113,10 @@ export class Opener {
     if (this.#state.opening === null) return;
     const { net, view } = this.#state.opening.document;
     const { net: wanted, ...rest } = snapshot;
-    if (wanted !== net) return this.#reopen({ ...snapshot, view: { ...view, camera: null } });
+    if (wanted !== net) {
+      const { behind: _, ...look } = view;
+      return this.#reopen({ ...snapshot, view: { ...look, camera: null, ...this.#seen.get(wanted) } });
+    }
     this.#state.restore(snapshot);
     await this.#client.restore(rest);
   }
@@ -125,6 +130,8 @@ export class Opener {
   }
 
   #take(scene: Scene, opened: Opened): void {
+    const left = this.#state.opening?.document;
+    if (left) this.#seen.set(left.net, { camera: left.view.camera, behind: left.view.behind });
     this.#state.open(scene, opened);
     this.#events.opened();
   }

@@ -104,7 +104,7 @@ export class Presenter {
     // Before the view, which fits the net into the space that the panels leave.
     this.panels.setDocument(document, this.#presented.choice());
     this.setAppearance(document);
-    this.view.setNet(net, frame, document.view.camera);
+    this.view.setNet(net, frame, document.view);
     this.panels.setNet(net);
     this.#presentNumbers(frame);
     this.schedule();

@@ -40,7 +40,7 @@ export class Beside {
   #open(place: number, net: OpenedNet, frame: FrameData, look: Look): View {
     const view = this.#create({ ...LOOKING_ONLY, cameraMoved: (camera) => this.#turned(view, camera) }, place);
     view.setAppearance(look);
-    view.setNet(net, frame, look.camera);
+    view.setNet(net, frame, look);
     return view;
   }
 

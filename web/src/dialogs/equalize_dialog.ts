@@ -117,7 +117,7 @@ export class EqualizeDialog implements EqualizerLike {
     const view = this.#parts.createView(picture, LOOKING_ONLY);
     const { upAxis } = this.#parts;
     view.setAppearance({ field: 'deviation', colourMap: 'log', showFaces: true, ...(upAxis && { upAxis }) });
-    view.setNet(this.#subject.net, stillFrame(this.#before, this.#subject.net), null);
+    view.setNet(this.#subject.net, stillFrame(this.#before, this.#subject.net), { camera: null });
     return view;
   }
 

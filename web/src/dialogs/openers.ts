@@ -38,6 +38,7 @@ export interface OpenNet {
   readonly handles: { readonly choice: Choice; guide(): Promise<DrawnSurface | null> };
   say(message: string): void;
   unsay(): void;
+  readonly isSeenFromBehind: boolean;
   frameAll(from: 'here'): void;
 }
 
@@ -72,7 +73,8 @@ export class Openers {
     const subject = subjectOfNet(document, net, formats);
     const equalized = await this.#createEqualizer(subject, document.view.upAxis).result;
     if (equalized === 'newNet') await this.#newNetOn(subject, document.view.upAxis);
-    else if (equalized !== null) await this.#app.openScene(equalizedScene(document, equalized, formats));
+    else if (equalized !== null)
+      await this.#app.openScene(this.#fromSameSide(equalizedScene(document, equalized, formats)));
   }
 
   async #newNetOn({ name, net, positions }: Subject, upAxis: UpAxis | undefined): Promise<void> {
@@ -101,7 +103,7 @@ export class Openers {
     const request = requestOf(opening, wanted, this.#app.handles.choice.selection);
     const changed = await this.#changed(request);
     if (changed === null) return;
-    const scene = changedScene(opening.document, request, changed, formats);
+    const scene = this.#fromSameSide(changedScene(opening.document, request, changed, formats));
     const name = { name: nameOf(wanted.way), key: null };
     if (wanted.way === 'resize') {
       await this.#app.openScene(await this.#withResizedGuide(scene, request), name);
@@ -120,6 +122,11 @@ export class Openers {
         scene.method === opening.document.method ? '' : aboutMethod(count(MOST_VERTICES_AT_REST)),
       ]),
     );
+  }
+
+  /** A net made of the present one is seen as that is. */
+  #fromSameSide(scene: Scene): Scene {
+    return { ...scene, view: { ...scene.view, behind: this.#app.isSeenFromBehind } };
   }
 
   async #withResizedGuide(scene: Scene, request: ChangeRequest): Promise<Scene> {

@@ -12,7 +12,7 @@ export function takenScene(
   { net, handles, guide, upAxis = 'z' }: TakenNet,
   present: ChebnetDocument | undefined,
 ): Scene {
-  const { camera: _, upAxis: __, ...view } = present?.view ?? freshScene(net).view;
+  const { camera: _, behind: __, upAxis: ___, ...view } = present?.view ?? freshScene(net).view;
   return {
     ...freshScene(net),
     handles,

@@ -173,6 +173,7 @@ export function readView(view: Untrusted): Scene['view'] {
     showFaces: view.at('showFaces').flag(),
     ...given({
       ends: view.at('ends').maybe(readEnds),
+      behind: view.at('behind').maybe((each) => each.flag()),
       rods: view.at('rods').maybe((each) => each.positive()),
       section: view.at('section').maybe(readSection),
       parallel: view.at('parallel').maybe((each) => each.flag()),

@@ -111,8 +111,15 @@ export interface CameraPlace {
   aspect?: number | undefined;
 }
 
-export interface ViewState extends Colouring {
+/** From where a net is seen. */
+export interface ViewPlace {
+  /** Null: nobody has turned the view, and all of the net is seen. */
   camera: CameraPlace | null;
+  /** Whether that is from behind; left to the net unless it says. */
+  behind?: boolean | undefined;
+}
+
+export interface ViewState extends Colouring, ViewPlace {
   showFaces: boolean;
   /** The axis of the net that points up on the screen: z unless it says y, as many files from elsewhere want. */
   upAxis?: UpAxis;

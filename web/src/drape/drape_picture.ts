@@ -152,7 +152,7 @@ class DrapePicture implements Picture {
   #aim: { mark: number | null; at: Place; time: number } | null = null;
   #showsShear = true;
   /** From where the whole surface is seen. */
-  readonly #direction = directionFor(new Vector3()).clone();
+  readonly #direction = directionFor().clone();
   /** What is in hand, and by which pointer. */
   #grip: Grip | null = null;
   #frame = 0;
@@ -197,7 +197,7 @@ class DrapePicture implements Picture {
     this.#space = new Space(surface.positions, this.#upAxis);
     this.#forgetNet();
     this.#shade.setSurface(surface, this.#space);
-    this.#direction.copy(directionFor(new Vector3()));
+    this.#direction.copy(directionFor());
     this.#rig.framed = true;
     this.#frameAll();
   }
@@ -225,7 +225,7 @@ class DrapePicture implements Picture {
     const towards = combined(1, eye, -1, position);
     if (dot(towards, normal) > Math.cos(within * DEGREE) * Math.hypot(...towards)) return;
     turn(this.#direction, normal, this.#space!);
-    this.#direction.addScaledVector(directionFor(new Vector3()), 0.7).normalize();
+    this.#direction.addScaledVector(directionFor(), 0.7).normalize();
     this.#rig.framed = true;
     this.#frameAll();
   }

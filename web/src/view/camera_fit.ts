@@ -30,10 +30,16 @@ export type StandardView = 'free' | keyof typeof STANDARD;
 /** `here`: from where the camera is. */
 export type Side = StandardView | 'here';
 
-/** From where to see the whole net; freely: from the front, unless the handle to begin with would be at the back. */
-export function directionFor(first: Vector3, from: StandardView = 'free'): Vector3 {
+/** From where to see the whole net.
+ *  @param behind whether freely is from behind. */
+export function directionFor(from: StandardView = 'free', behind = false): Vector3 {
   if (from !== 'free') return STANDARD[from];
-  return first.x * FRONT.x + first.y * FRONT.y < -CLEARLY ? BACK : FRONT;
+  return behind ? BACK : FRONT;
+}
+
+/** Whether from the front a point would be at the back. */
+export function isBehind({ x, y }: Vector3): boolean {
+  return x * FRONT.x + y * FRONT.y < -CLEARLY;
 }
 
 /** Margins at each side of the view, as a fraction of its height or width. */

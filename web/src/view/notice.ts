@@ -43,6 +43,7 @@ export function createBlankView(container: HTMLElement): View {
   const nowhere = { position: [0, -1, 0] as [number, number, number], target: [0, 0, 0] as [number, number, number] };
   const refuse = () => Promise.reject(new Failure('no_picture', words.view.noGraphics));
   return {
+    behind: false,
     setNet() {},
     setFrame() {},
     setHandles() {},

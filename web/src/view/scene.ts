@@ -1,13 +1,13 @@
 /** The 3D view: puts net, handles, ground and camera together, and draws only when something has changed. */
 import { DirectionalLight, HemisphereLight, type Matrix4, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
-import type { CameraPlace, HandleData, Symmetry } from '../document/document';
+import type { CameraPlace, HandleData, Symmetry, ViewPlace } from '../document/document';
 import { words } from '../language/language';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
 import { lazy } from '../lazy';
 import type { DrawnSurface, FrameData, OpenedNet } from '../worker/protocol';
 import { Annotations } from './annotations';
-import { directionFor, fitCamera, type Margins, type Side, type Stand, standBack } from './camera_fit';
+import { directionFor, fitCamera, isBehind, type Margins, type Side, type Stand, standBack } from './camera_fit';
 import { CameraRig } from './camera_rig';
 import type { AxisDrag } from './axis_drag';
 import { type DragEvents, DragReport } from './drag';
@@ -59,7 +59,8 @@ class SceneView implements View {
   readonly #size = new Vector2(1, 1);
   #theme: Theme;
   /** From where the whole net is seen. */
-  #direction = directionFor(new Vector3());
+  #behind = false;
+  #direction = directionFor();
   #net: OpenedNet | null = null;
   #latest: FrameData | null = null;
   #handles: readonly HandleData[] = [];
@@ -166,12 +167,13 @@ class SceneView implements View {
     this.#renderer.compile(this.#scene, this.#rig.eye);
   }
 
-  setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void {
+  setNet(net: OpenedNet, frame: FrameData, { camera, behind }: ViewPlace): void {
     this.#forgetNet();
     this.#net = net;
     const { space } = this.#drawing.setNet(net);
     this.#sheet?.update(this.#symmetry, net.restPositions, space);
     this.setFrame(frame);
+    this.#behind = behind ?? this.#beginsBehind(net);
     this.#lookFrom('free');
     this.#rig.framed = camera === null;
     this.#rig.standAt(camera ? this.#toStand(camera) : this.#wholeNet());
@@ -293,6 +295,10 @@ class SceneView implements View {
     this.#lookFrom(from);
     this.#rig.framed = true;
     this.#rig.glideTo(this.#wholeNet());
+  }
+
+  get behind(): boolean {
+    return this.#behind;
   }
 
   camera(): CameraPlace {
@@ -449,16 +455,23 @@ class SceneView implements View {
     this.#gizmo.setTheme(this.#theme, this.#appearance.upAxis ?? 'z');
     if (!this.#net || !this.#latest) return;
     const handles = this.#handles;
-    this.setNet(this.#net, this.#latest, null);
+    this.setNet(this.#net, this.#latest, { camera: null });
     this.setHandles(handles, this.#choice);
   }
 
   #lookFrom(from: Side): void {
-    const first = this.#net?.suggestedHandles.at(-1);
     this.#direction =
-      from === 'here'
-        ? this.#rig.camera.getWorldDirection(new Vector3()).negate()
-        : directionFor(first === undefined ? new Vector3() : this.#vertexPoint(first), from);
+      from === 'here' ? this.#rig.camera.getWorldDirection(new Vector3()).negate() : directionFor(from, this.#behind);
+  }
+
+  /** The net at rest, which is the same whenever it is opened. */
+  #beginsBehind({ suggestedHandles, restPositions }: OpenedNet): boolean {
+    const first = suggestedHandles.at(-1);
+    if (first === undefined) return false;
+    const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * first, 3 * first + 3);
+    const place = new Vector3();
+    this.#netData!.space.toScene(place, [x, y, z]);
+    return isBehind(place);
   }
 
   #setParallel(isParallel: boolean): void {

@@ -1,7 +1,7 @@
 /** The contract between the page and the 3D view; `scene.ts` implements it. The view draws and reports gestures; it
  *  never changes the document itself. */
 import type { Handle } from '../../../wasm/chebnet';
-import type { CameraPlace, HandleData, Look, Symmetry } from '../document/document';
+import type { CameraPlace, HandleData, Look, Symmetry, ViewPlace } from '../document/document';
 import type { DrawnLine } from '../change/drawn_line';
 import type { Along } from '../handles/along';
 import type { Limit } from '../handles/reach';
@@ -70,8 +70,11 @@ export interface Film {
 }
 
 export interface View {
-  /** Shows another net; frames the camera unless one is given. */
-  setNet(net: OpenedNet, frame: FrameData, camera: CameraPlace | null): void;
+  /** Shows another net; frames the camera unless one is given: from behind if that is said, or if the handle to begin with
+   *  is there in the net at rest. */
+  setNet(net: OpenedNet, frame: FrameData, place: ViewPlace): void;
+  /** Whether the net is seen from behind when the camera is framed. */
+  readonly behind: boolean;
   /** New positions and fields; called once a frame, allocates nothing that grows with the net. */
   setFrame(frame: FrameData): void;
   setHandles(handles: readonly HandleData[], choice: ViewChoice): void;
