@@ -284,6 +284,7 @@ export type NetChange =
   | 'refine'
   | 'coarsen'
   | 'cut'
+  | 'cut_flat'
   | 'keep_larger'
   | 'keep_smaller'
   | 'delete_rows'

@@ -8,6 +8,7 @@
 #include "change/add_row.h"
 #include "change/coarsen.h"
 #include "change/cut.h"
+#include "change/cut_flat.h"
 #include "change/delete_faces.h"
 #include "change/inner_row.h"
 #include "change/join.h"
@@ -40,6 +41,7 @@ const std::vector<ChangeInfo>& change_table() {
         {"coarsen", "two by two quads become one, with twice the edge length; rows left over at the border go",
          checked<coarsened>},
         {"cut", "the edges of the line are cut: both sides have vertices of their own there", checked<cut>},
+        {"cut_flat", "the net is cut along lines, so that each piece lies flat as a square grid", checked<cut_flat>},
         {"keep_larger", "of the sides of the line only the largest stays", checked<larger_side>},
         {"keep_smaller", "of the sides of the line the largest goes", checked<smaller_side>},
         {"delete_rows", "the rows of faces beside the line go", checked<without_rows>},

@@ -34,19 +34,19 @@ Sets joined_corners(const Net& net, const std::vector<int>& edges, const std::ve
 
 }  // namespace
 
-ChangedMesh cut(const Net& net, const ChangePlace& place) {
+ChangedMesh parted(const Net& net, const ChangePlace& place) {
     const Faces& faces = net.faces();
     const std::vector<bool> is_cut = marked(place.edges, net.edge_count());
     Sets joined = joined_corners(net, corner_edges(net, Topology(net)), is_cut);
 
-    std::vector<bool> may_part(static_cast<std::size_t>(net.vertex_count()), false);
+    std::vector<bool> may_part = marked(place.vertices, net.vertex_count());
     for (const int e : place.edges)
         for (const int v : net.edges().col(e)) may_part[v] = true;
 
-    ChangedMesh parted{.mesh = {{}, faces},
-                       .origins = std::vector<int>(static_cast<std::size_t>(net.vertex_count())),
-                       .keeps_edges = true};
-    std::iota(parted.origins.begin(), parted.origins.end(), 0);
+    ChangedMesh changed{.mesh = {{}, faces},
+                        .origins = std::vector<int>(static_cast<std::size_t>(net.vertex_count())),
+                        .keeps_edges = true};
+    std::iota(changed.origins.begin(), changed.origins.end(), 0);
     std::vector<int> keeper(static_cast<std::size_t>(net.vertex_count()), -1);  // the set that keeps its vertex
     std::vector<int> new_vertex(faces.vertices.size(), -1);                     // of other sets
     for (std::size_t corner = 0; corner < faces.vertices.size(); ++corner) {
@@ -56,16 +56,21 @@ ChangedMesh cut(const Net& net, const ChangePlace& place) {
         if (keeper[v] < 0) keeper[v] = set;
         if (keeper[v] == set) continue;
         if (new_vertex[set] < 0) {
-            new_vertex[set] = static_cast<int>(parted.origins.size());
-            parted.origins.push_back(v);
+            new_vertex[set] = static_cast<int>(changed.origins.size());
+            changed.origins.push_back(v);
         }
-        parted.mesh.faces.vertices[corner] = new_vertex[set];
+        changed.mesh.faces.vertices[corner] = new_vertex[set];
     }
-    if (static_cast<int>(parted.origins.size()) == net.vertex_count())
+    changed.mesh.positions = net.rest_positions()(Eigen::all, changed.origins);
+    return changed;
+}
+
+ChangedMesh cut(const Net& net, const ChangePlace& place) {
+    ChangedMesh changed = parted(net, {{}, place.edges});
+    if (static_cast<int>(changed.origins.size()) == net.vertex_count())
         throw Error(ErrorCode::impossible_change,
                     "this cut parts nothing: it has to cross the net, or at least two edges inside of it");
-    parted.mesh.positions = net.rest_positions()(Eigen::all, parted.origins);
-    return parted;
+    return changed;
 }
 
 }  // namespace chebnet

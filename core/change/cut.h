@@ -9,4 +9,8 @@ namespace chebnet {
 /// that the cut is a slit. Throws Error impossible_change where no vertex is parted by that.
 ChangedMesh cut(const Net& net, const ChangePlace& place);
 
+/// Likewise, and faces that meet at one of the place's vertices, but not along edges there, get a vertex each. Nothing
+/// may be parted by that.
+ChangedMesh parted(const Net& net, const ChangePlace& place);
+
 }  // namespace chebnet

@@ -80,7 +80,7 @@ test('3DM and GLB hold the net as it was dragged', async () => {
     .waitFor({ state: 'attached' });
 });
 
-test('a vault has a flat pattern of the size asked for, a torus has none', async () => {
+test('a vault has a flat pattern of the size asked for, a torus once it is cut, which is a step to be undone', async () => {
   await visit.script.open({ recipe: 'vault:vertices=300' });
   await press('Export');
   await menu().getByLabel('Length of an edge on the pattern in millimetres').fill('25');
@@ -109,10 +109,20 @@ test('a vault has a flat pattern of the size asked for, a torus has none', async
   await visit.script.open({ recipe: 'torus:vertices=300' });
   await press('Export');
   await menu().getByRole('button', { name: 'SVG' }).click();
-  await visit.page
-    .getByRole('alert')
-    .getByText(/no flat pattern: the net closes on itself/)
-    .waitFor();
+  await visit.page.getByText('As it is the net does not lie flat: it closes on itself.').waitFor();
+  const { vertices, faces } = await visit.script.stats();
+  const [download] = await Promise.all([
+    visit.page.waitForEvent('download'),
+    visit.page.getByRole('button', { name: 'Cut it into flat pieces and save' }).click(),
+  ]);
+  const svg = await readFile((await download.path())!, 'utf8');
+  // Both sides of two cuts.
+  expect([...svg.matchAll(/>([A-Z])<\/text>/g)].map(([, letter]) => letter)).toEqual(['A', 'A', 'B', 'B']);
+  const cut = await visit.script.stats();
+  expect(cut.faces).toBe(faces);
+  expect(cut.vertices).toBeGreaterThan(vertices);
+  await visit.page.keyboard.press('Control+z');
+  await expect.poll(async () => (await visit.script.stats()).vertices).toBe(vertices);
 });
 
 test.each([

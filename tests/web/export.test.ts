@@ -1,10 +1,11 @@
 /** What leaves the page beside the core's own formats: flat patterns, 3DM, glTF, QR codes. */
 import rhino3dm from 'rhino3dm';
 import { describe, expect, test, vi } from 'vitest';
-import type { CoreFields, FlatPattern } from '../../wasm/chebnet';
+import type { CoreFields, Editor, FlatPattern } from '../../wasm/chebnet';
 import { glbOf } from '../../web/src/export/glb';
 import { vertexColours } from '../../web/src/export/paint';
-import { patternSvg } from '../../web/src/export/pattern_svg';
+import { type Drawing, patternSvg } from '../../web/src/export/pattern_svg';
+import { seamsOf } from '../../web/src/export/seams';
 import { QR_CAPACITY, qrCode } from '../../web/src/export/qr_code';
 import { rhinoFileOf } from '../../web/src/export/rhino_file';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
@@ -19,6 +20,22 @@ import { grid } from './nets';
 const chebnet = await load();
 const vault = chebnet.openRecipe('vault:vertices=300');
 
+/** Without handles, an edge a centimetre long. */
+function drawingOf(editor: Editor): Drawing {
+  const { faceStart: start, faceVertices: vertices, restPositions, info } = editor;
+  return {
+    pattern: editor.flatPattern() as FlatPattern,
+    lines: editor.netLines(),
+    loops: editor.boundaryLoops(),
+    faces: { start, vertices },
+    restPositions,
+    meanLength: info.meanLength,
+    handles: [],
+    name: '',
+    edgeMm: 10,
+  };
+}
+
 test('a pattern is drawn to scale, with its boundary and handles', () => {
   const net = grid(4, 3);
   const handles = [
@@ -27,14 +44,7 @@ test('a pattern is drawn to scale, with its boundary and handles', () => {
     { vertex: 5, target: [1, 1, 0] as [number, number, number], anchor: false, name: 'a<b>&\u0000' },
   ];
   const editor = chebnet.openMesh({ ...net, positions: net.restPositions });
-  const svg = patternSvg({
-    pattern: editor.flatPattern() as FlatPattern,
-    lines: editor.netLines(),
-    loops: editor.boundaryLoops(),
-    handles,
-    name: 'grid',
-    edgeMm: 12.5,
-  });
+  const svg = patternSvg({ ...drawingOf(editor), handles, name: 'grid', edgeMm: 12.5 });
   expect(svg).toContain('width="62.5mm" height="62.5mm" viewBox="0 0 62.5 62.5"');
   const strokes = (id: string): string[] => new RegExp(`id="${id}"[^>]* d="([^"]*)"`).exec(svg)![1]!.split(/(?=M)/);
   expect(strokes('net')).toHaveLength(3);
@@ -52,9 +62,8 @@ test('the pieces of a net are drawn beside each other, with numbers, and are mes
   const ends = [0, 1, 2, 3, 4].map((i) => `v ${3 * i} 1 0`);
   const quads = [0, 1, 2, 3, 4].map((i) => `f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3} ${16 + i}`);
   const editor = chebnet.openObj([...corners, ...ends, ...quads, ''].join('\n'));
-  const pattern = editor.flatPattern() as FlatPattern;
-  const drawing = { lines: editor.netLines(), loops: editor.boundaryLoops(), handles: [], edgeMm: 10 };
-  const svg = patternSvg({ pattern, ...drawing, name: 'squares' });
+  const drawing = { ...drawingOf(editor), name: 'squares' };
+  const svg = patternSvg(drawing);
   const labels = [...svg.matchAll(/<text x="([\d.]+)" y="([\d.]+)" [^>]*>(\d)<\/text>/g)].map(([, ...each]) =>
     each.map(Number),
   );
@@ -94,8 +103,7 @@ test('rods that end on the border of a surface are drawn as long as they are', (
   const pattern = editor.flatPattern() as FlatPattern;
   const isCut = (vertex: number) => [0, 1].some((axis) => !Number.isInteger(pattern.places[2 * vertex + axis]));
   expect(Array.from({ length: editor.info.vertices }, (_, v) => v).filter(isCut)).toHaveLength(cutEnds);
-  const lines = editor.netLines();
-  const svg = patternSvg({ pattern, lines, loops: editor.boundaryLoops(), handles: [], name: 'shell', edgeMm: 10 });
+  const svg = patternSvg({ ...drawingOf(editor), name: 'shell' });
   expect(svg).toMatch(/^[^N]*$/);
   // A rod is one straight stroke: upright or level.
   const strokes = /id="net"[^>]* d="M([^"]*)"/.exec(svg)![1]!.split('M');
@@ -105,6 +113,27 @@ test('rods that end on the border of a surface are drawn as long as they are', (
     expect(ends).toHaveLength(2);
     expect(ends[0]![0] === ends[1]![0] || ends[0]![1] === ends[1]![1]).toBe(true);
   }
+});
+
+test('both sides of a seam have its letter, and all sides of a net that was closed have one or lie closed', () => {
+  const { faceStart, faceVertices, restPositions: positions } = chebnet.openRecipe('jack:vertices=400');
+  const { mesh } = chebnet.change({ positions, faceStart, faceVertices }, 'cut_flat');
+  const editor = chebnet.openMesh(mesh);
+  const drawing = drawingOf(editor);
+  const seams = seamsOf(drawing.loops, drawing.restPositions, drawing.meanLength);
+  const sides = seams.reduce((sum, [one]) => sum + one.length - 1, 0);
+  expect(2 * sides).toBe(drawing.loops.vertices.length);
+  for (const [one, other] of seams) {
+    expect(other.length).toBe(one.length);
+    for (const [i, vertex] of one.entries())
+      for (const axis of [0, 1, 2])
+        expect(drawing.restPositions[3 * other[i]! + axis]).toBe(drawing.restPositions[3 * vertex + axis]);
+  }
+
+  const letters = [...patternSvg(drawing).matchAll(/>([A-Z]+)<\/text>/g)].map(([, letter]) => letter);
+  expect(letters.length).toBeGreaterThan(4);
+  expect(letters).toEqual([...new Set(letters)].flatMap((letter) => [letter, letter]));
+  expect(patternSvg(drawingOf(vault))).not.toContain('id="seams"');
 });
 
 const LAYERS = { mesh: 'Mesh', lines: 'Net lines' };

@@ -150,6 +150,7 @@ async function saveAs(request: SaveRequest): Promise<void> {
     app,
     theme: () => readTheme(document.body),
     spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),
+    cutFlat: (then) => attempt(async () => (await openers()).changeNet({ way: 'cut_flat' }).then(then)),
   });
 }
 

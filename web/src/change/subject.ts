@@ -14,9 +14,12 @@ import { centreOf, scaled } from './scaled';
 
 /** What is asked of a net: at its chosen handles, with another edge length, or all of it. */
 export type WantedChange =
-  | { way: 'refine' | 'coarsen' | 'join' }
+  | { way: WayOfAll }
   | { way: 'resize'; length: number }
-  | { way: Exclude<Way, 'refine' | 'coarsen' | 'join' | 'resize'>; place: Place };
+  | { way: Exclude<Way, WayOfAll | 'resize'>; place: Place };
+
+/** What is done to the whole net. */
+export type WayOfAll = 'refine' | 'coarsen' | 'join' | 'cut_flat';
 
 const RADIANS = Math.PI / 180;
 
@@ -110,6 +113,7 @@ export function nameOf(way: Way): ChangeName {
     refine: 'refine',
     coarsen: 'coarsen',
     cut: 'cut',
+    cut_flat: 'cut',
     keep_larger: 'trim',
     keep_smaller: 'trim',
     delete_rows: 'deleteRows',

@@ -2,6 +2,7 @@
 import type { FlatPattern, VertexLists } from '../../../wasm/chebnet';
 import type { HandleData } from '../document/document';
 import { listsOf } from '../handles/lines';
+import { type Seam, seamsOf } from './seams';
 
 export interface Drawing {
   pattern: FlatPattern;
@@ -9,6 +10,10 @@ export interface Drawing {
   lines: VertexLists;
   /** Of the boundary. */
   loops: VertexLists;
+  faces: VertexLists;
+  /** Of the net, where seams are looked for. */
+  restPositions: Float64Array;
+  meanLength: number;
   handles: readonly HandleData[];
   name: string;
   /** Length of an edge on the drawing. */
@@ -24,10 +29,16 @@ const SHIFT = 0.22;
 const STRAIGHT = 1e-9;
 const LETTER = 0.45;
 const NUMBER = 0.7;
+const END_RADIUS = 0.1;
 const THIN = 0.02;
 const BOLD = 0.08;
+const SEAM_COLOUR = '#1f5fbf';
 
-/** One stroke a net line, the boundary bold; a mark with its name at each handle; below, a bar of one edge. */
+/** Right and down, in millimetres. */
+type Place = [number, number];
+
+/** One stroke a net line, the boundary bold; a mark with its name at each handle, letters along the two sides of a seam;
+ *  below, a bar of one edge. */
 export function patternSvg(drawing: Drawing): string {
   const { pattern, lines, loops, handles, name, edgeMm } = drawing;
   const isBoundary = boundaryTest(listsOf(loops));
@@ -47,6 +58,7 @@ export function patternSvg(drawing: Drawing): string {
     ...handles.map((handle) => mark(handle, drawing)),
     '</g>',
     ...(pattern.pieces.length > 1 ? [numbers(drawing)] : []),
+    ...seamLabels(drawing),
     scaleBar(height, edgeMm),
     '</svg>',
     '',
@@ -93,6 +105,71 @@ function numbers({ pattern: { pieces, rows: height }, edgeMm }: Drawing): string
     return `<text x="${x}" y="${y}" dy="${mm(-SHIFT * edgeMm)}">${i + 1}</text>`;
   });
   return `<g id="pieces" font-family="sans-serif" font-weight="bold" font-size="${mm(NUMBER * edgeMm)}">${labels.join('')}</g>`;
+}
+
+/** One letter for both sides of a seam that does not lie closed, in a cell midway; beside it an arrow, which points to the
+ *  same end on both sides; dots at the ends. */
+function seamLabels(drawing: Drawing): string[] {
+  const { loops, restPositions, meanLength, pattern, edgeMm } = drawing;
+  const seams = seamsOf(loops, restPositions, meanLength).filter(isOpen);
+  if (seams.length === 0) return [];
+  const cells = cellsAtSeams(seams, drawing);
+  const labels = seams.flatMap((sides, number) => sides.map((side) => label(side, letters(number))));
+  return [
+    `<g id="seams" fill="${SEAM_COLOUR}" font-family="sans-serif" font-size="${mm(LETTER * edgeMm)}">${labels.join('')}</g>`,
+  ];
+
+  /** Whether its sides do not lie on each other. */
+  function isOpen([one, other]: Seam): boolean {
+    const differs = (i: number, axis: number) =>
+      pattern.places[2 * one[i]! + axis] !== pattern.places[2 * other[i]! + axis];
+    return one.some((_, i) => differs(i, 0) || differs(i, 1));
+  }
+
+  function label(side: readonly number[], letter: string): string {
+    const middle = (side.length - 1) >> 1;
+    const [from, to] = [side[middle]!, side[middle + 1]!];
+    const [x, y] = onPaper(...cells.get(sideKey(from, to))!, pattern.rows, edgeMm);
+    const text = `<text x="${x}" y="${y}" text-anchor="middle" dy="0.35em">${letter}</text>`;
+    return dot(side[0]!) + dot(side.at(-1)!) + arrow(from, to) + text;
+  }
+
+  function dot(vertex: number): string {
+    const [x, y] = place(vertex, drawing);
+    return `<circle cx="${x}" cy="${y}" r="${mm(END_RADIUS * edgeMm)}"/>`;
+  }
+
+  function arrow(from: number, to: number): string {
+    const [[x, y], [u, v]] = [from, to].map((vertex) => place(vertex, drawing).map(Number)) as [Place, Place];
+    const at = (along: number, aside: number): string =>
+      `${mm(x + along * (u - x) - aside * (v - y))} ${mm(y + along * (v - y) + aside * (u - x))}`;
+    return `<path d="M${at(0.7, 0)}L${at(0.4, 0.15)}L${at(0.4, -0.15)}Z"/>`;
+  }
+}
+
+/** The middles of the cells, in columns and rows, by their sides in seams. */
+function cellsAtSeams(seams: readonly Seam[], { faces, pattern: { places } }: Drawing): Map<string, [number, number]> {
+  const along = (side: readonly number[]) => side.slice(1).map((vertex, i) => sideKey(side[i]!, vertex));
+  const wanted = new Set(seams.flatMap(([one, other]) => [...along(one), ...along(other)]));
+  const cells = new Map<string, [number, number]>();
+  for (const face of listsOf(faces))
+    face.forEach((vertex, i) => {
+      const key = sideKey(vertex, face[(i + 1) % face.length]!);
+      if (!wanted.has(key)) return;
+      const mean = (axis: number) => face.reduce((sum, each) => sum + places[2 * each + axis]!, 0) / face.length;
+      cells.set(key, [mean(0), mean(1)]);
+    });
+  return cells;
+}
+
+function sideKey(a: number, b: number): string {
+  return `${Math.min(a, b)} ${Math.max(a, b)}`;
+}
+
+/** A to Z, then AA and so on. */
+function letters(number: number): string {
+  const last = String.fromCharCode(65 + (number % 26));
+  return number < 26 ? last : letters(Math.floor(number / 26) - 1) + last;
 }
 
 /** The name stands on the side where there is more of the pattern, so that it stays on the drawing. */

@@ -24,27 +24,32 @@ export interface Saveable {
   /** The present net as the bytes of a file. */
   exported(format: ExportFormat): Promise<Uint8Array<ArrayBuffer>>;
   flatPattern(): Promise<FlatPattern | PatternFault>;
+  say(message: string, action: { label: string; run(): void }): void;
 }
 
 export interface SaveParts {
   app: Saveable;
   theme(): Theme;
   spawnWorker(): Worker;
+  /** Cuts the net into flat pieces, and then. */
+  cutFlat(then: () => Promise<void>): void;
 }
+
+/** Why a net does not lie flat that would if it were cut. */
+const CUT_HELPS: readonly PatternFault['reason'][] = ['singular', 'closed', 'overlap', 'touching'];
 
 export async function save(request: SaveRequest, parts: SaveParts): Promise<void> {
   const { opening } = parts.app;
   if (opening === null) return;
   const content = await contentOf(request, opening, parts);
+  if (content === null) return;
   const { formats } = parts.app;
   download(fileNameOf(opening.document.net, request.kind, formats), content, typeOf(request.kind, formats));
 }
 
-async function contentOf(
-  request: SaveRequest,
-  opening: Opening,
-  { app, theme, spawnWorker }: SaveParts,
-): Promise<BlobPart> {
+/** Null: there is none, and why is said with a way out. */
+async function contentOf(request: SaveRequest, opening: Opening, parts: SaveParts): Promise<BlobPart | null> {
+  const { app, theme, spawnWorker } = parts;
   switch (request.kind) {
     case 'png':
       return app.picture(request.magnification);
@@ -52,15 +57,31 @@ async function contentOf(
     case 'glb':
       return made(jobOf(request.kind, opening, theme(), app.formats), spawnWorker());
     case 'svg':
-      return made(await drawing(app, request, opening), spawnWorker());
+      return patternOf(request, opening, parts);
     default:
       return app.exported(request.kind);
   }
 }
 
-async function drawing(app: Saveable, { edgeMm }: SaveRequest, { document, net }: Opening): Promise<ExportJob> {
+async function patternOf(request: SaveRequest, opening: Opening, parts: SaveParts): Promise<BlobPart | null> {
+  const { app } = parts;
   const pattern = await app.flatPattern();
-  if ('reason' in pattern) throw new Failure('no_pattern', patternFaultWords(pattern));
+  if (!('reason' in pattern)) return made(drawing(pattern, request, opening, app.formats), parts.spawnWorker());
+  const why = patternFaultWords(pattern);
+  if (!CUT_HELPS.includes(pattern.reason)) throw new Failure('no_pattern', why);
+  const saveIfCut = async () => {
+    if (app.opening?.document.net !== opening.document.net) await save(request, parts);
+  };
+  app.say(why, { label: panelWords.saving.pattern.cutAndSave, run: () => parts.cutFlat(saveIfCut) });
+  return null;
+}
+
+function drawing(
+  pattern: FlatPattern,
+  { edgeMm }: SaveRequest,
+  { document, net }: Opening,
+  formats: readonly FormatInfo[],
+): ExportJob {
   const lines = { start: net.lineStart, vertices: net.lineVertices };
   const loops = { start: net.loopStart, vertices: net.loopVertices };
   return {
@@ -68,8 +89,11 @@ async function drawing(app: Saveable, { edgeMm }: SaveRequest, { document, net }
     pattern,
     lines,
     loops,
+    faces: { start: net.faceStart, vertices: net.faceVertices },
+    restPositions: net.restPositions,
+    meanLength: net.info.meanLength,
     handles: document.handles,
-    name: baseNameOf(document.net, app.formats),
+    name: baseNameOf(document.net, formats),
     edgeMm,
   };
 }
@@ -112,11 +136,12 @@ function patternFaultWords(fault: PatternFault): string {
     case 'singular':
       return pattern.singular(fault.vertex, fault.valence);
     case 'closed':
-      return pattern.closed(fault.vertex);
+      return pattern.closed;
     case 'not_quads':
     case 'loose':
-    case 'overlap':
       return pattern[fault.reason](fault.face);
+    case 'overlap':
+      return pattern.overlap;
     case 'touching':
       return pattern.touching(fault.vertex);
     case 'unequal':

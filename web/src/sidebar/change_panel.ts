@@ -2,7 +2,7 @@
  *  shorter or longer. */
 import { type Place, type PlaceName, placeOf } from '../change/place';
 import { sidesOf, stayingWithout } from '../change/sides';
-import type { WantedChange } from '../change/subject';
+import type { WantedChange, WayOfAll } from '../change/subject';
 import type { HandleData } from '../document/document';
 import { make, makeButton, makeSection, makeSelect, setText } from '../elements/dom';
 import { NumberField } from '../elements/number_field';
@@ -16,7 +16,7 @@ import { LineDrawing } from './line_drawing';
 import './change_panel.css';
 
 const TEXT = panelWords.change;
-const OF_ALL = ['refine', 'coarsen', 'join'] as const;
+const OF_ALL: readonly WayOfAll[] = ['refine', 'coarsen', 'join', 'cut_flat'];
 /** What is done along a line through the handle that was chosen last. */
 const AT_LINE = ['cut', 'keep_larger', 'keep_smaller', 'delete_rows', 'add_row', 'insert_row', 'remove_line'] as const;
 /** What is done to the pieces with a chosen handle. */

@@ -159,6 +159,7 @@ export const panels = {
       refine: 'Refine',
       coarsen: 'Coarsen',
       cut: 'Cut',
+      cut_flat: 'Cut into flat pieces',
       keep_larger: 'Keep the larger side',
       keep_smaller: 'Keep the smaller side',
       delete_rows: 'Delete rows beside it',
@@ -175,6 +176,7 @@ export const panels = {
       refine: 'Every quad becomes two by two, with half the edge length, on the same shape',
       coarsen: 'Two by two quads become one, with twice the edge length; an odd row at the border goes',
       cut: 'Both sides of the line come apart: two pieces, or a slit where the line ends inside',
+      cut_flat: 'As few pieces as possible, each of which lies flat as a square grid: for a flat pattern',
       keep_larger: 'Deletes what lies beyond the line, on its smaller side',
       keep_smaller: 'Deletes what lies beyond the line, on its larger side',
       delete_rows: 'Deletes the faces that touch the line with an edge',
@@ -486,18 +488,17 @@ export const panels = {
     failed: (reason: string) => `The file could not be made: ${reason}`,
     pattern: {
       singular: (vertex: number, valence: number) =>
-        `There is no flat pattern: vertex ${vertex} is singular (${valence} edges meet there), so the net does not lie flat as a square grid. Cut it into patches without singular vertices.`,
-      closed: (vertex: number) =>
-        `There is no flat pattern: the net closes on itself, so vertex ${vertex} would get two places. Cut it open first.`,
+        `As it is the net does not lie flat: at vertex ${vertex}, and maybe at others, ${valence} edges meet and not four.`,
+      closed: 'As it is the net does not lie flat: it closes on itself.',
       not_quads: (face: number) => `There is no flat pattern: face ${face} is no quad.`,
       loose: (face: number) =>
         `There is no flat pattern: no whole rod says where face ${face} lies. Delete it or its piece first, or lay the net with rods left whole.`,
-      overlap: (face: number) =>
-        `There is no flat pattern: face ${face} would lie upon another one. Cut the net apart first.`,
+      overlap: 'As it is the net does not lie flat: it would lie upon itself.',
       unequal:
         'There is no flat pattern: the edges differ in length, and only a net of one length unrolls to a square grid.',
       touching: (vertex: number) =>
-        `There is no flat pattern: at vertex ${vertex} faces meet, but not along an edge. Delete faces there first.`,
+        `As it is the net does not lie flat: at vertex ${vertex} faces meet, but not along an edge.`,
+      cutAndSave: 'Cut it into flat pieces and save',
     },
   },
   link: {

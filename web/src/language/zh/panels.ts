@@ -360,6 +360,7 @@ export const panels: Widened<typeof en> = {
       refine: '加密',
       coarsen: '变疏',
       cut: '剪开',
+      cut_flat: '剪成可展平的片',
       keep_larger: '保留较大的一侧',
       keep_smaller: '保留较小的一侧',
       delete_rows: '删除线旁的行',
@@ -376,6 +377,7 @@ export const panels: Widened<typeof en> = {
       refine: '每个四边形分成二乘二个，边长减半，形状不变',
       coarsen: '二乘二个四边形合为一个，边长加倍；边界上多出的一行会被删除',
       cut: '线的两侧分开：成为两块，或在线止于网内之处成为一道口子',
+      cut_flat: '剪成尽量少的片，每片都能展平成正方形网格，用于展开图',
       keep_larger: '删除线的另一侧，即较小的一侧',
       keep_smaller: '删除线的另一侧，即较大的一侧',
       delete_rows: '删除有一条边在线上的面',
@@ -665,14 +667,15 @@ export const panels: Widened<typeof en> = {
     failed: (reason) => `无法生成文件：${reason}`,
     pattern: {
       singular: (vertex, valence) =>
-        `无法展开：顶点 ${vertex} 是奇异顶点（有 ${valence} 条边相交），网不能平铺成正方形网格。请先将网分割为不含奇异顶点的片。`,
-      closed: (vertex) => `无法展开：网自身闭合，顶点 ${vertex} 会得到两个位置。请先将网剪开。`,
+        `这张网无法直接展平：在顶点 ${vertex} 处（或许还有别处）相交的边有 ${valence} 条，而不是四条。`,
+      closed: '这张网无法直接展平：它自身闭合。',
       not_quads: (face) => `无法展开：面 ${face} 不是四边形。`,
       loose: (face) =>
         `无法展开：没有整根的杆确定面 ${face} 的位置。请先删除此面或它所在的片，或在铺网时保留整根的杆。`,
-      overlap: (face) => `无法展开：面 ${face} 会与另一个面重叠。请先将网分开。`,
+      overlap: '这张网无法直接展平：它会与自身重叠。',
       unequal: '无法展开：各边长度不同，只有等边长的网才能展开为正方形网格。',
-      touching: (vertex) => `无法展开：在顶点 ${vertex} 处有些面仅在顶点相接。请先删除那里的面。`,
+      touching: (vertex) => `这张网无法直接展平：在顶点 ${vertex} 处有些面仅在顶点相接。`,
+      cutAndSave: '剪成可展平的片并保存',
     },
   },
   link: {
