@@ -20,6 +20,10 @@ namespace {
 /// lengths: as hard as a pull can be without being stiff. Where it comes so close to its target, it may be held there
 /// after all.
 constexpr double k_weight_in_hand = 100, k_nearly_there = 0.5;
+/// How near to the reach of other handles what is in hand walks, before it is pulled on, and how often it is drawn
+/// there.
+constexpr double k_nearly_taut = 0.995;
+constexpr int k_most_drawn = 30;
 // Lines that are to be straight are held so when no vertex of them is farther from that, in edge lengths: from there on
 // they go straight as nets.
 constexpr double k_nearly_straight = 0.05;
@@ -207,9 +211,9 @@ bool Editor::is_nearly_there() const {
 }
 
 /// After a solve has ended: whether another way of holding what is in hand is to be tried. Where the net cannot follow,
-/// it is held back, and where that is no net along the axes to which it is kept, in all of them; where it has come near
-/// all the same, it is held again, once; and where even that is no net, because of other handles, it is moved as by
-/// move_handle().
+/// or has followed as far as a walk leads, it is held back, and where that is no net along the axes to which it is
+/// kept, in all of them; where it has come near all the same, it is held again, once; and where even that is no net,
+/// because of other handles, it is moved as by move_handle().
 bool Editor::goes_on_otherwise(Status status) {
     if (m_in_hand.empty()) {
         if (!(m_may_take_in_hand && m_reachable && status == Status::unreachable)) return false;
@@ -223,7 +227,7 @@ bool Editor::goes_on_otherwise(Status status) {
             empty_hand();
         return true;
     }
-    if (status == Status::unreachable) {
+    if (status == Status::unreachable || m_stops_short) {
         // A core without slides says so here, before it holds anything back: one with them goes on from this state.
         m_running = false;
         if (is_part(m_hand_along)) check_slide(m_in_hand.front(), m_hand_along, true);
@@ -498,7 +502,9 @@ void Editor::draw_targets_near() {
     }
     const double farthest = k_farthest_target * m_net->mean_length();
     const std::vector<UnreachablePair> pairs = unreachable_pairs();
-    m_reachable = pairs.empty() && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
+    m_stops_short = !pairs.empty() && !m_holds_back && !m_in_hand.empty() && !m_region && draw_within_reach(targets);
+    m_reachable =
+        (pairs.empty() || m_stops_short) && (count == 0 || (targets - rest).cwiseAbs().maxCoeff() <= farthest);
     if (!m_reachable) targets = near_targets(handle_graph(), m_net->mean_length(), targets, rest);
     // What is held back may be pulled anywhere.
     const auto both_held = [this](const UnreachablePair& pair) {
@@ -507,6 +513,23 @@ void Editor::draw_targets_near() {
     };
     if (m_holds_back) m_reachable = std::none_of(pairs.begin(), pairs.end(), both_held);
     m_near_targets = targets / m_unit;
+}
+
+/// Takes what is in hand to a place that its distances from other handles allow, a little less far than they do. False
+/// if there is none, as far as a few rounds tell.
+bool Editor::draw_within_reach(Eigen::Matrix3Xd& targets) const {
+    for (int round = 0; round < k_most_drawn; ++round) {
+        bool is_within = true;
+        for (int vertex : m_in_hand)
+            for (const auto& [other, distance] : handle_graph().neighbours(m_handle_at[vertex])) {
+                auto target = targets.col(m_handle_at[vertex]);
+                if ((target - targets.col(other)).stableNorm() <= distance) continue;
+                target = drawn_near(target, targets.col(other), k_nearly_taut * distance);
+                is_within = false;
+            }
+        if (is_within) return true;
+    }
+    return false;
 }
 
 /// Of lines that exact handles pull straight, once the net has come near to that. False if that has not changed.

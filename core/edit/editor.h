@@ -200,6 +200,7 @@ private:
     void collect_pulls();
     void prepare();
     void draw_targets_near();
+    bool draw_within_reach(Eigen::Matrix3Xd& targets) const;
     bool find_taut_lines();
     void load_positions();
     void store_positions();
@@ -247,11 +248,12 @@ private:
     std::unique_ptr<Method> m_method;
     Initialisation m_initialisation;
     std::shared_ptr<const Guide> m_guide;
-    bool m_prepared = false;  // method and initialisation know which vertices are fixed
-    bool m_running = false;   // a solve is under way
-    bool m_reachable = true;  // as far as the handles' distances tell, for the solve under way
-    int m_iterations = 0;     // of the solve under way
-    double m_elapsed_ms = 0;  // likewise
+    bool m_prepared = false;     // method and initialisation know which vertices are fixed
+    bool m_running = false;      // a solve is under way
+    bool m_stops_short = false;  // what is in hand walks to where the handles' distances let it, and has farther to go
+    bool m_reachable = true;     // as far as the handles' distances tell, for the solve under way
+    int m_iterations = 0;        // of the solve under way
+    double m_elapsed_ms = 0;     // likewise
 };
 
 }  // namespace chebnet

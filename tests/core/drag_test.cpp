@@ -125,6 +125,18 @@ TEST_CASE("Drag: a jump beyond reach ends where a slow hand does") {
     CHECK(slow.distance(slow.editor.positions(), fast.editor.positions()) < 0.05);
 }
 
+TEST_CASE("Drag: a hand that is far beyond reach at once comes to rest in as many iterations as a solve has") {
+    const auto [net, handles] = make_shape("dome:vertices=1300");
+    Editor editor(net);
+    editor.set_handles(samples::handles_at_rest(net, handles));
+    editor.drag_handle(handles.back(), {0, 0, 20});
+    const SolveReport report = editor.solve();
+    CHECK(report.status == Status::converged);
+    CHECK(report.iterations < 100);
+    CHECK(editor.holds_back());
+    CHECK(max_deviation(net, editor.positions()) < k_at_rest);
+}
+
 TEST_CASE("Drag: what was held back stays, once it is let go, where it stands when the net has settled") {
     Taken taken;
     taken.editor.drag_handle(k_handle, taken.at(30));
