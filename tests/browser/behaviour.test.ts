@@ -405,7 +405,7 @@ test('a strip that has buckled is pushed through to the other side, and back by 
   await script.settled();
   if (!(await flip.isVisible())) await dragging.locator('summary').click();
   await flip.click();
-  await dragging.getByText('It came back').waitFor();
+  await dragging.getByText('It is back').waitFor();
 
   const pressed = (vertex: number) => ({
     vertex,
@@ -423,7 +423,7 @@ test('a strip that has buckled is pushed through to the other side, and back by 
   await script.settled();
   const mirrored = before.map((x, i) => (i % 3 === 2 ? -x : x));
   expect(apart(await script.positions(), mirrored)).toBeLessThan(1e-3);
-  expect(await dragging.getByText('It came back').count()).toBe(0);
+  expect(await dragging.getByText('It is back').count()).toBe(0);
 
   await visit.page.keyboard.press('Control+z');
   await script.settled();

@@ -186,10 +186,24 @@ describe('several handles', () => {
     expect(turn).toBeCloseTo(30, 6);
     expect(distance(centreOf([a, b]), centreOf([rest(left), rest(right)]))).toBeLessThan(1e-9);
 
-    await visit.page.getByLabel('Factor', { exact: true }).fill('0.9');
+    const factor = visit.page.getByLabel('Factor', { exact: true });
+    await factor.fill('0.9');
     await visit.page.getByRole('form', { name: 'Scale by' }).getByRole('button').click();
     await script.settled();
     expect(distance(await targetOf(left), await targetOf(right))).toBeCloseTo(0.9 * distance(a, b), 9);
+    // From a field, too, once that has been applied; what is only typed is undone there.
+    await factor.fill('0.8');
+    await factor.press('Enter');
+    await script.settled();
+    await factor.press('Control+z');
+    await script.settled();
+    expect(distance(await targetOf(left), await targetOf(right))).toBeCloseTo(0.9 * distance(a, b), 9);
+    await factor.press('End');
+    await visit.page.keyboard.type('5');
+    await factor.press('Control+z');
+    expect(await factor.inputValue()).toBe('0.8');
+    expect(distance(await targetOf(left), await targetOf(right))).toBeCloseTo(0.9 * distance(a, b), 9);
+    await visit.page.locator('canvas').first().focus();
     for (let i = 0; i < 2; ++i) await press('Control+z');
     await script.settled();
     await visit.page.locator('canvas').first().focus();

@@ -5,7 +5,7 @@ import type { FileChooser } from 'playwright-core';
 import { expect, test, vi } from 'vitest';
 import { dragBy } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, Script, visits, openForResearch } from './page';
+import { dropFile, OUTPUT, Script, visits, openForResearch } from './page';
 
 const SHAPE = 'vault:vertices=600';
 /** Milliseconds that a busy machine may take. */
@@ -254,6 +254,15 @@ test('several projects with names and pictures: opened, renamed, copied, deleted
   await page.reload();
   await script.waitForNet();
   expect(await standing(script)).toEqual(hall);
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
+  expect(saved.suggestedFilename()).toBe('Hall.chebnet.json');
+  const stranger = await arrive();
+  await dropFile(stranger.page, 'Hall.chebnet.json', await readFile((await saved.path())!));
+  await expect.poll(() => said(stranger), PATIENCE).toContainEqual(expect.stringMatching(/project is open/));
+  const theirs = chooserOf(stranger);
+  await theirs.show();
+  await expect.poll(theirs.lines).toContain('Hall');
+  await stranger.page.close();
   await page.setViewportSize({ width: 390, height: 844 });
   await page.emulateMedia({ colorScheme: 'dark' });
   await show();

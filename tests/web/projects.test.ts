@@ -1,5 +1,6 @@
 /** Projects: what goes in comes out to the last bit, and nothing else does. */
 import { describe, expect, test } from 'vitest';
+import { asFileName } from '../../web/src/document/file_name';
 import type { HandleData, NetSource } from '../../web/src/document/document';
 import { parseProject, projectText, readProject, writeProject } from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
@@ -22,6 +23,15 @@ function stateAt(positions: Float64Array): Snapshot {
   const { view: _, ...state } = documentAt(positions);
   return state;
 }
+
+test('a file has the name of its project, if that is a name', () => {
+  const project = projectOf([stateAt(new Float64Array(3))]);
+  expect(parseProject(projectText({ ...project, title: 'Halle "3"' })).title).toBe('Halle "3"');
+  expect('title' in parseProject(projectText({ ...project, title: '' }))).toBe(false);
+  const long = projectText({ ...project, title: 'x'.repeat(81) });
+  expect(() => parseProject(long)).toThrow(/title/);
+  expect(['../a:b', ' .x ', 'Halle 3', '网'].map(asFileName)).toEqual(['a b', 'x', 'Halle 3', '网']);
+});
 
 describe('a project comes back', () => {
   const next = random(printedSeed('projects'));

@@ -165,10 +165,22 @@ test('numbers are put in words', () => {
   ]);
 });
 
-test('a solve that has ended stands as it ended, one under way as its edges are', () => {
-  const frame = { status: 'running', iterations: 1, maxDeviation: 0.1, holdsBack: false } as const;
+test('a solve that has ended stands as it ended, one under way as its edges and its handles are', () => {
+  const handle = { vertex: 1, target: [1, 0, 0] as [number, number, number], anchor: false };
+  const frame = {
+    status: 'running' as const,
+    iterations: 1,
+    maxDeviation: 0.1,
+    holdsBack: false,
+    positions: Float64Array.of(0, 0, 0, 1, 0, 0),
+    handles: [handle],
+  } satisfies Parameters<typeof standing>[0];
   expect(standing(frame, true)).toBe('running');
   expect(standing({ ...frame, maxDeviation: 1e-9 }, true)).toBe('settling');
+  const away = [{ ...handle, target: [1, 0, 0.5] as [number, number, number] }];
+  expect(standing({ ...frame, maxDeviation: 1e-9, handles: away }, true)).toBe('running');
+  const soft = away.map((each) => ({ ...each, weight: 1 }));
+  expect(standing({ ...frame, maxDeviation: 1e-9, handles: soft }, true)).toBe('settling');
   expect(standing(frame, false)).toBe('stopped');
   expect(standing({ ...frame, iterations: 0 }, false)).toBe('unsolved');
   expect(standing({ ...frame, status: 'exact' }, false)).toBe('exact');
@@ -221,7 +233,13 @@ describe('panels that come after the first', () => {
 });
 
 describe('screen readers', () => {
-  const atRest = { status: 'converged', iterations: 1, maxDeviation: 0, holdsBack: false } as FrameData;
+  const atRest = {
+    status: 'converged',
+    iterations: 1,
+    maxDeviation: 0,
+    holdsBack: false,
+    handles: [] as FrameData['handles'],
+  } as FrameData;
   const underWay = { ...atRest, status: 'running' } as FrameData;
   beforeEach(() => {
     vi.useFakeTimers();

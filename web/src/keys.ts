@@ -1,18 +1,19 @@
 /** The keys that work wherever the focus is, but in a field for text or a dialog. The sheet of keys is made from this table. */
 import type { App, AppServices } from './app/app';
+import { isApplied } from './elements/dom';
 import { chordOf, type KeyRow } from './elements/keys';
 
 interface PageKey extends KeyRow {
-  /** In a field for text too. */
-  inFields?: true;
+  /** In a field for text too, or in one for a number that has been applied. */
+  inFields?: 'always' | 'applied';
   run(app: App, services: AppServices): void;
 }
 
 export const PAGE_KEYS: readonly PageKey[] = [
-  { keys: ['Ctrl+Z', '⌘+Z'], does: 'undo', run: (app) => app.undo() },
-  { keys: ['Ctrl+Shift+Z', '⌘+Shift+Z', 'Ctrl+Y'], does: 'redo', run: (app) => app.redo() },
-  { keys: ['Ctrl+S', '⌘+S'], does: 'save', inFields: true, run: (_, services) => services.saveProject() },
-  { keys: ['Ctrl+O', '⌘+O'], does: 'open', inFields: true, run: (_, services) => services.pickFile() },
+  { keys: ['Ctrl+Z', '⌘+Z'], does: 'undo', inFields: 'applied', run: (app) => app.undo() },
+  { keys: ['Ctrl+Shift+Z', '⌘+Shift+Z', 'Ctrl+Y'], does: 'redo', inFields: 'applied', run: (app) => app.redo() },
+  { keys: ['Ctrl+S', '⌘+S'], does: 'save', inFields: 'always', run: (_, services) => services.saveProject() },
+  { keys: ['Ctrl+O', '⌘+O'], does: 'open', inFields: 'always', run: (_, services) => services.pickFile() },
   { keys: ['Ctrl+A', '⌘+A'], does: 'selectAll', run: (app) => app.handles.selectAll() },
   { keys: ['L'], does: 'selecting', run: (app) => app.handles.toggleSelecting() },
   {
@@ -48,8 +49,12 @@ export function commandOf(event: KeyboardEvent): PageKey['run'] | null {
   const isModal = document.querySelector('dialog:modal') !== null;
   if (event.defaultPrevented || isModal) return null;
   const chord = chordOf(event);
-  const row = PAGE_KEYS.find(({ keys, inFields }) => keys.includes(chord) && (inFields || !isTyping(event)));
+  const row = PAGE_KEYS.find(({ keys, inFields }) => keys.includes(chord) && worksIn(inFields, event));
   return row?.run ?? null;
+}
+
+function worksIn(fields: PageKey['inFields'], event: KeyboardEvent): boolean {
+  return fields === 'always' || !isTyping(event) || (fields === 'applied' && isApplied(event.target));
 }
 
 /** In a field for text the keys belong to the text, in a list of choices those without Ctrl do. */

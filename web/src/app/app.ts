@@ -16,6 +16,7 @@ import type {
 } from '../document/document';
 import { asMade } from '../document/defaults';
 import { longestMove } from '../document/longest_move';
+import { sharpFolds } from '../net/fold';
 import type { ChangeName } from '../document/naming';
 import type { Project } from '../document/project';
 import type { HistoryView, Snapshot } from '../document/undo';
@@ -332,8 +333,9 @@ export class App {
     await this.handles.moveByHand(handles.map(({ vertex }, i) => ({ vertex, target: targets[i]! })));
   }
 
-  /** Pushes the net through between its handles, to look for its other equilibrium. How far the vertex that moves most has
-   *  come once the net has settled, in edge lengths; null: another net is open by then. */
+  /** Pushes the net through between its handles, to look for its other equilibrium. Where it comes to no rest, or to a crumpled
+   *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: another
+   *  net is open by then. */
   async flip(): Promise<number | null> {
     const positions = await this.#client.flipped();
     const before = this.#state.snapshot();
@@ -341,10 +343,17 @@ export class App {
     if (before === null || opening === null) return null;
     const from = opening.frame.positions.slice();
     this.#state.history.record(before, ['flip']);
+    const { present } = this.history;
     await this.#restoreFrom(before, { ...before, positions, settled: false });
     await this.settled();
-    const to = this.opening?.frame.positions;
-    return to?.length === from.length ? longestMove(from, to) / opening.net.info.meanLength : null;
+    const frame = this.opening?.frame;
+    if (frame?.positions.length !== from.length || this.history.present !== present) return null;
+    const rests = ['converged', 'exact'].includes(frame.status);
+    if (rests && sharpFolds(opening.net, frame.positions) <= sharpFolds(opening.net, from))
+      return longestMove(from, frame.positions) / opening.net.info.meanLength;
+    this.#state.history.takeBack(before);
+    await this.#opener.restore(before);
+    return 0;
   }
 
   /** One iteration, then stop. */

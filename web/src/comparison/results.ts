@@ -23,6 +23,8 @@ export class ComparisonResults {
   readonly element: HTMLElement;
   readonly #words = make('p', { role: 'status' });
   readonly #stop: HTMLButtonElement;
+  /** What saves what came of it, once it has ended. */
+  #saves: readonly HTMLButtonElement[] = [];
   readonly #plots: ComparisonPlot[];
   readonly #table: ComparisonTable;
   readonly #abreast = makeButton(panelWords.comparison.abreast, () => this.#toggleAbreast(), {
@@ -96,6 +98,7 @@ export class ComparisonResults {
     this.#refreshTable();
     setText(this.#words, progress(comparison));
     this.#stop.disabled = !comparison.running;
+    for (const button of this.#saves) button.disabled = comparison.running;
   }
 
   #refreshTable(): void {
@@ -126,15 +129,12 @@ export class ComparisonResults {
     const save = (name: string, csv: (comparison: Comparison) => string) => () => {
       if (this.#comparison) download(name, csv(this.#comparison), 'text/csv');
     };
-    return make(
-      'div',
-      { class: 'actions' },
-      this.#stop,
-      this.#abreast,
+    this.#saves = [
       makeButton(panelWords.comparison.tableCsv, save('comparison.csv', tableCsv)),
       makeButton(panelWords.comparison.tracesCsv, save('comparison-traces.csv', tracesCsv)),
       makeButton(panelWords.comparison.plotsPng, () => this.#savePlots()),
-    );
+    ];
+    return make('div', { class: 'actions' }, this.#stop, this.#abreast, ...this.#saves);
   }
 
   #savePlots(): void {

@@ -36,6 +36,7 @@ export interface GuideFile {
 
 /** Of a handle, in characters. */
 export const LONGEST_NAME = 40;
+export const LONGEST_PROJECT_NAME = 80;
 
 export interface HandleData {
   vertex: number;

@@ -11,6 +11,14 @@ export function fileNameOf(net: NetSource, extension: string, formats: readonly 
   return `${baseNameOf(net, formats)}.${extension}`;
 }
 
+/** Without what file systems refuse. */
+export function asFileName(title: string): string {
+  return title
+    .replace(/[\\/:*?"<>|\p{Cc}]/gu, ' ')
+    .replace(/^[\s.]+/, '')
+    .trim();
+}
+
 function withoutExtension(file: string, formats: readonly FormatInfo[]): string {
   const ending = formats.map(({ name }) => `.${name}`).find((each) => file.toLowerCase().endsWith(each));
   return ending ? file.slice(0, -ending.length) : file;

@@ -7,7 +7,14 @@ import { Failure } from '../failure';
 import { panelWords } from '../language/panels';
 import { fromBase64, toBase64 } from './base64';
 import { netAsText, writeState, writeView } from './codec';
-import type { GuideFile, HandleData, HandleSeed, NetSource, ViewState } from './document';
+import {
+  type GuideFile,
+  type HandleData,
+  type HandleSeed,
+  LONGEST_PROJECT_NAME,
+  type NetSource,
+  type ViewState,
+} from './document';
 import { Untrusted } from './untrusted';
 import { readName, writeName } from './naming';
 import { Measure } from './undo';
@@ -27,6 +34,8 @@ export interface Project {
   entries: Entry[];
   present: number;
   view: ViewState;
+  /** That its author gave it, in files. */
+  title?: string | undefined;
 }
 
 /** A project as plain data. Its arrays are not copied. */
@@ -52,6 +61,7 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
   }));
   return {
     chebnet: versionOf(entries, nets.values),
+    ...(project.title ? { title: project.title } : {}),
     view: writeView(project.view),
     present,
     states,
@@ -167,7 +177,9 @@ export function readProject(value: unknown): Project {
   if (states.length === 0 || states.length > MOST_STATES)
     project.at('states').fail(panelWords.project.states(MOST_STATES));
   const entries = states.map((state) => readEntry(reader, state, nets, positions, guides));
-  return { entries, present: project.at('present').index(entries.length), view: reader.view(project.at('view')) };
+  const title = project.at('title').maybe((each) => each.text(LONGEST_PROJECT_NAME));
+  const present = project.at('present').index(entries.length);
+  return { entries, present, view: reader.view(project.at('view')), ...(title && { title }) };
 }
 
 function readerOfProject(project: Untrusted): Reader {

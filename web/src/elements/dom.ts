@@ -58,9 +58,23 @@ export function setText(node: Node, text: string): void {
   if (node.textContent !== text) node.textContent = text;
 }
 
-/** Sets the value of a field, unless it has the focus: the user may be typing there. */
+/** Sets the value of a field, unless the user may be typing there. */
 export function setValue(field: HTMLInputElement | HTMLSelectElement, value: string): void {
-  if (document.activeElement !== field && field.value !== value) field.value = value;
+  if (mayBeSet(field) && field.value !== value) field.value = value;
+}
+
+/** Whether it is without the focus, or what was typed there has been applied. */
+export function mayBeSet(field: HTMLElement): boolean {
+  return document.activeElement !== field || isApplied(field);
+}
+
+/** Of a field for a number, that what it holds has been taken, and nothing typed since. */
+export function setApplied(field: HTMLElement, applied: boolean): void {
+  field.toggleAttribute('data-applied', applied);
+}
+
+export function isApplied(field: EventTarget | null): boolean {
+  return field instanceof HTMLElement && field.hasAttribute('data-applied');
 }
 
 const SVG = 'http://www.w3.org/2000/svg';

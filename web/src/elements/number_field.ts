@@ -2,7 +2,7 @@
  *  say so for a moment and in their own language. */
 import { count } from '../language/numbers';
 import { panelWords } from '../language/panels';
-import { type Attributes, make, setText } from './dom';
+import { type Attributes, make, mayBeSet, setApplied, setText } from './dom';
 import { makeNumberInput } from './number_input';
 
 const TEXT = panelWords.allowed;
@@ -24,7 +24,10 @@ export class NumberField {
     this.#above = above;
     this.#reason = reason;
     this.input = makeNumberInput(attributes);
-    this.input.addEventListener('change', () => this.#say());
+    this.input.addEventListener('change', () => {
+      setApplied(this.input, this.#isAllowed);
+      this.#say();
+    });
     this.input.addEventListener('input', () => {
       if (this.#isAllowed) this.#say();
     });
@@ -40,9 +43,9 @@ export class NumberField {
     return this.#isAllowed ? this.input.valueAsNumber : null;
   }
 
-  /** Unless the field has the focus: the user may be typing there. */
+  /** Unless the user may be typing there. */
   set(value: string): void {
-    if (document.activeElement !== this.input) this.put(value);
+    if (mayBeSet(this.input)) this.put(value);
   }
 
   /** Whether it has the focus or not. */

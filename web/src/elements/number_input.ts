@@ -1,5 +1,5 @@
 /** Input elements for numbers. */
-import { type Attributes, make } from './dom';
+import { type Attributes, make, setApplied } from './dom';
 
 /** A number with a comma for its decimal point, alone. */
 const COMMA = /^[+-]?\d*,\d*$/;
@@ -16,5 +16,7 @@ export function makeNumberInput(attributes: Attributes): HTMLInputElement {
     // The only way in that goes to where the caret is: inputs for numbers do not tell where.
     document.execCommand('insertText', false, text.replace(',', '.'));
   });
+  input.addEventListener('input', () => setApplied(input, false));
+  input.addEventListener('change', () => setApplied(input, input.validity.valid));
   return input;
 }

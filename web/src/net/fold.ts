@@ -8,6 +8,8 @@ export interface Faces extends Edges {
 }
 
 const DEGREES = 180 / Math.PI;
+/** In degrees. */
+const SHARP_FOLD = 60;
 
 /** The angle between the two faces at each edge, degrees: 0 is flat, 180 folded back. Edges of one face have 0. */
 export function writeFolds(folds: Float32Array, positions: Float64Array, net: Faces): void {
@@ -17,6 +19,13 @@ export function writeFolds(folds: Float32Array, positions: Float64Array, net: Fa
     const [a, b] = [pairs[2 * edge]!, pairs[2 * edge + 1]!];
     folds[edge] = b < 0 ? 0 : DEGREES * angleBetween(normals, 3 * a, normals, 3 * b);
   }
+}
+
+/** How many edges are folded more sharply than a net of smooth bends is. */
+export function sharpFolds(net: Faces, positions: Float64Array): number {
+  const folds = new Float32Array(net.edges.length / 2);
+  writeFolds(folds, positions, net);
+  return folds.reduce((sum, fold) => sum + Number(fold > SHARP_FOLD), 0);
 }
 
 /** At each inner vertex 360° less the angles of the faces there, by the number of vertices: the total curvature of a net that

@@ -1,6 +1,7 @@
 /** "My projects…": the dialog over what the browser keeps. Loaded on demand. */
 import { type ProjectParts, ProjectsDialog } from '../dialogs/projects_dialog';
-import { copyProject, deleteProject, listProjects, LONGEST_PROJECT_NAME, PICTURE, renameProject } from './collection';
+import { LONGEST_PROJECT_NAME } from '../document/document';
+import { copyProject, deleteProject, listProjects, PICTURE, renameProject } from './collection';
 
 export function chooseProject(root: HTMLElement, parts: Pick<ProjectParts, 'present' | 'open' | 'keepPresent'>): void {
   new ProjectsDialog(root, {

@@ -12,7 +12,6 @@ import { freshId, INDEX, lockOf, NAMES, read, store } from './kept';
 export const PICTURE = { width: 192, height: 144 };
 /** Edges drawn in a picture; of larger nets a part. */
 const MOST_EDGES = 20_000;
-export const LONGEST_PROJECT_NAME = 80;
 
 /** What is listed of a project beside its name. */
 interface Look {
@@ -60,6 +59,11 @@ export async function noteLook(id: string, { document: { net: source, view }, ne
   await set(lookKey(id), look, store);
 }
 
+/** '': none. */
+export async function nameOfProject(id: string): Promise<string> {
+  return (await get<Record<string, string>>(NAMES, store))?.[id] ?? '';
+}
+
 /** '': none, and it is kept only until there are newer ones. */
 export async function renameProject(id: string, name: string): Promise<void> {
   await update<Record<string, string>>(
@@ -87,7 +91,7 @@ export async function deleteProject(id: string): Promise<() => Promise<void>> {
   const kept = await read(id);
   const look = await get<Look>(lookKey(id), store);
   const ids = (await get<string[]>(INDEX, store)) ?? [];
-  const name = (await get<Record<string, string>>(NAMES, store))?.[id] ?? '';
+  const name = await nameOfProject(id);
   await update<string[]>(INDEX, (all = []) => all.filter((each) => each !== id), store);
   await renameProject(id, '');
   await Promise.all([del(id, store), del(lookKey(id), store)]);

@@ -2,7 +2,7 @@
 import type { App } from '../app/app';
 import { defaultScene } from '../document/defaults';
 import { download } from '../files/download';
-import { baseNameOf } from '../document/file_name';
+import { asFileName, baseNameOf } from '../document/file_name';
 import { words } from '../language/language';
 import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';
@@ -14,6 +14,7 @@ import { linking } from './linking';
 import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
 import { Failure, messageOf } from '../failure';
 
+const collection = lazy(() => import('./collection'));
 const choosing = lazy(() => import('./choosing'));
 const wording = lazy(async () => (await import('../language/kept')).keptWords);
 
@@ -152,10 +153,28 @@ export class Projects {
     const project = this.#app.project();
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
-    const name = baseNameOf(net, this.#app.formats) + PROJECT_ENDING;
-    const text = projectText(project);
+    const title = await this.#title();
+    const name = (asFileName(title) || baseNameOf(net, this.#app.formats)) + PROJECT_ENDING;
+    const text = projectText({ ...project, title });
     checkSize(name, text.length);
     download(name, text, 'application/json');
+  }
+
+  /** Where the browser keeps nothing, nothing has a name. */
+  async #title(): Promise<string> {
+    try {
+      return await (await collection()).nameOfProject(this.#autosave.id);
+    } catch {
+      return '';
+    }
+  }
+
+  async #nameIt(id: string, title: string): Promise<void> {
+    try {
+      await (await collection()).renameProject(id, title);
+    } catch {
+      // Nor can it be kept, which is said.
+    }
   }
 
   /** Whether a file is to be opened as a project, by its name. */
@@ -168,13 +187,18 @@ export class Projects {
     const { checkSize, parseProject } = await projectFormat();
     const text = await wording();
     checkSize(file.name, file.size);
+    let title: string | undefined;
     try {
-      await this.#app.openProject(parseProject(await file.text()));
+      const project = parseProject(await file.text());
+      title = project.title;
+      await this.#app.openProject(project);
     } catch (error) {
       if (isCancelled(error)) throw error;
       throw new Failure('bad_project', text.fault(file.name, messageOf(error)));
     }
-    this.#autosave.begin(newId(), true);
+    const id = newId();
+    if (title) await this.#nameIt(id, title);
+    this.#autosave.begin(id, true);
     this.#app.say(text.opened);
   }
 

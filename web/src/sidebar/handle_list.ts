@@ -72,9 +72,10 @@ export class HandleList implements Panel {
     this.element = makeSection(
       panelWords.handles.title(0),
       false,
-      this.#form.element,
       this.#list,
       this.#more,
+      // Below: a row that has just been pressed stays where it is, for the second click of two.
+      this.#form.element,
       this.#empty,
       this.#several,
       add,

@@ -137,7 +137,7 @@ export const panels = {
   flip: {
     label: 'Flip through',
     hint: 'Pushes the net through between its handles, to look for the other shape in which it rests',
-    back: 'It came back: no other shape at rest was found.',
+    back: 'It is back: no other smooth shape at rest was found.',
   },
   change: {
     title: 'Change the net',

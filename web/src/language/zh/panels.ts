@@ -344,7 +344,7 @@ export const panels: Widened<typeof en> = {
   flip: {
     label: '翻转到另一侧',
     hint: '把网从手柄之间推到另一侧，寻找它的另一个静止形状',
-    back: '网回到了原处：没有找到另一个静止形状。',
+    back: '网回到了原处：没有找到另一个平滑的静止形状。',
   },
   change: {
     title: '更改网',
