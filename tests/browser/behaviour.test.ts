@@ -428,6 +428,14 @@ test('a strip that has buckled is pushed through to the other side, and back by 
   await visit.page.keyboard.press('Control+z');
   await script.settled();
   expect(apart(await script.positions(), before)).toBeLessThan(1e-6);
+
+  // A tube would come out crumpled; it goes back, and nothing has been done.
+  await script.open({ recipe: 'tube:vertices=300' });
+  await script.settled();
+  const tube = await script.positions();
+  await flip.click();
+  await dragging.getByText('It is back').waitFor();
+  expect(apart(await script.positions(), tube)).toBe(0);
 });
 
 test('the solver has the settings that its method reads, and no others', async () => {

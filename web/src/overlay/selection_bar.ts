@@ -94,6 +94,7 @@ export class SelectionBar implements Panel {
     this.#modeGroup.hidden = moving < 2;
     for (const [each, button] of this.#modes) button.setAttribute('aria-pressed', String(each === mode));
     this.#boundary.hidden = !onBoundary;
+    this.element.classList.toggle('several', selection.length > 1);
     this.#way.hidden = selection.length < 2;
     this.#lines.forEach((button, i) => (button.hidden = i >= lines));
     this.#isolate.setAttribute('aria-pressed', String(part !== undefined));
