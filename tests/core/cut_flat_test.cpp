@@ -117,7 +117,8 @@ TEST_CASE("What is left of a net when faces go at random lies flat once it is cu
     const unsigned seed = std::random_device{}();
     CAPTURE(seed);
     std::mt19937 random(seed);
-    for (const char* const recipe : {"teddy:vertices=600", "jack:vertices=400", "torus:vertices=400", "tube:vertices=400"}) {
+    for (const char* const recipe :
+         {"teddy:vertices=600", "jack:vertices=400", "torus:vertices=400", "tube:vertices=400"}) {
         const Net net = make_shape(recipe).net;
         for (const double share : {0.02, 0.1, 0.3}) {
             INFO(recipe << " without " << share);
