@@ -169,7 +169,7 @@ test('where corners at their limit keep it back, that is said', async () => {
   await dragBy(script, far, [0.7 * (b!.x - a!.x), 0.7 * (b!.y - a!.y)]);
   await script.settled();
   await visit.page
-    .getByText('With edges of this length and no corner sharper than 30° the net does not reach where the hand was.')
+    .getByText('With edges of this length and no corner sharper than 30° the net reaches no farther.')
     .waitFor();
 });
 
@@ -178,7 +178,7 @@ test('so far up that the net is larger than the picture: all of it is seen after
   ({ script } = visit);
   const { page } = visit;
   const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
-  const notice = page.getByText('does not reach where the hand was');
+  const notice = page.getByText('the net reaches no farther');
   await expect
     .poll(async () => {
       const { y } = await script.screenPosition(vertex);

@@ -139,7 +139,7 @@ test('side by side they bend with the net, every edge of which keeps its length'
   const strains = async () => expect(await visit.page.locator('svg.overlay .strain').count()).toBe(0);
   await dragBy(script, crown, [0, -16], { during: strains, atEnd: () => picture('patch').then(() => {}) });
   await script.settled();
-  await visit.page.getByText('does not reach where the hand was').waitFor({ state: 'detached' });
+  await visit.page.getByText('the net reaches no farther').waitFor({ state: 'detached' });
   const shares = sharesAround(describeNet(net), [crown], 4);
   const all = await moves(before);
   const up = all.find(({ vertex }) => vertex === crown)!.by[2]!;

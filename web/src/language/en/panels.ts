@@ -611,7 +611,7 @@ export const panels = {
     stop: 'Stop',
     /** `limit`: in degrees, if corners are at it; null: none is. */
     fellShort: (limit: number | null) =>
-      `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net does not reach where the hand was.`,
+      `With edges of this length${limit === null ? '' : ` and no corner sharper than ${limit}°`} the net reaches no farther.`,
     noLength: 'No length up to four times as long reaches there.',
     grown: (percent: string) => `Edges are ${percent} % longer.`,
     shrunk: (percent: string) => `Edges are ${percent} % shorter.`,

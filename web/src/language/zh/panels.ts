@@ -781,7 +781,7 @@ export const panels: Widened<typeof en> = {
     grow: '让边变长',
     growing: (percent) => `边最少要变长多少？正在尝试 ${percent}%。`,
     stop: '停止',
-    fellShort: (limit) => `以现在的边长${limit === null ? '' : `，且没有小于 ${limit}° 的角`}，网到不了手所在的位置。`,
+    fellShort: (limit) => `以现在的边长${limit === null ? '' : `，且没有小于 ${limit}° 的角`}，网够不到那么远。`,
     noLength: '边长增至四倍也到不了那里。',
     grown: (percent) => `边长增加了 ${percent}%。`,
     shrunk: (percent) => `边长减少了 ${percent}%。`,
