@@ -89,6 +89,8 @@ describe('a patch', () => {
     await visit.page.screenshot({ path: join(OUTPUT, 'holding-patch-preview.png') });
     await button('Patch').click();
     await row(/^Patch · \d+ \(13\)$/).waitFor();
+    // The tools have moved, and may now stand below the pointer with what they would take next.
+    await visit.page.mouse.move(5, 5);
     await expect.poll(previewed).toBe(0);
     expect(await handles()).toHaveLength(before.length + 12);
     await script.settled();
