@@ -98,7 +98,7 @@ public:
         return both[both[0] == corner ? 1 : 0];
     }
     /// Whether both faces say how they lie at their side.
-    bool is_seam(int edge) const {
+    bool lies_between_cells(int edge) const {
         const auto [a, b] = m_corners[edge];
         return b != k_none && m_side[a] != k_none && m_side[b] != k_none;
     }
@@ -259,7 +259,7 @@ private:
         for (std::size_t i = 0; i < laid.size(); ++i)
             for (int corner = m_faces.start[laid[i]]; corner < m_faces.start[laid[i] + 1]; ++corner) {
                 const int e = m_cells.edge_of(corner);
-                if (!m_cells.is_seam(e) || m_cuts.is_cut(e)) continue;
+                if (!m_cells.lies_between_cells(e) || m_cuts.is_cut(e)) continue;
                 const int next = m_cells.face_of(m_cells.beyond(corner));
                 const Pose pose = m_cells.across(corner, m_pose[laid[i]]);
                 if (m_piece[next] == number ? m_pose[next] == pose : taken.insert(pose.cell).second) {
@@ -282,7 +282,7 @@ private:
 
     /// The two faces at a cut edge lie beside each other.
     bool is_closed(int edge) const {
-        if (!m_cells.is_seam(edge)) return false;
+        if (!m_cells.lies_between_cells(edge)) return false;
         const auto [a, b] = m_cells.corners(edge);
         const int f = m_cells.face_of(a), g = m_cells.face_of(b);
         return m_piece[f] == m_piece[g] && m_cells.across(a, m_pose[f]) == m_pose[g];
@@ -293,7 +293,7 @@ private:
         // Of a piece, another, and how that is moved to lie beside it: the edges between them that are closed by that.
         std::map<std::tuple<int, int, Motion>, int> closed;
         for (const int e : m_cuts.edges()) {
-            if (!m_cells.is_seam(e)) continue;
+            if (!m_cells.lies_between_cells(e)) continue;
             auto [a, b] = m_cells.corners(e);
             if (comes_first(m_piece[m_cells.face_of(b)], m_piece[m_cells.face_of(a)])) std::swap(a, b);
             const int f = m_cells.face_of(a), g = m_cells.face_of(b);

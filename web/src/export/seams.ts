@@ -1,6 +1,8 @@
 /** Where a net was cut: sides of its border that lie at one place while the net is at rest. */
 import type { VertexLists } from '../../../wasm/chebnet';
+import type { Vec3 } from '../document/document';
 import { listsOf } from '../handles/lines';
+import { squareBetween } from '../handles/surface_points';
 
 /** The vertices along both sides, from the same end. */
 export type Seam = readonly [readonly number[], readonly number[]];
@@ -52,15 +54,16 @@ function partnersOf(sides: readonly Side[], positions: Float64Array, near: numbe
     const middle = middleOf(side, positions);
     const found = new Set(keysOf(middle, near).flatMap((key) => buckets.get(key)!));
     const others = [...found].filter(
-      (other) => other !== side && distance(middleOf(other, positions), middle) < near && isAlong(side, other),
+      (other) =>
+        other !== side && squareBetween(middleOf(other, positions), middle) < near ** 2 && isAlong(side, other),
     );
     if (others.length === 1) partners.set(side, others[0]!);
   }
   return partners;
 
   function isAlong(a: Side, b: Side): boolean {
-    const apart = (v: number, w: number) => distance(pointOf(v, positions), pointOf(w, positions));
-    return Math.min(apart(a.from, b.from), apart(a.from, b.to)) < near;
+    const apart = (v: number, w: number) => squareBetween(pointOf(v, positions), pointOf(w, positions));
+    return Math.min(apart(a.from, b.from), apart(a.from, b.to)) < near ** 2;
   }
 }
 
@@ -85,29 +88,24 @@ function seamOf(run: readonly Side[], partners: Map<Side, Side>, positions: Floa
   const one = [run[0]!.from, ...run.map(({ to }) => to)];
   const others = run.map((side) => partners.get(side)!);
   const nearer = (v: number, { from, to }: Side): number =>
-    distance(pointOf(from, positions), pointOf(v, positions)) < distance(pointOf(to, positions), pointOf(v, positions))
+    squareBetween(pointOf(from, positions), pointOf(v, positions)) <
+    squareBetween(pointOf(to, positions), pointOf(v, positions))
       ? from
       : to;
   return [one, [nearer(one[0]!, others[0]!), ...others.map((other, i) => nearer(one[i + 1]!, other))]];
 }
 
-type Point = readonly [number, number, number];
-
-function pointOf(vertex: number, positions: Float64Array): Point {
+function pointOf(vertex: number, positions: Float64Array): Vec3 {
   return [positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!];
 }
 
-function middleOf({ from, to }: Side, positions: Float64Array): Point {
+function middleOf({ from, to }: Side, positions: Float64Array): Vec3 {
   const [a, b] = [pointOf(from, positions), pointOf(to, positions)];
   return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
 }
 
-function distance(a: Point, b: Point): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /** The boxes of a grid within reach of a point: one, unless it lies near their borders. */
-function keysOf(point: Point, near: number): string[] {
+function keysOf(point: Vec3, near: number): string[] {
   const size = 100 * near;
   const along = (x: number) => [...new Set([Math.floor((x - near) / size), Math.floor((x + near) / size)])];
   return along(point[0]).flatMap((i) => along(point[1]).flatMap((j) => along(point[2]).map((k) => `${i} ${j} ${k}`)));
