@@ -1,5 +1,6 @@
 import { defineConfig } from 'vite';
 import { entriesAlone } from './entries_alone.ts';
+import { galleryPictures } from './gallery_pictures.ts';
 import { licences } from './licences.ts';
 import { noOriginInline } from './no_origin_inline.ts';
 import { offline } from './offline.ts';
@@ -27,6 +28,7 @@ export default defineConfig({
   plugins: [
     leanThree(),
     plasma(),
+    galleryPictures(),
     plotsInPageLanguage(),
     wordsFirst(),
     noOriginInline(),

@@ -68,7 +68,6 @@ test("no file imports from a worker's entry: WebKit would evaluate the entry a s
     'export_worker',
     'file_worker',
     'new_net_worker',
-    'thumbnail_worker',
     'worker',
   ]);
   expect(links.some(({ chunk, imports }) => chunk.startsWith('worker-') && imports.length > 0)).toBe(true);

@@ -278,15 +278,6 @@ export class Visitor {
     return { project: bytes, state: await this.run(stateOfPage) };
   }
 
-  /** Until the browser keeps the whole core, for when there is no network. */
-  async wholeCoreKept(): Promise<void> {
-    const isKept = async () => {
-      const all = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
-      return all.flat().some(({ url }) => /chebnet_core[^/]*\.wasm$/.test(url));
-    };
-    await vi.waitUntil(() => this.run(isKept), PATIENCE);
-  }
-
   /** See tests/browser/put_away.ts. */
   async putAway({ project, state }: First): Promise<boolean> {
     await this.driver.movePointer(0, 0);

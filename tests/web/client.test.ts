@@ -196,15 +196,15 @@ describe('news', () => {
   });
 
   test('is not to be expected of a question that leaves the net as it is', async () => {
-    void client.thumbnail('vault');
+    void client.flatPattern();
     expect([client.busy, client.changing]).toEqual([true, false]);
     void client.setHandles([]);
     expect(client.changing).toBe(true);
   });
 
-  test('is idle while pictures of other nets are under way', async () => {
+  test('is idle while a question is under way', async () => {
     let idle = false;
-    void client.thumbnail('dome');
+    void client.flatPattern();
     void client.idle().then(() => (idle = true));
     await tick();
     expect([client.busy, idle]).toEqual([true, true]);

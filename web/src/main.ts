@@ -12,7 +12,6 @@ import { chooseLanguage } from './language/choice';
 import { translateDocument, words } from './language/language';
 import type { Hint } from './learn/hints';
 import { keepOffline } from './offline/offline';
-import { sleep } from './sidebar/idle';
 import { createPanels } from './sidebar/sidebar';
 import { lazy } from './lazy';
 import { Projects } from './projects/projects';
@@ -80,7 +79,7 @@ if (embedded) await embed(window.chebnet).catch((error: unknown) => app.report(e
 // After the first net has been opened, so as not to compete for the network.
 else {
   void ready
-    .then(() => sleep(HINTS_MS))
+    .then(() => new Promise((done) => setTimeout(done, HINTS_MS)))
     .then(hints)
     .catch(() => {}); // Nobody misses a hint that could not be loaded.
   void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));

@@ -110,11 +110,8 @@ export interface Panel extends Partial<Omit<Panels, 'say' | 'unsay' | 'offer'>> 
 }
 
 export interface Panels {
-  /** Once the worker is ready; `thumbnail` draws a recipe small, when the panel needs it. */
-  setTables(
-    tables: Tables,
-    thumbnail: (recipe: string) => Promise<{ edges: Int32Array; positions: Float32Array }>,
-  ): void;
+  /** Once the worker is ready. */
+  setTables(tables: Tables): void;
   /** After anything in the document changed. */
   setDocument(document: ChebnetDocument, choice: Choice): void;
   /** After anything was done, undone or redone. */

@@ -30,9 +30,7 @@ import type { Film, ViewEvents } from '../view/view';
 import { Client, isCancelled } from '../worker/client';
 import type { WorkerLike } from '../worker/client';
 import type { Opening } from '../worker/opening';
-import { LEFT_OUT } from '../worker/protocol';
 import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
-import type { ThumbnailNet } from '../worker/thumbnail_net';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
 import { State } from './state';
@@ -115,7 +113,7 @@ export class App {
     this.#optionTable = tables.options;
     this.#methods = tables.methods.map(({ name }) => name);
     this.#formats = tables.formats;
-    this.#presenter.panels.setTables(words.core.tables(tables), (recipe) => this.#thumbnail(recipe));
+    this.#presenter.panels.setTables(words.core.tables(tables));
   }
 
   // ----------------------------------------------------------------------------------------------------------- state
@@ -564,16 +562,6 @@ export class App {
     }
     this.handles.resumeDrag();
     if (!isCancelled(why)) this.#presenter.panels.say(words.solver.restarted(sentence(why)), 'error');
-  }
-
-  async #thumbnail(recipe: string): Promise<ThumbnailNet> {
-    try {
-      return await this.#client.thumbnail(recipe);
-    } catch (error) {
-      if (codeOf(error) !== LEFT_OUT) throw error;
-      const { lateThumbnail } = await import('../worker/late_thumbnail');
-      return lateThumbnail(recipe);
-    }
   }
 
   #emit(event: AppEvent, error?: unknown): void {

@@ -13,7 +13,7 @@ const MARGIN = 6;
 /** Towards the viewer, likewise. */
 const TOWARDS = [0.424, -0.771, 0.475] as const;
 /** Far lines are drawn first and faintly, so that a closed net is legible. */
-const LAYERS = [0.12, 0.35, 1];
+export const LAYERS = [0.12, 0.35, 1];
 
 /** Flat coordinates of each vertex, fitted into a box. */
 export function project({ positions }: Wireframe, width: number, height: number): Float32Array {

@@ -19,6 +19,7 @@ import { ChangePanel } from './change_panel';
 import { ConvergencePanel } from './convergence_panel';
 import { DragPanel } from './drag_panel';
 import { FlipControl } from './flip_control';
+import { GalleryPictures } from './gallery_pictures';
 import { HandleList } from './handle_list';
 import { HistoryPanel } from './history_panel';
 import { LearnPanel } from './learn_panel';
@@ -39,7 +40,8 @@ export interface LateSections {
   tools: HTMLElement[];
 }
 
-/** @param experiments exists already, since its note is placed elsewhere. @param shape the section that gets its hints.
+/** @param experiments exists already, since its note is placed elsewhere. @param shape the section that gets its
+ *  pictures and hints.
  *  @param behaviour the section to which more controls are added. @param exports the menu that is still empty. @param ends what
  *  the legend unfolds. */
 export function createLateSections(
@@ -83,6 +85,7 @@ export function createLateSections(
   return {
     panels: [
       ...usual,
+      new GalleryPictures(shape),
       new ShapeHints(shape),
       new Growth(document.getElementById('view')!, events),
       rods,

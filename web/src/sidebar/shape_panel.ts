@@ -6,13 +6,10 @@ import { words } from '../language/language';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
 import { Gallery } from './gallery';
-import { Idle } from './idle';
 import { ShapeParameters } from './shape_parameters';
-import type { Wireframe } from '../elements/thumbnail';
 
 export class ShapePanel implements Panel {
   readonly element: HTMLElement;
-  readonly #idle = new Idle();
   readonly #gallery: Gallery;
   readonly #parameters: ShapeParameters;
   readonly #fileName = make('p', { class: 'quiet', hidden: true });
@@ -20,7 +17,7 @@ export class ShapePanel implements Panel {
 
   constructor(events: PanelEvents) {
     const open = (recipe: string): void => events.openRecipe(recipe);
-    this.#gallery = new Gallery(this.#idle, open, () => events.pickFile());
+    this.#gallery = new Gallery(open, () => events.pickFile());
     this.#parameters = new ShapeParameters(open);
     const equalize = makeButton(words.equalize.command, () => events.equalize(), { title: words.equalize.commandHint });
     const drape = makeButton(words.equalize.drape, () => events.drape(), { title: words.equalize.drapeHint });
@@ -34,10 +31,9 @@ export class ShapePanel implements Panel {
     );
   }
 
-  setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
+  setTables(tables: Tables): void {
     this.#shapes = tables.shapes;
-    this.#idle.touch();
-    this.#gallery.setTables(tables, thumbnail);
+    this.#gallery.setTables(tables);
   }
 
   setDocument({ net }: ChebnetDocument): void {
@@ -46,9 +42,5 @@ export class ShapePanel implements Panel {
     this.#parameters.setRecipe(recipe, this.#shapes);
     this.#fileName.hidden = recipe !== null;
     setText(this.#fileName, 'name' in net ? net.name : '');
-  }
-
-  onFrame(): void {
-    this.#idle.touch();
   }
 }

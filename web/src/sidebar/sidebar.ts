@@ -21,7 +21,6 @@ import { makeLanguageChoice } from './language_choice';
 import { PanelList } from './panel_list';
 import { createSections, type SidebarServices } from './sections';
 import { StatusRow } from './status_row';
-import type { Wireframe } from '../elements/thumbnail';
 import { messageOf } from '../failure';
 import '../overlay/overlay.css';
 import './sidebar.css';
@@ -108,8 +107,8 @@ class Sidebar implements Panels {
     );
   }
 
-  setTables(tables: Tables, thumbnail: (recipe: string) => Promise<Wireframe>): void {
-    this.#panels.tell('setTables', tables, thumbnail);
+  setTables(tables: Tables): void {
+    this.#panels.tell('setTables', tables);
   }
 
   setDocument(document: ChebnetDocument, choice: Choice): void {

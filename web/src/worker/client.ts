@@ -5,7 +5,6 @@ import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import { words } from '../language/language';
 import { CRASHED, PROTOCOL_VERSION, touchesNet } from './protocol';
 import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
-import type { ThumbnailNet } from './thumbnail_net';
 import { Failure, codeOf } from '../failure';
 
 /** The part of a `Worker` that the client uses. */
@@ -242,10 +241,6 @@ export class Client {
 
   async flatPattern(): Promise<FlatPattern | PatternFault> {
     return (await this.#ask({ type: 'pattern' }, 'pattern')).pattern;
-  }
-
-  thumbnail(recipe: string): Promise<ThumbnailNet> {
-    return this.#ask({ type: 'thumbnail', recipe }, 'thumbnail');
   }
 
   // -------------------------------------------------------------------------------------------------------- requests

@@ -67,8 +67,6 @@ export type Request = { id: number } & (
   | { type: 'nearest'; points: Vec3[] }
   /** The net laid flat. */
   | { type: 'pattern' }
-  /** A small net for the gallery; does not touch the one being edited. */
-  | { type: 'thumbnail'; recipe: string }
 );
 
 export interface Measures {
@@ -161,7 +159,6 @@ export type Response = { id: number } & (
   | { type: 'guide'; surface: DrawnSurface | null }
   | { type: 'nearest'; points: Vec3[] }
   | { type: 'pattern'; pattern: FlatPattern | PatternFault }
-  | { type: 'thumbnail'; edges: Int32Array; positions: Float32Array }
   /** While lengths adapt: the scale of the moment. No answer yet. */
   | { type: 'adapting'; scale: number }
   /** The option `length_scale` that was found; null: none does, and nothing has changed. */
@@ -193,7 +190,7 @@ export function touchesNet(type: Request['type']): type is (typeof TOUCHING)[num
  *  touched the net, after a `settled`: the solve was given up, the net stays as it is. */
 export const TOO_LARGE = 'too_large';
 
-/** Code of what the core for a first net refuses and the whole one has; the page hears it of thumbnails alone. */
+/** Code of what the core for a first net refuses and the whole one has; the page never hears it. */
 export const LEFT_OUT = 'left_out';
 
 /** Code of the error after which the worker that sent it must be discarded: the module itself broke. */

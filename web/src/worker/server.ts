@@ -16,7 +16,6 @@ import { targetsOf } from '../document/document';
 import type { GuideSource, HandleSeed } from '../document/document';
 import { arrayBuffers } from './array_buffers';
 import { describe, openNet, openSurface } from './opened_net';
-import { thumbnailOf } from './thumbnail_net';
 import { CRASHED, LEFT_OUT, PROTOCOL_VERSION, TOO_LARGE, touchesNet } from './protocol';
 import type { DrawnSurface, ExportFormat, FrameData, OpenedNet, Request, Response } from './protocol';
 import { Failure, codeOf, messageOf } from '../failure';
@@ -109,8 +108,7 @@ export class Server {
     try {
       this.#answer(request);
     } catch (error) {
-      // All requests would wait for the whole core, and a thumbnail is not worth that.
-      if (codeOf(error) === LEFT_OUT && request.type !== 'thumbnail')
+      if (codeOf(error) === LEFT_OUT)
         void this.#goOnInWholeCore(
           () => this.handle(request),
           (failure) => this.#refuse(request.id, failure),
@@ -187,8 +185,6 @@ export class Server {
       }
       case 'guide':
         return this.#reply(request, { type: 'guide', surface: this.#guide && drawn(this.#guide.surface) });
-      case 'thumbnail':
-        return this.#reply(request, { type: 'thumbnail', ...thumbnailOf(this.#core, request.recipe) });
     }
   }
 
