@@ -203,6 +203,38 @@ test('keeps a name that is given while other lengths are looked for, also when t
   expect(name()).toBe('top');
 });
 
+test('says of a net that did not come to rest so, where undo, a project, a link or another worker bring it back', async () => {
+  const { app } = page;
+  const status = () => app.opening!.frame.status;
+  await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { max_iterations: 2 } });
+  await app.handles.move([{ vertex: dragged, target: at(dragged, -0.9) }]);
+  await page.solve();
+  expect(status()).toBe('max_iterations');
+  const [left, project] = [present(), parseProject(projectText(app.project()!))];
+
+  await app.setOptions({ method: 'equilibrium', initialisation: 'naive', options: { max_iterations: 500 } });
+  await app.handles.move([{ vertex: dragged, target: at(dragged, -0.8) }]);
+  await page.solve();
+  expect(status()).toBe('converged');
+  app.goTo(app.history.present - 2);
+  await page.solve();
+  expect([present(), status()]).toEqual([left, 'max_iterations']);
+  page.loseWorker();
+  await page.solve();
+  expect(status()).toBe('max_iterations');
+  app.goTo(app.history.present + 2);
+  await page.solve();
+  expect(status()).toBe('converged');
+
+  const other = await openPage(first, whole);
+  await other.app.openProject(project);
+  await other.solve();
+  expect(other.app.opening!.frame.status).toBe('max_iterations');
+  await other.app.openScene(await sceneOf(hashOf(other.app).hash ?? expect.fail('no link')));
+  await other.solve();
+  expect(other.app.opening!.frame.status).toBe('max_iterations');
+});
+
 test('has the surface beside the net, which undo, a project and a worker after the first keep', async () => {
   page = await openPage(watched(first), watched(whole));
   await page.app.openScene({ ...scene, method: 'equilibrium', initialisation: 'naive', options: {} });

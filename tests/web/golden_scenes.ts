@@ -100,6 +100,7 @@ const EVERYTHING: Whole<Omit<Scene, 'handles' | 'positions'>> = {
     upAxis: 'y',
   },
   settled: true,
+  ending: 'stalled',
   experiment: 'long-edges',
   compare: ['li2022', 'composite_majorization'],
 };

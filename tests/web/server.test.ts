@@ -2,7 +2,8 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import type { Chebnet, Editor, Handle } from '../../wasm/chebnet';
 import { freshScene } from '../../web/src/document/defaults';
-import type { Scene, SolverOptions } from '../../web/src/document/document';
+import { ENDINGS } from '../../web/src/document/document';
+import type { Ending, Scene, SolverOptions } from '../../web/src/document/document';
 import { packPositions } from '../../web/src/document/packing';
 import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { PROTOCOL_VERSION } from '../../web/src/worker/protocol';
@@ -410,6 +411,20 @@ describe('by hand', () => {
     restore(positions, handles);
     run();
     expect(settled().frame).toMatchObject({ positions, handles, status: 'converged', iterations: 0 });
+  });
+
+  test('of how a solve ended it is not believed what the edges do not show', () => {
+    const { restPositions: rest } = reference;
+    const stretched = rest.map((x) => 1.5 * x);
+    const statusOf = (positions: Float64Array, ending?: Ending) => {
+      ask({ type: 'restore', scene: { ...freshScene({ recipe }), handles: [], positions, settled: true, ending } });
+      return settled().frame.status;
+    };
+    expect(ENDINGS.map((ending) => statusOf(rest, ending))).toEqual(ENDINGS);
+    expect(statusOf(rest)).toBe('converged');
+    expect(ENDINGS.map((ending) => statusOf(stretched, ending))).toEqual(
+      ENDINGS.map((ending) => (ending === 'exact' ? 'running' : ending)),
+    );
   });
 
   test('restore brings back method and options with the rest', () => {

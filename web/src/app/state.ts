@@ -1,6 +1,7 @@
 /** What is open: a net with its document, and the history of that. */
 import type { Handle } from '../../../wasm/chebnet';
 import type { ChebnetDocument, DocumentNet, HandleData, NetSource, Scene, Vec3 } from '../document/document';
+import { endingOf } from '../document/document';
 import { type Snapshot, UndoHistory } from '../document/undo';
 import type { Opened } from '../worker/client';
 import type { Opening } from '../worker/opening';
@@ -87,7 +88,8 @@ export class State {
     const { document: before } = this.#opening;
     const handles =
       settled || frame.holdsBack ? whereTheyStand(before.handles, frame) : whereTheySlide(before.handles, frame);
-    const document = { ...before, handles, positions: frame.positions, settled };
+    const ending = settled ? endingOf(frame.status) : undefined;
+    const document = { ...before, handles, positions: frame.positions, settled, ending };
     this.#set({ ...this.#opening, frame, document });
     if (handles !== before.handles) this.#events.presentation();
   }

@@ -5,7 +5,7 @@
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Ends } from '../fields/colour_map';
 import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
-import { axesToSlide, LONGEST_NAME } from './document';
+import { axesToSlide, ENDINGS, LONGEST_NAME } from './document';
 import type {
   FileText,
   HandleData,
@@ -82,6 +82,7 @@ export function readState(state: Untrusted): State<HandleSeed> {
       influence: state.at('influence').maybe((each) => each.positive()),
       guide: state.at('guide').maybe((each) => ({ own: each.at('own').text() })),
       experiment: state.at('experiment').maybe((each) => each.text()),
+      ending: state.at('ending').maybe((each) => each.oneOf(ENDINGS)),
       compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
     }),
   };

@@ -157,6 +157,17 @@ export interface ChebnetDocument extends SolverSettings, ExperimentPart {
   positions: Float64Array | null;
   /** Nothing is left to be solved. */
   settled: boolean;
+  /** How the solve of a settled net ended, unless at rest. */
+  ending?: Ending | undefined;
+}
+
+/** Those states of a solve in which it leaves a net that is not at rest, and of which the net itself does not tell. `running`: it
+ *  was stopped. */
+export const ENDINGS = ['running', 'exact', 'stalled', 'max_iterations'] as const;
+export type Ending = (typeof ENDINGS)[number];
+
+export function endingOf(status: string): Ending | undefined {
+  return ENDINGS.find((each) => each === status);
 }
 
 /** How the net of a document looks. */
@@ -183,4 +194,6 @@ export interface Scene extends SolverSettings, ExperimentPart {
   positions: Float64Array | PackedPositions | null;
   /** The positions are final and stay untouched; else the net is solved on from them. */
   settled: boolean;
+  /** Of a settled net; what the net itself shows goes before. */
+  ending?: Ending | undefined;
 }

@@ -40,6 +40,8 @@ export interface Opened {
 }
 
 type OpenScene = Omit<Scene, 'view'>;
+/** What of the document is to be said otherwise when another worker opens it again. */
+type Returning = Pick<OpenScene, 'settled' | 'ending'>;
 type Answered<T extends Response['type']> = Extract<Response, { type: T }>;
 type WithoutId<T> = T extends unknown ? Omit<T, 'id'> : never;
 type Body = WithoutId<Request>;
@@ -86,7 +88,7 @@ export class Client {
   /** The worker has a net. */
   #hasNet = false;
   /** How a new worker opens the document in place of one that was lost; null: none does. */
-  #returning: Pick<OpenScene, 'settled'> | null = null;
+  #returning: Returning | null = null;
   #silence: ReturnType<typeof setTimeout> | undefined;
   #whenIdle: (() => void)[] = [];
   #adapting: (scale: number) => void = () => {};
@@ -346,8 +348,9 @@ export class Client {
   #lose(reason: string): void {
     const why = new Failure('worker_lost', reason);
     const [hadNet, hopeful] = [this.#hasNet, this.#proven];
+    const stopped = this.solving ? ({ ending: 'running' } as const) : {};
     this.#endWorker(why);
-    if (hadNet && hopeful) this.#bringBack({ settled: true }, why);
+    if (hadNet && hopeful) this.#bringBack({ settled: true, ...stopped }, why);
     else if (hadNet) this.#host.restarted(why, false);
     this.#rest();
   }
@@ -365,7 +368,7 @@ export class Client {
   }
 
   /** Opens the document in a new worker. */
-  #bringBack(back: Pick<OpenScene, 'settled'>, why: Failure): void {
+  #bringBack(back: Returning, why: Failure): void {
     const document = this.#host.document();
     if (document === null) return;
     this.#returning = back;

@@ -221,7 +221,7 @@ export class Server {
     this.#asked = [];
     this.#touch = id;
     this.#forgetSolve();
-    this.#assess();
+    this.#assess(scene);
     const frame = this.#frame();
     const net = describe(editor);
     this.#post({ id, type: 'opened', net, frame }, [...buffersOf(net), ...buffersOf(frame)]);
@@ -266,7 +266,7 @@ export class Server {
     this.#setGuide(editor, scene.guide);
     editor.setState(stateOf(scene, editor));
     this.#asked = [];
-    this.#assess();
+    this.#assess(scene);
   }
 
   // ---------------------------------------------------------------------------------------------------- other lengths
@@ -487,11 +487,15 @@ export class Server {
     this.#unsentRows = [];
   }
 
-  /** The status of a net whose positions were set rather than solved. */
-  #assess(): void {
+  /** The status of a net whose positions were set rather than solved. @param as it was left before; of edges that do not have
+   *  their length nothing else is believed. */
+  #assess({ settled, ending }: Pick<OpenScene, 'settled' | 'ending'> = { settled: false }): void {
     const editor = this.#net();
-    const converged = largest(editor.fields().deviation) < Number(editor.options().threshold);
-    this.#status = converged ? 'converged' : editor.unreachablePairs().length > 0 ? 'unreachable' : 'running';
+    const isExact = largest(editor.fields().deviation) < Number(editor.options().threshold);
+    const before = settled ? ending : undefined;
+    if (isExact) this.#status = before ?? 'converged';
+    else if (editor.unreachablePairs().length > 0) this.#status = 'unreachable';
+    else this.#status = before === 'exact' ? 'running' : (before ?? 'running');
   }
 
   // --------------------------------------------------------------------------------------------------------- answers
