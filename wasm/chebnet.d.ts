@@ -488,10 +488,10 @@ export interface EqualizeReport {
   status: Status;
   /** What has made it: `projection` also where `equilibrium` found no such net. */
   method: 'equilibrium' | 'projection';
-  /** What all edges have if it is `converged`. */
+  /** What all edges have if it is `converged` or `exact`. */
   length: number;
   fittingLength: number;
-  /** Against that length; `converged` means below 1e-9. */
+  /** Against that length; `converged` and `exact` mean below 1e-9. */
   maxDeviation: number;
   /** Since the beginning, as are the milliseconds. */
   iterations: number;
@@ -502,6 +502,8 @@ export interface EqualizeReport {
   distance: { mean: number; largest: number } | null;
   /** Of corners, in radians. */
   smallestAngle: number;
+  /** Quads with a corner sharper than the limit; with any, a solve for `equilibrium` ends as `exact` and not as `converged`. */
+  quadsBeyondLimit: number;
   /** Edges at which the mesh and the net fold by more than 60°: a net is crumpled there. */
   foldsBefore: number;
   folds: number;

@@ -79,6 +79,7 @@ val solve(Equalizer& equalizer, int iterations, double milliseconds) {
     object.set("after", spread_out(report.after));
     object.set("distance", report.distance ? distance_out(*report.distance) : val::null());
     object.set("smallestAngle", report.smallest_angle);
+    object.set("quadsBeyondLimit", report.quads_beyond_limit);
     object.set("foldsBefore", report.folds_before);
     object.set("folds", report.folds);
     object.set("meanMove", report.mean_move);

@@ -3,7 +3,7 @@
 
 /**
  * @import { Axes, Ball, Budget, ChangedMesh, Chebnet, Defect, DrapeArms, DrapeOptions, EditState, Editor, EqualizeOptions, EqualizeReport, Equalizer, ExactChange, Handle, LengthAdapter, Locality, Mesh, Point, RemeshOptions, RemeshPhase, RestLengths, SolveReport, Surface, TraceRow } from './chebnet'
- * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
+ * @import { Core, CoreDrapeOptions, CoreEqualizer, CoreExactChange, CoreHandles, CoreLengthAdapter, CoreLocality, CoreSurface, Session } from '../build/wasm/chebnet_core.js'
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
@@ -346,12 +346,7 @@ class WasmEditor {
   /** @param {readonly Handle[]} [wanted] @returns {LengthAdapter} */
   lengthAdapter(wanted = []) {
     const { vertices, targets } = flatHandles(wanted);
-    const adapter = wholeCore(this.#core).lengthAdapter(this.#open, vertices, targets);
-    return {
-      solve: (budget = {}) => adapter.solve(...limits(budget)),
-      accept: () => adapter.accept(this.#open),
-      dispose: () => adapter.delete(),
-    };
+    return new WasmLengthAdapter(wholeCore(this.#core).lengthAdapter(this.#open, vertices, targets), () => this.#open);
   }
 
   forces() {
@@ -428,6 +423,38 @@ class WasmEditor {
   dispose() {
     this.#session?.delete();
     this.#session = null;
+  }
+}
+
+/** @implements {LengthAdapter} */
+class WasmLengthAdapter {
+  /** @type {CoreLengthAdapter | null} */
+  #adapter;
+  #session;
+
+  /** @param {CoreLengthAdapter} adapter @param {() => Session} session that of the editor it was made by */
+  constructor(adapter, session) {
+    this.#adapter = adapter;
+    this.#session = session;
+  }
+
+  get #open() {
+    if (this.#adapter === null) throw failure('disposed', 'this adapter was disposed and cannot be used any more');
+    return this.#adapter;
+  }
+
+  /** @param {Budget} [budget] */
+  solve(budget = {}) {
+    return this.#open.solve(...limits(budget));
+  }
+
+  accept() {
+    this.#open.accept(this.#session());
+  }
+
+  dispose() {
+    this.#adapter?.delete();
+    this.#adapter = null;
   }
 }
 

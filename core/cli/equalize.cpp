@@ -72,6 +72,7 @@ Json equalize_report(const EqualizeArguments& arguments, const Equalizer& equali
             {"mean_distance_in_lengths", distance ? Json(distance->mean) : Json()},
             {"largest_distance_in_lengths", distance ? Json(distance->largest) : Json()},
             {"smallest_corner_angle_degrees", equalized.smallest_angle / k_degree},
+            {"quads_beyond_shear_limit", equalized.quads_beyond_limit},
             {"folds_over_60_degrees_before", equalized.folds_before},
             {"folds_over_60_degrees", equalized.folds},
             {"lengths_before", spread_report(equalized.before)},
@@ -105,8 +106,9 @@ Command add_equalize(CLI::App& program) {
     command.add_option("--hold", arguments->handles, "Vertices that stay where they are, from 0")->type_name("VERTEX");
     command
         .add_option("--method", arguments->method,
-                    "equilibrium: near the mesh's surface and fair, within the limit; projection: lengths alone; with "
-                    "--guide the first, without it " +
+                    "equilibrium: near the mesh's surface and fair, within the limit, or where no such net is found "
+                    "projection, with status exact if corners are sharper; projection: lengths alone; with --guide the "
+                    "first, without it " +
                         usual_methods())
         ->type_name("METHOD");
     command

@@ -30,6 +30,8 @@ constexpr const char* k_second_iterations = "300";
 constexpr const char* k_iterations_to_rest = "30";
 // What holds vertices where they were in the original: enough for the net not to slide over its surface.
 constexpr double k_anchor_weight = 0.02;
+/// Corners so near the limit, in radians, are not beyond it.
+constexpr double k_limit_tolerance = 0.1 * std::numbers::pi / 180;
 // How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
 // rough scan has its vertices off.
 constexpr double k_shake = 0.2;
@@ -191,6 +193,8 @@ EqualizeReport Equalizer::solve(const Budget& budget) {
         place(m_status == Status::running ? m_editor.positions() : m_best);
     // Coordinates far from the origin have fewer digits than those in the solver's unit.
     if (m_status == Status::converged && !(deviation_from_length() < k_equal_deviation)) m_status = Status::stalled;
+    if (m_status == Status::converged && m_options.method == "equilibrium" && quads_beyond_limit() > 0)
+        m_status = Status::exact;
     m_elapsed_ms += watch.milliseconds();
     return report();
 }
@@ -363,6 +367,10 @@ double Equalizer::deviation_from_length() const {
     return max_deviation(lengths_of_edges(m_original, m_positions) / m_length);
 }
 
+int Equalizer::quads_beyond_limit() const {
+    return sharp_quads(m_original, m_positions, m_options.shear_limit - k_limit_tolerance);
+}
+
 EqualizeReport Equalizer::report() const {
     EqualizeReport report;
     report.status = m_status;
@@ -381,6 +389,7 @@ EqualizeReport Equalizer::report() const {
     report.mean_move = moves.mean();
     report.max_move = moves.maxCoeff();
     report.smallest_angle = corner_angle_range(m_original, m_positions).smallest;
+    report.quads_beyond_limit = quads_beyond_limit();
     report.folds_before = sharp_folds(m_original, m_original.rest_positions(), k_fold);
     report.folds = sharp_folds(m_original, m_positions, k_fold);
     if (m_surface) report.distance = distance_from_surface();

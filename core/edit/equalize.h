@@ -56,6 +56,7 @@ struct EqualizeReport {
     /// triangles are no surface. A given length without handles scales that surface too, but no guide.
     std::optional<GuideDistance> distance;
     double smallest_angle = 0;           ///< of corners, radians
+    int quads_beyond_limit = 0;          ///< that have a corner sharper than EqualizeOptions::shear_limit
     int folds_before = 0, folds = 0;     ///< edges at which the original and the net fold by more than k_fold
     double mean_move = 0, max_move = 0;  ///< distance of vertices from where they were in the original, in units of L
     /// The length of EqualLength::fitting; without freedom, L. Much larger than L if many edges were too long beside
@@ -91,7 +92,9 @@ public:
     /// Goes on until it ends or the budget runs out (status `running`; call again to go on, or leave it: what is held
     /// is finite at any time). Never throws over a hard problem. Ends as
     ///
-    ///   converged                             max dL < k_equal_deviation
+    ///   converged                             max dL < k_equal_deviation, and with `equilibrium` asked for no corner
+    ///                                         is sharper than the limit by more than a tenth of a degree
+    ///   exact                                 max dL < k_equal_deviation, but no such net within the limit was found
     ///   stalled, max_iterations, non_finite   no such net was found: the best is held
     ///   unreachable                           no such net exists: handles stand too far apart
     EqualizeReport solve(const Budget& budget = {});
@@ -138,6 +141,7 @@ private:
     std::vector<Placement> nearest_placements(const Positions& x) const;
     static Placement nearest_placement(const std::vector<int>& piece, const Positions& x, const Positions& y);
     double deviation_from_length() const;
+    int quads_beyond_limit() const;
     EqualizeReport report() const;
     GuideDistance distance_from_surface() const;
     std::vector<UnreachablePair> unreachable_pairs() const;

@@ -150,6 +150,37 @@ TEST_CASE("Raw meshes of many kinds become nets with edges of one length") {
     CHECK(report.mean_move < farthest);
 }
 
+/// Its outer edges are three times as long as the inner ones: no net near it is fair.
+Net flat_ring(int around, int rows) {
+    Positions x(3, around * (rows + 1));
+    Faces faces;
+    for (int row = 0; row <= rows; ++row)
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2 * EIGEN_PI * k / around, radius = 1 + 2.0 * row / rows;
+            x.col(around * row + k) << radius * std::cos(angle), radius * std::sin(angle), 0;
+            const int next = (k + 1) % around;
+            if (row < rows)
+                faces.add({around * row + k, around * row + next, around * (row + 1) + next, around * (row + 1) + k});
+        }
+    return Net(std::move(x), std::move(faces));
+}
+
+TEST_CASE("A net with corners sharper than the limit is not called converged") {
+    EqualizeOptions options;
+    options.choice = GENERATE(EqualLength::mean, EqualLength::fitting);
+    options.method = "equilibrium";
+    const Net ring = flat_ring(30, 10);
+    Equalizer equalizer(ring, options);
+    const EqualizeReport report = equalizer.solve();
+    CHECK(report.status == Status::exact);
+    CHECK(largest_deviation(ring, equalizer.positions(), report.length) < 1.1e-9);
+    CHECK(report.quads_beyond_limit > 0);
+    CHECK(report.quads_beyond_limit == sharp_quads(ring, equalizer.positions(), 29.9 * EIGEN_PI / 180));
+
+    options.method = "projection";
+    CHECK(Equalizer(ring, options).solve().status == Status::converged);
+}
+
 TEST_CASE("Quads become a net near the surface of their mesh, fair and with no corner too sharp") {
     const auto [name, mesh] = GENERATE(table<std::string, Net>({
         {"open", raw_mesh("dome:vertices=300", 0.1)},

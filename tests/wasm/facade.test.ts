@@ -289,9 +289,14 @@ describe('errors', () => {
   });
 
   test('say so after dispose, and dispose may be repeated', () => {
+    const adapter = editor.lengthAdapter();
+    adapter.dispose();
+    adapter.dispose();
+    const other = editor.lengthAdapter();
     editor.dispose();
     editor.dispose();
-    for (const action of [() => editor.positions(), () => editor.solve(), () => editor.method]) {
+    const ofAdapters = [() => adapter.solve(), () => adapter.accept(), () => other.accept()];
+    for (const action of [...ofAdapters, () => editor.positions(), () => editor.solve(), () => editor.method]) {
       expect(failure(action).code).toBe('disposed');
       expect(failure(action).message).toMatch(/disposed/);
     }

@@ -504,6 +504,25 @@ describe('by hand', () => {
     expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: new TextEncoder().encode(solved.edgeTable()) });
   });
 
+  test('the table of edges has the forces of a net at rest, however it came there', () => {
+    open({ method: 'equilibrium' });
+    ask({ type: 'drag', inHand: false, targets: [{ vertex: dragged, target: away }] });
+    run();
+    const { positions, handles } = settled().frame;
+    const exported = (format: string) => {
+      ask({ type: 'export', format });
+      const answer = said.at(-1)!;
+      return answer.type === 'exported' ? new TextDecoder().decode(answer.bytes) : expect.fail(answer.type);
+    };
+    const [solved, shape] = [exported('csv'), exported('obj')];
+    expect(solved).toMatch(/,force\n/);
+    const seeds = handles.map((handle) => ({ ...handle, anchor: false }));
+    const scene = { ...freshScene({ recipe }), method: 'equilibrium', positions, handles: seeds, settled: true };
+    ask({ type: 'restore', scene });
+    expect(exported('csv').split('\n')[0]).toBe(solved.split('\n')[0]);
+    expect(exported('obj')).toBe(shape);
+  });
+
   test('an export does not touch the net', () => {
     said = [];
     ask({ type: 'export', format: 'obj' });

@@ -82,7 +82,8 @@ export class DrapeResults {
       return setText(this.#prospect, warning);
     }
     this.#prospect.hidden = false;
-    const promised = this.#surface?.prospect === 'one_piece' || this.#surface?.prospect === 'tight';
+    const { prospect = '', components = 0 } = this.#surface ?? {};
+    const promised = components === 1 && ['one_piece', 'tight'].includes(prospect);
     this.#sayProspect(promised && report.coverage < COVERS ? ` ${TEXT.coversLess}` : '');
   }
 
@@ -144,7 +145,7 @@ export class DrapeResults {
     const distance = (inUnits: number): string => TEXT.distance(inLengths(inUnits), small(inUnits));
     // The first three are in sight on a small screen, too.
     const rows: [string, string][] = [
-      [TEXT.coverage, percentWords(Number(report.coverage.toFixed(4)))],
+      [TEXT.coverage, TEXT.toHalfAnEdge(percentWords(Number(report.coverage.toFixed(4))))],
       [TEXT.smallestAngle, `${(report.smallestAngle * DEGREES).toFixed(0)}°`],
       [TEXT.meanDistance, distance(report.meanDistance)],
       [TEXT.largestDistance, distance(report.largestDistance)],

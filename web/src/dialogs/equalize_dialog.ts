@@ -16,7 +16,7 @@ import { LOOKING_ONLY } from '../view/view';
 import type { View, ViewEvents } from '../view/view';
 import { make, makeButton, setText } from '../elements/dom';
 import { EqualizeForm } from './equalize_form';
-import { EqualizeResults } from './equalize_results';
+import { EqualizeResults, isEqual } from './equalize_results';
 import { small } from '../language/numbers';
 import { messageOf } from '../failure';
 import './dialog.css';
@@ -172,9 +172,9 @@ export class EqualizeDialog implements EqualizerLike {
   #onEnd({ report, positions, surfacePositions }: EqualizeEnd, isResized: boolean): void {
     this.#after = { positions, length: report.length };
     const surface = surfacePositions && this.#meshAt(surfacePositions);
-    this.#equalized = report.status === 'converged' ? { mesh: this.#meshAt(positions), surface, isResized } : null;
+    this.#equalized = isEqual(report) ? { mesh: this.#meshAt(positions), surface, isResized } : null;
     this.#results.renderEnd(report, this.#before.length, this.#form.method);
-    if (report.status === 'converged' && this.#isCrumpled(report))
+    if (isEqual(report) && this.#isCrumpled(report))
       this.#results.renderFolds(makeButton(TEXT.newNet, () => this.#finish('newNet')));
     this.#form.renderFittingLength(report);
     setText(this.#farEnd, this.#equalized === null ? TEXT.attempt : TEXT.equalised);

@@ -48,10 +48,12 @@ export class EqualizeResults {
   /** @param asked for by the user. */
   renderEnd(report: EqualizeReport, meanBefore: number, asked: EqualizeReport['method']): void {
     this.clear();
-    const equal = report.status === 'converged';
+    const equal = isEqual(report);
     const verdict = equal ? TEXT.converged(lengthWords(report.length)) : refusal(report);
     this.#end.append(make('p', { class: equal ? 'verdict' : 'refusal' }, verdict), makeFacts(report, meanBefore));
     if (equal && report.method !== asked) this.#end.append(make('p', {}, TEXT.lengthsAlone));
+    else if (report.status === 'exact')
+      this.#end.append(make('p', {}, TEXT.beyondLimit(count(report.quadsBeyondLimit))));
     // A smaller change would not be seen.
     if (equal && report.fittingLength > 1.01 * report.length)
       this.#end.append(make('p', {}, TEXT.shrunk(lengthWords(report.fittingLength))));
@@ -76,7 +78,7 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
     [TEXT.iterations, TEXT.iterationsIn(count(report.iterations), milliseconds(report.milliseconds))],
     [TEXT.deviation, small(report.maxDeviation)],
     [TEXT.edgesBefore, range(before, meanBefore)],
-    ...(report.status === 'converged' ? [] : [[TEXT.edgesNow, range(after, length)] satisfies [string, string]]),
+    ...(isEqual(report) ? [] : [[TEXT.edgesNow, range(after, length)] satisfies [string, string]]),
     [TEXT.spreadBefore, percentWords(before.standardDeviation)],
     ...(report.distance === null
       ? []
@@ -94,6 +96,11 @@ function makeFacts(report: EqualizeReport, meanBefore: number): HTMLElement {
     { class: 'facts' },
     ...facts.map(([term, value]) => make('div', {}, make('dt', {}, term), make('dd', {}, value))),
   );
+}
+
+/** Whether all edges have one length, whatever its corners are. */
+export function isEqual({ status }: EqualizeReport): boolean {
+  return status === 'converged' || status === 'exact';
 }
 
 /** The likely reason why no such net was found. */

@@ -8,8 +8,8 @@ import { lengthWords } from './file_words';
 /** In a sentence, before anything is tried. */
 export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
   const words = dialogWords.drape;
-  const sentence = words.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
-  return components > 1 ? words.pieces(sentence, components) : sentence;
+  if (components > 1) return words.pieces(components);
+  return words.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
 }
 
 export function makeSurfaceFacts(report: SurfaceReport): HTMLElement {

@@ -168,7 +168,7 @@ export class NetDrawing {
     const { SurfaceShade } = await surfaceShade();
     if (this.#isDisposed) return;
     if (this.#shade === null) {
-      this.#shade = new SurfaceShade(GUIDE_OPACITY);
+      this.#shade = new SurfaceShade(GUIDE_OPACITY, this.#uniforms.section);
       this.#shade.setTheme(this.#theme);
       this.object.add(this.#shade.object);
     }

@@ -1,15 +1,29 @@
 /** A surface as a shaded body, drawn a little behind where it is: the edges of a net on it are chords, and would vanish in it. */
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, GLSL3, Mesh, ShaderMaterial, type Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  GLSL3,
+  Mesh,
+  ShaderMaterial,
+  type Vector3,
+  Vector4,
+} from 'three';
 import type { Point } from '../../../wasm/chebnet';
 import { mix } from '../fields/colour_map';
 import type { DrawnSurface } from '../worker/protocol';
+import type { NetUniforms } from './net_data';
 import type { Space } from './space';
 import type { Theme } from './theme';
 
 const VERTEX = /* glsl */ `
 uniform float behind;
+uniform vec4 section;
 out vec3 upright;
+out float beyond;
 void main() {
+  beyond = dot(section.xyz, position) - section.w;
   upright = normalMatrix * normal;
   vec3 inView = (modelViewMatrix * vec4(position, 1.0)).xyz;
   gl_Position = projectionMatrix * vec4(inView * (1.0 + behind / length(inView)), 1.0);
@@ -19,8 +33,10 @@ const FRAGMENT = /* glsl */ `
 uniform vec3 front, back;
 uniform float opacity;
 in vec3 upright;
+in float beyond;
 out vec4 colour;
 void main() {
+  if (beyond > 0.0) discard;
   vec3 normal = normalize(gl_FrontFacing ? upright : -upright);
   colour = vec4(mix(back, front, 0.5 + 0.5 * dot(normal, normalize(vec3(-0.35, 0.7, 0.62)))), opacity);
 }`;
@@ -28,8 +44,8 @@ void main() {
 export class SurfaceShade {
   readonly object: Mesh<BufferGeometry, ShaderMaterial>;
 
-  /** @param opacity below 1, what is behind shows through. */
-  constructor(opacity = 1) {
+  /** @param opacity below 1, what is behind shows through. @param section see NetUniforms. */
+  constructor(opacity = 1, section: NetUniforms['section'] = { value: new Vector4() }) {
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -43,6 +59,7 @@ export class SurfaceShade {
       depthWrite: opacity === 1,
       uniforms: {
         opacity: { value: opacity },
+        section,
         behind: { value: 0 },
         front: { value: new Color() },
         back: { value: new Color() },

@@ -348,8 +348,17 @@ export class Server {
   }
 
   #export(id: number, format: ExportFormat): void {
+    if (format === 'csv') this.#learnForces();
     const bytes = fileOf(this.#net(), format);
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
+  }
+
+  /** They are those of a solve, and a net that was brought back has had none. At rest it begins and ends with that. */
+  #learnForces(): void {
+    const editor = this.#net();
+    if (editor.forces() !== null || this.#solving || this.#status !== 'converged') return;
+    const before = editor.state();
+    if (editor.solve({ iterations: 1 }).iterations > 0) editor.setState(before);
   }
 
   #mobility({ id, radius, origins }: Extract<Request, { type: 'mobility' }>): void {

@@ -186,8 +186,7 @@ export const dialogs = {
       border: '“what fits best” at the border often lies smoother.',
       cells: 'more cells often lie smoother.',
     },
-    pieces: (sentence: string, pieces: number) =>
-      `${sentence} It has ${pieces} pieces; the net lies on that of the seed.`,
+    pieces: (pieces: number) => `It has ${pieces} pieces: a net lies on that of the seed, the others stay bare.`,
     cuts: {
       title: 'Cuts',
       draw: 'Draw a cut',
@@ -261,6 +260,7 @@ export const dialogs = {
         `These alone do not close: ${count} more with ${edges} edges ${count === 1 ? 'is' : 'are'} missing.`,
     },
     coverage: 'Covered',
+    toHalfAnEdge: (part: string) => `${part}, to half an edge`,
     openBorder: 'Open inside, slits on both sides',
     meanDistance: 'Distance, mean',
     largestDistance: 'Distance, largest',
@@ -374,6 +374,8 @@ export const dialogs = {
     guide: (surface: string) => `Near the surface beside it, ${surface}`,
     lengthsAlone:
       'No such net was found near the surface: this one has equal edges and nothing more, and its corners may be sharp.',
+    beyondLimit: (quads: string) =>
+      `No net was found whose corners all keep to 30°: ${quads} quads have a sharper one.`,
     meanDistance: 'Average distance from the surface',
     largestDistance: 'Largest distance from the surface',
     smallestAngle: 'Smallest corner',
