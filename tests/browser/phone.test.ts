@@ -300,3 +300,23 @@ describe.each(LOW)('on a screen of $width × $height', (viewport) => {
     await page.getByRole('dialog').getByText('The code is copied.').waitFor();
   });
 });
+
+test.each([
+  [820, 1180],
+  [1024, 768],
+])('on a tablet of %i by %i the tools of a selection have words, and leave the legend free', async (width, height) => {
+  const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+  await page.locator('.group').waitFor({ state: 'attached' });
+  const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  const tools = page.locator('.selection-bar');
+  await tools.waitFor();
+  expect(await faults(page, '.selection-bar')).toEqual([]);
+  const words = await tools
+    .locator('button:visible')
+    .evaluateAll((all) => all.map((each) => (each as HTMLElement).innerText));
+  expect(words.filter((text) => text.trim() === '')).toEqual([]);
+  const [above, legend] = [(await tools.boundingBox())!, (await page.locator('.legend').boundingBox())!];
+  expect(above.y + above.height).toBeLessThanOrEqual(legend.y);
+});
