@@ -51,6 +51,8 @@ export default defineConfig({
     rollupOptions: {
       input: { index: 'index.html', lesson: 'lesson.html' },
       output: { codeSplitting: { groups: FIRST_LOAD } },
+      // A slow machine makes the pictures of the gallery for seconds, which is no fault.
+      checks: { pluginTimings: false },
     },
   },
 });
