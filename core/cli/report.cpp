@@ -10,8 +10,6 @@
 namespace chebnet {
 namespace {
 
-constexpr double k_limit_tolerance = 0.1;  // degrees: corners at the limit are not beyond it
-
 double degrees(double radians) { return radians / k_degree; }
 
 Json distance_report(const Editor& editor) {
@@ -22,7 +20,7 @@ Json distance_report(const Editor& editor) {
 
 /// A net that comes with some is opened by methods that know the limit.
 Json sharp_quads_report(const Editor& editor) {
-    const double limit = (editor.options().shear_limit - k_limit_tolerance) * k_degree;
+    const double limit = editor.options().shear_limit * k_degree - k_limit_tolerance;
     return {{"at_rest", sharp_quads(editor.net(), editor.net().rest_positions(), limit)},
             {"now", sharp_quads(editor.net(), editor.positions(), limit)}};
 }

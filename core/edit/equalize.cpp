@@ -30,8 +30,6 @@ constexpr const char* k_second_iterations = "300";
 constexpr const char* k_iterations_to_rest = "30";
 // What holds vertices where they were in the original: enough for the net not to slide over its surface.
 constexpr double k_anchor_weight = 0.02;
-/// Corners so near the limit, in radians, are not beyond it.
-constexpr double k_limit_tolerance = 0.1 * std::numbers::pi / 180;
 // How far a vertex is shaken at most, in edge lengths: far enough to leave a plane for good, and no farther than a
 // rough scan has its vertices off.
 constexpr double k_shake = 0.2;

@@ -41,6 +41,8 @@ struct AngleRange {
 };
 AngleRange corner_angle_range(const Net& net, const Positions& positions);
 
+/// Corners that are so much sharper than a limit, in radians, are still at it.
+inline constexpr double k_limit_tolerance = 0.1 * std::numbers::pi / 180;
 /// How many quads have a corner sharper than this angle, radians.
 int sharp_quads(const Net& net, const Positions& positions, double angle);
 

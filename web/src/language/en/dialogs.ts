@@ -375,7 +375,7 @@ export const dialogs = {
     lengthsAlone:
       'No such net was found near the surface: this one has equal edges and nothing more, and its corners may be sharp.',
     beyondLimit: (quads: string) =>
-      `No net was found whose corners all keep to 30°: ${quads} quads have a sharper one.`,
+      `No net was found whose corners all keep to 30°. Quads with a sharper one: ${quads}.`,
     meanDistance: 'Average distance from the surface',
     largestDistance: 'Largest distance from the surface',
     smallestAngle: 'Smallest corner',
