@@ -86,7 +86,7 @@ double coverage(const Surface& surface, const Net& net, double length) {
     for_each_sample(surface, k_sample * length, [&](const Eigen::Vector3d& point, double area) {
         if (cover.covers(point)) covered += area;
     });
-    return covered / surface.area();
+    return std::min(1.0, covered / surface.area());  // the pieces' areas are not to the last digit that of the whole
 }
 
 bool is_beside_border(const Surface& surface, const std::vector<int>& border, const Eigen::Vector3d& point,

@@ -132,6 +132,16 @@ void Editor::take_better_net(SolveReport& report) {
     store_positions();
 }
 
+/// Handles on their way leave an exact net behind them, which says nothing of how far they have come.
+double Editor::deviation_with_hand_at_targets() const {
+    Positions x = m_unit_positions;
+    for (int vertex : m_in_hand) {
+        const Handle& handle = m_handles[m_handle_at[vertex]];
+        copy_along(k_all_axes - handle.slides, Eigen::Vector3d(handle.target / m_unit).data(), x.col(vertex).data());
+    }
+    return max_deviation(*m_unit_net, x);
+}
+
 bool Editor::has_all_in_place() const {
     return std::all_of(m_handles.begin(), m_handles.end(), [&](const Handle& handle) {
         return !handle.is_exact() || handle.holds_at(m_positions.col(handle.vertex));

@@ -673,6 +673,7 @@ SolveReport Editor::go_on(const Budget& budget) {
         has_moved = true;
         row.iteration = ++m_iterations;
         if (report.status == Status::running && m_took_in_hand) report.status = status_by_hand();
+        if (m_took_in_hand) row.max_deviation = deviation_with_hand_at_targets();
         row.total_ms = m_elapsed_ms + watch.milliseconds();
         report.factorisation_ms += row.factorisation_ms;
         report.trace.push_back(row);

@@ -192,6 +192,7 @@ private:
     bool goes_on_by_hand(SolveReport& report);
     bool goes_on_without_hand(bool has_arrived, SolveReport& report);
     void take_better_net(SolveReport& report);
+    double deviation_with_hand_at_targets() const;
     bool has_all_in_place() const;
     Status status_by_hand() const;
     double energy() const;

@@ -29,7 +29,7 @@ struct TraceRow {
     int stage = 0;             ///< from 1, as MethodInfo::stages names them; 0 in an initialisation
     double p = 0;              ///< exponent of the energy; 0 if it has none
     double energy = 0;         ///< the method's own energy after the iteration; 0 where all edges have their length
-    double max_deviation = 0;  ///< max dL after the iteration, over all edges
+    double max_deviation = 0;  ///< max dL after the iteration, over all edges, as of exact handles at their targets
     double gradient_norm = 0;  ///< ‖∇E‖ before the step, in units of 1 / mean length
     double step = 0;           ///< part of the direction accepted by the line search
     int free_vertices = 0;     ///< vertices that could move

@@ -210,3 +210,17 @@ TEST_CASE("A net that is pulled far and comes to no rest has its lengths to the 
     REQUIRE(keeps_lengths(end.status));
     CHECK(end.max_deviation < 1e-12);
 }
+
+TEST_CASE("A trace tells of a net only once handles that a solve draws to their targets are there") {
+    Taken taken;
+    const Eigen::Vector3d target = taken.crown + Eigen::Vector3d(-2, 0, 0);  // where no walk leads
+    taken.editor.move_handle(k_handle, target);
+    int drawn = 0;
+    for (SolveReport report; report.status == Status::running;) {
+        report = taken.editor.solve({.iterations = 1});
+        if (report.trace.empty() || taken.now() == target) continue;
+        ++drawn;
+        CHECK(report.trace.back().max_deviation > k_a_net);
+    }
+    CHECK(drawn > 0);
+}
