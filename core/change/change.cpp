@@ -59,8 +59,10 @@ const ChangeInfo& find_change(std::string_view name) {
     const std::vector<ChangeInfo>& table = change_table();
     const auto found =
         std::find_if(table.begin(), table.end(), [&](const ChangeInfo& row) { return row.name == name; });
-    if (found == table.end()) throw Error(ErrorCode::bad_option, "no change is called " + quoted(name));
-    return *found;
+    if (found != table.end()) return *found;
+    std::string known;
+    for (const ChangeInfo& row : table) known += (known.empty() ? "" : ", ") + std::string(row.name);
+    throw Error(ErrorCode::bad_option, "no change is called " + quoted(name) + "; known are " + known);
 }
 
 }  // namespace chebnet

@@ -1,6 +1,7 @@
 #include "edit_file.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
@@ -65,8 +66,18 @@ Axes read_axes(const json& value, const std::string& where) {
     return axes;
 }
 
+/// One that is misspelt would leave the handle other than it was meant, without a word.
+void check_keys_of_handle(const json& handle, const std::string& where) {
+    constexpr std::array known{"vertex", "target", "weight", "slides"};
+    for (const auto& [key, value] : handle.items())
+        if (std::ranges::find(known, key) == known.end())
+            throw Error(ErrorCode::bad_syntax,
+                        where + " has " + chebnet::quoted(key) + "; a handle has vertex, target, weight and slides");
+}
+
 Handle read_handle(const json& value, int vertex_count, const std::string& where) {
     if (!value.is_object()) throw Error(ErrorCode::bad_syntax, where + " is not an object");
+    check_keys_of_handle(value, where);
     Handle handle{read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
                   read_target(member(value, "target", where), where + ".target")};
     if (const auto weight = value.find("weight"); weight != value.end())

@@ -40,6 +40,12 @@ struct RemeshArguments {
     std::vector<std::string> singular, forbidden, creases;
 };
 
+/// What is wrong with a length after --length.
+std::string length_fault(const std::string& text) {
+    const std::optional<double> length = parse_number(text);
+    return length && *length > 0 ? "" : "wants a number above 0, not " + text;
+}
+
 /// "X,Y,Z:NUMBER".
 std::pair<Eigen::Vector3d, double> point_and_number(const std::string& text, const char* option, const char* form) {
     std::vector<double> numbers;
@@ -150,7 +156,7 @@ Command add_remesh(CLI::App& program) {
         .add_option("--length,--edge", arguments->options.length,
                     "In place of their number: the length of all edges, exactly")
         ->type_name("LENGTH")
-        ->check(CLI::PositiveNumber)
+        ->check(length_fault)
         ->excludes(cells);
     command.add_option("--shear-limit", arguments->smallest_angle, "No corner is sharper than this, in degrees")
         ->type_name("DEGREES")

@@ -25,6 +25,16 @@ Json sharp_quads_report(const Editor& editor) {
             {"now", sharp_quads(editor.net(), editor.positions(), limit)}};
 }
 
+/// Those that are not as they are unless said otherwise.
+Json options_report(const Options& options) {
+    Json report = Json::object();
+    for (const OptionInfo& info : option_table()) {
+        const double value = get_option(options, info.name);
+        if (value != get_option(Options{}, info.name)) report[info.name] = value;
+    }
+    return report;
+}
+
 Json force_report(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
 Json edge_report(const Net& net, const Eigen::VectorXd& forces, int edge) {
@@ -35,7 +45,8 @@ Json edge_report(const Net& net, const Eigen::VectorXd& forces, int edge) {
 
 Json shape_report(const Editor& editor) {
     const AngleRange angles = corner_angle_range(editor.net(), editor.positions());
-    Json report{{"max_dL", max_deviation(editor.net(), editor.positions())},
+    Json report{{"options", options_report(editor.options())},
+                {"max_dL", max_deviation(editor.net(), editor.positions())},
                 {"max_handle_error", editor.handle_error()},
                 {"bend", bend(editor.net(), editor.topology(), editor.positions())},
                 {"smallest_corner_angle_degrees", degrees(angles.smallest)},

@@ -1,6 +1,7 @@
 #include "solver_arguments.h"
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
 #include "edit/length_adapter.h"
@@ -54,9 +55,17 @@ std::string setting_fault(const std::string& word) {
     return is_setting ? "" : "wants key=value, not " + word + " (NET stands before --set)";
 }
 
+/// Says so where the method does not read it: one line of options may be tried with every method.
+void set_option(Editor& editor, const std::string& key, const std::string& value) {
+    editor.set_option(key, value);
+    const auto is_used = [&](const MethodInfo& method) { return method.name == editor.method(); };
+    if (!reads(*std::ranges::find_if(method_table(), is_used), key))
+        std::cerr << "chebnet: method " << editor.method() << " does not read option " << key << '\n';
+}
+
 void set_option(Editor& editor, const std::string& setting) {
     const auto equals = setting.find('=');
-    editor.set_option(setting.substr(0, equals), setting.substr(equals + 1));
+    set_option(editor, setting.substr(0, equals), setting.substr(equals + 1));
 }
 
 /// Of GuideMode, as the text of an option.
@@ -122,11 +131,11 @@ Editor open_editor(const SolverArguments& arguments) {
     const std::string_view usual = usual_method(editor.net().vertex_count());
     editor.set_method(arguments.method.empty() ? usual : std::string_view(arguments.method));
     editor.set_initialisation(arguments.initialisation);
-    if (!arguments.threshold.empty()) editor.set_option("threshold", arguments.threshold);
-    if (!arguments.max_iterations.empty()) editor.set_option("max_iterations", arguments.max_iterations);
-    if (!arguments.shear_limit.empty()) editor.set_option("shear_limit", arguments.shear_limit);
-    if (!arguments.length_scale.empty()) editor.set_option("length_scale", arguments.length_scale);
-    if (!arguments.guide_mode.empty()) editor.set_option("guide_mode", guide_mode_number(arguments.guide_mode));
+    if (!arguments.threshold.empty()) set_option(editor, "threshold", arguments.threshold);
+    if (!arguments.max_iterations.empty()) set_option(editor, "max_iterations", arguments.max_iterations);
+    if (!arguments.shear_limit.empty()) set_option(editor, "shear_limit", arguments.shear_limit);
+    if (!arguments.length_scale.empty()) set_option(editor, "length_scale", arguments.length_scale);
+    if (!arguments.guide_mode.empty()) set_option(editor, "guide_mode", guide_mode_number(arguments.guide_mode));
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
     if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide));
     return editor;

@@ -76,8 +76,8 @@ Json net_on_surface_report(const Net& net, const DrapeReport& measured) {
             {"largest_distance_in_lengths", measured.largest_distance / length},
             {"smallest_corner_angle_degrees", measured.smallest_angle * 180 / std::numbers::pi},
             {"largest_corner_angle_degrees", measured.largest_angle * 180 / std::numbers::pi},
-            {"cells_sheared_over_15_degrees", measured.sheared},
-            {"cells_sheared_over_30_degrees", measured.much_sheared},
+            {"part_of_cells_sheared_over_15_degrees", measured.sheared},
+            {"part_of_cells_sheared_over_30_degrees", measured.much_sheared},
             {"folds_over_60_degrees", measured.folds},
             {"rods", measured.rods},
             {"rod_length", measured.rod_length}};

@@ -99,7 +99,7 @@ describe('a net on it', () => {
       expect(largestDistance(native.positions, mesh.positions)).toBeLessThan(1e-9);
       expect(report.coverage).toBeCloseTo(net.coverage, 6);
       expect(report.rods).toBe(net.rods);
-      expect(report.muchSheared).toBeCloseTo(net.cells_sheared_over_30_degrees, 6);
+      expect(report.muchSheared).toBeCloseTo(net.part_of_cells_sheared_over_30_degrees, 6);
 
       expect(places).toHaveLength((2 * mesh.positions.length) / 3);
       const editor = chebnet.openMesh(mesh);
