@@ -64,6 +64,36 @@ test('a notch in its border is none of them', () => {
   expect(vertices).not.toContain(inner);
 });
 
+test('on a shell whose border is round they are its feet, however many', () => {
+  for (const feet of [3, 4, 5]) {
+    const net = mesh(shellOnFeet(feet, 60 * feet, 24));
+    const vertices = proposedHandles(net).map(({ vertex }) => vertex);
+    const ofFeet = Array.from({ length: feet }, (_, i) => 23 * 60 * feet + 60 * i);
+    expect(vertices).toHaveLength(feet);
+    for (const foot of ofFeet) expect(Math.min(...vertices.map((vertex) => Math.abs(vertex - foot)))).toBeLessThan(3);
+  }
+});
+
+/** Of rings of quads around a small hole: the outermost goes out and down at each foot, and up between two. */
+function shellOnFeet(feet: number, around: number, rings: number): Parameters<typeof core.openMesh>[0] {
+  const positions: number[] = [];
+  const corners: number[] = [];
+  for (let ring = 0; ring < rings; ring++)
+    for (let i = 0; i < around; i++) {
+      const [radius, angle] = [(ring + 1) / rings, (2 * Math.PI * i) / around];
+      const bulge = radius ** 3 * Math.cos(feet * angle);
+      const out = radius * (1 + 0.15 * bulge);
+      positions.push(6 * out * Math.cos(angle), 6 * out * Math.sin(angle), 3 * (1 - radius ** 2) - bulge);
+      const [a, b] = [ring * around + i, ring * around + ((i + 1) % around)];
+      if (ring + 1 < rings) corners.push(a, b, b + around, a + around);
+    }
+  return {
+    positions: Float64Array.from(positions),
+    faceStart: Int32Array.from({ length: corners.length / 4 + 1 }, (_, i) => 4 * i),
+    faceVertices: Int32Array.from(corners),
+  };
+}
+
 test('on a tube, whose borders have no corners, there are some at each end', () => {
   const net = shape('tube:vertices=900');
   const vertices = proposedHandles(net).map(({ vertex }) => vertex);

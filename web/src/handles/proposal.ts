@@ -1,5 +1,6 @@
-/** Handles to begin with on a net that has none: on each piece the outer corners of its border, or where it has no border with
- *  such, the vertices that lie farthest out, such as the limbs of a body. One is to be dragged while the others hold the piece. */
+/** Handles to begin with on a net that has none: on each piece the outer corners of its border, or else where that reaches farthest
+ *  out, such as the feet of a shell, or where it has neither, the vertices that lie farthest out, such as the limbs of a body. One is
+ *  to be dragged while the others hold the piece. */
 import type { HandleSeed } from '../document/document';
 import type { OpenedNet } from '../worker/protocol';
 import { type Away, distancesAround } from './around';
@@ -14,6 +15,8 @@ const [WITH_BORDER, CLOSED] = [4, 6];
 const LEAST_APART = 0.4;
 /** The largest pieces only: a file may have hundreds. */
 const MOST_PIECES = 4;
+/** A border reaches out where it comes back by more than this part of the way from the middle to the farthest vertex on either side. */
+const LEAST_PROMINENCE = 0.1;
 
 /** The last one is free, on the largest piece. */
 export function proposedHandles(net: OpenedNet): HandleSeed[] {
@@ -39,16 +42,38 @@ function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
   const away = distancesAround(net, [middleOf(net, piece)], Infinity);
   const loop = longestLoop(net, new Set(piece));
   const corners = loop ? cornersOf(net, loop).filter((vertex) => pointsOut(net, loop, vertex, away)) : [];
-  const areHolding = corners.length >= FEWEST && corners.length <= MOST;
-  const vertices = areHolding ? corners : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
+  const ofBorder = [corners, loop ? peaksOf(loop, away) : []].find(({ length }) => length >= FEWEST && length <= MOST);
+  const vertices = ofBorder ?? farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
   const outwards = vertices.sort((a, b) => away.get(a)!.distance - away.get(b)!.distance);
   return outwards.map((vertex, i, { length }) => ({ vertex, target: null, anchor: i + 1 < length }));
 }
 
-/** Whether a corner of a border is no notch in it: farther from the middle than the border beside it. */
+/** Whether a corner of a border is no notch in it, nor the inner end of a slit: farther from the middle than the border beside it, and
+ *  as far as a limb would be. */
 function pointsOut(net: OpenedNet, loop: readonly number[], vertex: number, away: ReadonlyMap<number, Away>): boolean {
   const [before = 0, after = 0] = besideOn(net, loop, vertex).map((each) => away.get(each)!.distance);
-  return 2 * away.get(vertex)!.distance > before + after;
+  const { distance } = away.get(vertex)!;
+  return 2 * distance > before + after && distance > LEAST_APART * farthest(away)[1];
+}
+
+/** Where a border lies farther from the middle than all of it as far as it must come back before it goes farther still. */
+function peaksOf(loop: readonly number[], away: ReadonlyMap<number, Away>): number[] {
+  const distances = loop.map((vertex) => away.get(vertex)!.distance);
+  const least = LEAST_PROMINENCE * farthest(away)[1];
+  return loop.filter((_, at) => [-1, 1].every((step) => comesBack(distances, at, step) > least));
+}
+
+/** By how much a loop of distances falls from one of them on, this way round, before it is greater; an equal one counts as such on
+ *  one of the two ways. */
+function comesBack(distances: readonly number[], at: number, step: number): number {
+  const here = distances[at]!;
+  let lowest = here;
+  for (let k = 1; k < distances.length; k++) {
+    const next = distances.at((at + k * step) % distances.length)!;
+    if (next > here || (next === here && step > 0)) break;
+    lowest = Math.min(lowest, next);
+  }
+  return here - lowest;
 }
 
 function longestLoop(net: OpenedNet, piece: ReadonlySet<number>): number[] | undefined {
