@@ -18,8 +18,51 @@ constexpr double k_pi = std::numbers::pi;
 // than the cells of a net of a thousand.
 constexpr double k_part_of_size = 1. / 30;
 constexpr int k_heat_steps = 3;
+// Noise of a scan is as wide as its edges: before that the surface is smoothed over so many, if they are not longer
+// than this part of what curvature is smoothed over.
+constexpr double k_edges_of_noise = 2, k_part_of_radius = 0.5;
 // Round a hole that less than this would fill, 6°, lines of a net come back to themselves nearly.
 constexpr double k_flat = 0.1;
+
+double mean_edge(const Surface& surface) {
+    double sum = 0;
+    for (int side = 0; side < 3 * surface.face_count(); ++side)
+        sum += (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
+    return sum / (3. * surface.face_count());
+}
+
+Positions without_noise(const Surface& surface, double radius) {
+    const double width = std::min(k_edges_of_noise * mean_edge(surface), k_part_of_radius * radius);
+    const HeatStep step(surface, width * width);
+    Positions x = surface.positions();
+    for (int coordinate = 0; coordinate < 3; ++coordinate)
+        x.row(coordinate) += step.change(x.row(coordinate).transpose()).transpose();
+    return x;
+}
+
+Eigen::VectorXd angle_defects_at(const Surface& surface, const Positions& x) {
+    Eigen::VectorXd defects(surface.vertex_count());
+    for (int v = 0; v < surface.vertex_count(); ++v) defects[v] = surface.is_boundary(v) ? k_pi : 2 * k_pi;
+    for (int side = 0; side < 3 * surface.face_count(); ++side) {
+        const int v = surface.from(side);
+        const Eigen::Vector3d a = x.col(surface.to(side)) - x.col(v);
+        const Eigen::Vector3d b = x.col(surface.from(Surface::previous(side))) - x.col(v);
+        defects[v] -= std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    return defects;
+}
+
+Eigen::VectorXd inner_part(const Surface& surface, Eigen::VectorXd defects) {
+    for (int v = 0; v < surface.vertex_count(); ++v)
+        if (surface.is_boundary(v)) defects[v] = 0;
+    return defects;
+}
+
+Eigen::VectorXd spread_over(const Surface& surface, double radius, Eigen::VectorXd defects) {
+    const HeatStep step(surface, radius * radius / k_heat_steps);
+    for (int k = 0; k < k_heat_steps; ++k) defects = step.spread(defects);
+    return defects;
+}
 
 int boundary_side_count(const Surface& surface) {
     int count = 0;
@@ -112,31 +155,13 @@ std::string sentence_of(const SurfaceReport& report) {
 
 }  // namespace
 
-Eigen::VectorXd angle_defects(const Surface& surface) {
-    Eigen::VectorXd defects(surface.vertex_count());
-    for (int v = 0; v < surface.vertex_count(); ++v) defects[v] = surface.is_boundary(v) ? k_pi : 2 * k_pi;
-    const Positions& x = surface.positions();
-    for (int side = 0; side < 3 * surface.face_count(); ++side) {
-        const int v = surface.from(side);
-        const Eigen::Vector3d a = x.col(surface.to(side)) - x.col(v);
-        const Eigen::Vector3d b = x.col(surface.from(Surface::previous(side))) - x.col(v);
-        defects[v] -= std::atan2(a.cross(b).norm(), a.dot(b));
-    }
-    return defects;
-}
+Eigen::VectorXd angle_defects(const Surface& surface) { return angle_defects_at(surface, surface.positions()); }
 
-Eigen::VectorXd inner_defects(const Surface& surface) {
-    Eigen::VectorXd defects = angle_defects(surface);
-    for (int v = 0; v < surface.vertex_count(); ++v)
-        if (surface.is_boundary(v)) defects[v] = 0;
-    return defects;
-}
+Eigen::VectorXd inner_defects(const Surface& surface) { return inner_part(surface, angle_defects(surface)); }
 
 Eigen::VectorXd smoothed_angle_defects(const Surface& surface, double radius) {
-    const HeatStep step(surface, radius * radius / k_heat_steps);
-    Eigen::VectorXd defects = inner_defects(surface);
-    for (int k = 0; k < k_heat_steps; ++k) defects = step.spread(defects);
-    return defects;
+    const Eigen::VectorXd defects = angle_defects_at(surface, without_noise(surface, radius));
+    return spread_over(surface, radius, inner_part(surface, defects));
 }
 
 TotalCurvature total_curvature(const Eigen::VectorXd& defects) {
@@ -169,10 +194,10 @@ SurfaceReport describe(const Surface& surface) {
     report.boundary_loops = static_cast<int>(surface.boundary_loops().size());
     report.genus = genus_of(surface, report.components, report.boundary_loops);
     report.area = surface.area();
-    const Eigen::VectorXd defects = angle_defects(surface);
     report.curvature = total_curvature(inner_defects(surface));
     const double radius = k_part_of_size * std::sqrt(surface.area());
-    const Eigen::VectorXd smoothed = smoothed_angle_defects(surface, radius);
+    const Eigen::VectorXd defects = angle_defects_at(surface, without_noise(surface, radius));
+    const Eigen::VectorXd smoothed = spread_over(surface, radius, inner_part(surface, defects));
     report.smoothed_curvature = total_curvature(smoothed);
     report.hardest_curvature = hardest_curvature(surface, components, smoothed);
     report.prospect = prospect_of(report, most_curved_hole(surface, components, defects));

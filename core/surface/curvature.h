@@ -15,9 +15,10 @@ Eigen::VectorXd angle_defects(const Surface& surface);
 /// The same of inner vertices only; 0 on the boundary.
 Eigen::VectorXd inner_defects(const Surface& surface);
 
-/// The inner defects as heat spreads them over about `radius` (> 0): three implicit steps with the cotangent Laplacian
-/// (Pinkall & Polthier 1993), whose negative weights are set to 0. Their sum remains; what changes its sign within the
-/// radius, as noise does, cancels.
+/// The inner defects of the surface without its noise, as heat spreads them over about `radius` (> 0). The surface is
+/// smoothed over two edges, or half the radius if that is less, by an implicit step with the cotangent Laplacian
+/// (Pinkall & Polthier 1993), whose negative weights are set to 0; the defects by three. So the sum remains, but for a
+/// few percent at a border; what changes its sign within the radius cancels.
 Eigen::VectorXd smoothed_angle_defects(const Surface& surface, double radius);
 
 /// The integral of Gaussian curvature over what is curved one way, and over what is curved the other; radians.

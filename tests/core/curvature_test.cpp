@@ -84,6 +84,22 @@ TEST_CASE("Smoothing keeps the sum and takes the noise away") {
     CHECK(smooth.positive == Approx(4 * samples::k_pi).epsilon(0.02));
 }
 
+TEST_CASE("Noise of a quarter of an edge leaves what is known of the shape, its border and its hole") {
+    constexpr double edge = 1. / 40, noise = edge / 4;
+    const Mesh hypar = samples::graph(81, 1, saddle);
+    const SurfaceReport smooth = describe(Surface(hypar)), rough = describe(Surface(noisy(hypar, noise)));
+    CHECK(rough.curvature.positive > 50 * samples::k_pi);
+    CHECK(rough.smoothed_curvature.positive < 0.1 * samples::k_pi);
+    CHECK(rough.smoothed_curvature.negative == Approx(smooth.smoothed_curvature.negative).epsilon(0.15));
+    CHECK(rough.sentence == smooth.sentence);
+
+    const Mesh plate = samples::quads(160, 20, true, false, [&](int i, int j) {
+        const double u = 2 * samples::k_pi * i / 160, r = 0.5 + edge * j;
+        return Eigen::Vector3d(r * std::cos(u), r * std::sin(u), 0);
+    });
+    CHECK(describe(Surface(noisy(plate, noise / 4))).prospect == Prospect::one_piece);
+}
+
 TEST_CASE("A sentence says what one net can do") {
     const auto sentence = [](const Mesh& mesh) { return describe(Surface(mesh)).sentence; };
     CHECK(sentence(samples::graph(30, 1, saddle)) == "One uncut piece will cover it.");
