@@ -140,3 +140,18 @@ test('what is left out, or given as undefined, is as if nobody had spoken of it'
   await script.setLocality(null);
   expect(app.opening!.document.locality).toBeUndefined();
 });
+
+test('calls that are sent together are carried out in this order, whatever each has to load first', async () => {
+  const { script, solve } = await pageWithDome();
+  const { vertex } = (script.handles() as { vertex: number }[]).at(-1)!;
+  const moved = [script.setHandles([{ vertex: 0, anchor: true }, { vertex }]), script.move(vertex, [1, 2, 3])];
+  await moved[0];
+  await solve();
+  await moved[1];
+  expect(script.handles()).toMatchObject([{ vertex: 0 }, { vertex, target: [1, 2, 3] }]);
+
+  const refused = refusal(() => script.setHandles([{ vertex: 1e6 }]));
+  await Promise.all([script.open({ recipe: 'vault:vertices=100' }), script.setHandles([{ vertex: 3 }])]);
+  expect(await refused).toMatchObject({ code: 'index_out_of_range' });
+  expect(script.handles()).toMatchObject([{ vertex: 3 }]);
+});

@@ -9,7 +9,8 @@
  *
  * Vertices count from 0. Every failure is a rejected promise: an `Error` whose `code` is "bad_arguments" or a name from
  * core/base/error.h, e.g. "index_out_of_range", and whose message says what was wrong in the visitor's language. All waits
- * for the page to be ready.
+ * for the page to be ready. Calls need not be awaited: changes are made in the order they were asked for, and what gives a
+ * promise tells of the net after those before it.
  */
 import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport, ToRest } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
@@ -98,64 +99,68 @@ declare global {
 
 /** @param ready resolves when the first net is open, or could not be. */
 export function createScripting(app: App, ready: Promise<void>): Scripting {
+  /** Ends when the changes asked for so far have. */
+  let earlier = ready;
+  /** Changes are made one after another, in the order they were asked for, whatever each has to load first. */
+  const change = <T>(making: () => Promise<T>): Promise<T> => {
+    const made = earlier.then(making);
+    earlier = made.then(nothing, nothing);
+    return made;
+  };
   return {
-    open: async (net) => {
-      const given = (await reading()).readNet(argument('net', net));
-      await ready;
-      await app.openNet('recipe' in given ? given : { name: 'net.obj', ...given });
-    },
-    setHandles: async (handles) => {
-      const given = (await reading()).readHandles(argument('handles', handles));
-      await ready;
-      await app.handles.set(given.map((handle) => handleOf(app, handle)));
-    },
+    open: (net) =>
+      change(async () => {
+        const given = (await reading()).readNet(argument('net', net));
+        await app.openNet('recipe' in given ? given : { name: 'net.obj', ...given });
+      }),
+    setHandles: (handles) =>
+      change(async () => {
+        const given = (await reading()).readHandles(argument('handles', handles));
+        await app.handles.set(given.map((handle) => handleOf(app, handle)));
+      }),
+    // No other change waits for it: of many moves the newest win.
     move: async (vertex, target) => {
       const given = { vertex: readVertex(vertex), target: argument('target', target).point() };
-      await ready;
+      await earlier;
       await app.handles.move([given], `move ${vertex}`);
     },
-    setLocality: async (radius) => {
-      const given = (await reading()).readLocality(argument('radius', radius));
-      await ready;
-      app.handles.setLocality(given ?? undefined);
-    },
-    setGuide: async (surface) => {
-      const { guideOf, readGuide } = await reading();
-      const given = readGuide(argument('surface', surface));
-      await ready;
-      await app.setGuide(given === null ? undefined : guideOf(given));
-    },
+    setLocality: (radius) =>
+      change(async () => {
+        const given = (await reading()).readLocality(argument('radius', radius));
+        app.handles.setLocality(given ?? undefined);
+      }),
+    setGuide: (surface) =>
+      change(async () => {
+        const { guideOf, readGuide } = await reading();
+        const given = readGuide(argument('surface', surface));
+        await app.setGuide(given === null ? undefined : guideOf(given));
+      }),
     describe: async (surface) => (await surfaces()).describe(argument('surface', surface)),
-    drape: async (surface, options = {}) => {
-      await ready;
-      return (await surfaces()).drape(app, argument('surface', surface), argument('options', options));
-    },
-    remesh: async (surface, options = {}, watch = {}) => {
-      await ready;
-      return (await surfaces()).remesh(
-        app,
-        argument('surface', surface),
-        argument('options', options),
-        argument('watch', watch),
-      );
-    },
+    drape: (surface, options = {}) =>
+      change(async () => (await surfaces()).drape(app, argument('surface', surface), argument('options', options))),
+    remesh: (surface, options = {}, watch = {}) =>
+      change(async () =>
+        (await surfaces()).remesh(
+          app,
+          argument('surface', surface),
+          argument('options', options),
+          argument('watch', watch),
+        ),
+      ),
     report: async () => {
-      await ready;
+      await earlier;
       return (await surfaces()).report(app);
     },
     settled: async () => {
-      await ready;
+      await earlier;
       await app.settled();
     },
     positions: () => Float64Array.from(app.opening?.frame.positions ?? []),
     edges: () => Int32Array.from(app.opening?.net.edges ?? []),
     handles: () => structuredClone(app.opening?.document.handles ?? []),
     stats: () => stats(app),
-    setOptions: async (options) => {
-      const given = (await reading()).readOptions(argument('options', options));
-      await ready;
-      await setOptions(app, given);
-    },
+    setOptions: (options) =>
+      change(async () => setOptions(app, (await reading()).readOptions(argument('options', options)))),
     on: (event: AppEvent, listener: (error: ChebnetError) => void) => {
       const call = argument('listener', listener).function<typeof listener>();
       return app.on(argument('event', event).oneOf(['frame', 'settled', 'error']), (error) =>
@@ -164,7 +169,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     },
     screenPosition: (vertex) => app.screenPosition(readVertex(vertex)),
     link: async () => {
-      await ready;
+      await earlier;
       const { hashOf } = await linking();
       const { hash } = hashOf(app);
       if (hash === null) throw new Failure('too_large', 'This net is too large for a link.');
@@ -172,6 +177,8 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     },
   };
 }
+
+function nothing(): void {}
 
 /** What a script gave as the argument that messages call `name`. */
 function argument(name: string, value: unknown): Untrusted {

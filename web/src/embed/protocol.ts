@@ -23,6 +23,9 @@
  *     settled(), positions(), edges(), handles(), stats(), screenPosition(vertex), link()
  *     on('frame' | 'settled' | 'error'), off(…)
  *
+ * Calls may be sent together: those that change the net are carried out in this order, and `settled`, `report` and `link` tell
+ * of what came of those before. `positions`, `edges`, `handles`, `stats` and `screenPosition` are answered at once.
+ *
  * At most 100 calls may wait for their answers; more are refused as `busy`.
  *
  * A frame with a `sandbox` needs `allow-scripts allow-same-origin`. Without the second a browser gives the page no origin and
