@@ -7,6 +7,8 @@
  */
 
 const LARGEST_INT = 2 ** 31 - 1;
+/** Of coordinates: k_largest_size of core/net/net.h. */
+const FARTHEST = 1e150;
 /** @satisfies {readonly (keyof TraceRow)[]} */
 const TRACE_COLUMNS = /** @type {const} */ ([
   'iteration',
@@ -40,6 +42,17 @@ function text(value, what, code) {
   return value;
 }
 
+/** @template {object} T @param {T} value @param {string} what @returns {T} */
+function record(value, what) {
+  if (typeof value !== 'object' || value === null) throw failure('bad_option', `${what} must be an object, not ${shown(value)}`);
+  return value;
+}
+
+/** @param {unknown} value @returns {value is ArrayLike<unknown>} */
+function isList(value) {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+}
+
 /** @param {unknown} value @returns {number} */
 function vertexNumber(value) {
   if (typeof value !== 'number' || !Number.isInteger(value) || Math.abs(value) > LARGEST_INT) {
@@ -50,7 +63,7 @@ function vertexNumber(value) {
 
 /** @param {unknown} value @param {string} what @returns {Point} */
 function triple(value, what) {
-  const [x, y, z] = Array.isArray(value) && value.length === 3 ? value : [];
+  const [x, y, z] = isList(value) && value.length === 3 ? Array.from(value) : [];
   if (typeof x !== 'number' || typeof y !== 'number' || typeof z !== 'number') {
     throw failure('non_finite', `${what} must be 3 numbers`);
   }
@@ -60,6 +73,16 @@ function triple(value, what) {
 /** @param {unknown} value @param {number} vertex @returns {Point} */
 function point(value, vertex) {
   return triple(value, `the target of vertex ${vertex}`);
+}
+
+/** Where a handle is to be. @param {unknown} value @param {number} vertex @returns {Point} */
+function target(value, vertex) {
+  const place = point(value, vertex);
+  const isTooFar = (/** @type {number} */ each) => Number.isFinite(each) && Math.abs(each) > FARTHEST;
+  if (place.some(isTooFar)) {
+    throw failure('bad_scale', `the target of vertex ${vertex} is beyond ${FARTHEST}, farther away than any net can be`);
+  }
+  return place;
 }
 
 /** @param {unknown} value @param {string} what @returns {Point} */
@@ -98,7 +121,7 @@ function flatHandles(handles) {
   if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
   return {
     vertices: Int32Array.from(handles, (handle) => vertexNumber(handle?.vertex)),
-    targets: Float64Array.from(handles.flatMap((handle) => point(handle.target, handle.vertex))),
+    targets: Float64Array.from(handles.flatMap((handle) => target(handle.target, handle.vertex))),
     weights: Float64Array.from(handles, ({ weight = Infinity }) => size(weight, 'the weight of a handle')),
     slides: Int32Array.from(handles, ({ slides }) => axesNumber(slides)),
   };
@@ -108,7 +131,7 @@ function flatHandles(handles) {
 function flatLocality({ radius, origins, heldAt }, numbers) {
   return {
     radius: size(radius, 'a locality'),
-    origins: Int32Array.from(origins, vertexNumber),
+    origins: numbersOf(origins, 'the origins of a locality'),
     heldAt: heldAt === undefined ? new Float64Array() : allPositions(heldAt, numbers),
   };
 }
@@ -136,7 +159,8 @@ function wholeCore(core) {
 }
 
 /** @param {Budget} budget @returns {[number, number]} iterations and milliseconds */
-function limits({ iterations = LARGEST_INT, milliseconds = Infinity }) {
+function limits(budget) {
+  const { iterations = LARGEST_INT, milliseconds = Infinity } = record(budget, 'a budget');
   if (typeof milliseconds !== 'number' || !(milliseconds >= 0)) {
     throw failure('bad_option', `a budget of milliseconds must be a number from 0, not ${shown(milliseconds)}`);
   }
@@ -267,12 +291,13 @@ class WasmEditor {
   }
 
   /** @param {EditState} state */
-  setState({ handles, method, initialisation, options, locality, positions }) {
+  setState(state) {
+    const { handles, method, initialisation, options, locality, positions } = record(state, 'the state of an edit');
     const numbers = this.restPositions.length;
     this.#open.setState(
       text(method, 'the name of a method', 'bad_option'),
       text(initialisation, 'an initialisation', 'bad_option'),
-      Object.entries(options).flatMap(([name, value]) => option(name, value)),
+      Object.entries(record(options, 'the options of an edit')).flatMap(([name, value]) => option(name, value)),
       flatHandles(handles),
       locality ? flatLocality(locality, numbers) : null,
       allPositions(positions, numbers),
@@ -326,17 +351,17 @@ class WasmEditor {
 
   /** @param {number} radius @param {readonly number[]} origins */
   mobility(radius, origins) {
-    return this.#open.mobility(size(radius, 'a locality'), Int32Array.from(origins, vertexNumber));
+    return this.#open.mobility(size(radius, 'a locality'), numbersOf(origins, 'the origins of a locality'));
   }
 
-  /** @param {number} vertex @param {readonly [number, number, number]} target */
-  moveHandle(vertex, target) {
-    this.#open.moveHandle(vertexNumber(vertex), ...point(target, vertex));
+  /** @param {number} vertex @param {readonly [number, number, number]} place */
+  moveHandle(vertex, place) {
+    this.#open.moveHandle(vertexNumber(vertex), ...target(place, vertex));
   }
 
-  /** @param {number} vertex @param {readonly [number, number, number]} target @param {Axes} [along] */
-  dragHandle(vertex, target, along) {
-    this.#open.dragHandle(vertexNumber(vertex), ...point(target, vertex), axesNumber(along));
+  /** @param {number} vertex @param {readonly [number, number, number]} place @param {Axes} [along] */
+  dragHandle(vertex, place, along) {
+    this.#open.dragHandle(vertexNumber(vertex), ...target(place, vertex), axesNumber(along));
   }
 
   releaseHandles() {
@@ -524,12 +549,13 @@ class WasmExactChange {
 
 /** @param {readonly number[]} numbers @param {string} what */
 function numbersOf(numbers, what) {
-  if (!Array.isArray(numbers)) throw failure('bad_option', `${what} must be an array, not ${shown(numbers)}`);
+  if (!isList(numbers)) throw failure('bad_option', `${what} must be an array, not ${shown(numbers)}`);
   return Int32Array.from(numbers, vertexNumber);
 }
 
 /** @param {Core} core @param {Mesh} original @param {EqualizeOptions} options */
-function newEqualizer(core, original, { length = 'mean', handles = [], method, shearLimit = Math.PI / 6, guide }) {
+function newEqualizer(core, original, options) {
+  const { length = 'mean', handles = [], method, shearLimit = Math.PI / 6, guide } = record(options, 'options of equalising');
   const vertices = numbersOf(handles, 'handles');
   const [choice, number] = typeof length === 'number' ? ['given', length] : [text(length, 'a length', 'bad_option'), 0];
   return new WasmEqualizer(
@@ -545,7 +571,8 @@ function newEqualizer(core, original, { length = 'mean', handles = [], method, s
 }
 
 /** @param {ChangedMesh} changed @returns {ChangedMesh} */
-function changedMesh({ mesh: given, origins, lengthFactor, keepsEdges }) {
+function changedMesh(changed) {
+  const { mesh: given, origins, lengthFactor, keepsEdges } = record(changed, 'a changed mesh');
   if (!(origins instanceof Int32Array)) throw failure('bad_syntax', 'the origins of a changed mesh must be an Int32Array');
   return {
     mesh: mesh(given),
@@ -556,18 +583,9 @@ function changedMesh({ mesh: given, origins, lengthFactor, keepsEdges }) {
 }
 
 /** @param {DrapeOptions} options @returns {CoreDrapeOptions} */
-function allDrapeOptions({
-  seed,
-  direction,
-  length,
-  angle = Math.PI / 2,
-  smallestAngle = Math.PI / 6,
-  reach,
-  border,
-  arms,
-  along = [],
-  leave = 0,
-}) {
+function allDrapeOptions(options) {
+  const { seed, direction, length, angle = Math.PI / 2, smallestAngle = Math.PI / 6 } = record(options, 'options of draping');
+  const { reach, border, arms, along = [], leave = 0 } = options;
   return {
     seed: triple(seed, 'the seed'),
     direction: triple(direction, 'the direction'),
@@ -591,6 +609,31 @@ function list(value, what) {
 /** @param {readonly Readonly<Point>[]} points @param {string} what */
 function curvePoints(points, what) {
   return Float64Array.from(list(points, what).flatMap((point) => finite(point, `a point of ${what}`)));
+}
+
+/** @param {RemeshOptions} options */
+function allRemeshOptions(options) {
+  const { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, fewest = false } = record(options, 'options of a net over a surface');
+  const { crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = options;
+  return {
+    cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
+    length: size(length, 'an edge length'),
+    smallestAngle: size(smallestAngle, 'the shear limit'),
+    smoothing: size(smoothing, 'the smoothing'),
+    fewest: fewest === true,
+    crease: size(crease, 'the angle of creases'),
+    markedCreases: list(markedCreases, 'marked creases').map((points) => curvePoints(points, 'a marked crease')),
+    border: /** @type {'fitting' | 'always' | 'across' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
+    singular: list(singular, 'singular vertices').map((each) => ({
+      point: finite(record(each, 'a singular vertex').point, 'the place of a singular vertex'),
+      valence: /** @type {3 | 5 | 6} */ (integer(each.valence, 'the valence of a singular vertex', 3, LARGEST_INT)),
+    })),
+    forbidden: list(forbidden, 'forbidden regions').map((each) => ({
+      centre: finite(record(each, 'a forbidden region').centre, 'the centre of a forbidden region'),
+      radius: size(each.radius, 'the radius of a forbidden region'),
+    })),
+    only: only === true,
+  };
 }
 
 /** @implements {Surface} */
@@ -646,7 +689,7 @@ class WasmSurface {
 
   /** @param {readonly (readonly Readonly<Point>[])[]} cuts */
   cut(cuts) {
-    return new WasmSurface(this.#open.cut(cuts.map((points) => curvePoints(points, 'a cut'))));
+    return new WasmSurface(this.#open.cut(list(cuts, 'cuts').map((points) => curvePoints(points, 'a cut'))));
   }
 
   /** @param {readonly Readonly<Point>[]} points */
@@ -669,31 +712,10 @@ class WasmSurface {
     return this.#open.proposeCuts(allDrapeOptions(options), integer(most, 'a number of cuts', 1, 100));
   }
 
-  /** @param {RemeshOptions} options @param {(phase: RemeshPhase, done: number) => void} progress */
-  remesh(
-    { cells = 4000, length = 0, smallestAngle = Math.PI / 6, smoothing = 1, fewest = false, crease = 0, markedCreases = [], border = 'fitting', singular = [], forbidden = [], only = false } = {},
-    progress = () => {},
-  ) {
-    const options = {
-      cells: integer(cells, 'a number of cells', 1, LARGEST_INT),
-      length: size(length, 'an edge length'),
-      smallestAngle: size(smallestAngle, 'the shear limit'),
-      smoothing: size(smoothing, 'the smoothing'),
-      fewest: fewest === true,
-      crease: size(crease, 'the angle of creases'),
-      markedCreases: list(markedCreases, 'marked creases').map((points) => curvePoints(points, 'a marked crease')),
-      border: /** @type {'fitting' | 'always' | 'across' | 'never'} */ (text(border, 'what happens at the border', 'bad_option')),
-      singular: list(singular, 'singular vertices').map(({ point, valence }) => ({
-        point: finite(point, 'the place of a singular vertex'),
-        valence: /** @type {3 | 5 | 6} */ (integer(valence, 'the valence of a singular vertex', 3, LARGEST_INT)),
-      })),
-      forbidden: list(forbidden, 'forbidden regions').map(({ centre, radius }) => ({
-        centre: finite(centre, 'the centre of a forbidden region'),
-        radius: size(radius, 'the radius of a forbidden region'),
-      })),
-      only: only === true,
-    };
-    return this.#open.remesh(options, progress);
+  /** @param {RemeshOptions} [options] @param {(phase: RemeshPhase, done: number) => void} [progress] */
+  remesh(options = {}, progress = () => {}) {
+    if (typeof progress !== 'function') throw failure('bad_option', `progress must be a function, not ${shown(progress)}`);
+    return this.#open.remesh(allRemeshOptions(options), progress);
   }
 
   /** @param {Mesh} net */
@@ -743,21 +765,25 @@ function facade(core) {
       }
       return core.repairMesh(mesh(given), defects(chosen), mergeTolerance);
     },
-    change: (given, name, { vertices = [], edges = [] } = {}) =>
-      core.change(
+    change: (given, name, place = {}) => {
+      const { vertices = [], edges = [] } = record(place, 'the place of a change');
+      return core.change(
         mesh(given),
         text(name, 'the name of a change', 'bad_option'),
         numbersOf(vertices, 'vertices'),
         numbersOf(edges, 'edges'),
-      ),
-    exactChange: (changed, { length, held = [], shearLimit = Math.PI / 6 }) =>
-      new WasmExactChange(
+      );
+    },
+    exactChange: (changed, options) => {
+      const { length, held = [], shearLimit = Math.PI / 6 } = record(options, 'options of an exact change');
+      return new WasmExactChange(
         core.exactChange(changedMesh(changed), {
           length: length === null ? null : size(length, 'the length of edges'),
           held: numbersOf(held, 'vertices that are held'),
           shearLimit: size(shearLimit, 'the shear limit'),
         }),
-      ),
+      );
+    },
     equalizer: (original, options = {}) => newEqualizer(core, original, options),
     openSurface: (given) => new WasmSurface(withSurfaces(core).openSurface(mesh(given))),
     ownSurfaces: () => withSurfaces(core).ownSurfaces(),

@@ -273,6 +273,26 @@ describe('errors', () => {
     ['a budget below 0', 'bad_option', /budget/, () => editor.solve({ iterations: -1 })],
     ['a budget of NaN ms', 'bad_option', /budget/, () => editor.solve({ milliseconds: NaN })],
     ['18 digits', 'bad_option', /digits/, () => editor.toObj(18)],
+    ['a state that is none', 'bad_option', /state of an edit/, () => editor.setState(null as never)],
+    [
+      'options that are none',
+      'bad_option',
+      /options/,
+      () => editor.setState({ ...editor.state(), options: null as never }),
+    ],
+    ['a budget that is none', 'bad_option', /budget/, () => editor.solve(null as never)],
+    ['a locality of no vertices', 'bad_option', /origins/, () => editor.setLocality(3, undefined as never)],
+    ['a mobility of no vertices', 'bad_option', /origins/, () => editor.mobility(3, null as never)],
+    ['no options of draping', 'bad_option', /draping/, () => surface().drape(undefined as never)],
+    ['no options of a net over it', 'bad_option', /over a surface/, () => surface().remesh(null as never)],
+    ['a mark that is none', 'bad_option', /singular/, () => surface().remesh({ singular: [null as never] })],
+    ['a region that is none', 'bad_option', /region/, () => surface().remesh({ forbidden: [null as never] })],
+    ['progress that is none', 'bad_option', /progress/, () => surface().remesh({}, 'often' as never)],
+    ['cuts that are none', 'bad_option', /cuts/, () => surface().cut(null as never)],
+    ['no options of equalising', 'bad_option', /equalising/, () => chebnet.equalizer(square(), null as never)],
+    ['a place that is none', 'bad_option', /place/, () => chebnet.change(square(), 'refine', null as never)],
+    ['no changed mesh', 'bad_option', /changed mesh/, () => chebnet.exactChange(null as never, { length: null })],
+    ['no options of a change', 'bad_option', /exact change/, () => chebnet.exactChange(null as never, null as never)],
   ];
 
   test.each(cases)('%s', (_, code, message, action) => {
@@ -280,6 +300,27 @@ describe('errors', () => {
     expect(error).toBeInstanceOf(Error);
     expect(error.code).toBe(code);
     expect(error.message).toMatch(message);
+  });
+
+  test('a target is refused where no net can be, however it is given', () => {
+    editor.setHandles([handle(3)]);
+    const far: Handle['target'] = [0, -1e151, 0];
+    const ways = [
+      () => editor.setHandles([handle(3, far)]),
+      () => editor.moveHandle(3, far),
+      () => editor.dragHandle(3, far),
+      () => editor.setState({ ...editor.state(), handles: [handle(3, far)] }),
+    ];
+    for (const way of ways)
+      expect(failure(way)).toMatchObject({ code: 'bad_scale', message: expect.stringMatching(/vertex 3 .*1e\+150/) });
+    expect(editor.handles()).toEqual([handle(3)]);
+  });
+
+  test('points and numbers of vertices may be typed arrays', () => {
+    editor.setHandles([handle(3, Float64Array.of(1, 2, 3) as never)]);
+    expect(editor.handles()).toEqual([handle(3, [1, 2, 3])]);
+    editor.setLocality(3, Int32Array.of(3) as never);
+    expect(editor.state().locality?.origins).toEqual([3]);
   });
 
   test('leave the editor as it was', () => {
@@ -321,6 +362,10 @@ test('memory does not grow with editors disposed', () => {
   expect(bytes()).toBe(before);
   expect(chebnet.memory()).toBe(before);
 });
+
+const surface = () => chebnet.ownSurface('hypar');
+
+const square = () => chebnet.readMesh(new TextEncoder().encode(SQUARE), 'square.obj');
 
 function handle(vertex: number, target: Handle['target'] = [0, 0, 0]): Handle {
   return { vertex, target };
