@@ -61,6 +61,7 @@ test('only what a call needs is passed on', async () => {
 
 test.each([
   ['a call that is none', 'unknown_call', 'close', []],
+  ['a call without a name', 'unknown_call', 5, []],
   ['the name of something inherited', 'unknown_call', 'constructor', []],
   ['a net that is none', 'bad_arguments', 'open', [null]],
   ['a recipe that is no text', 'bad_arguments', 'open', [{ recipe: 5 }]],
@@ -89,6 +90,7 @@ test.each([
   ['null', null],
   ['of another version', { chebnet: 2, id: 1, call: 'stats' }],
   ['without an id', { chebnet: 1, call: 'stats' }],
+  ['without a call', { chebnet: 1, id: 1, result: 7 }],
   ['with an id that is too long', { chebnet: 1, id: 'x'.repeat(65), call: 'stats' }],
 ])('a message %s is not answered', async (_, data) => {
   await host.receive(data);

@@ -118,9 +118,30 @@ test.each<[call: keyof Scripting, given: unknown[], code: string]>([
     'index_out_of_range',
   ],
   ['setOptions', [{ no_such_option: 1 }], 'bad_option'],
+  ['move', [0, [0, 0, 1e308]], 'bad_scale'],
 ])('what only the core can judge it refuses: %s(%j)', async (call, given, code) => {
   const { script } = await pageWithDome();
   expect(await refusal(() => script[call](...given))).toMatchObject({ code });
+});
+
+test('a vertex that the net has not got is seen nowhere', async () => {
+  const { script, app } = await pageWithDome();
+  const { vertices } = app.opening!.net.info;
+  expect(script.screenPosition(vertices - 1)).toBeUndefined(); // there is no picture here
+  expect(await refusal(() => script.screenPosition(vertices))).toMatchObject({
+    code: 'index_out_of_range',
+    message: `vertex must be a whole number from 0 to ${vertices - 1}`,
+  });
+});
+
+test('points may be typed arrays', async () => {
+  const { script, solve } = await pageWithDome();
+  await script.setHandles([{ vertex: 3, target: Float64Array.of(1, 2, 3) }]);
+  await solve();
+  await script.move(3, Float32Array.of(4, 5, 6));
+  expect(script.handles()).toMatchObject([{ vertex: 3, target: [4, 5, 6] }]);
+  const refused = await refusal(() => script.move(3, new Float64Array(1e6)));
+  expect(refused).toMatchObject({ code: 'bad_arguments', message: 'target must be a point: three numbers' });
 });
 
 test('what is left out, or given as undefined, is as if nobody had spoken of it', async () => {

@@ -21,6 +21,8 @@ import { linking } from './projects/linking';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
 import { Failure } from './failure';
 import { lazy } from './lazy';
+import type { Opening } from './worker/opening';
+import type { OpenedNet } from './worker/protocol';
 import type { LaidReport, ScriptDrape, WholeReport } from './surface_script';
 
 const reading = lazy(() => import('./script_arguments'));
@@ -167,7 +169,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
         call(error as ChebnetError),
       );
     },
-    screenPosition: (vertex) => app.screenPosition(readVertex(vertex)),
+    screenPosition: (vertex) => app.screenPosition(vertexOf(openIn(app).net, readVertex(vertex))),
     link: async () => {
       await earlier;
       const { hashOf } = await linking();
@@ -190,6 +192,16 @@ function readVertex(vertex: unknown): number {
   return argument('vertex', vertex).index(2 ** 31);
 }
 
+/** For what the core is not asked. */
+function vertexOf({ info }: OpenedNet, vertex: number): number {
+  return new Untrusted(vertex, 'vertex', 'index_out_of_range').index(info.vertices);
+}
+
+function openIn(app: App): Opening {
+  if (app.opening === null) throw new Failure('no_net', 'No net is open.');
+  return app.opening;
+}
+
 function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slides }: ScriptHandle): HandleData {
   return {
     vertex,
@@ -203,8 +215,7 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slid
 }
 
 async function setOptions(app: App, given: ScriptOptions): Promise<void> {
-  const present = app.opening?.document;
-  if (present === undefined) throw new Failure('no_net', 'No net is open.');
+  const present = openIn(app).document;
   const { method = present.method, initialisation = present.initialisation, ...options } = given;
   await app.setOptions({ method, initialisation, options: { ...present.options, ...(options as SolverOptions) } });
 }

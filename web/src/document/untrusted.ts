@@ -39,9 +39,11 @@ export class Untrusted {
     return Object.keys(this.record()).map((name) => [name, this.at(name)]);
   }
 
+  /** Also one of numbers of one type. */
   list(longest = Infinity): Untrusted[] {
-    if (!Array.isArray(this.value) || this.value.length > longest) this.fail(words.fields.list);
-    return this.value.map((each: unknown, i) => this.#part(each, `${this.path}[${i}]`));
+    const { value } = this;
+    if (!isList(value) || value.length > longest) this.fail(words.fields.list);
+    return Array.from(value, (each, i) => this.#part(each, `${this.path}[${i}]`));
   }
 
   /** One of numbers of one type. */
@@ -76,7 +78,7 @@ export class Untrusted {
   }
 
   point(): Vec3 {
-    if (Array.isArray(this.value) && this.value.length > 3) this.fail(words.fields.point);
+    if (isList(this.value) && this.value.length > 3) this.fail(words.fields.point);
     const [x, y, z] = this.list();
     if (x === undefined || y === undefined || z === undefined) this.fail(words.fields.point);
     return [x.number(), y.number(), z.number()];
@@ -98,4 +100,8 @@ export class Untrusted {
   #part(value: unknown, path: string): Untrusted {
     return new Untrusted(value, path, this.code);
   }
+}
+
+function isList(value: unknown): value is ArrayLike<unknown> {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 }

@@ -104,7 +104,7 @@ function readCall(data: unknown): HostCall | null {
   if (typeof data !== 'object' || data === null) return null;
   const { chebnet, id, call } = data as Partial<HostCall>;
   const named = Number.isFinite(id) || (typeof id === 'string' && id.length <= LONGEST_ID);
-  return chebnet === 1 && named && typeof call === 'string' ? (data as HostCall) : null;
+  return chebnet === 1 && named && call !== undefined ? (data as HostCall) : null;
 }
 
 function failureOf(error: unknown): HostFailure {
