@@ -204,6 +204,26 @@ test('a line is cut, one side goes, a row comes, and a reason is given where it 
   expect(half).toBeGreaterThan(line);
 });
 
+test('a change is awaited, and undo takes back one that is under way, before and after its net is opened', async () => {
+  await script.open({ recipe: 'vault:vertices=8000' });
+  await script.settled();
+  const coarse = await vertices();
+  await press('Refine');
+  await visit.page.getByRole('dialog', { name: 'The net is being changed' }).waitFor();
+  await undo();
+  await script.settled();
+  await expect.poll(vertices).toBe(coarse);
+  expect(await visit.page.getByRole('dialog').count()).toBe(0);
+
+  await press('Refine');
+  await script.settled();
+  expect(await vertices()).toBeGreaterThan(3 * coarse);
+  // The net before is opened again; what is undone meanwhile is the step before it.
+  await undo();
+  await undo();
+  await expect.poll(vertices).toBe(net.info.vertices);
+});
+
 test('what is said of a change goes as that is undone', async () => {
   const whole = await vertices();
   await choose(net.suggestedHandles.at(-1)!);

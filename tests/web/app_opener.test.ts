@@ -107,6 +107,32 @@ test('a net is large where the core has another method, too', () => {
   expect(usualMethod({ recipe: `dome:vertices=${most + 1}` })).toBe('projection');
 });
 
+test('undo while a net is being opened takes back this net, and again the change before', async () => {
+  for (const recipe of ['dome', 'vault']) await open(recipe);
+  const answer = async () => {
+    asked.at(-1)!.answer();
+    await vi.runAllTimersAsync();
+  };
+  void opener.openScene(sceneOf('tube'));
+  const undone = [opener.goBy(-1), opener.goBy(-1)];
+  await answer();
+  expect([asked.at(-1)!.recipe, recipeNow()]).toEqual(['vault', 'tube']);
+  await answer();
+  await answer();
+  await Promise.all(undone);
+  expect([recipeNow(), state.history.present]).toEqual(['dome', 0]);
+});
+
+test('undo while a net is being opened does nothing if that fails', async () => {
+  for (const recipe of ['dome', 'vault']) await open(recipe);
+  const opening = opener.openScene(sceneOf('tube'));
+  void opener.goBy(-1);
+  asked.at(-1)!.refuse();
+  await expect(opening).rejects.toThrow('refused');
+  await vi.runAllTimersAsync();
+  expect([recipeNow(), state.history.present]).toEqual(['vault', 1]);
+});
+
 test('the first net begins the history, another is an entry to go back from', async () => {
   await open('dome');
   expect(state.history.canUndo).toBe(false);

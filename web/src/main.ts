@@ -1,6 +1,7 @@
 /** Entry point: makes the app, opens what the address asks for, and listens to keys, dropped files and the address. */
 import { App } from './app/app';
 import type { AppServices } from './app/app';
+import type { WantedChange } from './change/subject';
 import { download } from './files/download';
 import { dragged } from './files/dragged';
 import { fileNameOf } from './document/file_name';
@@ -38,7 +39,7 @@ const services: AppServices = {
   restoreLast: () => attempt(() => projects.restoreLast()),
   equalize: () => attempt(async () => (await openers()).equalizeNet()),
   drape: () => attempt(async () => (await openers()).drapeNet()),
-  changeNet: (wanted) => attempt(async () => (await openers()).changeNet(wanted)),
+  changeNet: (wanted) => attempt(() => changeNet(wanted)),
   share: () => attempt(share),
   save: (request) => attempt(() => saveAs(request)),
   record: () => attempt(record),
@@ -134,6 +135,10 @@ async function share(): Promise<void> {
   (await sharing()).share(app, element('panels'), spawnSolver);
 }
 
+function changeNet(wanted: WantedChange): Promise<void> {
+  return app.awaitNet(openers().then((all) => all.changeNet(wanted)));
+}
+
 /** A hint is not needed any more. */
 function followed(hint: Hint): void {
   if (!embedded)
@@ -149,7 +154,7 @@ async function saveAs(request: SaveRequest): Promise<void> {
     app,
     theme: () => readTheme(document.body),
     spawnWorker: () => new Worker(new URL('./export/export_worker.ts', import.meta.url), { type: 'module' }),
-    cutFlat: (then) => attempt(async () => (await openers()).changeNet({ way: 'cut_flat' }).then(then)),
+    cutFlat: (then) => attempt(() => changeNet({ way: 'cut_flat' }).then(then)),
   });
 }
 

@@ -79,6 +79,7 @@ export class App {
     changed: new Set(),
     restarted: new Set(),
   };
+  #making = Promise.resolve();
   #optionTable: OptionInfo[] = [];
   #methods: string[] = [];
   #formats: readonly FormatInfo[] = [];
@@ -145,9 +146,16 @@ export class App {
     return !this.#opener.isOpening && !this.#state.history.inGesture && !this.#client.changing;
   }
 
+  /** The net is being made anew elsewhere: until it is there, nothing is settled. */
+  async awaitNet(making: Promise<void>): Promise<void> {
+    this.#making = making;
+    await making;
+  }
+
   /** Resolves when nothing is under way and the net is settled. */
-  settled(): Promise<void> {
-    return this.#client.idle();
+  async settled(): Promise<void> {
+    await this.#making.catch(() => {}); // it is reported where it was asked for
+    await this.#client.idle();
   }
 
   /** Calls `listener` on every event of that kind; returns what ends this. */
@@ -379,11 +387,11 @@ export class App {
   // -------------------------------------------------------------------------------------------------------------- undo
 
   undo(): void {
-    this.goTo(this.history.present - 1);
+    this.#attempt(this.#opener.goBy(-1));
   }
 
   redo(): void {
-    this.goTo(this.history.present + 1);
+    this.#attempt(this.#opener.goBy(1));
   }
 
   /** Goes to an entry of the history. */

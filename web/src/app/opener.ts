@@ -31,6 +31,8 @@ export class Opener {
   readonly #seen = new WeakMap<NetSource, ViewPlace>();
   /** Number of nets being opened. */
   #underWay = 0;
+  /** Steps through the history that wait until a net is there. */
+  #waiting: (() => void)[] = [];
 
   constructor(client: Pick<Client, 'open' | 'cancelOpening' | 'restore'>, state: State, events: OpenerEvents) {
     this.#client = client;
@@ -92,6 +94,12 @@ export class Opener {
     return this.openScene(scene, netChange(document.net, net));
   }
 
+  /** Goes so many entries on: from the net that is being opened, if one is. */
+  async goBy(steps: number): Promise<void> {
+    while (this.isOpening) await new Promise<void>((resolve) => this.#waiting.push(resolve));
+    await this.goTo(this.#state.history.present + steps);
+  }
+
   /** Goes to an entry of the history. */
   async goTo(index: number): Promise<void> {
     const { history } = this.#state;
@@ -142,10 +150,17 @@ export class Opener {
     const notice = setTimeout(() => this.#events.notice(true, this.canCancel), NOTICE_MS);
     try {
       return await this.#client.open(scene);
+    } catch (error) {
+      this.#waiting = []; // there is nothing to go back from
+      throw error;
     } finally {
       clearTimeout(notice);
       this.#events.notice(false, false);
       this.#underWay -= 1;
+      // Once the net has been taken, too.
+      setTimeout(() => {
+        for (const go of this.#waiting.splice(0)) go();
+      });
     }
   }
 }

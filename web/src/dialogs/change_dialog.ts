@@ -2,6 +2,7 @@
 import type { Changing } from '../change/changing';
 import type { ChangedNet } from '../change/change_protocol';
 import { make, makeButton, setText } from '../elements/dom';
+import { chordOf } from '../elements/keys';
 import { dialogWords } from '../language/dialogs';
 import { words } from '../language/language';
 import './dialog.css';
@@ -27,6 +28,7 @@ export class ChangeDialog {
         makeButton(TEXT.stop, () => this.#dialog.close()),
       ),
     );
+    this.#dialog.addEventListener('keydown', (event) => this.#pressKey(event));
     root.append(this.#dialog);
     this.#dialog.showModal();
   }
@@ -39,6 +41,13 @@ export class ChangeDialog {
     } finally {
       this.#dialog.remove();
     }
+  }
+
+  /** What undo takes back is the change itself. */
+  #pressKey(event: KeyboardEvent): void {
+    if (!['Ctrl+Z', '⌘+Z'].includes(chordOf(event))) return;
+    event.preventDefault();
+    this.#dialog.close();
   }
 
   setProgress(iterations: number): void {
