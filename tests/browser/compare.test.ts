@@ -155,6 +155,25 @@ test('methods that know no soft handles say so in their rows', async () => {
   await visit.page.screenshot({ path: join(OUTPUT, 'compare-soft.png') });
 });
 
+test('above a comparison, what is said of the net stands beside it', async () => {
+  const { page } = visit;
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await script.open({ recipe: SHAPE });
+  await compare();
+  await page.locator('.comparison').waitFor();
+  const { target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  await script.move(dragged, [target[0], target[1], target[2] + 9]);
+  const notice = (await page.locator('.stuck-notice .message').boundingBox())!;
+  await page.screenshot({ path: join(OUTPUT, 'compare-stuck.png') });
+  const right = await page.evaluate(() => {
+    const { stats, screenPosition } = window.chebnet;
+    return Math.max(...Array.from({ length: stats().vertices }, (_, vertex) => screenPosition(vertex).x));
+  });
+  expect(notice.x).toBeGreaterThan(right);
+  const comparison = (await page.locator('.comparison').boundingBox())!;
+  expect(notice.y + notice.height).toBeLessThan(comparison.y);
+});
+
 test('editing goes on meanwhile, and Cancel works at once', async () => {
   await edit('vault:vertices=8000');
   await compare('Gradient descent');

@@ -169,6 +169,11 @@ test('figure 17: competitors with other energies end above the threshold, or aft
   expect(others.map(({ name }) => name)).toEqual(['ARAP', 'Local–global', 'D_p, p = 4', 'D_p, p = 8']);
   const ahead = others.filter(({ status, iterations }) => status === 'Converged' && iterations <= paper!.iterations);
   expect(ahead).toEqual([]);
+  // What the paper claims is beside the numbers to be read.
+  const claim = await noteOf(page).getByRole('list').first().boundingBox();
+  const note = await noteOf(page).boundingBox();
+  expect(note!.height).toBeGreaterThan(150);
+  expect(claim!.y).toBeLessThan(note!.y + note!.height / 2);
 });
 
 test('figure 3: new nets are made of three bodies, beside edits, and can be stopped', {

@@ -107,7 +107,13 @@ describe('words', () => {
     expect(singularWords({ 3: 4, 5: 1 })).toBe('4 of valence 3, 1 of valence 5');
   });
   test('for lengths and fractions', () => {
-    expect([0.1234567, 1, 123456].map(lengthWords)).toEqual(['0.12346', '1', '123460']);
+    expect([0.1234567, 1, 291.934, 1234.56, 123456].map(lengthWords)).toEqual([
+      '0.12346',
+      '1',
+      '291.93',
+      '1,234.6',
+      '123,460',
+    ]);
     expect([0, 1e-7, 0.0123, 0.5, 2.345].map(percentWords)).toEqual(['0 %', 'below 0.001 %', '1.2 %', '50 %', '235 %']);
   });
 });

@@ -156,7 +156,15 @@ describe('thumbnails', () => {
 });
 
 test('numbers are put in words', () => {
-  expect([0, 1e-30, 4.23e-7, 0.68, 12, Infinity].map(small)).toEqual(['0', '< 1e-16', '4.2e-7', '0.68', '12', '∞']);
+  expect([0, 1e-30, 4.23e-7, 0.68, 12, 291.93, Infinity].map(small)).toEqual([
+    '0',
+    '< 1e-16',
+    '4.2e-7',
+    '0.68',
+    '12',
+    '292',
+    '∞',
+  ]);
   expect([0.04, 9.96, 152.4].map(milliseconds)).toEqual(['0.0', '10.0', '152']);
   expect([coordinate(1.23456789, 0.1), coordinate(-1234.5678, 30), coordinate(2, 1)]).toEqual([
     '1.23457',

@@ -161,7 +161,7 @@ export class DrapeResults {
         ? [[TEXT.cuts.pieces, TEXT.cuts.piecesOf(this.#net.pieces, this.#net.bare)] as [string, string]]
         : []),
       [TEXT.size, TEXT.cellsAndVertices(count(faces), count(vertices))],
-      [TEXT.length, small(report.length)],
+      [TEXT.length, lengthWords(report.length)],
       [TEXT.rods, TEXT.rodsOf(count(report.rods), lengthWords(report.rodLength))],
       ...(cutEnds > 0 ? [[TEXT.cutEnds, count(cutEnds)] as [string, string]] : []),
       [TEXT.deviation, small(report.maxDeviation)],

@@ -30,7 +30,8 @@ export function largestDifference({
 
 /** Five digits: an edge of a finished net is off its length by a thousandth at most. */
 export function lengthWords(length: number): string {
-  return String(Number(length.toPrecision(5)));
+  const rounded = Number(length.toPrecision(5));
+  return rounded < 1000 ? String(rounded) : count(rounded);
 }
 
 /** A fraction with two digits as a percentage. */

@@ -4,12 +4,14 @@ import { words } from './language';
 /** Below this a deviation is the rounding of the computer, not of the net. */
 export const ROUNDING = 1e-16;
 
-/** A small number with two digits, e.g. 4.2e-7. */
+/** A small number with two digits, e.g. 4.2e-7; from 100 on it has all before the point. */
 export function small(value: number): string {
   if (value === 0) return '0';
   if (value < ROUNDING) return '< 1e-16';
   if (!Number.isFinite(value)) return '∞';
-  return value >= 0.01 && value < 1000 ? String(Number(value.toPrecision(2))) : value.toExponential(1);
+  return value >= 0.01 && value < 1000
+    ? String(Number(value.toPrecision(value < 100 ? 2 : 3)))
+    : value.toExponential(1);
 }
 
 /** By how much of its length an edge of deviation dL is too long, in percent: dL = r + 1 / r − 2 for 1 + that. */
