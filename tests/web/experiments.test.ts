@@ -2,7 +2,7 @@
  *  older versions lead to what has taken their place. */
 import { describe, expect, test } from 'vitest';
 import { editScene } from '../../web/src/experiments/edits';
-import { EDITS, FIGURES, findFigure, type Text } from '../../web/src/experiments/figures';
+import { EDITS, FIGURES, findFigure, isOfNet, type Text } from '../../web/src/experiments/figures';
 import { experimentLink, experimentScene, isExperimentLink } from '../../web/src/experiments/links';
 import { variationsOf } from '../../web/src/experiments/variations';
 import type { Scene } from '../../web/src/document/document';
@@ -111,8 +111,10 @@ describe('the description', () => {
 
 test.each(LINKS)('$link opens a net with its handles within reach, unsolved', async ({ figure, link }) => {
   const scene = await experimentScene(link);
-  const { unreachable, status } = open(scene);
+  const { unreachable, status, positions } = open(scene);
   expect(scene).toMatchObject({ experiment: figure, settled: true, positions: null });
+  const edit = Object.keys(EDITS).find((each) => isOfNet(each, scene.net))!;
+  if ('recipe' in scene.net) expect(EDITS[edit]!.vertices).toBe(positions.length / 3);
   if (figure !== 'failure') expect(unreachable).toEqual([]);
   if (findFigure(figure)?.rest) expect(status).toBe('converged');
   else expect(status).not.toBe('converged');

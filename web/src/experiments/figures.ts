@@ -12,6 +12,8 @@ export type Text = string | { [Each in Language]: string };
 export interface Edit {
   /** `mesh`: a file in meshes/. */
   net: { recipe: string } | { mesh: string };
+  /** Of a recipe, as many as it makes: near to those it asks for. */
+  vertices?: number;
   handles: (number | [vertex: number, ...target: Vec3])[];
 }
 

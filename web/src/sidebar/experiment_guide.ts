@@ -174,11 +174,10 @@ function isOpenVariant(variant: Variant, { net, method, initialisation, options 
 
 /** Of its shape and size. */
 function titleOf(edit: string): string {
-  const { net } = EDITS[edit]!;
+  const { net, vertices } = EDITS[edit]!;
   if ('mesh' in net) return texts.meshes[net.mesh as keyof typeof texts.meshes] ?? net.mesh;
   const [shape = ''] = net.recipe.split(':');
-  const vertices = /vertices=(\d+)/.exec(net.recipe)?.[1];
-  return texts.edit(words.core.shape(shape), vertices === undefined ? '' : count(Number(vertices)));
+  return texts.edit(words.core.shape(shape), vertices === undefined ? '' : count(vertices));
 }
 
 /** Nothing if there is only one to choose. */
