@@ -39,6 +39,20 @@ function cubeSphere(n: number): string {
   return lines.join('\n');
 }
 
+/** Its outer edges are three times as long as the inner ones: no net near it is fair. */
+function flatRing(around: number, rows: number): string {
+  const places = Array.from({ length: around * (rows + 1) }, (_, v) => [Math.floor(v / around), v % around] as const);
+  const vertex = (row: number, k: number) => around * row + (k % around) + 1;
+  const vertices = places.map(([row, k]) => {
+    const [radius, angle] = [1 + (2 * row) / rows, (2 * Math.PI * k) / around];
+    return `v ${radius * Math.cos(angle)} ${radius * Math.sin(angle)} 0`;
+  });
+  const faces = places
+    .slice(0, around * rows)
+    .map(([row, k]) => `f ${vertex(row, k)} ${vertex(row, k + 1)} ${vertex(row + 1, k + 1)} ${vertex(row + 1, k)}`);
+  return [...vertices, ...faces].join('\n');
+}
+
 const { arrive, share } = visits();
 let visit: Visit;
 let script: Script;
@@ -179,6 +193,26 @@ test('a net that folds sharply says so, and leads to a new net on the surface of
   await dialog(/^A net on a surface$/)
     .locator('.results .facts:not(.stale)', { hasText: 'Largest dL' })
     .waitFor();
+});
+
+test('where edges become equal but corners stay too sharp, it says how many quads have one', async () => {
+  const ring = flatRing(30, 10);
+  const native = chebnet.equalizer(chebnet.readMesh(new TextEncoder().encode(ring), 'ring.obj'), {
+    method: 'equilibrium',
+  });
+  const { status, quadsBeyondLimit } = native.solve();
+  native.dispose();
+  expect(status).toBe('exact');
+  expect(quadsBeyondLimit).toBeGreaterThan(0);
+
+  await dropAndEqualise('ring.obj', ring);
+  await equalizer()
+    .getByRole('radio', { name: /^The mean of the original/ })
+    .check();
+  await press('Equalise');
+  const said = `No net was found whose corners all keep to 30°. Quads with a sharper one: ${quadsBeyondLimit}.`;
+  await equalizer().getByText(said, { exact: true }).waitFor();
+  await equalizer().locator('.verdict').waitFor();
 });
 
 test('beside a surface the net is equalised near that, unless told otherwise', async () => {
