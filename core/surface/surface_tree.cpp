@@ -16,6 +16,15 @@ constexpr int k_leaf_size = 4;
 // so that the tree is never deep.
 constexpr int k_least_part = 8;
 constexpr double k_farthest = std::numeric_limits<double>::infinity();
+// Of a point farther away than so many sizes of the surface only the direction counts: by its distance, all of the
+// surface is equally near, or infinitely far when it is squared.
+constexpr double k_afar = 1e7;
+
+/// The same place, found for the point as drawn near.
+SurfaceTree::Nearest from_afar(const Eigen::Vector3d& point, SurfaceTree::Nearest nearest) {
+    nearest.distance = (point - nearest.position).stableNorm();
+    return nearest;
+}
 
 /// The barycentric coordinates of the point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 2005,
 /// section 5.1.5).
@@ -63,6 +72,9 @@ SurfaceTree::SurfaceTree(const Surface& surface)
     m_nodes.reserve(m_faces.size());
     build(0, surface.face_count(), centres);
     m_nodes.shrink_to_fit();
+    const Node& whole = m_nodes.front();
+    m_centre = (whole.low + whole.high) / 2;
+    m_afar = k_afar * (whole.high - whole.low).maxCoeff();
 }
 
 /// The node around the triangles at these places, and all below it; returns its number.
@@ -111,9 +123,19 @@ int SurfaceTree::split(int first, int last, const Positions& centres) {
 
 // ------------------------------------------------------------------------------------------------------------- nearest
 
+bool SurfaceTree::is_far(const Eigen::Vector3d& point) const {
+    return (point - m_centre).lpNorm<Eigen::Infinity>() > m_afar;
+}
+
+Eigen::Vector3d SurfaceTree::drawn_near(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d way = point - m_centre;
+    return m_centre + m_afar / 2 * (way / way.lpNorm<Eigen::Infinity>());  // half: it must not be far any more
+}
+
 SurfaceTree::Nearest SurfaceTree::nearest(const Eigen::Vector3d& point) const { return nearest(point, m_faces[0]); }
 
 SurfaceTree::Nearest SurfaceTree::nearest(const Eigen::Vector3d& point, int guess) const {
+    if (is_far(point)) return from_afar(point, nearest(drawn_near(point), guess));
     Nearest best{};
     double least = k_farthest;
     consider(guess, point, least, best);
@@ -134,6 +156,7 @@ void SurfaceTree::visit_nearest(int number, const Eigen::Vector3d& point, double
 }
 
 SurfaceTree::Nearest SurfaceTree::nearest_in(int face, const Eigen::Vector3d& point) const {
+    if (is_far(point)) return from_afar(point, nearest_in(face, drawn_near(point)));
     Nearest nearest{};
     double square = k_farthest;
     consider(face, point, square, nearest);

@@ -21,7 +21,8 @@ public:
         Eigen::Vector3d position;
         double distance;
     };
-    /// The point of the surface nearest to `point` (finite). Of several equally near ones any, but always the same.
+    /// The point of the surface nearest to `point` (finite). Of several equally near ones any, but always the same;
+    /// from ten million sizes of the surface away the one that lies in the point's direction.
     Nearest nearest(const Eigen::Vector3d& point) const;
     /// The same point, found faster where it is close to the triangle `guess`.
     Nearest nearest(const Eigen::Vector3d& point, int guess) const;
@@ -52,9 +53,14 @@ private:
     void consider(int face, const Eigen::Vector3d& point, double& least, Nearest& best) const;
     void consider(int face, const Ray& ray, std::optional<Hit>& best) const;
 
+    bool is_far(const Eigen::Vector3d& point) const;
+    Eigen::Vector3d drawn_near(const Eigen::Vector3d& point) const;
+
     const Surface& m_surface;
     std::vector<Node> m_nodes;
     std::vector<int> m_faces;  // by leaves
+    Eigen::Vector3d m_centre;  // of the surface's box
+    double m_afar = 0;         // from there
 };
 
 }  // namespace chebnet

@@ -64,6 +64,21 @@ TEST_CASE("The nearest point is that of a search through all triangles") {
     }
 }
 
+TEST_CASE("From a point however far away the nearest is the one that lies in its direction") {
+    const Surface ball(samples::sphere(24));
+    const SurfaceTree tree(ball);
+    const Eigen::Vector3d direction = Eigen::Vector3d(1, -2, 2) / 3;
+    const double farthest = (direction.transpose() * ball.positions()).maxCoeff();
+    for (const double distance : {1e60, 1e76, 1e154, 1e200, 1e308}) {
+        CAPTURE(distance);
+        for (const auto& found : {tree.nearest(distance * direction), tree.nearest(distance * direction, 7)}) {
+            CHECK(direction.dot(found.position) == Approx(farthest).epsilon(1e-6));
+            CHECK(found.distance == Approx(distance));
+        }
+        CHECK(tree.nearest_in(3, distance * direction).at.face == 3);
+    }
+}
+
 TEST_CASE("A point of the surface is its own nearest, and a thin triangle counts") {
     Mesh mesh = samples::plane(6, 1);
     mesh.positions.conservativeResize(3, 37);
