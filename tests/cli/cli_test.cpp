@@ -1011,8 +1011,7 @@ TEST_CASE("a bad edit is refused, naming file and handle") {
     CHECK_THAT(run.err, Contains("edit.json"));
 }
 
-TEST_CASE(
-    "an option that the method does not read is set and said to be idle; the report has what differs from usual") {
+TEST_CASE("an option that the method does not read is said to be idle, and the report has what differs from usual") {
     const Sandbox box;
     box.write("pull.json", pull_edit(0.1).dump());
     const std::string solve = "solve " + k_recipe + " --edit pull.json --shear-limit 20 --method ";
