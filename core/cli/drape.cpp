@@ -301,6 +301,7 @@ Command add_drape(CLI::App& program) {
     command
         .add_option("--leave", arguments->leave,
                     "Where the net would lock it leaves the surface by up to this, in edge lengths; 0: a gap stays")
+        ->check(CLI::Range(0., 10.))
         ->type_name("LENGTHS")
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");

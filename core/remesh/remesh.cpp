@@ -667,9 +667,8 @@ const char* to_string(RemeshPhase phase) {
 
 void check_remesh(const Guide& guide, const RemeshOptions& options) {
     const Surface& surface = guide.surface();
-    for (const double number : {options.length, options.smallest_angle, options.smoothing, options.crease})
-        if (!std::isfinite(number)) throw Error(ErrorCode::non_finite, "a number for the net is not finite");
-    if (!(options.length >= 0)) throw Error(ErrorCode::bad_option, "the length of the edges must be positive");
+    if (!(options.length >= 0 && std::isfinite(options.length)))
+        throw Error(ErrorCode::bad_option, "the length of the edges must be positive");
     if (!(options.smoothing >= 0 && options.smoothing <= k_most_smoothing))
         throw Error(ErrorCode::bad_option, "the smoothing must be from 0 to 100");
     if (!(options.smallest_angle >= 0 && options.smallest_angle <= std::numbers::pi / 3))

@@ -80,6 +80,24 @@ test('3DM and GLB hold the net as it was dragged', async () => {
     .waitFor({ state: 'attached' });
 });
 
+test('the pattern of a net in millimetres is of its own size', async () => {
+  const edge = menu().getByLabel('Length of an edge on the pattern in millimetres');
+  for (const [length, shown] of [
+    [0.25, '10'],
+    [290, '290'],
+    [2000, '10'],
+  ] as const) {
+    await visit.script.open({ obj: square(length) });
+    await press('Export');
+    expect(await edge.inputValue(), `edges of ${length}`).toBe(shown);
+    await visit.page.keyboard.press('Escape');
+  }
+});
+
+function square(side: number): string {
+  return `v 0 0 0\nv ${side} 0 0\nv ${side} ${side} 0\nv 0 ${side} 0\nf 1 2 3 4\n`;
+}
+
 test('a vault has a flat pattern of the size asked for, a torus once it is cut, which is a step to be undone', async () => {
   await visit.script.open({ recipe: 'vault:vertices=300' });
   await press('Export');

@@ -832,6 +832,8 @@ TEST_CASE("remesh takes wishes for singular vertices, and reports which were kep
     check_refused(box.run("remesh --surface pebble --singular " + place), "X,Y,Z:VALENCE");
     check_refused(box.run("remesh --surface pebble --singular 0,0,1:3:4"), "X,Y,Z:VALENCE");
     check_refused(box.run("remesh --surface pebble --length 0"), "--length: wants a number above 0, not 0");
+    check_refused(box.run("remesh --surface pebble --shear-limit nan"), "the shear limit must be from 0 to 60 degrees");
+    check_refused(box.run("drape --surface shell --leave -1"), "--leave");
     check_refused(box.run("remesh --surface pebble --singular 0,0,1:3.5"), "no whole number");
     check_refused(box.run("remesh --surface pebble --singular 0,0,1:7"), "must be 3, 5 or 6");
     check_refused(box.run("remesh --surface pebble --forbid 0,0,x:1"), "X,Y,Z:RADIUS");

@@ -8,10 +8,14 @@ import type { Menu, MenuItem } from '../elements/menu';
 import { NumberField } from '../elements/number_field';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
+import type { OpenedNet } from '../worker/protocol';
 
 const words = panelWords.exports;
 const MAGNIFICATIONS = [1, 2, 4];
 const EDGE_MM = { usual: 10, smallest: 1, largest: 1000 };
+/** An edge as long as this in the unit of its file, which nobody tells, is taken to be in millimetres: a shorter one would hardly be
+ *  made, and metres are given as parts of one. */
+const SHORTEST_MM = 5;
 
 export class ExportLines implements Panel {
   readonly element: HTMLElement;
@@ -19,11 +23,20 @@ export class ExportLines implements Panel {
   readonly #size = makeSizeSelect();
   readonly #menu: Menu;
   readonly #events: PanelEvents;
+  #edgeIsChosen = false;
 
   constructor(menu: Menu, events: PanelEvents) {
     this.element = menu.menu;
     this.#menu = menu;
     this.#events = events;
+    this.#edge.input.addEventListener('change', () => (this.#edgeIsChosen = true));
+  }
+
+  /** A pattern is of the net's own size, unless somebody wants another or its unit is no millimetre. */
+  setNet({ info: { meanLength } }: OpenedNet): void {
+    if (this.#edgeIsChosen) return;
+    const isInMm = meanLength >= SHORTEST_MM && meanLength <= EDGE_MM.largest;
+    this.#edge.put(String(isInMm ? Number(meanLength.toPrecision(5)) : EDGE_MM.usual));
   }
 
   setTables({ formats }: Tables): void {
