@@ -75,7 +75,7 @@ function point(value, vertex) {
   return triple(value, `the target of vertex ${vertex}`);
 }
 
-/** Where a handle is to be. @param {unknown} value @param {number} vertex @returns {Point} */
+/** Where a handle is moved to; one that is read with a net may be anywhere, as it always could. @param {unknown} value @param {number} vertex @returns {Point} */
 function target(value, vertex) {
   const place = point(value, vertex);
   const isTooFar = (/** @type {number} */ each) => Number.isFinite(each) && Math.abs(each) > FARTHEST;
@@ -121,7 +121,7 @@ function flatHandles(handles) {
   if (!Array.isArray(handles)) throw failure('bad_option', `handles must be an array, not ${shown(handles)}`);
   return {
     vertices: Int32Array.from(handles, (handle) => vertexNumber(handle?.vertex)),
-    targets: Float64Array.from(handles.flatMap((handle) => target(handle.target, handle.vertex))),
+    targets: Float64Array.from(handles.flatMap((handle) => point(handle.target, handle.vertex))),
     weights: Float64Array.from(handles, ({ weight = Infinity }) => size(weight, 'the weight of a handle')),
     slides: Int32Array.from(handles, ({ slides }) => axesNumber(slides)),
   };
