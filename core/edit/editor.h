@@ -60,6 +60,9 @@ public:
     const std::vector<Handle>& handles() const { return m_handles; }
     /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
     const Positions& last_net() const { return m_last_net; }
+    /// Whether a solve that goes on draws exact handles to their targets step by step: they are short of them till
+    /// then.
+    bool draws_handles() const { return m_took_in_hand; }
     /// handles(), but those in hand where they stand.
     std::vector<Handle> standing_handles() const;
     const Options& options() const { return m_options; }

@@ -218,6 +218,7 @@ TEST_CASE("A trace tells of a net only once handles that a solve draws to their 
     int drawn = 0;
     for (SolveReport report; report.status == Status::running;) {
         report = taken.editor.solve({.iterations = 1});
+        CHECK((taken.now() == target || taken.editor.draws_handles()));
         if (report.trace.empty() || taken.now() == target) continue;
         ++drawn;
         CHECK(report.trace.back().max_deviation > k_a_net);
