@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -66,18 +68,14 @@ Axes read_axes(const json& value, const std::string& where) {
     return axes;
 }
 
-/// One that is misspelt would leave the handle other than it was meant, without a word.
-void check_keys_of_handle(const json& handle, const std::string& where) {
-    constexpr std::array known{"vertex", "target", "weight", "slides"};
+void add_keys_not_read(const json& handle, std::set<std::string>& keys) {
+    constexpr std::array read{"vertex", "target", "weight", "slides"};
     for (const auto& [key, value] : handle.items())
-        if (std::ranges::find(known, key) == known.end())
-            throw Error(ErrorCode::bad_syntax,
-                        where + " has " + chebnet::quoted(key) + "; a handle has vertex, target, weight and slides");
+        if (std::ranges::find(read, key) == read.end()) keys.insert(key);
 }
 
 Handle read_handle(const json& value, int vertex_count, const std::string& where) {
     if (!value.is_object()) throw Error(ErrorCode::bad_syntax, where + " is not an object");
-    check_keys_of_handle(value, where);
     Handle handle{read_vertex(member(value, "vertex", where), vertex_count, where + ".vertex"),
                   read_target(member(value, "target", where), where + ".target")};
     if (const auto weight = value.find("weight"); weight != value.end())
@@ -92,10 +90,11 @@ Handle read_handle(const json& value, int vertex_count, const std::string& where
 }  // namespace
 
 std::vector<Handle> read_edit(const std::string& path, int vertex_count) {
-    return parse_edit(read_file(path), path, vertex_count);
+    return parse_edit(read_file(path), path, vertex_count, std::cerr);
 }
 
-std::vector<Handle> parse_edit(std::string_view text, const std::string& name, int vertex_count) {
+std::vector<Handle> parse_edit(std::string_view text, const std::string& name, int vertex_count,
+                               std::ostream& remarks) {
     const json edit = parse_json(text, name);
     if (!edit.is_object()) throw Error(ErrorCode::bad_syntax, name + ": not a JSON object");
     const json& list = member(edit, "handles", name + ":");
@@ -103,14 +102,19 @@ std::vector<Handle> parse_edit(std::string_view text, const std::string& name, i
 
     std::vector<Handle> handles;
     std::unordered_map<int, std::size_t> handle_of_vertex;
+    std::set<std::string> keys_not_read;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = name + ": handles[" + std::to_string(i) + "]";
         handles.push_back(read_handle(list[i], vertex_count, where));
+        add_keys_not_read(list[i], keys_not_read);
         const auto [earlier, is_new] = handle_of_vertex.emplace(handles.back().vertex, i);
         if (!is_new)
             throw Error(ErrorCode::repeated_vertex, where + " holds vertex " + std::to_string(earlier->first) +
                                                         ", as handles[" + std::to_string(earlier->second) + "] does");
     }
+    for (const std::string& key : keys_not_read)
+        remarks << "chebnet: " << name << ": " << chebnet::quoted(key)
+                << " of a handle is not read; vertex, target, weight and slides are\n";
     return handles;
 }
 

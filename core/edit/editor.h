@@ -54,14 +54,13 @@ public:
     /// As it came, whatever the scale of its lengths.
     const Net& original() const { return *m_original; }
     const Topology& topology() const { return *m_topology; }
-    /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand; the targets of
-    /// those that slide follow them along their axes.
+    /// 3×V, the positions held now. Exact handles stand exactly at their targets, but for those in hand and while
+    /// draws_handles(); the targets of those that slide follow them along their axes.
     const Positions& positions() const { return m_positions; }
     const std::vector<Handle>& handles() const { return m_handles; }
     /// 3×V, the last positions in which every edge had its length; the rest positions if there were none.
     const Positions& last_net() const { return m_last_net; }
-    /// Whether a solve that goes on draws exact handles to their targets step by step: they are short of them till
-    /// then.
+    /// Whether a solve under way draws exact handles to their targets step by step: they are short of them meanwhile.
     bool draws_handles() const { return m_took_in_hand; }
     /// handles(), but those in hand where they stand.
     std::vector<Handle> standing_handles() const;

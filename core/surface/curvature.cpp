@@ -24,10 +24,13 @@ constexpr double k_edges_of_noise = 2, k_part_of_radius = 0.5;
 // Round a hole that less than this would fill, 6°, lines of a net come back to themselves nearly.
 constexpr double k_flat = 0.1;
 
+double length_of(const Surface& surface, int side) {
+    return (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
+}
+
 double mean_edge(const Surface& surface) {
     double sum = 0;
-    for (int side = 0; side < 3 * surface.face_count(); ++side)
-        sum += (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
+    for (int side = 0; side < 3 * surface.face_count(); ++side) sum += length_of(surface, side);
     return sum / (3. * surface.face_count());
 }
 
@@ -91,8 +94,7 @@ double hardest_curvature(const Surface& surface, const std::vector<int>& compone
 
 double length_of(const Surface& surface, const std::vector<int>& loop) {
     double length = 0;
-    for (const int side : loop)
-        length += (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
+    for (const int side : loop) length += length_of(surface, side);
     return length;
 }
 

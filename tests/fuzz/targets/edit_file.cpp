@@ -1,6 +1,7 @@
 #include "edit_file.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "reader.h"
 
@@ -10,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     constexpr int vertex_count = 25;
     std::vector<Handle> handles;
     try {
-        handles = parse_edit(fuzz::as_text(data, size), "some file", vertex_count);
+        std::ostringstream remarks;
+        handles = parse_edit(fuzz::as_text(data, size), "some file", vertex_count, remarks);
     } catch (const Error& error) {
         fuzz::require_readable(error);
         require(std::string_view(error.what()).starts_with("some file: "), "a message does not name the file");
