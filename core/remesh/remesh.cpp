@@ -658,6 +658,12 @@ private:
     std::exception_ptr m_failure;  // the first
 };
 
+/** Refuses `number` unless it is from 0 to `most`, with the sentence that says so. */
+void check_number(double number, double most, const char* refusal) {
+    if (!std::isfinite(number)) throw Error(ErrorCode::non_finite, refusal);
+    if (!(number >= 0 && number <= most)) throw Error(ErrorCode::bad_option, refusal);
+}
+
 }  // namespace
 
 const char* to_string(RemeshPhase phase) {
@@ -667,14 +673,11 @@ const char* to_string(RemeshPhase phase) {
 
 void check_remesh(const Guide& guide, const RemeshOptions& options) {
     const Surface& surface = guide.surface();
-    if (!(options.length >= 0 && std::isfinite(options.length)))
-        throw Error(ErrorCode::bad_option, "the length of the edges must be positive");
-    if (!(options.smoothing >= 0 && options.smoothing <= k_most_smoothing))
-        throw Error(ErrorCode::bad_option, "the smoothing must be from 0 to 100");
-    if (!(options.smallest_angle >= 0 && options.smallest_angle <= std::numbers::pi / 3))
-        throw Error(ErrorCode::bad_option, "the shear limit must be from 0 to 60 degrees");
-    if (!(options.crease >= 0 && options.crease <= std::numbers::pi))
-        throw Error(ErrorCode::bad_option, "the angle of creases must be from 0 to 180 degrees");
+    check_number(options.length, std::numeric_limits<double>::max(),
+                 "the length of the edges must be finite, and positive");
+    check_number(options.smoothing, k_most_smoothing, "the smoothing must be from 0 to 100");
+    check_number(options.smallest_angle, std::numbers::pi / 3, "the shear limit must be from 0 to 60 degrees");
+    check_number(options.crease, std::numbers::pi, "the angle of creases must be from 0 to 180 degrees");
     if (!(surface.area() > 0)) throw Error(ErrorCode::bad_option, "the surface has no area");
     const double cells = cells_asked_for(surface, options);
     if (!(cells >= k_least_remeshed_cells))
