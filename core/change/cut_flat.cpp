@@ -148,7 +148,7 @@ public:
           m_is_met(static_cast<std::size_t>(net.vertex_count())) {
         for (int l = 0; l < static_cast<int>(m_lines.size()); ++l)
             for (int k = 0; k + 1 < static_cast<int>(m_lines[l].size()); ++k) m_place[edge(l, k)] = {l, k};
-        for (int v = 0; v < net.vertex_count(); ++v) m_is_met[v] = topology.is_boundary(v) || is_singular(v);
+        for (int v = 0; v < net.vertex_count(); ++v) m_is_met[v] = topology.is_boundary(v) || topology.is_singular(v);
     }
 
     bool is_cut(int edge) const { return m_is_cut[edge]; }
@@ -165,8 +165,8 @@ public:
         std::vector<End> ends;
         for (int l = 0; l < static_cast<int>(m_lines.size()); ++l) {
             const int last = static_cast<int>(m_lines[l].size()) - 1;
-            if (is_singular(m_lines[l].front())) ends.push_back({l, 0, 1});
-            if (is_singular(m_lines[l].back())) ends.push_back({l, last, -1});
+            if (m_topology.is_singular(m_lines[l].front())) ends.push_back({l, 0, 1});
+            if (m_topology.is_singular(m_lines[l].back())) ends.push_back({l, last, -1});
         }
         while (!ends.empty()) {
             std::vector<End> going;
@@ -198,7 +198,6 @@ private:
         int line, at, step;
     };
 
-    bool is_singular(int v) const { return !m_topology.is_boundary(v) && m_topology.valence(v) != 4; }
     int vertex(const End& end) const { return m_lines[end.line][end.at]; }
     int edge(int line, int k) const { return m_topology.edge_between(m_lines[line][k], m_lines[line][k + 1]); }
     std::array<End, 2> ends_at(int edge) const {

@@ -10,6 +10,7 @@
 #include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
 #include "solve/terms/penalty_term.h"
+#include "solve/terms/tip_term.h"
 
 namespace chebnet {
 
@@ -49,6 +50,7 @@ void FairStart::choose_terms() {
     };
     add_bending(1 - laid, BendingTerm::Reference::straight);
     if (laid > 0) add_bending(laid, BendingTerm::Reference::rest);
+    if (m_options.tip_weight > 0) m_terms.push_back(std::make_unique<TipTerm>(m_net, m_topology, m_options.tip_weight));
     m_terms.push_back(make_closeness_term(m_net, m_guide, unit, closeness_for(m_options.rods, m_net.face_count()),
                                           ClosenessTerm::Side::both));
     m_terms.push_back(std::make_unique<PullTerm>(m_net, m_options.pulls));

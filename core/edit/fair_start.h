@@ -26,6 +26,7 @@ public:
         double shear_limit = 0;   ///< radians; 0: none
         bool fits = false;        ///< the unit changes so that edges have their lengths on the average
         Rods rods = Rods::straight;
+        double tip_weight = 0;  ///< of TipTerm, beside bending that weighs 1
     };
 
     /// `net`: with the lengths that edges are to have; it begins at `positions` (3×V). Keeps references to net,

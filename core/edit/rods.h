@@ -6,7 +6,7 @@ namespace chebnet {
 
 /// What the lines of a net near a surface would be if nothing else bent them.
 enum class Rods {
-    straight,  ///< about a vertex of valence 3 they raise a tip, a cone of three right angles
+    straight,  ///< about a vertex of valence 3 they may raise a tip, a cone of three right angles
     as_laid    ///< halfway between straight and as bent as they are on the surface at first
 };
 
@@ -15,10 +15,10 @@ enum class Rods {
 /// waves, longer ones the softer that is: those of a finer net are as long, and so many more of its edges, so that they
 /// are no folds.
 constexpr double closeness_for(Rods rods, int cells) {
-    constexpr double k_coarse_cells = 4000, k_least = 0.1;
+    constexpr double k_coarse_cells = 4000, k_coarse = 0.5, k_least = 0.1;
     if (rods == Rods::straight) return 2;
     const double fineness = std::max(1.0, cells / k_coarse_cells);
-    return std::max(k_least, 1 / (fineness * fineness));
+    return std::max(k_least, k_coarse / (fineness * fineness));
 }
 
 }  // namespace chebnet

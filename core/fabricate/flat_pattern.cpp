@@ -99,8 +99,7 @@ std::optional<PatternFault> find_unfit(const Net& net, const Topology& topology,
         for (int k = 0; k < sides.count(f); ++k)
             if (sides.is_rod(f, k) && !(sides.length(f, k) > k_equal)) return PatternFault{.reason = Reason::unequal};
     for (int v = 0; v < net.vertex_count(); ++v)
-        if (!topology.is_boundary(v) && topology.valence(v) != 4)
-            return PatternFault{.reason = Reason::singular, .vertex = v};
+        if (topology.is_singular(v)) return PatternFault{.reason = Reason::singular, .vertex = v};
     return std::nullopt;
 }
 

@@ -162,7 +162,7 @@ std::vector<std::vector<int>> Topology::components() const {
 std::map<int, int> Topology::singular_vertices() const {
     std::map<int, int> counts;
     for (int v = 0; v < m_net.vertex_count(); ++v)
-        if (!is_boundary(v) && valence(v) != 4) ++counts[valence(v)];
+        if (is_singular(v)) ++counts[valence(v)];
     return counts;
 }
 

@@ -9,6 +9,9 @@
 
 namespace chebnet {
 
+/// Of inner vertices at which two net lines cross; others inside are singular.
+inline constexpr int k_regular_valence = 4;
+
 /// Which of some vertices is nearest, and the length of the shortest path along edges to it, by rest lengths.
 struct NearestSource {
     int source = -1;  ///< −1: no path leads there
@@ -29,6 +32,7 @@ public:
     int edge_between(int a, int b) const;
     int valence(int vertex) const { return m_start[vertex + 1] - m_start[vertex]; }
     bool is_boundary(int vertex) const { return m_is_boundary[vertex]; }
+    bool is_singular(int vertex) const { return !is_boundary(vertex) && valence(vertex) != k_regular_valence; }
 
     /// Closed walks along the boundary edges, each a list of vertices without repetition of the first. A vertex where
     /// several boundary loops touch appears in each of them.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "net/topology.h"
+
 namespace chebnet {
 
 namespace {

@@ -55,6 +55,9 @@ constexpr double k_diagonal_margin = 0.02, k_limit_margin = 0.02;
 constexpr double k_on_crease = 0.7;
 // An edge runs along a crease if the angle between them is less: a cosine.
 constexpr double k_along = 0.87;
+// Of TipTerm on closed surfaces, beside bending that weighs 1: with less there are tips, with more the folds stand in
+// rings about them.
+constexpr double k_tip_weight = 2;
 // Exact: no length errs by more than this part.
 constexpr double k_exact_error = 1e-11;
 // Of all openings together: a mesh that takes more hardly ever becomes a net.
@@ -116,6 +119,8 @@ private:
         return Rods::straight;
     }
 
+    double tip_weight() const { return m_rods == Rods::as_laid ? k_tip_weight : 0; }
+
     /// On the surface, until that hardly brings lengths nearer to each other any more.
     void spread_edges(int most_steps) {
         const int last = m_evening.last_steps;
@@ -141,7 +146,7 @@ private:
         m_evened = m_positions;
         find_pulls();
         FairStart start(net, m_topology, *m_guide, m_positions,
-                        {{}, m_pulls, 1, m_options.smallest_angle, fits, m_rods});
+                        {{}, m_pulls, 1, m_options.smallest_angle, fits, m_rods, tip_weight()});
         double done = 0;
         do {
             m_go_on(k_even_at + (k_fair_at - k_even_at) * done);
@@ -448,7 +453,7 @@ private:
 
     /// Of all nets of this length the one that bends least near the surface, or what comes close to it.
     Net come_to_rest(const Net& net) {
-        Editor editor = resting_near(net, m_guide, m_options.smallest_angle, m_rods);
+        Editor editor = resting_near(net, m_guide, m_options.smallest_angle, m_rods, tip_weight());
         std::vector<Handle> handles;
         for (const Pull& pull : m_pulls) handles.push_back({pull.vertex, pull.target, pull.weight});
         editor.set_handles(handles);

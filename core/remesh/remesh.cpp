@@ -56,8 +56,10 @@ constexpr double k_least_size_for_length = 0.9;
 constexpr int k_most_lesser_nets = 2, k_most_of_length = 4;
 // A singular vertex farther from where one is wished for, in cells, is another one.
 constexpr double k_near = 3;
-// By which one is drawn to its place, beside edges that weigh 1 (see Pull).
-constexpr double k_pull = 10;
+// A singular vertex is drawn so far out of forbidden regions, in cells, as fitting may move it.
+constexpr double k_clear = 0.5;
+// By which one is drawn to its place, or out of such a region, beside edges that weigh 1 (see Pull).
+constexpr double k_pull = 10, k_pull_clear = 30;
 // Ways to end at the border are told apart by nets of so many cells, or of those asked for if they are no more.
 constexpr int k_trial_cells = 1500;
 // How many singular vertices a net can do without is tried with so many cells, and how far it may be away from the
@@ -433,7 +435,7 @@ private:
     }
 
     /// Of the singular vertices wished for, each towards its point; of others near a forbidden region, to where they
-    /// are.
+    /// are; of all clear of such regions.
     std::vector<Pull> pulls(const Mesh& mesh) const {
         const SingularWishes& wishes = m_options.singular;
         if (wishes.is_empty()) return {};
@@ -443,11 +445,11 @@ private:
         std::vector<Pull> result;
         for (std::size_t k = 0; k < stands.size(); ++k)
             if (stands[k] >= 0)
-                result.push_back(
-                    {singular[stands[k]].vertex, m_guide->tree().nearest(wishes.vertices[k].point).position, k_pull});
+                result.push_back(clear_of_forbidden(singular[stands[k]].vertex,
+                                                    m_guide->tree().nearest(wishes.vertices[k].point).position));
         for (int k = 0; k < std::ssize(singular); ++k)
             if (std::find(stands.begin(), stands.end(), k) == stands.end() && is_near_forbidden(singular[k].position))
-                result.push_back({singular[k].vertex, singular[k].position, k_pull});
+                result.push_back(clear_of_forbidden(singular[k].vertex, singular[k].position));
         return result;
     }
 
@@ -456,6 +458,19 @@ private:
         return std::any_of(regions.begin(), regions.end(), [&](const ForbiddenRegion& region) {
             return (point - region.centre).norm() < region.radius + 2 * k_near * m_cell;
         });
+    }
+
+    /// Towards a point of the surface, or the one beside it that is k_clear cells away from the regions.
+    Pull clear_of_forbidden(int vertex, const Eigen::Vector3d& point) const {
+        Pull pull{vertex, point, k_pull};
+        for (const auto& [centre, radius] : m_options.singular.forbidden) {
+            const Eigen::Vector3d away = pull.target - centre;
+            const double distance = away.norm(), clear = radius + k_clear * m_cell;
+            if (distance >= clear || distance == 0) continue;
+            pull.target = m_guide->tree().nearest(centre + clear / distance * away).position;
+            pull.weight = k_pull_clear;
+        }
+        return pull;
     }
 
     /// It has to be of one piece where the surface is, and have no other holes and handles.

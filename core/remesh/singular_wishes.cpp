@@ -102,8 +102,7 @@ std::vector<SingularVertex> singular_vertices(const Net& net) {
     const Topology topology(net);
     std::vector<SingularVertex> singular;
     for (int v = 0; v < net.vertex_count(); ++v)
-        if (!topology.is_boundary(v) && topology.valence(v) != k_regular_valence)
-            singular.push_back({net.rest_positions().col(v), v, topology.valence(v)});
+        if (topology.is_singular(v)) singular.push_back({net.rest_positions().col(v), v, topology.valence(v)});
     return singular;
 }
 

@@ -9,8 +9,6 @@
 
 namespace chebnet {
 
-inline constexpr int k_regular_valence = 4;
-
 /// A singular vertex where the user wants one. Its index is k_regular_valence − valence quarter turns.
 struct WishedSingular {
     Eigen::Vector3d point;  ///< on the surface, or that one of it which is nearest

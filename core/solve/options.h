@@ -38,6 +38,7 @@ struct Options {
     double shear_limit = 30;            ///< equilibrium: no corner of a quad is sharper, in degrees; 0: no limit
     double bending_weight = 1;          ///< equilibrium: of BendingTerm
     double shear_weight = 0.05;         ///< equilibrium: of ShearTerm
+    double tip_weight = 0;              ///< equilibrium: of TipTerm
     bool straight_rods = false;         ///< equilibrium: net lines want to be straight rather than as at rest
     double rod_curvature = 0;           ///< equilibrium: to which net lines were bent beforehand, 1 / length; 0: not
     double warp_stiffness = 1;          ///< equilibrium: factor of bending_weight for the first family of net lines,

@@ -19,6 +19,7 @@
 #include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
 #include "solve/terms/shear_term.h"
+#include "solve/terms/tip_term.h"
 #include "surface/guide.h"
 
 namespace chebnet::samples {
@@ -65,6 +66,7 @@ inline Eigen::Matrix3Xd gradient_of(const Resting& resting, const Positions& x) 
               options.square_corners ? ShearTerm::Reference::right_angles : ShearTerm::Reference::rest,
               std::max(options.shear_limit, 15.0) * k_degree)
         .evaluate(x, gradient);
+    TipTerm(net, topology, options.tip_weight).evaluate(x, gradient);
     GravityTerm(net, options.gravity, -Eigen::Vector3d::UnitZ()).evaluate(x, gradient);
     const auto mode = static_cast<GuideMode>(options.guide_mode);
     if (guide != nullptr && mode != GuideMode::off)

@@ -86,6 +86,7 @@ const std::map<std::string, std::string>& other_values() {
         {"shear_limit", "55"},
         {"bending_weight", "20"},
         {"shear_weight", "2"},
+        {"tip_weight", "20"},
         {"straight_rods", "on"},
         {"rod_curvature", "0.1"},
         {"warp_stiffness", "10"},

@@ -11,6 +11,7 @@
 #include "solve/terms/load_terms.h"
 #include "solve/terms/penalty_term.h"
 #include "solve/terms/shear_term.h"
+#include "solve/terms/tip_term.h"
 
 using namespace chebnet;
 
@@ -62,6 +63,7 @@ std::vector<std::unique_ptr<Term>> terms_of(const Net& net) {
             std::make_unique<BendingTerm>(net, topology, net.rest_positions(), 1.5, reference, stiffness, 0.4));
     for (const auto reference : {ShearTerm::Reference::rest, ShearTerm::Reference::right_angles})
         terms.push_back(std::make_unique<ShearTerm>(net, net.rest_positions(), 0.3, reference, 0.3));
+    terms.push_back(std::make_unique<TipTerm>(net, topology, 0.7));
     terms.push_back(std::make_unique<PullTerm>(net, pulls));
     terms.push_back(std::make_unique<GravityTerm>(net, 0.7, -Eigen::Vector3d::UnitZ()));
     terms.push_back(std::make_unique<PenaltyTerm>(edge_lengths(net), 2));
@@ -267,6 +269,33 @@ TEST_CASE("Rods: a line on a circle has the bending energy of its turning angles
     BendingTerm rods(net, Topology(net), net.rest_positions(), 2, BendingTerm::Reference::straight);
     const double turn = 2 * std::sin(EIGEN_PI / n);  // ‖t_i + t_j‖ of unit tangents that turn by 2π/n
     CHECK(energy(rods, x) == Approx(2 * n * rows * turn * turn));
+}
+
+TEST_CASE("Tips: the corner of a cube costs three times the weight, a vertex that is regular or flat nothing") {
+    const Net cube = samples::cube();
+    TipTerm tips(cube, Topology(cube), 2);
+    CHECK(energy(tips, cube.rest_positions()) == Approx(2 * 3 * 8));
+    CHECK(energy(tips, 2 * cube.rest_positions()) == Approx(4 * 2 * 3 * 8));
+
+    // Three rhombs about a vertex, in a plane.
+    Mesh flat{Positions::Zero(3, 7), {}};
+    for (int k = 0; k < 3; ++k) {
+        const double along = 2 * EIGEN_PI / 3 * k, across = along + EIGEN_PI / 3;
+        flat.positions.col(1 + 2 * k) << std::cos(along), std::sin(along), 0;
+        flat.positions.col(2 + 2 * k) << std::cos(across), std::sin(across), 0;
+        flat.faces.add({0, 1 + 2 * k, 2 + 2 * k, 1 + (2 * k + 2) % 6});
+    }
+    const Net rhombs(flat.positions, flat.faces, RestLengths::own);
+    TipTerm at_middle(rhombs, Topology(rhombs), 2);
+    CHECK(energy(at_middle, flat.positions) < 1e-28);
+    flat.positions.col(0) << 0, 0, 0.5;
+    CHECK(energy(at_middle, flat.positions) == Approx(2 * 1.5 * 1.5));
+
+    const Net grid = samples::patch(3, 4);
+    Random random;
+    CAPTURE(random.seed);
+    TipTerm none(grid, Topology(grid), 2);
+    CHECK(energy(none, samples::shaken(grid.rest_positions(), 1, random.engine)) == 0);
 }
 
 TEST_CASE("Constraints: Jacobian and curvature are derivatives, and rows of the Jacobian act as their transposes") {

@@ -843,18 +843,19 @@ std::unique_ptr<Method> make_equilibrium() { return std::make_unique<Equilibrium
 constexpr std::array k_equilibrium_stages{"Finding a net", "To the handles", "To rest", "Opening corners"};
 // The tolerances where a net is found by `projection`.
 constexpr auto k_equilibrium_options =
-    joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "straight_rods", "rod_curvature",
-                                    "warp_stiffness", "weft_stiffness", "square_corners", "gravity", "guide_mode",
-                                    "guide_weight", "rest_tolerance"});
+    joined(k_tolerances, std::array{"shear_limit", "bending_weight", "shear_weight", "tip_weight", "straight_rods",
+                                    "rod_curvature", "warp_stiffness", "weft_stiffness", "square_corners", "gravity",
+                                    "guide_mode", "guide_weight", "rest_tolerance"});
 
 }  // namespace
 
 /// The net at rest: the least of a stated energy among all nets with exact lengths, exact handles and no corner of a
 /// quad sharper than Options::shear_limit. Equal lengths leave the shear free (Li et al. 2022, figure 4); here bending
-/// of net lines (BendingTerm), shear (ShearTerm), soft handles (PullTerm) and weight (GravityTerm) decide it, so that
-/// an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one is kept that the
-/// present shape leads to. The energy counts from the net's rest shape; where that is no net within the limit, it is
-/// first made one, at rest without handles. Rods may also be straight or bent when free, and corners square. In stages:
+/// of net lines (BendingTerm), shear (ShearTerm), tips (TipTerm), soft handles (PullTerm) and weight (GravityTerm)
+/// decide it, so that an edit has one answer, whatever the way to it, but for buckling: of several equilibria the one
+/// is kept that the present shape leads to. The energy counts from the net's rest shape; where that is no net within
+/// the limit, it is first made one, at rest without handles. Rods may also be straight or bent when free, and corners
+/// square. In stages:
 ///
 ///   1  a net, by `projection`, if none is known near: where somebody else has moved the net, or stage 2 fails from the
 ///      last net and from the rest shape;

@@ -9,6 +9,7 @@
 #include "solve/terms/closeness_term.h"
 #include "solve/terms/load_terms.h"
 #include "solve/terms/shear_term.h"
+#include "solve/terms/tip_term.h"
 
 namespace chebnet {
 
@@ -51,16 +52,16 @@ std::unique_ptr<Term> closeness(const Net& net, const Guide& guide, double unit,
 
 bool RestEnergy::is_the_same(const Options& a, const Options& b) {
     const auto asked = [](const Options& o) {
-        return std::tuple(o.shear_limit, o.bending_weight, o.shear_weight, o.straight_rods, o.rod_curvature,
-                          o.warp_stiffness, o.weft_stiffness, o.square_corners, o.gravity, o.guide_mode,
-                          o.guide_weight);
+        return std::tuple(o.shear_limit, o.bending_weight, o.shear_weight, o.tip_weight, o.straight_rods,
+                          o.rod_curvature, o.warp_stiffness, o.weft_stiffness, o.square_corners, o.gravity,
+                          o.guide_mode, o.guide_weight);
     };
     return asked(a) == asked(b);
 }
 
 bool RestEnergy::is_least_at_rest_shape(const Options& options, std::span<const Pull> pulls, const Guide* guide) {
-    return pulls.empty() && !is_guided(options, guide) && options.gravity == 0 && !options.straight_rods &&
-           options.rod_curvature == 0 && !options.square_corners;
+    return pulls.empty() && !is_guided(options, guide) && options.gravity == 0 && options.tip_weight == 0 &&
+           !options.straight_rods && options.rod_curvature == 0 && !options.square_corners;
 }
 
 void RestEnergy::choose(const Net& net, const Topology& topology, const Positions& rest_shape, const Options& options,
@@ -72,6 +73,7 @@ void RestEnergy::choose(const Net& net, const Topology& topology, const Position
                                                     options.rod_curvature * unit));
     m_terms.push_back(
         std::make_unique<ShearTerm>(net, rest_shape, options.shear_weight, shear_reference(options), open_angle));
+    if (options.tip_weight > 0) m_terms.push_back(std::make_unique<TipTerm>(net, topology, options.tip_weight));
     if (options.gravity > 0)
         m_terms.push_back(std::make_unique<GravityTerm>(net, options.gravity, -Eigen::Vector3d::UnitZ()));
     if (is_guided(options, guide)) m_terms.push_back(closeness(net, *guide, unit, options));
