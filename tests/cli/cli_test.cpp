@@ -343,6 +343,16 @@ TEST_CASE("a run that does not converge ends with 1 and still reports and writes
     CHECK(box.has("out.obj"));
 }
 
+TEST_CASE("a solve with exact edges and handles that has not come to rest ends with 0") {
+    const Sandbox box;
+    box.write("pull.json", pull_edit(0.2).dump());
+    const Run run = box.run("solve " + k_recipe + " --edit pull.json --set rest_tolerance=0 -o out.obj");
+    CHECK(run.exit_code == 0);
+    CHECK(run.json().at("status") == "exact");
+    CHECK(run.json().at("max_handle_error") == 0);
+    CHECK(max_deviation_of_file(box, "out.obj") < 1e-9);
+}
+
 TEST_CASE("handles out of reach are named") {
     const Sandbox box;
     box.write("far.json", unreachable_edit().dump());
@@ -477,6 +487,29 @@ TEST_CASE("A net that comes with nearly closed quads is opened, and the report s
     const json left = box.run(solve + " --shear-limit 0").json();
     CHECK(left.at("smallest_corner_angle_degrees") < 20.1);
     CHECK_FALSE(left.contains("quads_beyond_shear_limit"));
+}
+
+TEST_CASE("equalize ends with 1 where corners stay sharper than the limit, and still writes what has equal edges") {
+    const Sandbox box;
+    // A flat ring, its outer border three times as long as the inner one.
+    constexpr int around = 30, rows = 10;
+    Mesh ring{Positions(3, around * (rows + 1)), {}};
+    for (int row = 0; row <= rows; ++row)
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2 * EIGEN_PI * k / around, radius = 1 + 2.0 * row / rows;
+            ring.positions.col(around * row + k) << radius * std::cos(angle), radius * std::sin(angle), 0;
+            const int inner = around * row + k, beside = around * row + (k + 1) % around;
+            if (row < rows) ring.faces.add({inner, beside, beside + around, inner + around});
+        }
+    box.write("ring.obj", write_obj(ring.positions, ring.faces));
+    const Run run = box.run("equalize ring.obj -o net.obj");
+    INFO(run.err);
+    CHECK(run.exit_code == 1);
+    CHECK(run.json().at("status") == "exact");
+    CHECK(run.json().at("quads_beyond_shear_limit") > 0);
+    CHECK(run.json().at("smallest_corner_angle_degrees") < 30);
+    CHECK(run.json().at("max_dL") < 1e-9);
+    CHECK(box.has("net.obj"));
 }
 
 TEST_CASE("equalize gives all edges one length, reports and writes") {

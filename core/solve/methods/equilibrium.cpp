@@ -129,7 +129,11 @@ private:
     double find_move_beside_corners(const Positions& positions);
     double step_along(Positions& positions, double slope, double whole);
     double error_cost();
-    bool project(Positions& positions) { return m_constraints->project(positions, m_options.threshold); }
+    bool project(Positions& positions) { return project(positions, m_options.threshold); }
+    bool project(Positions& positions, double threshold) {
+        m_is_linearised = false;  // the system is another one now, or one for other positions
+        return m_constraints->project(positions, threshold);
+    }
 
     const Net* m_net = nullptr;
     const Topology* m_topology = nullptr;
@@ -601,12 +605,15 @@ Status Equilibrium::relax(Positions& positions, TraceRow& row) {
 void Equilibrium::refine_lengths(Positions& positions) {
     for (int round = 0; round < k_most_refinements && m_max_deviation >= k_end_deviation; ++round) {
         Positions x = positions;
-        m_constraints->project(x, k_end_deviation);
+        project(x, k_end_deviation);
         const double deviation = max_deviation(*m_net, x);
-        if (!(deviation < m_max_deviation) || m_constraints->lack(x) > 2 * CornerLimit::k_tolerance) return;
+        if (!(deviation < m_max_deviation) || m_constraints->lack(x) > 2 * CornerLimit::k_tolerance) break;
         positions = x;
         m_max_deviation = deviation;
     }
+    if (m_is_linearised) return;
+    m_energy = m_rest_energy.evaluate(positions, m_gradient);
+    linearise(positions);
 }
 
 /// A net that is pressed as it stands, flat or with straight lines, is without a force that would bend it, however hard
@@ -626,6 +633,7 @@ bool Equilibrium::give_way(Positions& positions) {
     Positions bent = positions + height / bow.colwise().norm().maxCoeff() * bow;
     if (!project(bent)) {
         m_constraints->hold(held);
+        linearise(positions);
         return false;
     }
     positions = bent;
@@ -787,7 +795,6 @@ double Equilibrium::step_along(Positions& positions, double slope, double whole)
         if (!opens && !(energy + error_cost() <= before + k_sufficient_decrease * step * slope)) continue;
         m_energy = energy;
         m_gradient.swap(m_next_gradient);
-        m_is_linearised = false;
         return step;
     }
     positions = m_origin;
