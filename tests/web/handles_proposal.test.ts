@@ -64,9 +64,12 @@ test('a notch in its border is none of them', () => {
   expect(vertices).not.toContain(inner);
 });
 
-test('on a shell whose border is round they are its feet, however many', () => {
+test.each([
+  ['', 0],
+  [' around an opening in its middle', 0.4],
+])('on a shell%s whose border is round they are its feet, however many', (_, opening) => {
   for (const feet of [3, 4, 5]) {
-    const net = mesh(shellOnFeet(feet, 60 * feet, 24));
+    const net = mesh(shellOnFeet(feet, 60 * feet, 24, opening));
     const vertices = proposedHandles(net).map(({ vertex }) => vertex);
     const ofFeet = Array.from({ length: feet }, (_, i) => 23 * 60 * feet + 60 * i);
     expect(vertices).toHaveLength(feet);
@@ -74,13 +77,20 @@ test('on a shell whose border is round they are its feet, however many', () => {
   }
 });
 
-/** Of rings of quads around a small hole: the outermost goes out and down at each foot, and up between two. */
-function shellOnFeet(feet: number, around: number, rings: number): Parameters<typeof core.openMesh>[0] {
+/** Of rings of quads around a hole, to which this part of the way is left open: the outermost goes out and down at each foot, and up
+ *  between two. */
+function shellOnFeet(
+  feet: number,
+  around: number,
+  rings: number,
+  opening: number,
+): Parameters<typeof core.openMesh>[0] {
   const positions: number[] = [];
   const corners: number[] = [];
   for (let ring = 0; ring < rings; ring++)
     for (let i = 0; i < around; i++) {
-      const [radius, angle] = [(ring + 1) / rings, (2 * Math.PI * i) / around];
+      const radius = opening + ((1 - opening) * (ring + 1)) / rings;
+      const angle = (2 * Math.PI * i) / around;
       const bulge = radius ** 3 * Math.cos(feet * angle);
       const out = radius * (1 + 0.15 * bulge);
       positions.push(6 * out * Math.cos(angle), 6 * out * Math.sin(angle), 3 * (1 - radius ** 2) - bulge);

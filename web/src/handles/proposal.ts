@@ -39,8 +39,10 @@ function piecesOf(net: OpenedNet): number[][] {
 
 /** The farthest from the middle is free. */
 function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
-  const away = distancesAround(net, [middleOf(net, piece)], Infinity);
-  const loop = longestLoop(net, new Set(piece));
+  const [loop, ...holes] = loopsOf(net, new Set(piece));
+  const middle = middleOf(net, piece);
+  // Around a hole in its middle all ways begin at its rim: from one side of it the other would be the farthest out.
+  const away = distancesAround(net, holes.find((hole) => hole.includes(middle)) ?? [middle], Infinity);
   const corners = loop ? cornersOf(net, loop).filter((vertex) => pointsOut(net, loop, vertex, away)) : [];
   const ofBorder = [corners, loop ? peaksOf(loop, away) : []].find(({ length }) => length >= FEWEST && length <= MOST);
   const vertices = ofBorder ?? farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
@@ -76,11 +78,12 @@ function comesBack(distances: readonly number[], at: number, step: number): numb
   return here - lowest;
 }
 
-function longestLoop(net: OpenedNet, piece: ReadonlySet<number>): number[] | undefined {
+/** The longest first. */
+function loopsOf(net: OpenedNet, piece: ReadonlySet<number>): number[][] {
   return listsOf({ start: net.loopStart, vertices: net.loopVertices })
     .filter(([vertex = -1]) => piece.has(vertex))
     .map((loop) => [...loop])
-    .sort((a, b) => lengthOf(net, b) - lengthOf(net, a))[0];
+    .sort((a, b) => lengthOf(net, b) - lengthOf(net, a));
 }
 
 /** The farthest from the middle, then each time the one farthest from those found. */
