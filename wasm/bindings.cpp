@@ -13,6 +13,7 @@
 #include "edit/field.h"
 #include "edit/flip.h"
 #include "edit/net_forces.h"
+#include "fabricate/rod_table.h"
 #include "io/format.h"
 #include "io/obj.h"
 #include "mesh_border.h"
@@ -362,6 +363,11 @@ std::string to_obj(const Session& session, int digits) {
 
 std::string edges_to_csv(const Session& session) { return edge_table(session.editor); }
 
+std::string rods_to_csv(const Session& session) {
+    const Editor& editor = session.editor;
+    return rod_table(editor.net(), Topology(editor.net()), editor.positions());
+}
+
 /// `name`: of a format; `ply_text` is the PLY that is text, another name for a way to write rather than for a format.
 val to_file(const Session& session, std::string name) {
     WriteMesh* const write = name == "ply_text" ? find_format("ply").write_text : find_format(name).write;
@@ -419,6 +425,7 @@ EMSCRIPTEN_BINDINGS(chebnet) {
         .function("unreachablePairs", guarded<&unreachable_pairs>)
         .function("toObj", guarded<&to_obj>)
         .function("edgeTable", guarded<&edges_to_csv>)
+        .function("rodTable", guarded<&rods_to_csv>)
         .function("toFile", guarded<&to_file>);
 }
 

@@ -436,6 +436,8 @@ export interface Editor {
   toObj(digits?: number): string;
   /** The edges with their present lengths, and their forces where `forces` knows them, as CSV; see core/fabricate/edge_table.h. */
   edgeTable(): string;
+  /** The rods with their present lengths, and the marks where others cross them, as CSV; see core/fabricate/rod_table.h. */
+  rodTable(): string;
   /** The present positions as the bytes of a file. `format`: a name from `formats()`, or `ply_text`, where `ply` is binary. */
   toFile(format: string): Uint8Array<ArrayBuffer>;
   /** Frees the memory on the other side; the editor must not be used again. */

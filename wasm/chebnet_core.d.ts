@@ -110,6 +110,7 @@ export interface Session {
   unreachablePairs(): UnreachablePair[];
   toObj(digits: number): string;
   edgeTable(): string;
+  rodTable(): string;
   toFile(format: string): Uint8Array<ArrayBuffer>;
   delete(): void;
 }

@@ -440,6 +440,10 @@ class WasmEditor {
     return this.#open.edgeTable();
   }
 
+  rodTable() {
+    return this.#open.rodTable();
+  }
+
   /** @param {string} format */
   toFile(format) {
     return this.#open.toFile(text(format, 'a format', 'bad_option'));

@@ -10,6 +10,7 @@
 #include "edit/flip.h"
 #include "edit/locality.h"
 #include "edit/net_forces.h"
+#include "fabricate/rod_table.h"
 #include "io/obj.h"
 #include "mesh_border.h"
 #include "net/families.h"
@@ -44,6 +45,7 @@ Positions flipped(const Net&, std::span<const Handle>, const Positions&) { leave
 Mesh read_obj(std::string_view, std::string_view) { leave_to_the_whole_core(); }
 std::string write_obj(const Positions&, const Faces&, int) { leave_to_the_whole_core(); }
 std::string edge_table(const Editor&) { leave_to_the_whole_core(); }
+std::string rod_table(const Net&, const Topology&, const Positions&) { leave_to_the_whole_core(); }
 std::unique_ptr<Term> make_closeness_term(const Net&, const Guide&, double, double, ClosenessTerm::Side) {
     leave_to_the_whole_core();
 }

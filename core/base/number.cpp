@@ -31,4 +31,12 @@ std::string number_text(double number, int digits) {
     return text;
 }
 
+std::string exact_text(double number) {
+    for (int digits = 15; digits < 17; ++digits) {
+        std::string text = number_text(number, digits);
+        if (parse_number(text) == number) return text;
+    }
+    return number_text(number, 17);
+}
+
 }  // namespace chebnet

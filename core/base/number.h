@@ -14,4 +14,7 @@ std::optional<double> parse_number(std::string_view text);
 /// standard library: they would make up a quarter of the WebAssembly module.
 std::string number_text(double number, int digits);
 
+/// With as many digits, 15 to 17, as bring it back exactly.
+std::string exact_text(double number);
+
 }  // namespace chebnet

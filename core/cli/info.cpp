@@ -4,6 +4,7 @@
 #include "command.h"
 #include "drape/drape.h"
 #include "fabricate/edge_table.h"
+#include "fabricate/rod_table.h"
 #include "io/file.h"
 #include "net/measures.h"
 #include "net/topology.h"
@@ -17,6 +18,7 @@ namespace {
 struct InfoArguments {
     NetArgument net;
     std::string edges;    ///< file to write; empty: none
+    std::string rods;     ///< likewise
     std::string surface;  ///< one of ours or a file; empty: none
 };
 
@@ -31,6 +33,7 @@ int run_info(const InfoArguments& arguments) {
     const Topology topology(net);
     const LengthRange lengths = edge_length_range(net, net.rest_positions());
     if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(net, net.rest_positions()));
+    if (!arguments.rods.empty()) write_file(arguments.rods, rod_table(net, topology, net.rest_positions()));
     Json report = {{"net", arguments.net.name},
                    {"vertices", net.vertex_count()},
                    {"edges", net.edge_count()},
@@ -61,6 +64,10 @@ Command add_info(CLI::App& program) {
     add_net_argument(command, arguments->net);
     command.add_option("--edges", arguments->edges, "Write one line for each edge with its length, as CSV")
         ->type_name("EDGES.csv");
+    command
+        .add_option("--rods", arguments->rods,
+                    "Write one line for each rod with its length and the marks where others cross it, as CSV")
+        ->type_name("RODS.csv");
     command
         .add_option("--surface", arguments->surface,
                     "File of a surface, or the name of one of our own: how the net lies on it")

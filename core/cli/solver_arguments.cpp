@@ -6,6 +6,7 @@
 
 #include "edit/length_adapter.h"
 #include "edit/net_forces.h"
+#include "fabricate/rod_table.h"
 #include "io/file.h"
 #include "surface_argument.h"
 #include "text_table.h"
@@ -123,6 +124,10 @@ void add_solver_arguments(CLI::App& command, SolverArguments& arguments) {
         .add_option("--edges", arguments.edges,
                     "Write one line for each edge with its length, and with its force if the method knows it, as CSV")
         ->type_name("EDGES.csv");
+    command
+        .add_option("--rods", arguments.rods,
+                    "Write one line for each rod with its length and the marks where others cross it, as CSV")
+        ->type_name("RODS.csv");
     command.footer([] { return method_list() + '\n' + option_list(); });
 }
 
@@ -157,6 +162,8 @@ void write_results(const SolverArguments& arguments, const Editor& editor, std::
     write_net(arguments.output, editor.positions(), editor.net().faces());
     if (!arguments.trace.empty()) write_file(arguments.trace, trace_csv);
     if (!arguments.edges.empty()) write_file(arguments.edges, edge_table(editor));
+    if (!arguments.rods.empty())
+        write_file(arguments.rods, rod_table(editor.net(), Topology(editor.net()), editor.positions()));
 }
 
 }  // namespace chebnet

@@ -24,6 +24,7 @@ struct SolverArguments {
     NetOutput output;
     std::string trace;  ///< file to write; empty: none
     std::string edges;  ///< likewise
+    std::string rods;   ///< likewise
 };
 
 /// Declares the arguments and lists methods and options in the command's help.

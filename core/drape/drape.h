@@ -104,7 +104,7 @@ struct DrapeReport {
     double sheared, much_sheared;  ///< parts of the whole cells with a corner more than k_shear, k_much_shear from
                                    ///< a right angle
     int folds;                     ///< edges at which the net folds by more than k_fold: it is crumpled there
-    int rods;                      ///< net lines, each from end to end, but for those along a border that cuts
+    int rods;                      ///< net lines, each from end to end, but for those along a border that cuts: rods()
     double rod_length;             ///< of all of them together, in the surface's unit
     double max_deviation;          ///< the largest dL
 };

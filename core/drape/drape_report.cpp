@@ -1,14 +1,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include "drape/drape.h"
 #include "net/measures.h"
+#include "net/rods.h"
 #include "net/topology.h"
 #include "net/triangulation.h"
 #include "surface/guide.h"
@@ -20,8 +20,6 @@ namespace {
 
 // The surface is sampled in pieces no wider than this fraction of an edge.
 constexpr double k_sample = 0.25;
-// A part of L: cells with edges nearer to it are whole. Those of a net whose dL is below 1e-9 are, by some 3e-5.
-constexpr double k_whole = 1e-4;
 constexpr int k_samples = 2000;  // for a guess
 constexpr int k_most_cuts = 64;  // of one side of a triangle
 // In L, of what is beside the surface's border: a net that ends inside it is off by a cell's diagonal at most.
@@ -140,14 +138,6 @@ void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net&
     report.gaps = runs_of(is_open, topology);
 }
 
-/// That of most edges: those at a border may be cut.
-double length_of_most(const Net& net) {
-    Eigen::VectorXd lengths = net.rest_lengths();
-    const auto middle = lengths.begin() + lengths.size() / 2;
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-}
-
 /// The smallest and the largest corner of each whole cell.
 std::vector<AngleRange> whole_cells(const Net& net) {
     const Positions& x = net.rest_positions();
@@ -160,7 +150,7 @@ std::vector<AngleRange> whole_cells(const Net& net) {
         for (std::size_t k = 0; k < face.size() && is_whole; ++k) {
             const Eigen::Vector3d a = x.col(face[(k + 1) % 4]) - x.col(face[k]),
                                   b = x.col(face[(k + 3) % 4]) - x.col(face[k]);
-            is_whole = std::abs(a.norm() - length) < k_whole * length;
+            is_whole = std::abs(a.norm() - length) < k_whole_edge * length;
             const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
             corners = {std::min(corners.smallest, angle), std::max(corners.largest, angle)};
         }
@@ -169,18 +159,12 @@ std::vector<AngleRange> whole_cells(const Net& net) {
     return cells;
 }
 
-/// Where a border has cut the net, the edges along it are of no rod.
 void add_rods(const Net& net, const Topology& topology, DrapeReport& report) {
-    std::set<std::pair<int, int>> rim;
-    for (int e = 0; e < net.edge_count(); ++e) {
-        const double length = net.rest_lengths()[e];
-        if (net.edge_face_counts()[e] == 1 && std::abs(length - report.length) > k_whole * report.length)
-            rim.emplace(net.edges()(0, e), net.edges()(1, e));
-        else
-            report.rod_length += length;
+    for (const std::vector<int>& rod : rods(net, topology)) {
+        ++report.rods;
+        for (std::size_t k = 0; k + 1 < rod.size(); ++k)
+            report.rod_length += net.rest_lengths()[topology.edge_between(rod[k], rod[k + 1])];
     }
-    for (const std::vector<int>& line : topology.net_lines())
-        if (!rim.contains(std::minmax(line[0], line[1]))) ++report.rods;
 }
 
 double part_sheared(const std::vector<AngleRange>& cells, double shear) {

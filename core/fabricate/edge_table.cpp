@@ -5,18 +5,6 @@
 
 namespace chebnet {
 
-namespace {
-
-std::string exact_text(double number) {
-    for (int digits = 15; digits < 17; ++digits) {
-        std::string text = number_text(number, digits);
-        if (parse_number(text) == number) return text;
-    }
-    return number_text(number, 17);
-}
-
-}  // namespace
-
 std::string edge_table(const Net& net, const Positions& positions, const Eigen::VectorXd& forces) {
     const bool has_forces = forces.size() > 0;
     std::string table = "edge,vertex_a,vertex_b,length,rest_length,deviation";

@@ -80,6 +80,19 @@ test('3DM and GLB hold the net as it was dragged', async () => {
     .waitFor({ state: 'attached' });
 });
 
+test('CSV lists the edges, or the rods to cut', async () => {
+  await visit.script.open({ recipe: 'vault:vertices=300' });
+  const text = async () => new TextDecoder().decode((await save('CSV')).bytes).split('\n', 1)[0];
+  expect(await text()).toMatch(/^edge,/);
+  await press('Export');
+  await menu().getByLabel('What the table lists').selectOption('rods');
+  const { name, bytes } = await save('CSV');
+  expect(name).toBe('vault.rods.csv');
+  const rows = new TextDecoder().decode(bytes).trimEnd().split('\n').slice(1);
+  const edges = rows.reduce((sum, row) => sum + Number(row.split(',')[1]), 0);
+  expect(edges).toBe((await visit.script.stats()).edges);
+});
+
 test('the pattern of a net in millimetres is of its own size', async () => {
   const edge = menu().getByLabel('Length of an edge on the pattern in millimetres');
   for (const [length, shown] of [

@@ -165,6 +165,17 @@ TEST_CASE("info writes the edges and their lengths") {
     check_refused(box.run("info kite.obj --edges no/such/folder.csv"), "no/such/folder.csv");
 }
 
+TEST_CASE("info and solve write the rods, with the marks where others cross them") {
+    const Sandbox box;
+    box.write("two.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n");
+    CHECK(box.run("info two.obj --rods rods.csv").exit_code == 0);
+    const std::string rods = box.read("rods.csv");
+    CHECK_THAT(rods, Catch::Matchers::StartsWith("rod,edges,length,closed,vertices,marks\n0,2,2,0,0 1 2,0 1 2\n"));
+    box.write("edit.json", R"({"handles": [{"vertex": 0, "target": [0, 0, 0]}]})");
+    CHECK(box.run("solve two.obj --edit edit.json --rods again.csv").exit_code == 0);
+    CHECK(box.read("again.csv") == rods);
+}
+
 TEST_CASE("info measures lengths against their mean") {
     const Sandbox box;
     box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");

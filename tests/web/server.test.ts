@@ -500,7 +500,7 @@ describe('by hand', () => {
       Array.from(solved.suggestedHandles, (vertex) => ({ vertex, target: at(solved.restPositions, vertex) })),
     );
     solved.solve(); // of which the table has the forces
-    ask({ type: 'export', format: 'csv' });
+    ask({ type: 'export', format: 'edges' });
     expect(said.at(-1)).toMatchObject({ type: 'exported', bytes: new TextEncoder().encode(solved.edgeTable()) });
   });
 
@@ -514,12 +514,12 @@ describe('by hand', () => {
       const answer = said.at(-1)!;
       return answer.type === 'exported' ? new TextDecoder().decode(answer.bytes) : expect.fail(answer.type);
     };
-    const [solved, shape] = [exported('csv'), exported('obj')];
+    const [solved, shape] = [exported('edges'), exported('obj')];
     expect(solved).toMatch(/,force\n/);
     const seeds = handles.map((handle) => ({ ...handle, anchor: false }));
     const scene = { ...freshScene({ recipe }), method: 'equilibrium', positions, handles: seeds, settled: true };
     ask({ type: 'restore', scene });
-    expect(exported('csv').split('\n')[0]).toBe(solved.split('\n')[0]);
+    expect(exported('edges').split('\n')[0]).toBe(solved.split('\n')[0]);
     expect(exported('obj')).toBe(shape);
   });
 

@@ -13,6 +13,10 @@ const OWN = [
   { name: 'png', mediaType: 'image/png', purpose: 'pictures' },
 ] as const satisfies readonly { name: string; mediaType: string; purpose: Purpose; after?: string }[];
 
+/** Of what CSV lists the lengths. */
+export const TABLES = ['edges', 'rods'] as const;
+export type TableName = (typeof TABLES)[number];
+
 /** Each has a hint in `panelWords.exports.hints`. */
 export type OwnKind = (typeof OWN)[number]['name'];
 /** A name of either table. */
@@ -23,6 +27,8 @@ export interface SaveRequest {
   kind: FileKind;
   /** Of the pattern: how long an edge is drawn. */
   edgeMm: number;
+  /** Of CSV. */
+  table: TableName;
   /** Of the picture: how many times the pixels of the screen. */
   magnification: number;
 }

@@ -44,7 +44,8 @@ export async function save(request: SaveRequest, parts: SaveParts): Promise<void
   const content = await contentOf(request, opening, parts);
   if (content === null) return;
   const { formats } = parts.app;
-  download(fileNameOf(opening.document.net, request.kind, formats), content, typeOf(request.kind, formats));
+  const extension = request.kind === 'csv' && request.table !== 'edges' ? `${request.table}.csv` : request.kind;
+  download(fileNameOf(opening.document.net, extension, formats), content, typeOf(request.kind, formats));
 }
 
 /** Null: there is none, and why is said with a way out. */
@@ -56,6 +57,8 @@ async function contentOf(request: SaveRequest, opening: Opening, parts: SavePart
     case '3dm':
     case 'glb':
       return made(jobOf(request.kind, opening, theme(), app.formats), spawnWorker());
+    case 'csv':
+      return app.exported(request.table);
     case 'svg':
       return patternOf(request, opening, parts);
     default:

@@ -1,6 +1,6 @@
 /** What the menu of exports offers: kinds of files, with their settings. Loaded after the first picture. */
-import { kindsFor } from '../export/kinds';
-import type { FileKind, Purpose } from '../export/kinds';
+import { kindsFor, TABLES } from '../export/kinds';
+import type { FileKind, Purpose, TableName } from '../export/kinds';
 import { filmType } from '../export/film_type';
 import { panelWords } from '../language/panels';
 import { make } from '../elements/dom';
@@ -20,7 +20,8 @@ const SHORTEST_MM = 5;
 export class ExportLines implements Panel {
   readonly element: HTMLElement;
   readonly #edge = makeEdgeField();
-  readonly #size = makeSizeSelect();
+  readonly #size = makeSelect(words.magnification, MAGNIFICATIONS, (factor) => `${factor}×`);
+  readonly #table = makeSelect(words.table, TABLES, (table) => words.tables[table]);
   readonly #menu: Menu;
   readonly #events: PanelEvents;
   #edgeIsChosen = false;
@@ -42,6 +43,7 @@ export class ExportLines implements Panel {
   setTables({ formats }: Tables): void {
     const beside: Partial<Record<FileKind, HTMLElement[]>> = {
       svg: [this.#edge.input, make('span', {}, 'mm'), this.#edge.note],
+      csv: [this.#table],
       png: [this.#size],
     };
     const items = (purpose: Purpose): MenuItem[] =>
@@ -59,7 +61,8 @@ export class ExportLines implements Panel {
   #save(kind: FileKind): void {
     const edgeMm = kind === 'svg' ? this.#edge.value : EDGE_MM.usual;
     if (edgeMm === null) return this.#refuse();
-    this.#events.save({ kind, edgeMm, magnification: Number(this.#size.value) });
+    const [table, magnification] = [this.#table.value as TableName, Number(this.#size.value)];
+    this.#events.save({ kind, edgeMm, table, magnification });
   }
 
   /** The menu, which has closed, comes back: beside the field stands what is allowed. */
@@ -82,9 +85,12 @@ function makeEdgeField(): NumberField {
   });
 }
 
-function makeSizeSelect(): HTMLSelectElement {
-  const sizes = MAGNIFICATIONS.map((factor) => make('option', { value: factor }, `${factor}×`));
-  return make('select', { 'aria-label': words.magnification }, ...sizes);
+function makeSelect<Value extends string | number>(
+  label: string,
+  values: readonly Value[],
+  textOf: (value: Value) => string,
+): HTMLSelectElement {
+  return make('select', { 'aria-label': label }, ...values.map((value) => make('option', { value }, textOf(value))));
 }
 
 function recordItem(record: () => void): MenuItem {

@@ -15,9 +15,10 @@ import type { Scene, SolverSettings, Vec3 } from '../document/document';
 import type { Tables } from '../net/tables';
 
 /** Raised whenever a message changes its meaning; page and worker of different versions refuse each other. */
-export const PROTOCOL_VERSION = 12;
+export const PROTOCOL_VERSION = 13;
 
-/** File formats that the solver's worker writes: a name from the core's table of formats, or `csv`, its edges with their lengths. */
+/** File formats that the solver's worker writes: a name from the core's table of formats, or `edges` or `rods`, their
+ *  lengths as CSV. */
 export type ExportFormat = string;
 
 /** From the page to the worker. `id` counts up and comes back in the answer. */

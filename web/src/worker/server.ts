@@ -348,7 +348,7 @@ export class Server {
   }
 
   #export(id: number, format: ExportFormat): void {
-    if (format === 'csv') this.#learnForces();
+    if (format === 'edges') this.#learnForces();
     const bytes = fileOf(this.#net(), format);
     this.#post({ id, type: 'exported', bytes }, [bytes.buffer]);
   }
@@ -571,7 +571,8 @@ function checkNumbering(editor: Editor, { numbering }: OpenScene): void {
 }
 
 function fileOf(editor: Editor, format: ExportFormat): Uint8Array<ArrayBuffer> {
-  return format === 'csv' ? new TextEncoder().encode(editor.edgeTable()) : editor.toFile(format);
+  if (format === 'edges') return new TextEncoder().encode(editor.edgeTable());
+  return format === 'rods' ? new TextEncoder().encode(editor.rodTable()) : editor.toFile(format);
 }
 
 /** Of messages, which copy what they carry. */

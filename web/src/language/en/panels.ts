@@ -313,10 +313,12 @@ export const panels = {
       '3dm': 'Rhino: quads and net lines',
       glb: 'triangles in colour, for slides and the web',
       svg: 'flat pattern, an edge is',
-      csv: 'edges and their lengths',
+      csv: 'lengths, to cut and to check, of the',
       png: 'without background',
     },
     edgeLength: 'Length of an edge on the pattern in millimetres',
+    table: 'What the table lists',
+    tables: { edges: 'edges', rods: 'rods' },
     magnification: 'Size of the picture',
     video: {
       title: 'Video',

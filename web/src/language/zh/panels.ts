@@ -506,10 +506,12 @@ export const panels: Widened<typeof en> = {
       '3dm': 'Rhino：四边形与网线',
       glb: '彩色三角形，用于幻灯片和网页',
       svg: '展开图，边长',
-      csv: '各边及其长度',
+      csv: '长度表，用于裁切与检查，列出',
       png: '透明背景',
     },
     edgeLength: '展开图上的边长（毫米）',
+    table: '表中列出的内容',
+    tables: { edges: '各边', rods: '各杆' },
     magnification: '图片大小',
     video: {
       title: '视频',

@@ -1,0 +1,81 @@
+#include "fabricate/rod_table.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "drape/drape.h"
+#include "net/rods.h"
+#include "shapes/shapes.h"
+#include "surface/gallery.h"
+
+using namespace chebnet;
+
+namespace {
+
+std::string table_of(const Net& net, const Positions& positions) { return rod_table(net, Topology(net), positions); }
+
+/// The cells of each line but the header.
+std::vector<std::vector<std::string>> cells_of(const std::string& table) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(table);
+    std::string line, cell;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        while (std::getline(cells, cell, ',')) rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("A rod table has a header, and a line a rod with its length, its vertices and how far along it they are") {
+    Positions x(3, 6);
+    x << 0, 1, 2, 0, 1, 2,  //
+        0, 0, 0, 1, 1, 1,   //
+        0, 0, 0, 0, 0, 0;
+    Faces faces;
+    faces.add({0, 1, 4, 3});
+    faces.add({1, 2, 5, 4});
+    const Net net(x, faces, RestLengths::own);
+    CHECK(table_of(net, 2 * x) ==
+          "rod,edges,length,closed,vertices,marks\n"
+          "0,2,4,0,0 1 2,0 2 4\n"
+          "1,1,2,0,0 3,0 2\n"
+          "2,1,2,0,1 4,0 2\n"
+          "3,1,2,0,2 5,0 2\n"
+          "4,2,4,0,3 4 5,0 2 4\n");
+}
+
+TEST_CASE("Every edge of a net that nothing has cut lies on one rod; those around a tube are closed") {
+    const Net tube = make_shape("tube:vertices=300").net;
+    int edges = 0, closed = 0;
+    for (const std::vector<std::string>& row : cells_of(table_of(tube, tube.rest_positions()))) {
+        REQUIRE(row.size() == 6);
+        edges += std::stoi(row[1]);
+        closed += std::stoi(row[3]);
+        CHECK(std::stod(row[2]) == Approx(std::stoi(row[1]) * tube.mean_length()).epsilon(1e-4));
+    }
+    CHECK(edges == tube.edge_count());
+    CHECK(closed > 0);
+}
+
+TEST_CASE("Where the border of a surface has cut a net, the edges along it are of no rod") {
+    const Surface hemisphere = make_own_surface("hemisphere");
+    const SurfaceTree tree(hemisphere);
+    DrapeOptions options = suggested_drape(hemisphere, tree, 300);
+    options.border = DrapeOptions::Border::cut;
+    const Net net = drape(hemisphere, tree, options).net;
+    const DrapeReport report = measure_drape(hemisphere, tree, net);
+    const auto rows = cells_of(table_of(net, net.rest_positions()));
+    CHECK(std::ssize(rows) == report.rods);
+    CHECK(std::ssize(rows) < std::ssize(Topology(net).net_lines()));
+    double length = 0;
+    for (const std::vector<std::string>& row : rows) length += std::stod(row[2]);
+    CHECK(length == Approx(report.rod_length));
+}
