@@ -198,7 +198,12 @@ describe('writing', () => {
     expect(header).toBe('rod,edges,length,closed,vertices,marks');
     const rows = lines.map((line) => line.split(','));
     expect(rows.reduce((sum, [, edges]) => sum + Number(edges), 0)).toBe(editor.edges.length / 2);
-    const lengths = editor.edgeTable().trimEnd().split('\n').slice(1).map((line) => Number(line.split(',')[3]));
+    const lengths = editor
+      .edgeTable()
+      .trimEnd()
+      .split('\n')
+      .slice(1)
+      .map((line) => Number(line.split(',')[3]));
     const sum = (numbers: readonly number[]) => numbers.reduce((all, each) => all + each, 0);
     expect(sum(rows.map(([, , length]) => Number(length)))).toBeCloseTo(sum(lengths), 8);
   });
