@@ -52,7 +52,7 @@ TEST_CASE("A rod table has a header, and a line a rod with its length, its verti
           "4,2,4,0,3 4 5,0 2 4\n");
 }
 
-TEST_CASE("Every edge of a net that nothing has cut lies on one rod; those around a tube are closed") {
+TEST_CASE("Every edge of a net that nothing has cut lies on one rod, and those around a tube are closed") {
     const Net tube = make_shape("tube:vertices=300").net;
     int edges = 0, closed = 0;
     for (const std::vector<std::string>& row : cells_of(table_of(tube, tube.rest_positions()))) {
