@@ -53,6 +53,7 @@ int run_change(const ChangeArguments& arguments) {
     write_net(arguments.output, exact.positions(), changed.mesh.faces);
 
     const Net after(exact.positions(), changed.mesh.faces);
+    const LengthRange lengths = edge_length_range(after, exact.positions());
     print({{"net", arguments.net.name},
            {"change", arguments.name},
            {"status", to_string(status)},
@@ -60,6 +61,9 @@ int run_change(const ChangeArguments& arguments) {
            {"faces", after.face_count()},
            {"pieces", Topology(after).component_count()},
            {"length", after.mean_length()},
+           {"shortest_length", lengths.shortest},
+           {"longest_length", lengths.longest},
+           {"chebyshev", after.is_chebyshev()},
            {"max_dL", max_deviation(after, exact.positions())},
            {"smallest_corner_angle_degrees", corner_angle_range(after, exact.positions()).smallest / k_degree}});
     return status == Status::converged ? k_success : k_not_converged;

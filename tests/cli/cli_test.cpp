@@ -638,9 +638,17 @@ TEST_CASE("change gives a net other faces, exactly") {
     CHECK(run.json().at("status") == "converged");
     CHECK(run.json().at("max_dL") < 1e-9);
     CHECK(run.json().at("faces") == 4 * faces);
+    CHECK(run.json().at("chebyshev") == true);
     CHECK(box.run("change fine.obj coarsen").json().at("faces") == faces);
     CHECK(box.run("change " + k_recipe + " cut --line 40 41").json().at("pieces") == 2);
     CHECK(box.run("change fine.obj delete_faces --vertices 0").json().at("faces") == 4 * faces - 1);
+
+    // Edges with lengths of their own keep them, which the report says.
+    box.write("kite.obj", "v 0 0 0\nv 1 0 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4\n");
+    const json kite = box.run("change kite.obj refine -o parts.obj").json();
+    CHECK(kite.at("chebyshev") == false);
+    CHECK(kite.at("shortest_length") == 0.5);
+    CHECK(kite.at("longest_length") == 1.5);
 
     check_refused(box.run("change fine.obj melt"), "no change is called \"melt\"; known are ");
     check_refused(box.run("change fine.obj cut --line 0 700"), "--line");
