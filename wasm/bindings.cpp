@@ -168,6 +168,7 @@ val info(const Session& session) {
     info.set("shortestLength", lengths.shortest);
     info.set("meanLength", net.mean_length());
     info.set("longestLength", lengths.longest);
+    info.set("edgeLength", shared_length(net).value_or(net.mean_length()));
     info.set("maxDeviationFromMean", max_deviation_from_mean(net));
     info.set("isChebyshev", net.is_chebyshev());
     return info;

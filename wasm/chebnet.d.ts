@@ -100,6 +100,8 @@ export interface NetInfo {
   shortestLength: number;
   meanLength: number;
   longestLength: number;
+  /** That of most edges: where a border has cut the net some are shorter. The mean, if they share none. */
+  edgeLength: number;
   /** Largest dL of the rest positions against the mean length. */
   maxDeviationFromMean: number;
   isChebyshev: boolean;

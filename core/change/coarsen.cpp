@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "change/corner_edges.h"
+#include "net/rods.h"
 
 namespace chebnet {
 
@@ -29,6 +30,9 @@ public:
           m_faces_of_edge(static_cast<std::size_t>(net.edge_count()), {-1, -1}),
           m_faces_of_vertex(static_cast<std::size_t>(net.vertex_count())),
           m_is_reached(static_cast<std::size_t>(net.face_count()), false) {
+        if (is_cut(net, m_topology))
+            throw Error(ErrorCode::impossible_change,
+                        "rods of this net are cut at its border: lay a net with edges of twice the length instead");
         for (int f = 0; f < net.face_count(); ++f) {
             if (net.faces()[f].size() != 4)
                 throw Error(ErrorCode::impossible_change,

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "change/corner_edges.h"
+#include "net/rods.h"
 
 namespace chebnet {
 
@@ -58,6 +59,10 @@ ChangedMesh refined(const Net& net, const ChangePlace&) {
     if (static_cast<long long>(V) + E + F > k_most_refined_vertices)
         throw Error(ErrorCode::too_large, "the finer net would have more than 2,000,000 vertices");
     const Topology topology(net);
+    if (is_cut(net, topology))
+        throw Error(ErrorCode::impossible_change,
+                    "rods of this net are cut at its border, where parts of cells would have sharp corners: lay a net "
+                    "with edges of half the length instead");
     const Faces& faces = net.faces();
     const std::vector<int> edges = corner_edges(net, topology);
 

@@ -138,6 +138,9 @@ void add_open_border(const Surface& surface, const SurfaceTree& tree, const Net&
     report.gaps = runs_of(is_open, topology);
 }
 
+/// L: those at a border may be cut.
+double length_of_most(const Net& net) { return shared_length(net).value_or(net.mean_length()); }
+
 /// The smallest and the largest corner of each whole cell.
 std::vector<AngleRange> whole_cells(const Net& net) {
     const Positions& x = net.rest_positions();

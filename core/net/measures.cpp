@@ -112,6 +112,18 @@ LengthRange edge_length_range(const Net& net, const Positions& positions) {
     return range;
 }
 
+std::optional<double> shared_length(const Net& net) {
+    if (net.is_chebyshev()) return net.mean_length();
+    Eigen::VectorXd lengths = net.rest_lengths();
+    const auto middle = lengths.begin() + lengths.size() / 2;
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    const double length = *middle;
+    const auto count = std::count_if(lengths.begin(), lengths.end(),
+                                     [&](double each) { return std::abs(each - length) < k_whole_edge * length; });
+    if (2 * count <= lengths.size()) return std::nullopt;
+    return length;
+}
+
 double max_deviation_from_mean(const Net& net) {
     // dL grows away from the mean on both sides.
     const auto [shortest, longest] = edge_length_range(net, net.rest_positions());

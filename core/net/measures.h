@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "net/net.h"
@@ -28,6 +29,14 @@ struct LengthRange {
     double shortest, longest;
 };
 LengthRange edge_length_range(const Net& net, const Positions& positions);
+
+/// A part of L: an edge nearer to it than that has this length. Those of a net whose dL is below 1e-9 are, by some
+/// 3e-5.
+inline constexpr double k_whole_edge = 1e-4;
+
+/// L, the rest length of more than half of all edges, if there is one: where a border has cut the net, edges there have
+/// others.
+std::optional<double> shared_length(const Net& net);
 
 /// The largest dL at rest against the mean length, whatever lengths the edges keep.
 double max_deviation_from_mean(const Net& net);

@@ -1,27 +1,33 @@
 #include "net/rods.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
+#include <optional>
+
+#include "net/measures.h"
 
 namespace chebnet {
 
-double length_of_most(const Net& net) {
-    Eigen::VectorXd lengths = net.rest_lengths();
-    const auto middle = lengths.begin() + lengths.size() / 2;
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
-}
-
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology) {
-    const double length = length_of_most(net);
-    const auto is_rim = [&](int edge) {
-        return net.edge_face_counts()[edge] == 1 && std::abs(net.rest_lengths()[edge] - length) > k_whole_edge * length;
-    };
     std::vector<std::vector<int>> lines = topology.net_lines();
+    const std::optional<double> shared = shared_length(net);
+    if (!shared) return lines;
+    const auto is_rim = [&](int edge) {
+        return net.edge_face_counts()[edge] == 1 &&
+               std::abs(net.rest_lengths()[edge] - *shared) > k_whole_edge * *shared;
+    };
     std::erase_if(lines, [&](const std::vector<int>& line) { return is_rim(topology.edge_between(line[0], line[1])); });
     return lines;
+}
+
+bool is_cut(const Net& net, const Topology& topology) {
+    const std::optional<double> shared = shared_length(net);
+    if (!shared || net.is_chebyshev() || faces_by_arity(net.faces()).size() < 2) return false;
+    for (int e = 0; e < net.edge_count(); ++e) {
+        const bool is_whole = std::abs(net.rest_lengths()[e] - *shared) <= k_whole_edge * *shared;
+        if (!is_whole && !topology.is_boundary(net.edges()(0, e)) && !topology.is_boundary(net.edges()(1, e)))
+            return false;
+    }
+    return true;
 }
 
 }  // namespace chebnet

@@ -7,15 +7,12 @@
 
 namespace chebnet {
 
-/// A part of L: an edge nearer to it than that has this length. Those of a net whose dL is below 1e-9 are, by some
-/// 3e-5.
-inline constexpr double k_whole_edge = 1e-4;
-
-/// L, that of most edges: those at a border may be cut.
-double length_of_most(const Net& net);
-
 /// The net lines that a rod is laid along, each a list of vertices as those of Topology::net_lines(): all but the lines
-/// along a border that has cut the net, whose edges have other lengths.
+/// along a border that has cut the net, whose edges are not of the length that others share (shared_length()).
 std::vector<std::vector<int>> rods(const Net& net, const Topology& topology);
+
+/// Whether a border has cut the net: its edges share a length, but for some that end at the border, where some of its
+/// faces are no quads.
+bool is_cut(const Net& net, const Topology& topology);
 
 }  // namespace chebnet

@@ -36,7 +36,7 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   const sent = await sender.script.positions();
   const short = await copied(sender);
   await sender.page.screenshot({ path: join(OUTPUT, 'share-short.png') });
-  await sender.page.getByRole('radio', { name: /^Exactly these positions/ }).click();
+  await sender.page.getByRole('radio', { name: /^These positions/ }).click();
   await expect.poll(() => sender.page.evaluate(() => navigator.clipboard.readText())).not.toBe(short);
   const exact = await sender.page.evaluate(() => navigator.clipboard.readText());
   console.log(`links of ${short.length} and ${exact.length} characters`);

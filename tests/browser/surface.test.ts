@@ -10,13 +10,19 @@ import { OUTPUT, dropFile, visits } from './page';
 
 const chebnet = await load();
 
-/** Of one of our own surfaces, as somebody's file. */
-function surfaceFile(name: string): string {
+/** Of one of our own surfaces, so many times as large, as somebody's file. */
+function surfaceFile(name: string, unit = 1): string {
   const surface = chebnet.ownSurface(name);
   const { positions, triangles } = surface;
   surface.dispose();
   const lines: string[] = [];
-  for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions.subarray(i, i + 3).join(' ')}`);
+  for (let i = 0; i < positions.length; i += 3)
+    lines.push(
+      `v ${positions
+        .subarray(i, i + 3)
+        .map((x) => unit * x)
+        .join(' ')}`,
+    );
   for (let i = 0; i < triangles.length; i += 3) {
     const corners = triangles.subarray(i, i + 3).map((vertex) => vertex + 1);
     lines.push(`f ${corners.join(' ')}`);
@@ -135,6 +141,32 @@ async function towardsMiddle({ x }: { x: number }) {
   const { x: left, width } = (await draper().locator('.picture canvas').boundingBox())!;
   return x < left + width / 2 ? 40 : -40;
 }
+
+test('on a surface in millimetres edges may be longer than 1,000, and a pattern of rods that are cut is of whole ones', async () => {
+  await dropFile(visit.page, 'hall.obj', surfaceFile('hemisphere', 10_000));
+  await dialog(/^hall\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await measured();
+  const edge = draper().getByLabel('Edge length');
+  expect(Number(await edge.inputValue())).toBeGreaterThan(1000);
+  await edge.fill('1200');
+  await edge.press('Enter');
+  await draper().getByRole('combobox', { name: 'At the border' }).selectOption('rods cut at it');
+  await measured();
+  expect(await edge.inputValue()).toBe('1200');
+  expect(await results()).toMatch(/Edge length\s+1,200\b/);
+  await edge.fill('900');
+  await edge.press('Enter');
+  await measured();
+  await draper().getByRole('button', { name: 'Open this net' }).click();
+  await draper().waitFor({ state: 'hidden' });
+  await script.settled();
+  await visit.page.getByRole('button', { name: 'Export', exact: true }).click();
+  const onPattern = visit.page.getByLabel('Length of an edge on the pattern in millimetres');
+  expect(await onPattern.inputValue()).toBe('900');
+  await visit.page.keyboard.press('Escape');
+});
 
 test('a mesh of triangles is dropped, a net laid on it by hand, opened, edited, undone and saved', async () => {
   const { vertices: first } = await script.stats();

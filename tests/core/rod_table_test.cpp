@@ -3,12 +3,17 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iterator>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "change/coarsen.h"
+#include "change/refine.h"
 #include "drape/drape.h"
+#include "net/measures.h"
 #include "net/rods.h"
+#include "sample_nets.h"
 #include "shapes/shapes.h"
 #include "surface/gallery.h"
 
@@ -75,7 +80,22 @@ TEST_CASE("Where the border of a surface has cut a net, the edges along it are o
     const auto rows = cells_of(table_of(net, net.rest_positions()));
     CHECK(std::ssize(rows) == report.rods);
     CHECK(std::ssize(rows) < std::ssize(Topology(net).net_lines()));
+    CHECK(is_cut(net, Topology(net)));
+    CHECK(shared_length(net).value() == Approx(options.length));
+    CHECK_THROWS_WITH(refined(net, {}), Catch::Matchers::Contains("half the length"));
+    CHECK_THROWS_WITH(coarsened(net, {}), Catch::Matchers::Contains("twice the length"));
     double length = 0;
     for (const std::vector<std::string>& row : rows) length += std::stod(row[2]);
     CHECK(length == Approx(report.rod_length));
+}
+
+TEST_CASE("Edges that have no length in common leave every net line a rod, also along the border") {
+    std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same mesh each time
+    const Net even = samples::patch(5, 4);
+    const Net uneven(samples::shaken(even.rest_positions(), 0.1, random), even.faces(), RestLengths::own);
+    CHECK_FALSE(shared_length(uneven));
+    CHECK_FALSE(is_cut(uneven, Topology(uneven)));
+    CHECK(rods(uneven, Topology(uneven)) == Topology(uneven).net_lines());
+    CHECK(shared_length(even).value() == even.mean_length());
+    CHECK(rods(even, Topology(even)) == Topology(even).net_lines());
 }

@@ -33,7 +33,7 @@ export function requestOf({ document, net, frame }: Opening, wanted: WantedChang
     mesh: { positions: document.positions ?? restPositions, faceStart, faceVertices },
     way: wanted.way,
     place: 'place' in wanted ? placeOf(net, chosen, wanted.place) : {},
-    factor: 'length' in wanted ? wanted.length / (info.meanLength * lengthScale) : 1,
+    factor: 'length' in wanted ? wanted.length / (info.edgeLength * lengthScale) : 1,
     length: info.isChebyshev ? restLengths[0]! * lengthScale : null,
     held: wanted.way === 'resize' ? [] : exact,
     ...(limit !== undefined && { shearLimit: Number(limit) * RADIANS }),

@@ -197,7 +197,10 @@ export class DrapeDialog implements DraperLike {
       cutsProposed: (cuts, coverage) => this.#cuts.setProposed(cuts, coverage),
       draped: (net) => this.#onDraped(net),
       missed: () => this.#onMissed(),
-      measured: (report, milliseconds) => this.#results.setReport(report, milliseconds),
+      measured: (report, milliseconds) => {
+        this.#results.setReport(report, milliseconds);
+        if (this.#form.isWhole) this.#form.showMadeLength(report.length);
+      },
       progressed: (phase, done) => this.#maker.setProgress(phase, done),
       remeshed: (net) => this.#onRemeshed(net),
       refused: ({ message }, request) => this.#onRefused(message, request),

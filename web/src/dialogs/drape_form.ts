@@ -6,8 +6,7 @@ import { turned, turnOf } from '../drape/seed';
 import { make, makeSelect, makeSwitch, setText, setValue } from '../elements/dom';
 import { NumberField } from '../elements/number_field';
 import { dialogWords } from '../language/dialogs';
-import { count } from '../language/numbers';
-import { lengthWords } from './file_words';
+import { count, lengthDigits } from '../language/numbers';
 
 const TEXT = dialogWords.drape;
 const DEGREE = Math.PI / 180;
@@ -180,7 +179,7 @@ export class DrapeForm {
     this.#showRows();
     this.#seed = null;
     this.#isByLength = false;
-    this.#length.input.min = lengthWords(lengthOf(MOST_CELLS, area));
+    this.#length.input.min = lengthDigits(lengthOf(MOST_CELLS, area));
     this.#setLength(length);
   }
 
@@ -259,10 +258,15 @@ export class DrapeForm {
   }
 
   #setLength(length: number): void {
-    this.#length.put(lengthWords(length));
+    this.#length.put(lengthDigits(length));
     this.#edge = this.#length.input.valueAsNumber;
     this.#cells.input.value = String(stepOf(cellsOf(length, this.#area)));
     this.#show(false);
+  }
+
+  /** Of a net over the whole surface, whose cells come out somewhat larger or smaller than those asked for. */
+  showMadeLength(length: number): void {
+    if (!this.#isByLength) this.#length.put(lengthDigits(length));
   }
 
   #chooseTurn(): void {

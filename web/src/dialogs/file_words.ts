@@ -1,7 +1,7 @@
 /** Texts for the contents of a file. */
 import type { FileReport } from '../files/file_report';
 import { dialogWords } from '../language/dialogs';
-import { count } from '../language/numbers';
+import { count, lengthDigits } from '../language/numbers';
 
 /** E.g. "961: 900 quads, 61 triangles", the most frequent first. */
 export function faceWords({ faces, facesByArity }: Pick<FileReport, 'faces' | 'facesByArity'>): string {
@@ -28,9 +28,9 @@ export function largestDifference({
   return Math.max(meanLength - shortestLength, longestLength - meanLength) / meanLength;
 }
 
-/** Five digits: an edge of a finished net is off its length by a thousandth at most. */
+/** As it is read. */
 export function lengthWords(length: number): string {
-  const rounded = Number(length.toPrecision(5));
+  const rounded = Number(lengthDigits(length));
   return rounded < 1000 ? String(rounded) : count(rounded);
 }
 

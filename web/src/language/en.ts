@@ -65,7 +65,7 @@ export const en = {
     angle: { choice: 'Corner angles', title: 'Corner angle farthest from 90°' },
     shear: { choice: 'Shear', title: 'Shear: 90° less the sharpest corner' },
     fold: { choice: 'Fold between faces', title: 'Fold: angle between two faces' },
-    curvature: { choice: 'Curvature', title: 'Curvature: saddle < 0 < dome' },
+    curvature: { choice: 'Curvature', title: 'Curvature, if all were curved so: saddle < 0 < dome' },
     force: { choice: 'Forces in edges', title: 'Force: pushes < 0 < pulls' },
     height: { choice: 'Distance from the surface', title: 'Above the surface, in edge lengths' },
     longer: { choice: 'Longer than L', title: 'Edges by their length L' },

@@ -26,6 +26,11 @@ export function apart(a: number, b: number): [string, string] {
   return [a.toPrecision(digits), b.toPrecision(digits)];
 }
 
+/** Of a length, as a field has them: five, since an edge of a finished net is off its length by a thousandth at most. */
+export function lengthDigits(length: number): string {
+  return String(Number(length.toPrecision(5)));
+}
+
 /** Stands for a number that there is not. */
 export const NOTHING = '–';
 

@@ -63,7 +63,7 @@ export const zh: Words = {
     angle: { choice: '面的角', title: '偏离 90° 最远的角' },
     shear: { choice: '剪切', title: '剪切：90° 减去最尖的角' },
     fold: { choice: '面间折角', title: '折角：两个面之间的角' },
-    curvature: { choice: '曲率', title: '曲率：马鞍形 < 0 < 穹顶形' },
+    curvature: { choice: '曲率', title: '曲率（假设全网同样弯曲）：马鞍形 < 0 < 穹顶形' },
     force: { choice: '边的受力', title: '边的受力：压 < 0 < 拉' },
     height: { choice: '到曲面的距离', title: '曲面上方的高度，以边长计' },
     longer: { choice: '是否长于 L', title: '边长与 L 相比' },

@@ -2,6 +2,7 @@
 import { kindsFor, TABLES } from '../export/kinds';
 import type { FileKind, Purpose, TableName } from '../export/kinds';
 import { filmType } from '../export/film_type';
+import { lengthDigits } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { make } from '../elements/dom';
 import type { Menu, MenuItem } from '../elements/menu';
@@ -34,10 +35,10 @@ export class ExportLines implements Panel {
   }
 
   /** A pattern is of the net's own size, unless somebody wants another or its unit is no millimetre. */
-  setNet({ info: { meanLength } }: OpenedNet): void {
+  setNet({ info: { edgeLength } }: OpenedNet): void {
     if (this.#edgeIsChosen) return;
-    const isInMm = meanLength >= SHORTEST_MM && meanLength <= EDGE_MM.largest;
-    this.#edge.put(String(isInMm ? Number(meanLength.toPrecision(5)) : EDGE_MM.usual));
+    const isInMm = edgeLength >= SHORTEST_MM && edgeLength <= EDGE_MM.largest;
+    this.#edge.put(isInMm ? lengthDigits(edgeLength) : String(EDGE_MM.usual));
   }
 
   setTables({ formats }: Tables): void {

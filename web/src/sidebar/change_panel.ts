@@ -40,7 +40,7 @@ export class ChangePanel implements Panel {
   readonly #drawing: LineDrawing;
   readonly #about = make('p', { class: 'quiet' });
   readonly #events: PanelEvents;
-  #meanLength = 1;
+  #edgeLength = 1;
   #net: OpenedNet | null = null;
   /** Of each vertex its piece; null: there is one piece. */
   #pieces: Int32Array | null = null;
@@ -90,7 +90,7 @@ export class ChangePanel implements Panel {
   setNet(net: OpenedNet): void {
     this.#net = net;
     this.#drawing.setNet(net);
-    this.#meanLength = net.info.meanLength;
+    this.#edgeLength = net.info.edgeLength;
     const isOne = net.info.components < 2;
     this.#pieces = isOne ? null : piecesOfVertices(net);
     // What has the focus goes.
@@ -101,7 +101,7 @@ export class ChangePanel implements Panel {
 
   setFrame(frame: FrameData): void {
     this.#drawing.setFrame(frame);
-    const length = this.#meanLength * frame.lengthScale;
+    const length = this.#edgeLength * frame.lengthScale;
     // Limits of few digits can be said.
     const about = Number(length.toPrecision(2));
     this.#length.input.min = String(about / MOST_FACTOR);

@@ -523,8 +523,9 @@ export const panels = {
       about: (size: string) => `${size} characters. The shape is solved again as it opens, and comes out the same.`,
     },
     exact: {
-      label: 'Exactly these positions',
-      about: (size: string) => `${size} characters. Nothing is left to be solved.`,
+      label: 'These positions',
+      about: (size: string) =>
+        `${size} characters. Nothing is left to be solved; places are rounded to a ten-thousandth of an edge.`,
     },
     copy: 'Copy link',
     qr: 'QR code of the link',

@@ -700,7 +700,7 @@ export const panels: Widened<typeof en> = {
     },
     exact: {
       label: '保留全部位置',
-      about: (size) => `${size} 个字符。无需再求解。`,
+      about: (size) => `${size} 个字符。无需再求解；位置四舍五入到边长的万分之一。`,
     },
     copy: '复制链接',
     qr: '链接的二维码',
