@@ -104,6 +104,7 @@ describe('an editor', () => {
       shortestLength: 1,
       meanLength: 1,
       longestLength: 1,
+      edgeLength: 1,
       maxDeviationFromMean: 0,
       isChebyshev: true,
     });

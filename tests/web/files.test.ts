@@ -270,6 +270,7 @@ describe('a file', () => {
       shortestLength: 1,
       meanLength: 1,
       longestLength: 1,
+      edgeLength: 1,
       maxDeviationFromMean: 0,
       isChebyshev: true,
       findings: [],
