@@ -6,7 +6,7 @@ import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
 import { drawn, OUTPUT, visits } from './page';
 
-const { share } = visits();
+const { arrive, share } = visits();
 
 const SIZES = [
   ['a phone', { width: 360, height: 740 }, true],
@@ -320,3 +320,44 @@ test.each([
   const [above, legend] = [(await tools.boundingBox())!, (await page.locator('.legend').boundingBox())!];
   expect(above.y + above.height).toBeLessThanOrEqual(legend.y);
 });
+
+/** Of a large net, as long as they become, in the order of the section Convergence. */
+const LONG = [
+  ...['100,000', '199,370', '3,000', '0.00012 %', '< 1e-16', '12,345'],
+  ...['99.9 ms', '120', '1.2e-16', '1.2e-16 L', '1.2e-16 L', 'Opening corners'],
+];
+
+test.each(['en', 'zh-CN'])(
+  'numbers of the solve are seen whole, however narrow their panel is (%s)',
+  async (locale) => {
+    const { page } = await arrive('', {
+      viewport: { width: 820, height: 1180 },
+      hasTouch: true,
+      isMobile: true,
+      locale,
+    });
+    const numbers = page.locator('.numbers').first();
+    await page.locator('.group > summary').click();
+    await numbers.waitFor();
+    for (const width of [820, 768, 1024, 1280]) {
+      await page.setViewportSize({ width, height: 1024 });
+      await drawn(page);
+      const outside = await numbers.evaluate((list, long) => {
+        const values = [...list.querySelectorAll('dd')];
+        const { left, right } = list.getBoundingClientRect();
+        const isOutside = (value: HTMLElement) =>
+          value.getBoundingClientRect().left < left || value.getBoundingClientRect().right > right + 1;
+        const cut = () => values.filter(isOutside).map((value) => value.parentElement!.textContent);
+        const now = cut();
+        const texts = values.map((value) => value.textContent);
+        const put = (all: readonly (string | null)[]) =>
+          values.forEach((value, i) => (value.textContent = all[i] ?? ''));
+        put(long);
+        const then = cut();
+        put(texts);
+        return [...now, ...then];
+      }, LONG);
+      expect(outside, `${width} px`).toEqual([]);
+    }
+  },
+);
