@@ -182,6 +182,7 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
         return all.filter(isUnder).length / all.length;
       });
       expect(covered).toBeLessThan(0.2);
+      expect(await faults(page, '.stuck-notice')).toEqual([]);
     }
     await notice.getByRole('button', { name: 'Dismiss' }).click();
     await expect.poll(() => notice.innerText()).toBe('');
@@ -189,6 +190,36 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
     await notice.getByText(/out of reach/).waitFor();
     await button(page, 'Undo').click();
     await expect.poll(() => notice.innerText()).toBe('');
+  });
+
+  test('where a hand was held back, the way out and the handle are free beside open controls', async () => {
+    const { page, script } = await visit();
+    await script.open({ recipe: 'dome:vertices=500,reach=55' });
+    await script.settled();
+    await drawn(page);
+    const { vertex } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+    const { x, y } = await script.screenPosition(vertex);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 150, y - 130, { steps: 10 });
+    await page.mouse.up();
+    await script.settled();
+    await button(page, 'Let edges grow').waitFor();
+    const fold = button(page, 'Controls');
+    if (await fold.isVisible()) await fold.click();
+    await drawn(page);
+    await picture(page, 'held-back');
+    expect(await button(page, 'Let edges grow').isVisible()).toBe(true);
+    expect(await faults(page, '.stuck-notice')).toEqual([]);
+    const place = await script.screenPosition(vertex);
+    const [left, top, right, bottom] = await page.locator('.stuck-notice .message').evaluate((message) => {
+      const box = message.getBoundingClientRect();
+      return [box.left, box.top, box.right, box.bottom] as const;
+    });
+    const isCovered = place.x > left && place.x < right && place.y > top && place.y < bottom;
+    expect(isCovered).toBe(false);
+    const view = (await page.locator('#view').boundingBox())!;
+    expect(bottom).toBeLessThanOrEqual(view.y + view.height);
   });
 
   test('the picture stays where it is, whatever the solver says', async () => {
@@ -319,6 +350,30 @@ test.each([
   expect(words.filter((text) => text.trim() === '')).toEqual([]);
   const [above, legend] = [(await tools.boundingBox())!, (await page.locator('.legend').boundingBox())!];
   expect(above.y + above.height).toBeLessThanOrEqual(legend.y);
+});
+
+test.each([
+  [820, 1180],
+  [1024, 768],
+  [1280, 800],
+])('on a screen of %i by %i a message stands above the legend and the tools of a selection', async (width, height) => {
+  const { page, script } = await share({ viewport: { width, height }, hasTouch: true, isMobile: true });
+  await script.settled();
+  const { vertex, target } = (await page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const { x, y } = await script.screenPosition(vertex);
+  await page.touchscreen.tap(x, y);
+  await page.locator('.selection-bar').waitFor();
+  await script.move(vertex, [target[0], target[1], target[2] + 20]);
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  const above = async (other: string): Promise<void> => {
+    const [box, beside] = [(await message.boundingBox())!, (await page.locator(other).boundingBox())!];
+    expect(box.y + box.height, other).toBeLessThanOrEqual(beside.y);
+  };
+  await above('.selection-bar');
+  await page.keyboard.press('Escape');
+  await page.locator('.selection-bar').waitFor({ state: 'hidden' });
+  await above('.legend');
 });
 
 /** Of a large net, as long as they become, in the order of the section Convergence. */
