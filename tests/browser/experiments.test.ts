@@ -111,6 +111,35 @@ test('a phone shows net and note without scrolling sideways', async () => {
   await page.screenshot({ path: join(OUTPUT, 'experiment-phone-open.png') });
 });
 
+test.each([
+  [820, 1180, 'one-edit'],
+  [820, 1180, 'energy-of-an-edge'],
+  [1024, 768, 'one-edit'],
+  [1280, 800, 'one-edit'],
+])('on a screen of %i by %i the note on %s stays clear above a comparison', async (width, height, experiment) => {
+  const { page } = await visitFigure(experiment, { width, height });
+  const note = noteOf(page);
+  await note.getByRole('button', { name: 'One step' }).waitFor();
+  await openForResearch(page, 'Compare methods');
+  await page.getByRole('button', { name: 'Compare', exact: true }).click();
+  await page.locator('.comparison .table').waitFor();
+  await drawn(page);
+  // Nothing lies over its heading, or over what can be done.
+  const covered = await note.locator('summary, .buttons button').evaluateAll((all) =>
+    all
+      .filter((each) => each.checkVisibility())
+      .flatMap((each) => {
+        const { left, right, top, bottom } = each.getBoundingClientRect();
+        const corners = [left + 3, right - 3].flatMap((x) => [top + 3, bottom - 3].map((y) => [x, y] as const));
+        const isSeen = corners.every(([x, y]) => each.contains(document.elementFromPoint(x, y)));
+        return isSeen ? [] : [each.textContent];
+      }),
+  );
+  expect(covered).toEqual([]);
+  const [box, legend] = [(await note.boundingBox())!, (await page.locator('.legend').boundingBox())!];
+  expect(box.y + box.height).toBeLessThanOrEqual(legend.y);
+});
+
 test('an unknown experiment shows the first net and says so', async () => {
   const { page, script } = await arrive('#experiment=nonsense');
   await expect.poll(() => page.getByRole('alert').innerText()).toMatch(/experiment/);
