@@ -97,6 +97,21 @@ describe("the core's table of formats says", () => {
   });
 });
 
+test('a file that is none of these is refused with the formats that the page reads', async () => {
+  const said: FileResponse[] = [];
+  const importer = new FileImporter(core, (response) => said.push(response));
+  for (const [name, bytes] of [
+    ['notes.txt', 'Tomorrow'],
+    ['a.png', '\x89PNG'],
+  ] as const)
+    await importer.handle({ type: 'read', file: new Blob([Uint8Array.from(bytes, (c) => c.charCodeAt(0))]), name });
+  const reasons = said.flatMap((each) => (each.type === 'error' ? [each.message] : []));
+  expect(reasons).toEqual([
+    'notes.txt: not a mesh of a format that is read, which are OBJ, PLY, OFF, STL, GLB and 3DM',
+    'a.png: this is a PNG picture; meshes are read from OBJ, PLY, OFF, STL, GLB and 3DM',
+  ]);
+});
+
 describe('words', () => {
   test('for faces', () => {
     expect(faceWords({ faces: 1200, facesByArity: { 4: 1200 } })).toBe('1,200 quads');

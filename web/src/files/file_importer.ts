@@ -5,6 +5,7 @@ import type { FileRequest, FileResponse, ReadStep } from './file_protocol';
 import { checkMesh, reportOf, withEditor } from './file_report';
 import type { CheckedMesh, FileReport } from './file_report';
 import { readModel } from './model';
+import { withModelFormats } from './model_formats';
 import { Failure, codeOf, messageOf } from '../failure';
 
 export class FileImporter {
@@ -38,13 +39,21 @@ export class FileImporter {
     const bytes = await bytesOf(file, name);
     this.#begin('reading');
     const model = await readModel(bytes, name, this.#rhinoUrl);
-    const given = model?.mesh ?? this.#core.readMesh(bytes, name);
+    const given = model?.mesh ?? this.#readMesh(bytes, name);
     this.#begin('checking');
     const mesh = inFile(name, () => checkMesh(this.#core, given));
     this.#begin('measuring');
     const report = inFile(name, () => reportOf(this.#core, mesh, model?.up));
     this.#mesh = mesh;
     return report;
+  }
+
+  #readMesh(bytes: Uint8Array, name: string): Mesh {
+    try {
+      return this.#core.readMesh(bytes, name);
+    } catch (error) {
+      throw new Failure(codeOf(error), withModelFormats(messageOf(error), this.#core.formats()), { cause: error });
+    }
   }
 
   #take(repaired: boolean): Mesh {
