@@ -10,6 +10,7 @@ const { arrive, share } = visits();
 
 const SIZES = [
   ['a phone', { width: 360, height: 740 }, true],
+  ['a small phone', { width: 375, height: 553 }, true],
   ['a phone on its side', { width: 740, height: 360 }, true],
   ['a desk at 200 %', { width: 640, height: 400 }, false],
 ] as const;
@@ -86,6 +87,27 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
           beside.y + beside.height <= box.y;
         expect(apart, `${each} and ${other}`).toBe(true);
       }
+  });
+
+  test('the net is large enough to be taken hold of, also beside open controls', async () => {
+    const { page, script } = await visit();
+    await script.settled();
+    const fold = button(page, 'Controls');
+    for (const [unfold, least] of [
+      [false, 120],
+      [true, 60],
+    ] as const) {
+      if (unfold && (await fold.isVisible())) await fold.click();
+      await drawn(page);
+      const height = await page.evaluate(() => {
+        const all = Array.from(
+          { length: window.chebnet.stats().vertices },
+          (_, v) => window.chebnet.screenPosition(v).y,
+        );
+        return Math.max(...all) - Math.min(...all);
+      });
+      expect(height).toBeGreaterThan(least);
+    }
   });
 
   test('the legend is whole, and away from the net', async () => {
