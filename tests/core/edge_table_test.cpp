@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/number.h"
+#include "csv_cells.h"
 #include "net/measures.h"
 #include "sample_nets.h"
 #include "shapes/shapes.h"
@@ -29,13 +29,9 @@ Net square(double size) {
 /// The numbers of each line but the header.
 std::vector<std::vector<double>> rows(const std::string& table) {
     std::vector<std::vector<double>> rows;
-    std::istringstream lines(table);
-    std::string line, cell;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
+    for (const std::vector<std::string>& cells : samples::cells_of(table)) {
         rows.emplace_back();
-        std::istringstream cells(line);
-        while (std::getline(cells, cell, ',')) rows.back().push_back(parse_number(cell).value());
+        for (const std::string& cell : cells) rows.back().push_back(parse_number(cell).value());
     }
     return rows;
 }

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <iterator>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "change/coarsen.h"
 #include "change/refine.h"
+#include "csv_cells.h"
 #include "drape/drape.h"
 #include "net/measures.h"
 #include "net/rods.h"
@@ -22,20 +22,6 @@ using namespace chebnet;
 namespace {
 
 std::string table_of(const Net& net, const Positions& positions) { return rod_table(net, Topology(net), positions); }
-
-/// The cells of each line but the header.
-std::vector<std::vector<std::string>> cells_of(const std::string& table) {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream lines(table);
-    std::string line, cell;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-        rows.emplace_back();
-        std::istringstream cells(line);
-        while (std::getline(cells, cell, ',')) rows.back().push_back(cell);
-    }
-    return rows;
-}
 
 }  // namespace
 
@@ -60,7 +46,7 @@ TEST_CASE("A rod table has a header, and a line a rod with its length, its verti
 TEST_CASE("Every edge of a net that nothing has cut lies on one rod, and those around a tube are closed") {
     const Net tube = make_shape("tube:vertices=300").net;
     int edges = 0, closed = 0;
-    for (const std::vector<std::string>& row : cells_of(table_of(tube, tube.rest_positions()))) {
+    for (const std::vector<std::string>& row : samples::cells_of(table_of(tube, tube.rest_positions()))) {
         REQUIRE(row.size() == 6);
         edges += std::stoi(row[1]);
         closed += std::stoi(row[3]);
@@ -77,7 +63,7 @@ TEST_CASE("Where the border of a surface has cut a net, the edges along it are o
     options.border = DrapeOptions::Border::cut;
     const Net net = drape(hemisphere, tree, options).net;
     const DrapeReport report = measure_drape(hemisphere, tree, net);
-    const auto rows = cells_of(table_of(net, net.rest_positions()));
+    const auto rows = samples::cells_of(table_of(net, net.rest_positions()));
     CHECK(std::ssize(rows) == report.rods);
     CHECK(std::ssize(rows) < std::ssize(Topology(net).net_lines()));
     CHECK(is_cut(net, Topology(net)));
