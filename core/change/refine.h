@@ -8,8 +8,8 @@ namespace chebnet {
 /// faces alone). Vertices: those of the net, the middles of its edges, the middles of its faces. The old ones stay
 /// where they are; the middles of edges lie on smooth curves along the net lines (Dyn, Levin and Gregory 1987), which
 /// end where a net line does or is folded; those of faces on patches between these curves (Coons 1967). Edges are to be
-/// half as long. The place does not matter. Throws Error too_large beyond 2,000,000 vertices,
-/// and impossible_change where a border has cut the net.
+/// half as long. The place does not matter. Throws Error too_large beyond 2,000,000 vertices, and
+/// impossible_change where a border has cut the net.
 ChangedMesh refined(const Net& net, const ChangePlace& place);
 
 }  // namespace chebnet

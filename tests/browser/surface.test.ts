@@ -804,6 +804,25 @@ test('cuts that help a net are proposed with what they help', async () => {
   await visit.page.screenshot({ path: join(OUTPUT, 'surface-proposed-cuts.png') });
 });
 
+test('the length that a net over the whole came to have stands in its field, and is not asked for of one piece', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
+  await measured();
+  const kind = draper().getByRole('combobox', { name: 'Net', exact: true });
+  const length = draper().getByRole('spinbutton', { name: 'Edge length' });
+  await draper().getByRole('slider', { name: 'Cells' }).press('Home');
+  const asked = await length.inputValue();
+  await kind.selectOption('whole');
+  expect(await length.inputValue()).toBe(asked);
+  await press('Make the net');
+  await expect.poll(() => length.inputValue(), { timeout: 60_000 }).not.toBe(asked);
+  expect(await results()).toMatch(new RegExp(`Edge length\\s+${(await length.inputValue()).replace('.', '\\.')}\\b`));
+  await kind.selectOption('piece');
+  expect(await length.inputValue()).toBe(asked);
+  await press('Cancel');
+});
+
 test('a closed body gets a net over the whole of it, with progress and a stop', async () => {
   const { vertices: first } = await script.stats();
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();

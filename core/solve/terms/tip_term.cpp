@@ -15,25 +15,25 @@ TipTerm::TipTerm(const Net& net, const Topology& topology, double weight) : m_we
     }
 }
 
-double TipTerm::multiply(const Eigen::Matrix3Xd& x, double factor, Eigen::Matrix3Xd& result) const {
+double TipTerm::multiply(const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& product) const {
     double sum = 0;
     for (const auto& [b, spokes] : m_hubs) {
         Eigen::Vector3d tip = Eigen::Vector3d::Zero();
         for (const auto& [end, inverse_length] : spokes) tip += inverse_length * (x.col(end) - x.col(b));
         sum += m_weight * tip.dot(tip);
         for (const auto& [end, inverse_length] : spokes) {
-            const Eigen::Vector3d force = factor * m_weight * inverse_length * tip;
-            result.col(end) += force;
-            result.col(b) -= force;
+            const Eigen::Vector3d force = 2 * m_weight * inverse_length * tip;
+            product.col(end) += force;
+            product.col(b) -= force;
         }
     }
     return sum;
 }
 
-double TipTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) { return multiply(x, 2, gradient); }
+double TipTerm::evaluate(const Positions& x, Eigen::Matrix3Xd& gradient) { return multiply(x, gradient); }
 
 void TipTerm::add_curvature(Curvature, const Eigen::Matrix3Xd& d, Eigen::Matrix3Xd& product) const {
-    multiply(d, 2, product);
+    multiply(d, product);
 }
 
 /// With p_i = x_i − x_b: ‖Σ α_i p_i‖² = Σ_i α_i (Σ_j α_j) ‖p_i‖² − Σ_(i<j) α_i α_j ‖p_i − p_j‖².

@@ -37,8 +37,8 @@ private:
     /// dᵀ M d = Σ w_ab ‖d_a − d_b‖², M half the Hessian: a, b and w of each pair.
     template <class AddLink>
     void add_links(const AddLink& add_link) const;
-    /// Adds `factor` M x to `result`, and returns xᵀ M x.
-    double multiply(const Eigen::Matrix3Xd& x, double factor, Eigen::Matrix3Xd& result) const;
+    /// Adds the Hessian times x, 2 M x, to `product`, and returns xᵀ M x.
+    double multiply(const Eigen::Matrix3Xd& x, Eigen::Matrix3Xd& product) const;
 
     double m_weight;
     std::vector<Hub> m_hubs;  // the inner singular vertices

@@ -230,6 +230,8 @@ export class DrapeForm {
   }
 
   #chooseKind(): void {
+    // The length that a whole net came to have is none that was asked for.
+    this.showMadeLength(this.#edge);
     this.#limit.input.max = String(this.isWhole ? LIMITS.whole : LIMITS.piece);
     this.#boundAngle();
     this.#show(false);

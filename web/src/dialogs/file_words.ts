@@ -28,7 +28,7 @@ export function largestDifference({
   return Math.max(meanLength - shortestLength, longestLength - meanLength) / meanLength;
 }
 
-/** As it is read. */
+/** As people read it, large ones with separators, which a field does not take. */
 export function lengthWords(length: number): string {
   const rounded = Number(lengthDigits(length));
   return rounded < 1000 ? String(rounded) : count(rounded);

@@ -21,8 +21,8 @@ const SHORTEST_MM = 5;
 export class ExportLines implements Panel {
   readonly element: HTMLElement;
   readonly #edge = makeEdgeField();
-  readonly #size = makeSelect(words.magnification, MAGNIFICATIONS, (factor) => `${factor}×`);
-  readonly #table = makeSelect(words.table, TABLES, (table) => words.tables[table]);
+  readonly #size = makeNamedSelect(words.magnification, MAGNIFICATIONS, (factor) => `${factor}×`);
+  readonly #table = makeNamedSelect(words.table, TABLES, (table) => words.tables[table]);
   readonly #menu: Menu;
   readonly #events: PanelEvents;
   #edgeIsChosen = false;
@@ -86,7 +86,8 @@ function makeEdgeField(): NumberField {
   });
 }
 
-function makeSelect<Value extends string | number>(
+/** Its name is not seen: it stands in a line that says what it is for. */
+function makeNamedSelect<Value extends string | number>(
   label: string,
   values: readonly Value[],
   textOf: (value: Value) => string,
