@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import type { AxeResults } from 'axe-core';
 import type { Frame, Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
-import { OUTPUT, visits } from './page';
+import { OUTPUT, unfoldAll, visits } from './page';
 
 const AXE = readFileSync(
   createRequire(new URL('../../web/package.json', import.meta.url)).resolve('axe-core/axe.min.js'),
@@ -70,7 +70,7 @@ describe.each([
     await page.keyboard.press('Escape');
 
     if (name === 'phone') await page.getByRole('button', { name: 'Controls' }).click();
-    await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
+    await unfoldAll(page);
     await page.keyboard.press('l');
     await page.keyboard.press('Control+a');
     found.sections = await faults(page);

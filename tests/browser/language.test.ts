@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { dropFile, OUTPUT, visits } from './page';
+import { dropFile, OUTPUT, unfoldAll, visits } from './page';
 
 const { arrive, open } = visits();
 const CHINESE = { locale: 'zh-CN' };
@@ -31,10 +31,6 @@ async function foreignWords(page: Page): Promise<string[]> {
 
 async function overflow(page: Page, selector: string): Promise<number> {
   return page.locator(selector).evaluate((each) => each.scrollWidth - each.clientWidth);
-}
-
-async function unfoldAll(page: Page): Promise<void> {
-  await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
 }
 
 test('a Chinese visitor reads Chinese: in the picture, in every panel, on a file and on its fault', async () => {
@@ -113,10 +109,8 @@ test('in an experiment, its steps and its comparison too, and on a phone nothing
   const { page, script } = await arrive('#experiment=long-edges', CHINESE);
   await script.settled();
   await page.getByRole('button', { name: '单步迭代' }).first().click();
-  const compare = page.getByRole('button', { name: '开始比较', includeHidden: true });
-  await compare.waitFor({ state: 'attached' }); // its section comes after the experiment's own buttons
   await unfoldAll(page);
-  await compare.click();
+  await page.getByRole('button', { name: '开始比较' }).click();
   const results = page.getByRole('region', { name: '比较结果' });
   await results.getByText('2 次求解').waitFor();
   await results.getByRole('button', { name: 'Li 等 2022', exact: true }).click();

@@ -86,6 +86,12 @@ export async function openForResearch(page: Page, section: string): Promise<void
   await page.locator('summary', { hasText: section }).click();
 }
 
+/** Unfolds every section of the page, those too that come after the first picture, once they are there. */
+export async function unfoldAll(page: Page): Promise<void> {
+  await page.locator('.sections > details.group').waitFor({ state: 'attached' });
+  await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
+}
+
 /** Resolves when what was asked for has been drawn: one frame lays the page out, the next draws what follows from that. */
 export function drawn(page: Page): Promise<unknown> {
   return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));

@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../web/src/language/en';
 import { zh } from '../../web/src/language/zh';
-import { drawn, OUTPUT, visits } from './page';
+import { drawn, OUTPUT, unfoldAll, visits } from './page';
 
 const { arrive, share } = visits();
 
@@ -157,12 +157,9 @@ describe.each(SIZES)('%s', (name, viewport, isMobile) => {
 
   test('the controls, with every section unfolded', async () => {
     const { page } = await visit();
-    await page.locator('.sections > *').nth(8).waitFor({ state: 'attached' });
     const fold = button(page, 'Controls');
     if (await fold.isVisible()) await fold.click();
-    await page.evaluate(() => {
-      for (const section of document.querySelectorAll<HTMLDetailsElement>('.sections details')) section.open = true;
-    });
+    await unfoldAll(page);
     await page.locator('.lesson').first().waitFor({ state: 'attached' });
     await picture(page, 'controls');
     expect(await faults(page, '.sidebar')).toEqual([]);
