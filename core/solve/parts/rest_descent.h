@@ -1,0 +1,132 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "net/net.h"
+#include "net/topology.h"
+#include "solve/method.h"
+#include "solve/options.h"
+#include "solve/parts/corner_limit.h"
+#include "solve/parts/free_part.h"
+#include "solve/parts/net_constraints.h"
+#include "solve/parts/path_extrapolation.h"
+#include "solve/parts/rest_energy.h"
+#include "solve/parts/tangent_newton.h"
+#include "solve/pull.h"
+#include "solve/rest_state.h"
+#include "solve/slide.h"
+#include "solve/trace.h"
+
+namespace chebnet {
+
+/// The descent from net to net until one is at rest: Newton steps for the energy among nets (TangentNewton), each
+/// turning the net where it turns (TurnedMove), projected onto the lengths and out of corners that are too sharp
+/// (NetConstraints), until the gradient that these leave is below Options::rest_tolerance. Where steps follow a valley
+/// of the energy, they are carried on along it (PathExtrapolation). A net towards whose bending nothing pushes to first
+/// order, flat or with straight lines, is given a bow where it would lose energy by it.
+class RestDescent {
+public:
+    /// Another net, of which nothing is known. Keeps references.
+    void set_net(const Net& net, const Topology& topology);
+    /// Other handles: what Newton's method knows of those of before is of no use.
+    void forget_handles();
+
+    /// Whether an energy is chosen, which Options like these would choose again.
+    bool has_energy_of(const Options& options) const;
+    void forget_energy() { m_rest_energy.forget(); }
+    /// Takes another energy and another limit of the corners. `rest_shape` and `guide` as in RestEnergy::choose().
+    void choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
+                       const Guide* guide, double unit);
+    void set_options(const Options& options) { m_options = options; }
+    /// What it takes to make steps with these handles, and the energy's pulls at their targets. Keeps a reference to
+    /// the part. Throws Error too_large where the systems for it would be. `positions`: near where it begins.
+    void prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
+                 std::span<const Pull> pulls, const CornerLimit& limit, const Positions& positions);
+    bool is_prepared() const { return m_constraints && m_newton; }
+    /// What steps of before have left does not count in those that follow.
+    void forget_multipliers() { m_newton->forget_multipliers(); }
+
+    /// How free vertices follow if what is held moves by these columns, as smoothly as the energy's bound allows.
+    void extend(Eigen::Matrix3Xd& moves) { m_newton->extend(moves); }
+    /// How what is free gives way to a load, by the energy's bound.
+    void give_way_to(const Eigen::Matrix3Xd& load, Eigen::Matrix3Xd& moves) const { m_newton->give_way(load, moves); }
+    /// Onto the lengths and out of corners that are too sharp. If that fails, the corners are held that were before.
+    bool project(Positions& positions);
+
+    /// A solve begins.
+    void begin_solve();
+    /// The next step is again the first of a solve: handles are still moving.
+    void begin_steps() { m_steps = 0; }
+    /// Takes this net.
+    void enter(const Positions& positions);
+    /// One Newton step, within the trust region that the steps before have left. Only where is_linearised().
+    void take_step(Positions& positions, TraceRow& row);
+    /// One step to rest from the net that the last one ended with, or from a bow.
+    Status relax(Positions& positions, TraceRow& row);
+    /// The end of a way that leads no farther, at these positions: `exact`, or `stalled` where they are beyond a
+    /// constraint.
+    Status end_at(const Positions& positions);
+
+    // At the net last entered or come to by a step:
+    bool is_linearised() const { return m_is_linearised; }
+    bool is_at_rest() const { return m_is_still && is_balanced(); }
+    double energy() const { return m_energy; }
+    double deviation() const { return m_max_deviation; }  ///< max dL
+    /// What is said of it, at `positions`; nullopt if no multipliers are known. Keeps references to these and `pulls`.
+    std::optional<RestState> state(const Positions& positions, std::span<const Pull> pulls) const;
+
+private:
+    bool project(Positions& positions, double threshold);
+    bool is_net() const;
+    bool is_balanced() const;
+    Status stuck() const;
+    Status step_to_rest(Positions& positions, TraceRow& row);
+    bool is_idle(double energy_before, double force_before);
+    bool give_way(Positions& positions);
+    bool find_bow(const Eigen::Vector3d& normal, Eigen::Matrix3Xd& bow);
+    void refine_lengths(Positions& positions);
+    bool follow_path(Positions& positions);
+    bool linearise(const Positions& positions);
+    double gradient_norm() const;
+    double motion_left() const;
+    void renew_factor(TraceRow& row);
+    double find_move_beside_corners(const Positions& positions);
+    double find_move();
+    double improve_move();
+    int inner_iterations() const;
+    double step_along(Positions& positions, double slope, double whole);
+    double error_cost();
+
+    const Net* m_net = nullptr;
+    const Topology* m_topology = nullptr;
+    Options m_options;
+    RestEnergy m_rest_energy;
+    std::unique_ptr<NetConstraints> m_constraints;  // whatever the handles
+    std::unique_ptr<TangentNewton> m_newton;        // for these handles
+    bool m_has_metric = false;                      // of the terms as they are
+
+    int m_steps = 0;               // Newton steps of this solve, or since handles have moved
+    double m_radius = 0;           // no vertex moves farther in the next step
+    bool m_has_given_way = false;  // in this solve
+    bool m_is_linearised = false;  // where it is, as m_newton is
+    bool m_is_still = false;       // the last step was a whole one, and short
+    bool m_is_careful = false;     // corners are let go one by one: together they led nowhere
+    int m_idle_steps = 0;          // one after the other
+    double m_gradient_before = 0,
+           m_moved = 0;  // of the last step: the norm before, and how far it went in edge lengths
+    PathExtrapolation m_path;
+    // Where it is:
+    double m_energy = 0;
+    Eigen::Matrix3Xd m_gradient;
+    double m_max_deviation = 0;
+    double m_lack = 0;  // of the limit
+
+    Eigen::Matrix3Xd m_direction, m_next_gradient;
+    Positions m_origin;
+};
+
+}  // namespace chebnet
