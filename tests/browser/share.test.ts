@@ -6,7 +6,7 @@ import { load } from '../wasm/load';
 import { hashWithZeros } from '../web/hash_with_zeros';
 import { distance, dragBy } from './geometry';
 import type { Visit } from './page';
-import { drawn, OUTPUT, visits } from './page';
+import { drawn, OUTPUT, room, visits } from './page';
 
 const { address, arrive, share } = visits();
 
@@ -52,6 +52,25 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
     const [here, there] = [await sender.script.screenPosition(dragged), await receiver.script.screenPosition(dragged)];
     expect(Math.hypot(here.x - there.x, here.y - there.y)).toBeLessThan(3);
   }
+});
+
+test('a link shows a net that was dragged from where its sender saw it, though nobody turned the camera', async () => {
+  const sender = await share();
+  await sender.script.settled();
+  const { vertex } = (await sender.page.evaluate(() => window.chebnet.handles())).at(-1)!;
+  const untouched = await copied(sender);
+  await sender.page.keyboard.press('Escape');
+  await dragBy(sender.script, vertex, [150, 60]);
+  await sender.script.settled();
+  const seen = await sender.script.screenPosition(vertex);
+  const receiver = await arrive(await sender.page.evaluate(() => window.chebnet.link()));
+  await receiver.script.settled();
+  const { x, y } = await receiver.script.screenPosition(vertex);
+  expect(Math.hypot(x - seen.x, y - seen.y)).toBeLessThan(3);
+  // One that is framed as it is has nothing to say of it, and is framed for the screen where it is opened.
+  const phone = await arrive(untouched, { viewport: { width: 390, height: 844 } });
+  await phone.script.settled();
+  expect(await room(phone.page)).toBeGreaterThan(15);
 });
 
 test('a net of thousands of cells made on a surface has a link, which opens as the net with all its handles', async () => {

@@ -24,7 +24,7 @@ export async function openPage(core: Editors, whole = core): Promise<Page> {
   const said: string[] = [];
   const panels: unknown = Object.assign(Object.create(silent), { say: (message: string) => said.push(message) });
   const parts = {
-    createView: () => silent,
+    createView: () => Object.assign(Object.create(silent), { unframed: () => null }),
     createBeside: () => silent,
     createPanels: () => panels,
     spawnWorker: () => workers[workers.push(new WorkerHere(core, whole, tasks)) - 1],

@@ -230,7 +230,10 @@ export class App {
   toShare(): { document: ChebnetDocument; net: OpenedNet; threshold: number } | null {
     if (this.opening === null) return null;
     const { net } = this.opening;
-    const document = { ...this.opening.document, view: this.#viewOf(this.opening.document) };
+    const view = this.#viewOf(this.opening.document);
+    // Opened, a net is framed as it is: one that was dragged since it was framed here would be seen from elsewhere.
+    const camera = view.camera ?? this.#presenter.view.unframed();
+    const document = { ...this.opening.document, view: { ...view, camera } };
     return { document: { ...document, settled: this.#state.isSettled }, net, threshold: this.#threshold(document) };
   }
 

@@ -61,6 +61,7 @@ export function createBlankView(container: HTMLElement): View {
     frameAll() {},
     camera: () => nowhere,
     heading: () => null,
+    unframed: () => null,
     setCamera() {},
     picture: refuse,
     film: refuse,

@@ -36,6 +36,8 @@ const LARGEST_PIXEL_RATIO = { card: 2, software: 1 };
 const USUAL_ASPECT = 1.2;
 /** The share of its margins that title and tools do cover. */
 const COVERED = 0.6;
+/** Of the camera, in parts of its distance: about a pixel. */
+const SEEN_MOVE = 0.002;
 
 export function createView(container: HTMLElement, events: ViewEvents): View {
   const graphics = probeGraphics();
@@ -308,6 +310,14 @@ class SceneView implements View {
   heading(): CameraPlace | null {
     const { heading } = this.#rig;
     return this.#netData && heading && this.#fromStand(heading);
+  }
+
+  unframed(): CameraPlace | null {
+    if (!this.#netData) return null;
+    const { stand, distance } = this.#rig;
+    const whole = this.#wholeNet();
+    const apart = Math.max(stand.position.distanceTo(whole.position), stand.target.distanceTo(whole.target));
+    return apart > SEEN_MOVE * distance ? this.#fromStand(stand) : null;
   }
 
   async picture(magnification: number): Promise<Blob> {

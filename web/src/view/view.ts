@@ -104,6 +104,8 @@ export interface View {
   camera(): CameraPlace;
   /** Where a camera that moves will rest; null: it rests. */
   heading(): CameraPlace | null;
+  /** Where it stands, if framing the net as it is now would move it; null: it would not. */
+  unframed(): CameraPlace | null;
   /** Moves the camera there without animation. */
   setCamera(camera: CameraPlace): void;
   /** The view as PNG with a transparent background, at a multiple of the screen's resolution. */
