@@ -63,14 +63,20 @@ test('a link shows a net that was dragged from where its sender saw it, though n
   await dragBy(sender.script, vertex, [150, 60]);
   await sender.script.settled();
   const seen = await sender.script.screenPosition(vertex);
-  const receiver = await arrive(await sender.page.evaluate(() => window.chebnet.link()));
+  const dragged = await sender.page.evaluate(() => window.chebnet.link());
+  const receiver = await arrive(dragged);
   await receiver.script.settled();
   const { x, y } = await receiver.script.screenPosition(vertex);
   expect(Math.hypot(x - seen.x, y - seen.y)).toBeLessThan(3);
-  // One that is framed as it is has nothing to say of it, and is framed for the screen where it is opened.
-  const phone = await arrive(untouched, { viewport: { width: 390, height: 844 } });
-  await phone.script.settled();
-  expect(await room(phone.page)).toBeGreaterThan(15);
+  // A phone shows all of it, and one that is framed as it is, of which the link has no camera, as large as it can.
+  for (const [link, least] of [
+    [dragged, 0],
+    [untouched, 15],
+  ] as const) {
+    const phone = await arrive(link, { viewport: { width: 390, height: 844 } });
+    await phone.script.settled();
+    expect(await room(phone.page)).toBeGreaterThan(least);
+  }
 });
 
 test('a net of thousands of cells made on a surface has a link, which opens as the net with all its handles', async () => {
