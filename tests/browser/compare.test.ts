@@ -6,7 +6,7 @@ import { beforeEach, expect, test } from 'vitest';
 import { load } from '../wasm/load';
 import { dragBy, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { OUTPUT, drawn, openForResearch, visits } from './page';
+import { OUTPUT, allSections, drawn, openForResearch, visits } from './page';
 
 const SHAPE = 'vault:vertices=1000';
 const METHODS = ['li2022', 'projection', 'composite_majorization', 'local_global'];
@@ -206,6 +206,7 @@ test('a phone has room for it', async () => {
 test('what plots is loaded when a plot is seen; if it cannot be, that is said in its place, and the net goes on', async () => {
   ({ script } = await arrive());
   const { page } = script;
+  await allSections(page);
   await script.open({ recipe: SHAPE });
   const contentType = 'text/javascript';
   let asked = 0;

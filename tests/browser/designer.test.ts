@@ -10,7 +10,7 @@ import { uneven } from '../web/nets';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Visit } from './page';
-import { OUTPUT, dropFile, visits } from './page';
+import { OUTPUT, allSections, dropFile, visits } from './page';
 
 const chebnet = await load();
 const sheet = chebnet.openObj(uneven(14, 11));
@@ -157,6 +157,7 @@ async function tabTo(page: Page, control: RegExp) {
 
 test('a basic edit by the keyboard alone: a shape, a handle by its number, a move, undo, a link', async () => {
   const { page, script } = await arrive();
+  await allSections(page);
   const { vertices } = await script.stats();
   await tabTo(page, /^BUTTON.*Vault/);
   await page.keyboard.press('Enter');

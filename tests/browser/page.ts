@@ -86,9 +86,14 @@ export async function openForResearch(page: Page, section: string): Promise<void
   await page.locator('summary', { hasText: section }).click();
 }
 
-/** Unfolds every section of the page, those too that come after the first picture, once they are there. */
-export async function unfoldAll(page: Page): Promise<void> {
+/** Resolves when the sections are there that come after the first picture. */
+export async function allSections(page: Page): Promise<void> {
   await page.locator('.sections > details.group').waitFor({ state: 'attached' });
+}
+
+/** Unfolds every section of the page, once all are there. */
+export async function unfoldAll(page: Page): Promise<void> {
+  await allSections(page);
   await page.evaluate(() => document.querySelectorAll('details').forEach((each) => (each.open = true)));
 }
 
