@@ -23,6 +23,9 @@ constexpr Steps k_round_steps = {24. / 25, 7. / 25, 5, -1}, k_fine_steps = {4899
 constexpr int k_most_iterations = 60;
 // In edge lengths: how near a vertex comes to the surface at the least, and at the most where the surface is rough.
 constexpr double k_near = 1e-14, k_near_enough = 1e-9;
+// How near one comes that lies straight on beyond the border, where the surface goes on as flat as it is there: on a
+// rough one that is no way to go.
+constexpr double k_near_beyond = 0.5;
 // A geodesic this many edges long that has not come one edge far is going round in a fold.
 constexpr double k_longest_way = 3;
 // So is one that has crossed so many triangles, of a body that is thin as a thread beside the edge.
@@ -35,6 +38,14 @@ constexpr double k_least_radius = 1e-6;
 DrapedVertex Compass::vertex_at(const Eigen::Vector3d& position, int guess) const {
     const Height here = height(position, guess);
     return {position, here.at, here.normal, here.overhang};
+}
+
+/// Where a way has left the surface over its border; nullopt where that is too far above it.
+std::optional<DrapedVertex> Compass::vertex_beyond(const Eigen::Vector3d& position, int guess) const {
+    if (!position.allFinite()) return std::nullopt;
+    const Height here = height(position, guess);
+    if (!(std::abs(here.height) <= k_near_beyond * m_length)) return std::nullopt;
+    return DrapedVertex{position, here.at, here.normal, here.overhang};
 }
 
 Height Compass::height(const Eigen::Vector3d& point, int from) const {
@@ -58,6 +69,7 @@ std::optional<DrapedVertex> Compass::straight_on(const DrapedVertex& from, Eigen
             const int face = walk.point().face;
             const Eigen::Vector3d heading = walk.direction();
             const double rest = rest_of_way(here, heading);
+            if (!(rest >= 0)) return std::nullopt;
             const double step = walk.advance(rest);
             way += step;
             if (step >= rest) {
@@ -68,7 +80,7 @@ std::optional<DrapedVertex> Compass::straight_on(const DrapedVertex& from, Eigen
             here = walk.position();
         }
         direction = walk.direction();
-        return vertex_at(here + rest_of_way(here, direction) * direction, walk.point().face);
+        return vertex_beyond(here + rest_of_way(here, direction) * direction, walk.point().face);
     } catch (const Error&) {
         return std::nullopt;
     }

@@ -52,6 +52,8 @@ public:
 private:
     class Circle;
 
+    std::optional<DrapedVertex> vertex_beyond(const Eigen::Vector3d& position, int guess) const;
+
     const Surface& m_surface;
     const SurfaceTree& m_tree;
     double m_length, m_rounding;

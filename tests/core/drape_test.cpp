@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "constants.h"
@@ -408,6 +409,34 @@ TEST_CASE("Proposals are ranked, and the best is as good as beginning in the mid
     DrapeOptions upright;
     upright.angle = 0.1;
     CHECK_THROWS_WITH(propose_drapes(plane, SurfaceTree(plane), upright), Contains("angle at the seed"));
+}
+
+TEST_CASE("A round surface that is rough up to its border has proposals") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (int trial = 0; trial < 4; ++trial) {
+        // A dish of 35 quads across.
+        std::uniform_real_distribution<double> amount(-0.008, 0.008);
+        const Surface dish(samples::quads(36, 36, false, false, [&](int i, int j) {
+            // The square onto the disc, border to border.
+            const double x = i / 17.5 - 1, y = j / 17.5 - 1;
+            const Eigen::Vector2d p(x * std::sqrt(1 - y * y / 2), y * std::sqrt(1 - x * x / 2));
+            return Eigen::Vector3d(p.x() + amount(random), p.y() + amount(random),
+                                   0.6 * (1 - p.squaredNorm()) + amount(random));
+        }));
+        const SurfaceTree tree(dish);
+        for (const int cells : {200, 600}) {
+            const DrapeOptions options = suggested_drape(dish, tree, cells);
+            const std::vector<DrapeProposal> proposals = propose_drapes(dish, tree, options);
+            REQUIRE(!proposals.empty());
+            const Net net = drape(dish, tree, proposals.front().options).net;
+            const DrapeReport report = measure_drape(dish, tree, net);
+            INFO("trial " << trial << " cells " << cells);
+            CHECK(report.coverage > 0.95);
+            CHECK(report.mean_distance < 0.05 * report.length);
+        }
+    }
 }
 
 TEST_CASE("A surface too narrow for a cell within its border has a proposal none the less") {

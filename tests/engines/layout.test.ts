@@ -27,6 +27,8 @@ const placeOfMenu = (visitor: Visitor) =>
 
 test('on a desk and, the window made narrow, on a phone the menu stands beside its button and nothing is too wide', async () => {
   const visitor = await arrive();
+  // Its lines come after the first picture.
+  await expect.poll(() => visitor.run(() => document.querySelector('#export-menu .line') !== null)).toBe(true);
   for (const [name, width, height] of [
     ['desk', 1280, 800],
     ['phone', 390, 844],
