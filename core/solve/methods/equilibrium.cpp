@@ -284,10 +284,10 @@ bool Equilibrium::prepare_energy(const Positions& positions, bool same_energy) {
         if (!same_energy) {
             Options options = m_options;
             if (!is_carried()) options.gravity = 0;
-            m_descent.choose_energy(m_rest_shape, options, m_pulls, m_guide.get(), m_unit);
+            m_descent.choose_energy(m_rest_shape, options, m_pulls, m_guide.get(), m_unit, limit());
             m_pulls_changed = false;
         }
-        m_descent.prepare(*m_part, m_is_free, m_slides, m_pulls, limit(), positions);
+        m_descent.prepare(*m_part, m_is_free, m_slides, m_pulls, positions);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::too_large) throw;
         return false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/stopwatch.h"
 #include "linear/dense_kernels.h"
@@ -68,18 +69,20 @@ bool RestDescent::has_energy_of(const Options& options) const {
 }
 
 void RestDescent::choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
-                                const Guide* guide, double unit) {
+                                const Guide* guide, double unit, CornerLimit limit) {
     m_rest_energy.choose(*m_net, *m_topology, rest_shape, options, pulls, guide, unit);
+    m_limit = std::move(limit);
     m_constraints.reset();
     m_has_metric = false;
 }
 
 void RestDescent::prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
-                          std::span<const Pull> pulls, const CornerLimit& limit, const Positions& positions) {
+                          std::span<const Pull> pulls, const Positions& positions) {
     m_rest_energy.move_pulls(*m_net, pulls);
     if (!m_newton) m_newton = std::make_unique<TangentNewton>(*m_net, *m_topology, part, slides);
     if (!m_constraints)
-        m_constraints = std::make_unique<NetConstraints>(*m_net, *m_topology, limit, is_free, slides, pulls, positions);
+        m_constraints =
+            std::make_unique<NetConstraints>(*m_net, *m_topology, m_limit, is_free, slides, pulls, positions);
     if (!m_has_metric) m_newton->set_metric(m_rest_energy.terms());
     m_has_metric = true;
     m_constraints->set_free(is_free, slides, pulls);

@@ -40,12 +40,12 @@ public:
     void forget_energy() { m_rest_energy.forget(); }
     /// Takes another energy and another limit of the corners. `rest_shape` and `guide` as in RestEnergy::choose().
     void choose_energy(const Positions& rest_shape, const Options& options, std::span<const Pull> pulls,
-                       const Guide* guide, double unit);
+                       const Guide* guide, double unit, CornerLimit limit);
     void set_options(const Options& options) { m_options = options; }
     /// What it takes to make steps with these handles, and the energy's pulls at their targets. Keeps a reference to
     /// the part. Throws Error too_large where the systems for it would be. `positions`: near where it begins.
     void prepare(const FreePart& part, const std::vector<bool>& is_free, std::span<const Slide> slides,
-                 std::span<const Pull> pulls, const CornerLimit& limit, const Positions& positions);
+                 std::span<const Pull> pulls, const Positions& positions);
     bool is_prepared() const { return m_constraints && m_newton; }
     /// What steps of before have left does not count in those that follow.
     void forget_multipliers() { m_newton->forget_multipliers(); }
@@ -105,6 +105,7 @@ private:
     const Topology* m_topology = nullptr;
     Options m_options;
     RestEnergy m_rest_energy;
+    CornerLimit m_limit;
     std::unique_ptr<NetConstraints> m_constraints;  // whatever the handles
     std::unique_ptr<TangentNewton> m_newton;        // for these handles
     bool m_has_metric = false;                      // of the terms as they are
