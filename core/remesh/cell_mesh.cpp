@@ -14,6 +14,8 @@ constexpr int k_most_rounds = 100;
 // Cells at a vertex of a regular grid.
 constexpr int k_inner_cells = 4, k_boundary_cells = 2;
 constexpr int k_least_inner_cells = 3;
+// Cells in a row that hang by one side at the border. What is longer is a narrow part of the surface.
+constexpr int k_longest_tail = 2;
 
 class CellMesh {
 public:
@@ -25,6 +27,9 @@ public:
     Mesh run() {
         number_vertices();
         for (int round = 0; round < k_most_rounds && tidy(); ++round) number_vertices();
+        for (int q = 0; q < static_cast<int>(m_is_there.size()); ++q)
+            if (m_is_there[q]) cut_tail(q);
+        number_vertices();
         return mesh();
     }
 
@@ -153,6 +158,32 @@ private:
         }
         for (const auto& [s, other] : joined) m_opposite[s] = other;
         m_is_there[q] = false;
+    }
+
+    /// A row of few cells, one beyond the other, that ends with this one. Nothing would hold them where they are.
+    void cut_tail(int q) {
+        std::vector<int> tail;
+        for (int side = side_by_which_hangs(q, -1); side >= 0; side = side_by_which_hangs(q, tail.back())) {
+            if (std::ssize(tail) == k_longest_tail) return;
+            tail.push_back(q);
+            q = cell_of(m_opposite[side]);
+        }
+        for (const int cell : tail) {
+            for (int s = 4 * cell; s < 4 * cell + 4; ++s)
+                if (m_opposite[s] >= 0) m_opposite[m_opposite[s]] = -1;
+            m_is_there[cell] = false;
+        }
+    }
+
+    /// The only side with a cell beyond it other than this one; -1 if there are more, or none.
+    int side_by_which_hangs(int q, int but) const {
+        int by = -1;
+        for (int s = 4 * q; s < 4 * q + 4; ++s) {
+            if (m_opposite[s] < 0 || cell_of(m_opposite[s]) == but) continue;
+            if (by >= 0) return -1;
+            by = s;
+        }
+        return by;
     }
 
     Mesh mesh() const {

@@ -319,6 +319,36 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
     CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
 }
 
+TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a surface is covered") {
+    const Mesh roof = samples::without(
+        samples::quads(61, 37, false, false,
+                       [](int i, int j) {
+                           const double x = 50. * i / 60, y = 30. * j / 36;
+                           return Eigen::Vector3d(x, y, 2 * std::sin(x / 5) + 1.2 * std::cos(y / 4));
+                       }),
+        [](const Eigen::Vector3d& p) { return std::pow((p.x() - 27) / 7, 2) + std::pow((p.y() - 14) / 4, 2) < 1; });
+    for (const int cells : {450, 800, 1500}) {
+        CAPTURE(cells);
+        RemeshOptions options = of_cells(cells);
+        options.border = RemeshOptions::Border::across;
+        const Net net = remeshed(Surface(roof), options, 0).net;
+        const Topology topology(net);
+        for (int f = 0; f < net.face_count(); ++f) {
+            int inner = 0;
+            for (int k = 0; k < 4; ++k) {
+                const int edge = topology.edge_between(net.faces()[f][k], net.faces()[f][(k + 1) % 4]);
+                inner += net.edge_face_counts()[edge] - 1;
+            }
+            CHECK(inner > 1);
+        }
+        CHECK(sharp_folds(net, net.rest_positions(), k_fold) == 0);
+    }
+    // With an arm as wide as a cell, five cells long.
+    const Mesh arm = samples::without(samples::plane(81, 8),
+                                      [](const Eigen::Vector3d& p) { return p.x() > 2 && std::abs(p.y()) > 0.6; });
+    CHECK(remeshed(Surface(arm), of_cells(120), 1).net.rest_positions().row(0).maxCoeff() > 6.5);
+}
+
 TEST_CASE("All pieces of a surface are covered") {
     Mesh mesh = samples::sphere(8);
     const Mesh other = mesh;
