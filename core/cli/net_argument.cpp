@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -62,7 +63,9 @@ Net net_of_recipe(const std::string& recipe) {
     try {
         return make_shape(recipe).net;
     } catch (const Error& error) {
-        throw Error(error.code(), recipe + ": no such file, and as a recipe: " + error.what());
+        std::error_code unknown;
+        const char* what = std::filesystem::is_directory(recipe, unknown) ? "a directory" : "no such file";
+        throw Error(error.code(), recipe + ": " + what + ", and as a recipe: " + error.what());
     }
 }
 
@@ -92,7 +95,7 @@ Surface load_surface(const std::string& path, bool repair) {
         if (!repair) tell_coinciding(mesh, path);
         return Surface(mesh);
     } catch (const Error& error) {
-        fail(path, error, repair_hint(error.code(), repair));
+        fail(path, error, repair_hint(error.code(), repair || has_one_side(mesh.faces)));
     }
 }
 

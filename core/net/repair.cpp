@@ -219,13 +219,16 @@ public:
             if (!m_reached[f]) settle_piece(f);
     }
     const std::vector<bool>& turned() const { return m_turned; }
+    bool has_one_side() const { return m_has_one_side; }
 
 private:
     void settle_piece(int first) {
         const std::vector<int> piece = reach_piece(first);
         const auto is_turned = [this](int f) { return m_turned[f]; };
         const auto turned_count = std::count_if(piece.begin(), piece.end(), is_turned);
-        if (!agrees(piece))
+        const bool is_one_sided = !agrees(piece);
+        m_has_one_side |= is_one_sided;
+        if (is_one_sided)
             for (const int f : piece) m_turned[f] = false;
         else if (2 * turned_count > std::ssize(piece))
             for (const int f : piece) m_turned[f] = !m_turned[f];
@@ -255,6 +258,7 @@ private:
 
     std::vector<std::vector<Neighbour>> m_neighbours;
     std::vector<bool> m_reached, m_turned;
+    bool m_has_one_side = false;
 };
 
 // ------------------------------------------------------------------------------------------------------------- repair
@@ -405,6 +409,8 @@ Words words_for(Defect defect) {
 }  // namespace
 
 const char* to_string(Defect defect) { return words_for(defect).name; }
+
+bool has_one_side(const Faces& faces) { return Winding(faces).has_one_side(); }
 
 std::string to_sentence(const Finding& finding) {
     const Words words = words_for(finding.defect);

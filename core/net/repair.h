@@ -35,6 +35,10 @@ struct Finding {
     std::vector<int> examples;  ///< the first few of them, ascending, as the mesh that was given numbers them, from 0
 };
 
+/// Whether a piece of it has one side only, as a Möbius strip has: its faces cannot all wind one way. What is not two
+/// faces at an edge does not count.
+bool has_one_side(const Faces& faces);
+
 /// A line for a person, such as "2 vertices at the place of an earlier one, merged: 4, 7".
 std::string to_sentence(const Finding& finding);
 

@@ -151,7 +151,7 @@ std::string sentence_of(const SurfaceReport& report) {
             break;
     }
     if (report.components > 1)
-        text += " It has " + std::to_string(report.components) + " pieces, of which a net covers one.";
+        text += " It has " + std::to_string(report.components) + " pieces: such a net covers one of them.";
     return text;
 }
 

@@ -43,6 +43,12 @@ Eigen::Vector3d unit_or_zero(const Eigen::Vector3d& vector) {
     return norm > 0 ? Eigen::Vector3d(vector / norm) : Eigen::Vector3d::Zero();
 }
 
+Faces faces_of(const Eigen::Matrix3Xi& triangles) {
+    Faces faces;
+    for (const auto& triangle : triangles.colwise()) faces.add({triangle[0], triangle[1], triangle[2]});
+    return faces;
+}
+
 }  // namespace
 
 Surface::Surface(const Mesh& mesh) : m_positions(mesh.positions) {
@@ -106,8 +112,10 @@ void Surface::find_opposites() {
                             "more than two faces meet at " + edge_text(v, greater(*side)));
             if (other - side == 2 && from(side[0]) == from(side[1]))
                 throw Error(ErrorCode::non_manifold_edge,
-                            "the two faces at " + edge_text(v, greater(*side)) +
-                                " wind against each other, so that the surface has no outside there");
+                            "the two faces at " + edge_text(v, greater(*side)) + " wind against each other, so that " +
+                                (has_one_side(faces_of(m_triangles))
+                                     ? "the surface has one side only, like a Möbius strip: cut it across"
+                                     : "the surface has no outside there"));
             if (other - side == 2) m_opposite[side[0]] = side[1], m_opposite[side[1]] = side[0];
             side = other;
         }

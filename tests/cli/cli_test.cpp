@@ -1024,6 +1024,8 @@ TEST_CASE("a net that cannot be had is refused with one line") {
 TEST_CASE("a file hides a shape of the same name, a folder does not") {
     const Sandbox box;
     box.make_folder("vault");
+    box.make_folder("nets");
+    check_refused(box.run("info nets"), "nets: a directory, and as a recipe");
     CHECK(box.run("info vault").exit_code == 0);
     box.write("dome", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     CHECK(box.run("info dome").json().at("vertices") == 3);

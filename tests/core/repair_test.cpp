@@ -202,6 +202,8 @@ TEST_CASE("Pieces that do not touch keep their sides, and a Moebius strip its on
     Mesh moebius = samples::with_face(strip(4), {8, 1, 0, 9});
     for (int v = 0; v < moebius.positions.cols(); ++v) moebius.positions.col(v).z() = v * v;
     CHECK(found_in(moebius).empty());
+    CHECK(has_one_side(moebius.faces));
+    CHECK_FALSE(has_one_side(strip(4).faces));
 }
 
 TEST_CASE("Unused vertices are dropped and the others keep their order") {
