@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "core/sample_surfaces.h"
@@ -64,6 +65,21 @@ inline void replace_some_coordinates(Mesh& mesh, FuzzedDataProvider& input) {
     for (int changes = input.ConsumeIntegralInRange(0, 8); changes > 0; --changes)
         mesh.positions.reshaped()[input.ConsumeIntegralInRange<Eigen::Index>(0, mesh.positions.size() - 1)] =
             finite_number(input);
+}
+
+/// A dish, a hill or a saddle with a round border, up to 14 × 14 vertices, as rough as a scan, or smooth.
+inline Mesh any_rough_dish(FuzzedDataProvider& input) {
+    const int n = input.ConsumeIntegralInRange(4, 14);
+    const double height = input.ConsumeFloatingPointInRange(-1.5, 1.5), saddle = input.ConsumeIntegralInRange(0, 1);
+    const double roughness = input.ConsumeFloatingPointInRange(0.0, 0.4) / n;
+    std::mt19937 random(input.ConsumeIntegral<std::uint32_t>());
+    return samples::quads(n, n, false, false, [&](int i, int j) {
+        // The square onto the disc, border to border.
+        const double u = 2. * i / (n - 1) - 1, v = 2. * j / (n - 1) - 1;
+        const double x = u * std::sqrt(1 - v * v / 2), y = v * std::sqrt(1 - u * u / 2);
+        const double z = height * (x * x + (1 - 2 * saddle) * y * y);
+        return Eigen::Vector3d(Eigen::Vector3d(x, y, z) + samples::random_point(roughness, random));
+    });
 }
 
 /// A patch of quads, up to 6 × 6 vertices, with some of its coordinates replaced.

@@ -1,6 +1,7 @@
 #include "surface/surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -23,11 +24,13 @@ namespace {
 
 // A net of more vertices, or a measure of more samples, takes longer than an input may.
 constexpr int k_farthest_reach = 10, k_most_cells = 400;
+// Over the whole of more triangles than this.
+constexpr int k_most_remeshed = 100;
 
 /// Anything that a file may hold, or something near a surface that a person would bring.
 std::shared_ptr<const Guide> any_surface(FuzzedDataProvider& input) {
-    const int kind = input.ConsumeIntegralInRange(0, 2);
-    Mesh mesh = kind == 0 ? fuzz::any_mesh(input) : kind == 1 ? fuzz::any_patch(input) : fuzz::any_tube(input);
+    constexpr std::array k_kinds{fuzz::any_mesh, fuzz::any_patch, fuzz::any_tube, fuzz::any_rough_dish};
+    Mesh mesh = k_kinds[input.ConsumeIntegralInRange<std::size_t>(0, k_kinds.size() - 1)](input);
     if (input.ConsumeBool()) return std::make_shared<const Guide>(Surface(mesh));
     return std::make_shared<const Guide>(repaired_surface(std::move(mesh), k_all_defects).surface);
 }
@@ -106,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try_to([&] {
         const auto guide = any_surface(input);
         require_description(guide->surface());
-        if (input.ConsumeBool())
+        if (input.ConsumeBool() && guide->surface().face_count() <= k_most_remeshed)
             try_to([&] {
                 const RemeshOptions options = any_remesh(input, guide->surface());
                 require_net(*guide, remesh(guide, options).net, {.smallest_angle = options.smallest_angle});
