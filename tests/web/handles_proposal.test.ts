@@ -104,6 +104,49 @@ function shellOnFeet(
   };
 }
 
+test('a foot that ends in two tips has one handle', () => {
+  const [around, rings] = [48, 9];
+  const shell = shellOnFeet(3, around, rings, 0);
+  const foot = (rings - 1) * around;
+  // Its vertex in the middle, most of the way to the ring before: what is beside it are the tips.
+  for (let i = 0; i < 3; i++)
+    shell.positions[3 * foot + i]! +=
+      0.7 * (shell.positions[3 * (foot - around) + i]! - shell.positions[3 * foot + i]!);
+  const places = proposedHandles(mesh(shell)).map(({ vertex }) => vertex - foot);
+  expect(places).toHaveLength(3);
+  expect(places.filter((place) => place === 1 || place === around - 1)).toHaveLength(1);
+});
+
+describe('a ring that was laid in one piece', () => {
+  const [around, across] = [60, 8];
+  const seamEnds = [0, around, across * (around + 1), across * (around + 1) + around];
+  const flat = grid(around + 1, across + 1);
+  /** @param gap between its two ends, in degrees; without one their vertices stand in the same places. */
+  const ring = (gap: number): OpenedNet =>
+    mesh({
+      ...flat,
+      positions: Float64Array.from(flat.restPositions, (_, i) => {
+        const vertex = Math.floor(i / 3);
+        const angle = (Math.PI / 180) * (gap / 2 + ((360 - gap) * (vertex % (around + 1))) / around);
+        const radius = 5 + (6 * Math.floor(vertex / (around + 1))) / across;
+        return [radius * Math.cos(angle), radius * Math.sin(angle), 0][i % 3]!;
+      }),
+    });
+
+  test('is held on the far side, too, not only by the corners of its ends', () => {
+    const net = ring(45);
+    const vertices = proposedHandles(net).map(({ vertex }) => vertex);
+    expect(vertices).toEqual(expect.arrayContaining(seamEnds));
+    expect(Math.min(...vertices.map((vertex) => net.restPositions[3 * vertex]!))).toBeLessThan(-10);
+  });
+
+  test('has handles on both sides of its seam, neither of which is the free one: the other would hold it', () => {
+    const vertices = proposedHandles(ring(0)).map(({ vertex }) => vertex);
+    expect(vertices).toEqual(expect.arrayContaining(seamEnds.slice(2)));
+    expect(seamEnds).not.toContain(vertices.at(-1));
+  });
+});
+
 test('on a tube, whose borders have no corners, there are some at each end', () => {
   const net = shape('tube:vertices=900');
   const vertices = proposedHandles(net).map(({ vertex }) => vertex);

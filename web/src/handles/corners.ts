@@ -31,9 +31,13 @@ function reachOn(net: OpenedNet, loop: readonly number[]): number {
 
 /** By how many degrees a loop turns between what lies before a vertex, within reach, and what lies after it. */
 function turnAt(net: OpenedNet, loop: readonly number[], at: number, reach: number): number {
-  const here = loop[at]!;
   const [before, after] = [-1, 1].map((step) => within(net, loop, at, step, reach));
-  const [a, b, c] = [apart(net, before!, here), apart(net, here, after!), apart(net, before!, after!)];
+  return turnBetween(net, before!, loop[at]!, after!);
+}
+
+/** By how many degrees the way from one vertex by way of another to a third turns. */
+export function turnBetween(net: OpenedNet, before: number, here: number, after: number): number {
+  const [a, b, c] = [apart(net, before, here), apart(net, here, after), apart(net, before, after)];
   // The law of cosines.
   const cosine = (c * c - a * a - b * b) / (2 * a * b);
   return (Math.acos(Math.max(-1, Math.min(cosine, 1))) * 180) / Math.PI;
@@ -56,6 +60,7 @@ export function lengthOf(net: OpenedNet, loop: readonly number[]): number {
   return loop.reduce((sum, vertex, at) => sum + apart(net, vertex, loop.at(at - 1)!), 0);
 }
 
-function apart({ restPositions: at }: OpenedNet, a: number, b: number): number {
+/** In space, at rest. */
+export function apart({ restPositions: at }: OpenedNet, a: number, b: number): number {
   return Math.hypot(at[3 * a]! - at[3 * b]!, at[3 * a + 1]! - at[3 * b + 1]!, at[3 * a + 2]! - at[3 * b + 2]!);
 }

@@ -3,8 +3,8 @@
  *  to be dragged while the others hold the piece. */
 import type { HandleSeed } from '../document/document';
 import type { OpenedNet } from '../worker/protocol';
-import { type Away, distancesAround } from './around';
-import { besideOn, cornersOf, lengthOf } from './corners';
+import { type Away, distancesAround, verticesAround } from './around';
+import { apart, besideOn, cornersOf, lengthOf, turnBetween } from './corners';
 import { listsOf } from './lines';
 
 /** A border with fewer corners has none that could hold the net, one with more has steps. */
@@ -17,6 +17,14 @@ const LEAST_APART = 0.4;
 const MOST_PIECES = 4;
 /** A border reaches out where it comes back by more than this part of the way from the middle to the farthest vertex on either side. */
 const LEAST_PROMINENCE = 0.1;
+/** Where a border reaches out twice no farther apart along the net than so many edges, it does so once. */
+const SAME_ALONG_NET = 4;
+/** Where the two sides of a seam meet, one of its handles is within so many edges in space of another. */
+const SAME_IN_SPACE = 2;
+/** A part of a border is left alone if it is farther in space from all handles than this part of the diagonal of its piece's box,
+ *  and a way from any of them to another turns there by more than this, in degrees. Else two hold it between them, as the corners
+ *  of a strip hold its middle, and the feet of an arch its top. */
+const [ALONE_BEYOND, ALONE_TURN] = [0.4, 105];
 
 /** The last one is free, on the largest piece. */
 export function proposedHandles(net: OpenedNet): HandleSeed[] {
@@ -39,15 +47,63 @@ function piecesOf(net: OpenedNet): number[][] {
 
 /** The farthest from the middle is free. */
 function handlesOn(net: OpenedNet, piece: readonly number[]): HandleSeed[] {
-  const [loop, ...holes] = loopsOf(net, new Set(piece));
+  const loops = loopsOf(net, new Set(piece));
+  const [loop, ...holes] = loops;
   const middle = middleOf(net, piece);
   // Around a hole in its middle all ways begin at its rim: from one side of it the other would be the farthest out.
   const away = distancesAround(net, holes.find((hole) => hole.includes(middle)) ?? [middle], Infinity);
   const corners = loop ? cornersOf(net, loop).filter((vertex) => pointsOut(net, loop, vertex, away)) : [];
-  const ofBorder = [corners, loop ? peaksOf(loop, away) : []].find(({ length }) => length >= FEWEST && length <= MOST);
-  const vertices = ofBorder ?? farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
-  const outwards = vertices.sort((a, b) => away.get(a)!.distance - away.get(b)!.distance);
-  return outwards.map((vertex, i, { length }) => ({ vertex, target: null, anchor: i + 1 < length }));
+  const peaks = loop ? onePerPlace(net, outwards(peaksOf(loop, away), away)) : [];
+  const ofBorder = [corners, peaks].find(({ length }) => length >= FEWEST && length <= MOST);
+  const vertices = ofBorder
+    ? joinedOnBorder(net, ofBorder, loops.flat(), ALONE_BEYOND * sizeOf(net, piece))
+    : farthestOut(net, away, loop ? WITH_BORDER : CLOSED);
+  return lastFree(net, outwards(vertices, away));
+}
+
+/** The farthest the last. */
+function outwards(vertices: readonly number[], away: ReadonlyMap<number, Away>): number[] {
+  return [...vertices].sort((a, b) => away.get(a)!.distance - away.get(b)!.distance);
+}
+
+/** Of those close together along the net, the last. The two sides of a seam are far apart along it, however close in space. */
+function onePerPlace(net: OpenedNet, vertices: readonly number[]): number[] {
+  return vertices.filter((vertex, at) => {
+    const around = new Set(verticesAround(net, [vertex], SAME_ALONG_NET));
+    return !vertices.slice(at + 1).some((other) => around.has(other));
+  });
+}
+
+/** With more of them where they leave a large part of the border alone, as on a ring that is held beside its seam only. */
+function joinedOnBorder(
+  net: OpenedNet,
+  handles: readonly number[],
+  border: readonly number[],
+  beyond: number,
+): number[] {
+  const found = [...handles];
+  while (found.length < MOST) {
+    const alone = border.filter((vertex) => isAlone(net, vertex, found, beyond));
+    if (alone.length === 0) break;
+    const gap = (vertex: number): number => Math.min(...found.map((handle) => apart(net, vertex, handle)));
+    found.push(alone.reduce((farthest, vertex) => (gap(vertex) > gap(farthest) ? vertex : farthest)));
+  }
+  return found;
+}
+
+function isAlone(net: OpenedNet, vertex: number, handles: readonly number[], beyond: number): boolean {
+  if (handles.some((handle) => apart(net, vertex, handle) <= beyond)) return false;
+  return handles.every((a, at) => handles.slice(at + 1).every((b) => turnBetween(net, a, vertex, b) > ALONE_TURN));
+}
+
+/** The last one that stands alone is free: of two where a seam meets, it would be dragged away from the other. */
+function lastFree(net: OpenedNet, vertices: readonly number[]): HandleSeed[] {
+  const near = SAME_IN_SPACE * net.info.meanLength;
+  const isPaired = (vertex: number): boolean =>
+    vertices.some((other) => other !== vertex && apart(net, vertex, other) <= near);
+  const free = vertices.filter((vertex) => !isPaired(vertex)).at(-1) ?? vertices.at(-1);
+  const seed = (vertex: number): HandleSeed => ({ vertex, target: null, anchor: vertex !== free });
+  return [...vertices].sort((a, b) => Number(a === free) - Number(b === free)).map(seed);
 }
 
 /** Whether a corner of a border is no notch in it, nor the inner end of a slit: farther from the middle than the border beside it, and
@@ -109,4 +165,16 @@ function middleOf({ restPositions: at }: OpenedNet, piece: readonly number[]): n
   const centre = [0, 1, 2].map((axis) => piece.reduce((sum, vertex) => sum + at[3 * vertex + axis]!, 0) / piece.length);
   const off = (vertex: number): number => Math.hypot(...centre.map((x, axis) => at[3 * vertex + axis]! - x));
   return piece.reduce((nearest, vertex) => (off(vertex) < off(nearest) ? vertex : nearest));
+}
+
+/** The diagonal of the box around these. */
+function sizeOf({ restPositions: at }: OpenedNet, piece: readonly number[]): number {
+  const extent = (axis: number): number => {
+    const [least, most] = piece.reduce(
+      ([low, high], vertex) => [Math.min(low, at[3 * vertex + axis]!), Math.max(high, at[3 * vertex + axis]!)],
+      [Infinity, -Infinity],
+    );
+    return most - least;
+  };
+  return Math.hypot(extent(0), extent(1), extent(2));
 }
