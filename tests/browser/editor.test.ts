@@ -157,6 +157,31 @@ test('where corners at their limit keep it back, that is said', async () => {
     .waitFor();
 });
 
+test('what is said of that lies on no handle, and stays where it is while one is dragged on', async () => {
+  visit = await share();
+  ({ script } = visit);
+  const { page } = visit;
+  await script.open({ recipe: 'saddle' });
+  await script.settled();
+  const handles = await page.evaluate(() => window.chebnet.handles());
+  await dragBy(script, handles.at(-1)!.vertex, [150, -220]);
+  await script.settled();
+  const message = page.locator('.stuck-notice .message');
+  await message.waitFor();
+  const { x, y, width, height } = (await message.boundingBox())!;
+  for (const { vertex } of handles) {
+    const at = await script.screenPosition(vertex);
+    expect([at.x - x, at.y - y, x + width - at.x, y + height - at.y].some((within) => within < -5)).toBe(true);
+  }
+  const { vertex } = handles.at(-1)!;
+  const from = await script.screenPosition(vertex);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2, y + height / 2, { steps: 5 });
+  expect(await message.boundingBox()).toEqual({ x, y, width, height });
+  await page.mouse.up();
+});
+
 test('so far up that the net is larger than the picture: all of it is seen afterwards, and what is said can be dismissed', async () => {
   visit = await share({ viewport: { width: 390, height: 844 } });
   ({ script } = visit);

@@ -10,6 +10,7 @@ import { unlocked } from '../handles/selection';
 import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
+import { placeClear } from './clear_place';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import { sharpQuads } from '../net/fold';
@@ -120,6 +121,7 @@ export class StuckNotice implements Panel {
     if (frame.maxDeviation <= KEPT_DEVIATION && this.#bad.sharp.size === 0) this.#wrong.delete(this.#present);
     else this.#wrong.add(this.#present);
     this.#show();
+    if (this.#isShown) placeClear(this.element, this.#handles, this.#events);
   }
 
   /** The cells to blame, if the net did not come to a good shape. */
@@ -159,7 +161,11 @@ export class StuckNotice implements Panel {
     if (standing !== 'good' && standing !== 'growing') setText(this.#words, this.#reason(standing));
     if (standing === 'good') this.#dismissed = null;
     const isShown = standing !== 'good' && this.#words.textContent !== this.#dismissed;
-    if (isShown !== this.element.hasChildNodes()) this.element.replaceChildren(...(isShown ? [this.#line] : []));
+    if (isShown !== this.#isShown) this.element.replaceChildren(...(isShown ? [this.#line] : []));
+  }
+
+  get #isShown(): boolean {
+    return this.element.hasChildNodes();
   }
 
   get #standing(): Standing {
