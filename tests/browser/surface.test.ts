@@ -884,6 +884,41 @@ test('no net is made of a surface that is still being opened', async () => {
   expect(await results()).toMatch(/Singular vertices/);
 });
 
+test('of several pieces one gets a net that is laid from a seed, each a net over the whole surface', async () => {
+  const tile = (x: number, first: number): string[] => [
+    `v ${x} 0 0`,
+    `v ${x + 4} 0 0`,
+    `v ${x + 4} 3 1`,
+    `v ${x} 3 0`,
+    `f ${first} ${first + 1} ${first + 2}`,
+    `f ${first} ${first + 2} ${first + 3}`,
+  ];
+  await dropFile(visit.page, 'tiles.obj', [...tile(0, 1), ...tile(6, 5)].join('\n'));
+  await dialog(/^tiles\.obj$/)
+    .getByRole('button', { name: 'Make a net on it…' })
+    .click();
+  await measured();
+  const said = draper().getByText(/^It has 2 pieces/);
+  const ofOne = 'It has 2 pieces: a net lies on that of the seed, the others stay bare.';
+  expect(await said.innerText()).toBe(ofOne);
+  const kind = draper().getByRole('combobox', { name: 'Net', exact: true });
+  await kind.selectOption('whole');
+  expect(await said.innerText()).toBe('It has 2 pieces: each gets a net.');
+  await press('Make the net');
+  await measured();
+  expect(await said.innerText()).toBe('It has 2 pieces: each gets a net.');
+  await kind.selectOption('piece');
+  expect(await said.innerText()).toBe(ofOne);
+
+  // Of a surface in one piece, what one piece would do is told for one piece.
+  await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Torso');
+  await measured();
+  const promise = draper().getByText(/^One piece goes round a hole or a handle/);
+  expect(await promise.isVisible()).toBe(true);
+  await kind.selectOption('whole');
+  expect(await promise.isVisible()).toBe(false);
+});
+
 test('a net over the whole of what is rougher than its edges says how much it leaves bare', async () => {
   await dropFile(visit.page, 'stone.obj', roughSphere(0.08));
   await dialog(/^stone\.obj$/)
@@ -1078,10 +1113,10 @@ test('a singular vertex is dragged, and the next net has one there; none where a
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();
   await draper().getByRole('combobox', { name: 'Surface' }).selectOption('Pebble');
-  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
   await draper()
     .getByText(/^More curvature than one net can take/)
     .waitFor();
+  await draper().getByRole('combobox', { name: 'Net', exact: true }).selectOption('whole');
   const cells = draper().getByRole('slider', { name: 'Cells' });
   await cells.press('Home');
   for (let step = 0; step < 12; step++) await cells.press('ArrowRight');

@@ -300,7 +300,7 @@ export class DrapeDialog implements DraperLike {
     this.#howTo.hidden = isWhole;
     this.#setNet(null);
     this.#picture.removeNet();
-    this.#results.removeNet();
+    this.#results.setKind(isWhole ? 'whole' : 'piece');
     if (!isWhole && this.#best !== null) this.#begin(this.#best);
   }
 

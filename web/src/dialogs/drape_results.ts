@@ -47,6 +47,7 @@ export class DrapeResults {
   readonly #making = make('p', { class: 'quiet', role: 'status' });
   readonly element = make('div', { class: 'results' }, this.#fault, this.#facts, this.#making);
   #surface: SurfaceReport | null = null;
+  #kind: 'piece' | 'whole' = 'piece';
   #net: DrapedNet | RemeshedNet | null = null;
   #againstFolds = '';
   #patience: ReturnType<typeof setTimeout> | undefined;
@@ -63,28 +64,31 @@ export class DrapeResults {
   /** Null: it is being opened. */
   setSurface(report: SurfaceReport | null): void {
     this.#surface = report;
-    this.#sayProspect('');
     this.#numbers.hidden = report === null;
     if (report !== null) this.#numbers.replaceChildren(make('summary', {}, TEXT.numbers), makeSurfaceFacts(report));
     this.removeNet();
   }
 
-  #sayProspect(addition: string): void {
-    setText(this.#prospect, this.#surface === null ? TEXT.opening : prospectWords(this.#surface) + addition);
+  /** Another kind of net is wanted. */
+  setKind(kind: 'piece' | 'whole'): void {
+    this.#kind = kind;
+    this.removeNet();
   }
 
-  /** Of one piece, beside a net: where it covers less than was promised, what to do about it. Of the whole surface only
+  #sayProspect(addition = ''): void {
+    const prospect = this.#surface === null ? TEXT.opening : prospectWords(this.#surface, this.#kind);
+    const sentences = [prospect, addition].filter((each) => each !== '').join(' ');
+    setText(this.#prospect, sentences);
+    this.#prospect.hidden = sentences === '';
+  }
+
+  /** Of one piece, beside a net: where it covers less than was promised, what to do about it. Of the whole surface
    *  where it is crumpled or leaves some bare. */
   #reviseProspect(net: DrapedNet | RemeshedNet, report: DrapeReport): void {
-    if ('singularVertices' in net) {
-      const warning = this.#warningOf(net, report);
-      this.#prospect.hidden = warning === '';
-      return setText(this.#prospect, warning);
-    }
-    this.#prospect.hidden = false;
+    if ('singularVertices' in net) return this.#sayProspect(this.#warningOf(net, report));
     const { prospect = '', components = 0 } = this.#surface ?? {};
     const promised = components === 1 && ['one_piece', 'tight'].includes(prospect);
-    this.#sayProspect(promised && report.coverage < COVERS ? ` ${TEXT.coversLess}` : '');
+    this.#sayProspect(promised && report.coverage < COVERS ? TEXT.coversLess : '');
   }
 
   #warningOf({ net }: RemeshedNet, { coverage, folds }: DrapeReport): string {
@@ -118,7 +122,7 @@ export class DrapeResults {
   removeNet(): void {
     this.#expectNone();
     this.#net = null;
-    this.#prospect.hidden = false;
+    this.#sayProspect();
     this.#facts.replaceChildren();
     this.#fault.hidden = true;
   }

@@ -5,10 +5,14 @@ import { dialogWords } from '../language/dialogs';
 import { count } from '../language/numbers';
 import { lengthWords } from './file_words';
 
-/** In a sentence, before anything is tried. */
-export function prospectWords({ prospect, hardestCurvature, components }: SurfaceReport): string {
+/** In a sentence, before anything is tried. Of one that is to be covered as a whole there is nothing to say if it hangs together. */
+export function prospectWords(
+  { prospect, hardestCurvature, components }: SurfaceReport,
+  kind: 'piece' | 'whole' = 'piece',
+): string {
   const words = dialogWords.drape;
-  if (components > 1) return words.pieces(components);
+  if (components > 1) return words.pieces[kind](components);
+  if (kind === 'whole') return '';
   return words.prospects[prospect]((hardestCurvature / Math.PI).toFixed(1));
 }
 

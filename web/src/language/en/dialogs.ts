@@ -186,7 +186,10 @@ export const dialogs = {
       border: '“what fits best” at the border often lies smoother.',
       cells: 'more cells often lie smoother.',
     },
-    pieces: (pieces: number) => `It has ${pieces} pieces: a net lies on that of the seed, the others stay bare.`,
+    pieces: {
+      piece: (pieces: number) => `It has ${pieces} pieces: a net lies on that of the seed, the others stay bare.`,
+      whole: (pieces: number) => `It has ${pieces} pieces: each gets a net.`,
+    },
     cuts: {
       title: 'Cuts',
       draw: 'Draw a cut',

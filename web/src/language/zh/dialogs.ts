@@ -189,7 +189,10 @@ export const dialogs: Widened<typeof en> = {
       border: '边界处选“最合适者”往往更平顺。',
       cells: '格数多些往往更平顺。',
     },
-    pieces: (pieces) => `它有 ${pieces} 个连通部分：网只铺在起点所在的那一部分，其余部分留空。`,
+    pieces: {
+      piece: (pieces) => `它有 ${pieces} 个连通部分：网只铺在起点所在的那一部分，其余部分留空。`,
+      whole: (pieces) => `它有 ${pieces} 个连通部分：每一部分各铺一张网。`,
+    },
     cuts: {
       title: '剪口',
       draw: '画剪口',
