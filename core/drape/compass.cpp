@@ -23,7 +23,7 @@ constexpr Steps k_round_steps = {24. / 25, 7. / 25, 5, -1}, k_fine_steps = {4899
 constexpr int k_most_iterations = 60;
 // In edge lengths: how near a vertex comes to the surface at the least, and at the most where the surface is rough.
 constexpr double k_near = 1e-14, k_near_enough = 1e-9;
-// How near one comes that lies straight on beyond the border, where the surface goes on as flat as it is there: on a
+// Likewise of one that lies straight on beyond the border, where the surface goes on as flat as it is there: on a
 // rough one that is no way to go.
 constexpr double k_near_beyond = 0.5;
 // A geodesic this many edges long that has not come one edge far is going round in a fold.

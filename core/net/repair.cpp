@@ -410,8 +410,6 @@ Words words_for(Defect defect) {
 
 const char* to_string(Defect defect) { return words_for(defect).name; }
 
-bool has_one_side(const Faces& faces) { return Winding(faces).has_one_side(); }
-
 std::string to_sentence(const Finding& finding) {
     const Words words = words_for(finding.defect);
     std::string text =
@@ -428,5 +426,7 @@ RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_t
     const double radius = merge_radius(mesh, merge_tolerance);
     return Repairer(std::move(mesh), chosen).run(radius);
 }
+
+bool has_one_side(const Faces& faces) { return Winding(faces).has_one_side(); }
 
 }  // namespace chebnet

@@ -35,10 +35,6 @@ struct Finding {
     std::vector<int> examples;  ///< the first few of them, ascending, as the mesh that was given numbers them, from 0
 };
 
-/// Whether a piece of it has one side only, as a Möbius strip has: its faces cannot all wind one way. What is not two
-/// faces at an edge does not count.
-bool has_one_side(const Faces& faces);
-
 /// A line for a person, such as "2 vertices at the place of an earlier one, merged: 4, 7".
 std::string to_sentence(const Finding& finding);
 
@@ -58,5 +54,9 @@ inline constexpr double k_merge_tolerance = 1e-4;
 /// times the mean edge length. Throws Error index_out_of_range (a face names no vertex), non_finite (a coordinate, or
 /// an edge too long to be measured), bad_option (merge_tolerance).
 RepairedMesh repair(Mesh mesh, const std::vector<Defect>& chosen, double merge_tolerance = k_merge_tolerance);
+
+/// Whether a piece of it has one side only, as a Möbius strip has: its faces cannot all wind one way. Edges of more
+/// than two faces do not count.
+bool has_one_side(const Faces& faces);
 
 }  // namespace chebnet

@@ -160,13 +160,14 @@ private:
         m_is_there[q] = false;
     }
 
-    /// A row of few cells, one beyond the other, that ends with this one. Nothing would hold them where they are.
+    /// A row of few cells, one beyond the other, that ends with this one. Nothing would hold them where they are. A
+    /// piece that is no more than such a row stays.
     void cut_tail(int q) {
         std::vector<int> tail;
-        for (int side = side_by_which_hangs(q, -1); side >= 0; side = side_by_which_hangs(q, tail.back())) {
-            if (std::ssize(tail) == k_longest_tail) return;
+        for (std::vector<int> beyond = beside(q, -1); beyond.size() < 2; beyond = beside(q, tail.back())) {
+            if (beyond.empty() || std::ssize(tail) == k_longest_tail) return;
             tail.push_back(q);
-            q = cell_of(m_opposite[side]);
+            q = beyond.front();
         }
         for (const int cell : tail) {
             for (int s = 4 * cell; s < 4 * cell + 4; ++s)
@@ -175,15 +176,12 @@ private:
         }
     }
 
-    /// The only side with a cell beyond it other than this one; -1 if there are more, or none.
-    int side_by_which_hangs(int q, int but) const {
-        int by = -1;
-        for (int s = 4 * q; s < 4 * q + 4; ++s) {
-            if (m_opposite[s] < 0 || cell_of(m_opposite[s]) == but) continue;
-            if (by >= 0) return -1;
-            by = s;
-        }
-        return by;
+    /// The cells beyond its sides but for one of them, once for each side.
+    std::vector<int> beside(int q, int but) const {
+        std::vector<int> cells;
+        for (int s = 4 * q; s < 4 * q + 4; ++s)
+            if (m_opposite[s] >= 0 && cell_of(m_opposite[s]) != but) cells.push_back(cell_of(m_opposite[s]));
+        return cells;
     }
 
     Mesh mesh() const {

@@ -24,6 +24,7 @@
 #include "net/repair.h"
 #include "net/topology.h"
 #include "remesh/border_distance.h"
+#include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
 #include "remesh/creases.h"
@@ -317,6 +318,36 @@ TEST_CASE("A net over a rough scan is folded no more than one over the shape wit
     const int smooth_folds = sharp_folds(smooth, smooth.rest_positions(), k_fold);
     CAPTURE(smooth_folds);
     CHECK(sharp_folds(rough, rough.rest_positions(), k_fold) <= smooth_folds + 8);
+}
+
+TEST_CASE(
+    "Of cells in a row one or two that hang at a border are left out, a narrow part and a piece of its own stay") {
+    using Place = std::pair<int, int>;
+    const auto faces_left = [](const std::vector<Place>& places) {
+        Cells cells{{}, Positions::Zero(3, std::ssize(places)), Positions::Zero(3, std::ssize(places))};
+        for (int q = 0; q < cells.size(); ++q) {
+            cells.centres.col(q) << places[q].first, places[q].second, 0;
+            cells.normals.col(q) = Eigen::Vector3d::UnitZ();
+            const auto& [i, j] = places[q];
+            const Place beyond[] = {{i, j - 1}, {i + 1, j}, {i, j + 1}, {i - 1, j}};
+            for (int side = 0; side < 4; ++side) {
+                const auto other = std::find(places.begin(), places.end(), beyond[side]);
+                const int number = static_cast<int>(other - places.begin());
+                cells.opposite.push_back(other == places.end() ? -1 : 4 * number + (side + 2) % 4);
+            }
+        }
+        return mesh_of(cells).faces.size();
+    };
+    const auto block_with_row = [](int size, int row) {
+        std::vector<Place> places;
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) places.emplace_back(i, j);
+        for (int k = 0; k < row; ++k) places.emplace_back(size + k, 0);
+        return places;
+    };
+    for (const auto& [row, left] : {std::pair(0, 9), {1, 9}, {2, 9}, {3, 12}, {4, 13}})
+        CHECK(faces_left(block_with_row(3, row)) == left);
+    for (const int alone : {1, 2, 3, 4}) CHECK(faces_left(block_with_row(0, alone)) == alone);
 }
 
 TEST_CASE("No tail of one or two cells hangs at the border, a narrow part of a surface is covered") {

@@ -8,7 +8,6 @@
 
 #include "net/net.h"
 #include "net/topology.h"
-#include "solve/method.h"
 #include "solve/options.h"
 #include "solve/parts/corner_limit.h"
 #include "solve/parts/free_part.h"

@@ -24,7 +24,7 @@ namespace {
 
 // A net of more vertices, or a measure of more samples, takes longer than an input may.
 constexpr int k_farthest_reach = 10, k_most_cells = 400;
-// Over the whole of more triangles than this.
+// So does a net over the whole of more triangles.
 constexpr int k_most_remeshed = 100;
 
 /// Anything that a file may hold, or something near a surface that a person would bring.
