@@ -672,10 +672,10 @@ export interface RemeshOptions {
   /** And curves that are marked on the surface, each by points near it, at least two, joined by shortest ways; the last may be
    *  the first again. Not always followed: see `kept` of what comes of it, and core/remesh/marked_creases.h. */
   markedCreases?: readonly (readonly Readonly<Point>[])[];
-  /** Whether the net ends in a net line where the surface ends (`always`), in steps as cells fall (`never`), or with net lines
-   *  that run up to it at 45° (`across`); unless said otherwise as fits best, left open along gaps where
-   *  all others would crumple. */
-  border?: 'fitting' | 'always' | 'across' | 'never';
+  /** Whether the net ends in a net line where the surface ends (`always`), in one there, but in steps around holes (`outer`),
+   *  in steps as cells fall (`never`), or with net lines that run up to it at 45° (`across`); unless said otherwise as fits
+   *  best, left open along gaps where all others would crumple. */
+  border?: 'fitting' | 'always' | 'outer' | 'across' | 'never';
   /** Where singular vertices are wanted. Not always kept: see `kept` of what comes of it. */
   singular?: readonly WishedSingular[];
   /** Where none are wanted. */

@@ -254,6 +254,7 @@ val remesh_surface(const OpenSurface& open, val options, val progress) {
         wanted.marked_creases.push_back(points_in(points));
     wanted.border = named<RemeshOptions::Border>({{"fitting", RemeshOptions::Border::fitting},
                                                   {"always", RemeshOptions::Border::always},
+                                                  {"outer", RemeshOptions::Border::outer},
                                                   {"across", RemeshOptions::Border::across},
                                                   {"never", RemeshOptions::Border::never}},
                                                  options["border"].as<std::string>(), "border");

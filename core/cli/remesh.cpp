@@ -27,6 +27,7 @@ namespace {
 
 const std::map<std::string, RemeshOptions::Border> k_borders = {{"fitting", RemeshOptions::Border::fitting},
                                                                 {"always", RemeshOptions::Border::always},
+                                                                {"outer", RemeshOptions::Border::outer},
                                                                 {"across", RemeshOptions::Border::across},
                                                                 {"never", RemeshOptions::Border::never}};
 
@@ -198,10 +199,11 @@ Command add_remesh(CLI::App& program) {
         ->take_all()
         ->allow_extra_args(false);
     command
-        .add_option(
-            "--border", arguments->border,
-            "Where the surface ends: in a net line (always), in steps (never), or with net lines that run up to it at "
-            "45 degrees (across); fitting: as fits best, left open along gaps where all others would crumple")
+        .add_option("--border", arguments->border,
+                    "Where the surface ends: in a net line (always), in one, but in steps around holes (outer), in "
+                    "steps (never), "
+                    "or with net lines that run up to it at 45 degrees (across); fitting: as fits best, left open "
+                    "along gaps where all others would crumple")
         ->check(CLI::IsMember(k_borders))
         ->capture_default_str();
     add_net_output(command, "-o,--out,--output", arguments->output)->type_name("OUT");

@@ -196,10 +196,11 @@ private:
 class Balance {
 public:
     Balance(const Surface& surface, const std::vector<double>& curvature, const std::vector<double>& density,
-            const std::vector<bool>& is_free)
-        : m_of_face(surface.components()) {
+            const std::vector<bool>& is_free, const std::vector<bool>& is_followed)
+        : m_surface(surface), m_is_followed(is_followed), m_of_face(surface.components()) {
         const std::size_t pieces = 1 + static_cast<std::size_t>(*std::max_element(m_of_face.begin(), m_of_face.end()));
         m_is_open.assign(pieces, false);
+        std::vector<bool> has_way_out(pieces, false);
         std::vector<double> remainder(pieces, 0), faces(pieces, 0), free(pieces, 0);
         change.resize(surface.face_count());
         for (int f = 0; f < surface.face_count(); ++f) {
@@ -210,12 +211,15 @@ public:
         }
         for (int s = 0; s < 3 * surface.face_count(); ++s) {
             const int piece = m_of_face[Surface::face_of(s)];
-            if (surface.opposite(s) < 0 && free[piece] == 0 && std::abs(remainder[piece]) > k_least_remainder)
-                m_is_open[piece] = true;
+            if (surface.opposite(s) >= 0) continue;
+            if (!is_followed[s]) has_way_out[piece] = true;
+            if (free[piece] == 0 && std::abs(remainder[piece]) > k_least_remainder) m_is_open[piece] = true;
         }
+        for (std::size_t piece = 0; piece < pieces; ++piece)
+            if (has_way_out[piece]) m_is_open[piece] = false;
         for (int f = 0; f < surface.face_count(); ++f) {
             const int piece = m_of_face[f];
-            if (m_is_open[piece]) continue;
+            if (m_is_open[piece] || has_way_out[piece]) continue;
             if (free[piece] == 0)
                 change[f] -= remainder[piece] / faces[piece];
             else if (is_free[f])
@@ -224,10 +228,14 @@ public:
     }
 
     Eigen::VectorXd change;
-    /// Whether what is left over goes through the boundary.
-    bool is_open(int face) const { return m_is_open[m_of_face[face]]; }
+    /// Whether what is left over goes through this side, on the boundary.
+    bool is_open(int side) const {
+        return m_surface.opposite(side) < 0 && (!m_is_followed[side] || m_is_open[m_of_face[Surface::face_of(side)]]);
+    }
 
 private:
+    const Surface& m_surface;
+    const std::vector<bool>& m_is_followed;
     std::vector<int> m_of_face;
     std::vector<bool> m_is_open;  // of each piece
 };
@@ -238,7 +246,7 @@ Eigen::VectorXd potential(const Surface& surface, const Balance& balance) {
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int f = Surface::face_of(s), other = surface.opposite(s);
         if (other >= 0) entries.emplace_back(f, Surface::face_of(other), -1);
-        if (other >= 0 || balance.is_open(f)) entries.emplace_back(f, f, 1);
+        if (other >= 0 || balance.is_open(s)) entries.emplace_back(f, f, 1);
     }
     for (int f = 0; f < surface.face_count(); ++f) entries.emplace_back(f, f, k_shift);
     Eigen::SparseMatrix<double> laplacian(surface.face_count(), surface.face_count());
@@ -282,11 +290,12 @@ PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const 
 }
 
 TurnedConnection turned_connection(const Surface& surface, std::vector<double> curvature,
-                                   const std::vector<double>& border, const PlacedWishes& wishes) {
+                                   const std::vector<double>& border, const std::vector<bool>& is_followed,
+                                   const PlacedWishes& wishes) {
     for (int s = 0; s < 3 * surface.face_count(); ++s) curvature[Surface::face_of(s)] += border[s];
     Density density(surface, curvature, wishes);
     const std::vector<double> wanted = density.run();
-    const Balance balance(surface, curvature, wanted, density.is_free());
+    const Balance balance(surface, curvature, wanted, density.is_free(), is_followed);
     TurnedConnection result;
     result.potential = potential(surface, balance);
     const Eigen::VectorXd& phi = result.potential;
@@ -296,7 +305,7 @@ TurnedConnection turned_connection(const Surface& surface, std::vector<double> c
         const int f = Surface::face_of(s), other = surface.opposite(s);
         if (other >= 0)
             result.angles[s] += phi[f] - phi[Surface::face_of(other)];
-        else if (balance.is_open(f)) {
+        else if (balance.is_open(s)) {
             result.angles[s] += phi[f];
             result.is_unaligned[surface.from(s)] = true;
         }

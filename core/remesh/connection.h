@@ -31,14 +31,17 @@ PlacedWishes placed(const SingularWishes& wishes, const Surface& surface, const 
 /// singular vertices there (Crane, Desbrun & Schröder, Trivial Connections on Discrete Surfaces, 2010). Opposite sides
 /// have opposite angles.
 ///
-/// `curvature`: of each triangle, four times its own, in radians; `border`: of each side on the boundary the angle by
-/// which transport is turned for a field along the boundary; else 0.
+/// `curvature`: of each triangle, four times its own, in radians; `border`: of each side on the boundary that
+/// the field follows the angle by which transport is turned for it to do so; else 0. `is_followed`: which they are.
+/// What is left over goes through the rest of the boundary, where there is any.
 struct TurnedConnection {
     std::vector<double> angles;      ///< of each side
     Eigen::VectorXd potential;       ///< of each triangle, whose differences turn transport along the sides between
-    std::vector<bool> is_unaligned;  ///< of each vertex: it is on a boundary that cannot be followed with these alone
+    std::vector<bool> is_unaligned;  ///< of each vertex: it is on a boundary that is not followed, or cannot be with
+                                     ///< these alone
 };
 TurnedConnection turned_connection(const Surface& surface, std::vector<double> curvature,
-                                   const std::vector<double>& border, const PlacedWishes& wishes);
+                                   const std::vector<double>& border, const std::vector<bool>& is_followed,
+                                   const PlacedWishes& wishes);
 
 }  // namespace chebnet

@@ -16,11 +16,4 @@ std::vector<bool> creases_of(const Surface& surface, double angle) {
     return result;
 }
 
-std::vector<bool> with_border(const Surface& surface, std::vector<bool> creases) {
-    creases.resize(3 * static_cast<std::size_t>(surface.face_count()), false);
-    for (int s = 0; s < 3 * surface.face_count(); ++s)
-        if (surface.opposite(s) < 0) creases[s] = true;
-    return creases;
-}
-
 }  // namespace chebnet

@@ -10,7 +10,4 @@ namespace chebnet {
 /// the surface is sharp there. Never at the boundary, nor beside a triangle without area.
 std::vector<bool> creases_of(const Surface& surface, double angle);
 
-/// Creases, or none if empty, and the sides on the boundary with them.
-std::vector<bool> with_border(const Surface& surface, std::vector<bool> creases);
-
 }  // namespace chebnet

@@ -9,6 +9,7 @@
 #include <random>
 #include <utility>
 
+#include "remesh/border_sides.h"
 #include "surface/surface_tree.h"
 
 namespace chebnet {
@@ -101,7 +102,15 @@ struct Connection {
     std::vector<bool> is_pinned;      // of each vertex: directions turn around it, so its own is not one of theirs
 };
 
-Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames, const FieldOptions& options) {
+/// Of each side, whether it is on the boundary and followed.
+std::vector<bool> followed_border(const Surface& surface, const FieldOptions& options) {
+    std::vector<bool> sides = border_sides(surface);
+    for (std::size_t s = 0; s < options.border.size(); ++s) sides[s] = sides[s] && options.border[s];
+    return sides;
+}
+
+Connection natural_connection(const Surface& surface, const std::vector<Frame>& frames,
+                              const std::vector<bool>& followed, const FieldOptions& options) {
     Connection connection;
     connection.held_sides.assign(frames.size(), 0);
     connection.targets.assign(frames.size(), 0);
@@ -110,7 +119,7 @@ Connection natural_connection(const Surface& surface, const std::vector<Frame>& 
     for (int s = 0; s < 3 * surface.face_count(); ++s) {
         const int a = surface.from(s), b = surface.to(s);
         connection.transports.push_back(transport(frames[a], frames[b]));
-        const bool is_border = surface.opposite(s) < 0;
+        const bool is_border = followed[s];
         const bool is_crease = !options.creases.empty() && options.creases[s] && surface.opposite(s) < s;
         if (!is_border && !is_crease) continue;
         const double sign = is_border && options.crosses_border ? -1 : 1;  // i⁴ = 1, and of 45° (√i)⁴ = −1
@@ -154,7 +163,7 @@ void hold_between_pins(Connection& connection, const Surface& surface, const std
 
 /// Turned so that singular vertices are where they are wished for. Returns the potential of what turns it.
 Eigen::VectorXd turn(Connection& connection, const Surface& surface, const std::vector<Frame>& frames,
-                     const PlacedWishes& wishes) {
+                     const std::vector<bool>& followed, const PlacedWishes& wishes) {
     std::vector<double> curvature, border(connection.transports.size(), 0.0);
     for (int f = 0; f < surface.face_count(); ++f) {
         const auto& corners = surface.triangles().col(f);
@@ -162,11 +171,11 @@ Eigen::VectorXd turn(Connection& connection, const Surface& surface, const std::
             curvature_of(frames[corners[0]].normal, frames[corners[1]].normal, frames[corners[2]].normal));
     }
     for (int s = 0; s < 3 * surface.face_count(); ++s)
-        if (surface.opposite(s) < 0)
+        if (followed[s])
             border[s] =
                 angle_of(times(connection.targets[surface.to(s)],
                                std::conj(times(connection.transports[s], connection.targets[surface.from(s)]))));
-    TurnedConnection turned = turned_connection(surface, curvature, border, wishes);
+    TurnedConnection turned = turned_connection(surface, curvature, border, followed, wishes);
     for (int s = 0; s < 3 * surface.face_count(); ++s)
         connection.transports[s] =
             times(connection.transports[s], {std::cos(turned.angles[s]), std::sin(turned.angles[s])});
@@ -312,9 +321,10 @@ int nearest_turn(const Surface& surface, const Positions& directions, int side) 
 
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options) {
     const std::vector<Frame> frames = vertex_frames(surface, options.smoothing);
-    Connection connection = natural_connection(surface, frames, options);
+    const std::vector<bool> followed = followed_border(surface, options);
+    Connection connection = natural_connection(surface, frames, followed, options);
     Eigen::VectorXd potential;
-    if (options.wishes) potential = turn(connection, surface, frames, *options.wishes);
+    if (options.wishes) potential = turn(connection, surface, frames, followed, *options.wishes);
     const bool is_free = std::all_of(connection.targets.begin(), connection.targets.end(),
                                      [](Complex target) { return target == Complex(0); });
     std::vector<Complex> at_vertices = Smoother(surface, connection).run();

@@ -21,14 +21,15 @@ struct FieldOptions {
     int smoothing = 0;                     ///< rounds of it; see smoothest_field
     const PlacedWishes* wishes = nullptr;  ///< of singular vertices; null: none
     std::vector<bool> creases;             ///< of each side, whether it is one; empty: there are none
-    bool crosses_border = false;           ///< the directions are at 45° to the boundary, not along it
+    std::vector<bool> border;              ///< of each side on the boundary, whether directions follow it; empty: all
+    bool crosses_border = false;           ///< they are at 45° to it, not along it
 };
 
 /// The smoothest field (Knöppel, Crane, Pinkall & Schröder, Globally Optimal Direction Fields, 2013), along the
-/// boundary where there is one, or across it, and along creases. Directions go from vertex to vertex as the normals
-/// turn, after so many rounds of smoothing these: the more there are, the less noise and small bumps make singular
-/// vertices. Wishes, if there are any, say where these are to be, and turn the way of directions from vertex to vertex
-/// for it.
+/// boundary as far as it follows that, or across it, and along creases. Directions go from vertex to vertex as the
+/// normals turn, after so many rounds of smoothing these: the more there are, the less noise and small bumps make
+/// singular vertices. Wishes, if there are any, say where these are to be, and turn the way of directions from vertex
+/// to vertex for it.
 DirectionField smoothest_field(const Surface& surface, const FieldOptions& options);
 
 /// All directions turned by one angle, radians, which is as smooth, and has the same singular vertices.

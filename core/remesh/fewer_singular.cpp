@@ -37,13 +37,13 @@ SingularWishes wishes_of(const std::vector<Unit>& units) {
     return wishes;
 }
 
-/// Of each piece, the vertices of its border.
-std::vector<std::vector<Eigen::Vector3d>> borders_of(const Surface& surface) {
+/// Of each piece, the vertices of its border where none of these sides is.
+std::vector<std::vector<Eigen::Vector3d>> borders_beside(const Surface& surface, const std::vector<bool>& sides) {
     const std::vector<int> of_face = surface.components();
     std::vector<std::vector<Eigen::Vector3d>> borders(
         static_cast<std::size_t>(of_face.empty() ? 0 : 1 + *std::max_element(of_face.begin(), of_face.end())));
     for (int s = 0; s < 3 * surface.face_count(); ++s)
-        if (surface.opposite(s) < 0)
+        if (surface.opposite(s) < 0 && (sides.empty() || !sides[s]))
             borders[of_face[Surface::face_of(s)]].push_back(surface.positions().col(surface.from(s)));
     return borders;
 }
@@ -79,11 +79,9 @@ Cancelled nearest_to_border(const std::vector<Unit>& units, const std::vector<st
 }  // namespace
 
 std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field,
-                                            bool may_go_over_border) {
+                                            const std::vector<bool>& held_border) {
     std::vector<Unit> units = units_of(surface, field);
-    std::vector<std::vector<Eigen::Vector3d>> borders = borders_of(surface);
-    if (!may_go_over_border)
-        for (auto& border : borders) border.clear();
+    const std::vector<std::vector<Eigen::Vector3d>> borders = borders_beside(surface, held_border);
     std::vector<SingularWishes> result = {wishes_of(units)};
     for (;;) {
         const Cancelled pair = nearest_pair(units), single = nearest_to_border(units, borders);

@@ -9,14 +9,14 @@
 namespace chebnet {
 
 /// The singular vertices of a field, wished for alone, and then fewer and fewer: of each entry those two of opposite
-/// index that are nearest to each other, on one piece of the surface, have cancelled each other in the next, or, if
-/// they may, that one which is nearest to the border has gone over it, whichever is nearer. Of the last one only those
-/// are left that no net of that topology is without (Σ index = 4 χ): none where they may go over the border of each
-/// piece.
+/// index that are nearest to each other, on one piece of the surface, have cancelled each other in the next, or that
+/// one which is nearest to the border has gone over it, whichever is nearer. None goes over the border where that is
+/// held (of each side; empty: nowhere). Of the last one only those are left that no net of that topology is without (Σ
+/// index = 4 χ): none where they may go over some border of each piece.
 ///
 /// A field of directions at right angles needs singular vertices wherever the surface curves, or its cells would have
 /// other lengths; in a Chebyshev net cells may shear instead. Which of these a net can do without only a net shows.
 std::vector<SingularWishes> fewer_and_fewer(const Surface& surface, const DirectionField& field,
-                                            bool may_go_over_border);
+                                            const std::vector<bool>& held_border);
 
 }  // namespace chebnet

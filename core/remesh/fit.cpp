@@ -92,7 +92,7 @@ public:
         find_diagonals();
         find_bends();
         find_border();
-        if (m_options.has_border) find_corners();
+        find_corners();
         find_creases();
         m_system = std::make_unique<SingleBlockSystem>(m_net.vertex_count(), links());
     }
@@ -179,10 +179,10 @@ private:
         return m_length * sum / count;
     }
 
-    bool may_slide() const { return m_options.has_border || !m_creases.vertices.empty(); }
+    bool may_slide() const { return !m_border.vertices.empty() || !m_creases.vertices.empty(); }
 
-    /// To the points of border and creases that are next to vertices, so that these slide from step to step; a border
-    /// that is none of the net's lines, to where it was.
+    /// To the points of border and creases that are next to vertices, so that these slide from step to step; of a
+    /// border that is none of the net's lines, to where they were.
     void find_pulls() {
         m_pulls = m_options.pulls;
         const auto draw_along = [this](const Rail& rail, double weight) {
@@ -190,8 +190,8 @@ private:
                 m_pulls.push_back({v, m_positions.col(v) - way_from(rail, m_positions.col(v)).away, weight});
         };
         draw_along(m_creases, k_pull_of_crease);
-        if (m_options.has_border) return draw_along(m_border, k_pull_along_border);
-        for (const int v : m_border.vertices) m_pulls.push_back({v, m_evened.col(v), k_pull_of_border});
+        draw_along(m_border, k_pull_along_border);
+        for (const int v : m_steps.vertices) m_pulls.push_back({v, m_evened.col(v), k_pull_of_border});
     }
 
     static std::vector<Pull> in_unit(std::vector<Pull> pulls, double unit) {
@@ -244,17 +244,26 @@ private:
     void find_border() {
         for (const std::vector<int>& loop : m_surface.boundary_loops())
             for (const int s : loop)
-                m_border.segments.push_back(
-                    {m_surface.positions().col(m_surface.from(s)), m_surface.positions().col(m_surface.to(s))});
-        for (int v = 0; v < m_net.vertex_count() && !m_border.segments.empty(); ++v)
-            if (m_topology.is_boundary(v)) m_border.vertices.push_back(v);
+                (is_followed(s) ? m_border : m_steps)
+                    .segments.push_back(
+                        {m_surface.positions().col(m_surface.from(s)), m_surface.positions().col(m_surface.to(s))});
+        for (int v = 0; v < m_net.vertex_count(); ++v) {
+            if (!m_topology.is_boundary(v) || (m_border.segments.empty() && m_steps.segments.empty())) continue;
+            const auto distance = [&](const Rail& rail) {
+                return rail.segments.empty() ? std::numeric_limits<double>::infinity()
+                                             : length_of(way_from(rail, m_positions.col(v)).away);
+            };
+            (distance(m_border) <= distance(m_steps) ? m_border : m_steps).vertices.push_back(v);
+        }
     }
+
+    bool is_followed(int side) const { return !m_options.border.empty() && m_options.border[side]; }
 
     void find_corners() {
         for (const std::vector<int>& loop : m_surface.boundary_loops())
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const Eigen::Vector3d in = vector_of(loop[k]), out = vector_of(loop[(k + 1) % loop.size()]);
-                if (in.dot(out) < k_corner * length_of(in) * length_of(out))
+                if (is_followed(loop[k]) && in.dot(out) < k_corner * length_of(in) * length_of(out))
                     hold_corner(m_surface.positions().col(m_surface.to(loop[k])));
             }
     }
@@ -327,7 +336,7 @@ private:
         m_system->set_zero();
         m_force.setZero(3, m_positions.cols());
         draw_to_surface();
-        for (const Rail& rail : {m_border, m_creases}) draw_to(rail);
+        for (const Rail& rail : {m_border, m_steps, m_creases}) draw_to(rail);
         draw_to_points();
         for (const Bend& bend : m_bends) straighten(bend);
         for (const Bar& edge : m_edges) pull(edge, 1, 1);
@@ -484,8 +493,8 @@ private:
     double m_length;
     Positions m_positions, m_evened;
     std::vector<int> m_guess;
-    std::vector<Pull> m_pulls;  // those asked for, and the border to where it is once edges are even
-    Rail m_border, m_creases;
+    std::vector<Pull> m_pulls;          // those asked for, and the border to where it is once edges are even
+    Rail m_border, m_steps, m_creases;  // where the border is one of the net's lines, and where it is not
     std::map<std::pair<int, int>, int> m_links;
     std::vector<Bar> m_edges, m_diagonals;
     std::vector<Bend> m_bends;

@@ -22,6 +22,7 @@
 #include "net/measures.h"
 #include "net/topology.h"
 #include "remesh/border_distance.h"
+#include "remesh/border_sides.h"
 #include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
@@ -140,6 +141,8 @@ std::shared_ptr<const Guide> without_small_holes(const std::shared_ptr<const Gui
     return closed ? std::make_shared<const Guide>(*std::move(closed)) : guide;
 }
 
+using Border = RemeshOptions::Border;
+
 /// By one way to end at the border.
 class Remesher {
 public:
@@ -198,7 +201,8 @@ private:
         begin(RemeshPhase::singular);
         const DirectionField field = field_along(m_options.smoothing);
         if (singular_count(field) > k_most_singular_vertices) return std::nullopt;
-        const std::vector<SingularWishes> wishes = fewer_and_fewer(m_even->surface, field, !may_hold_border());
+        const std::vector<SingularWishes> wishes =
+            fewer_and_fewer(m_even->surface, field, held_border(m_even->surface));
         if (wishes.size() == 1 || !(m_options.fewest || wishes.back().vertices.empty())) return std::nullopt;
         const std::optional<PlacedWishes> usual = m_wishes;
         std::optional<Found> found;
@@ -349,7 +353,7 @@ private:
         const Surface& triangles = m_even->surface;
         const int rounds = static_cast<int>(smoothing * triangles.vertex_count() / k_vertices_a_round);
         return smoothest_field(triangles, {rounds, m_wishes ? &*m_wishes : nullptr, m_even->creases,
-                                           m_options.border == RemeshOptions::Border::across});
+                                           followed_border(triangles), m_options.border == Border::across});
     }
 
     /// `turns`: the field as a whole, if it pays.
@@ -403,8 +407,8 @@ private:
     /// `length`: of all edges; 0: the one that fits.
     Found fitted(const Mesh& mesh, double length, bool suits_creases) {
         begin(RemeshPhase::fit);
-        const FitOptions options{length,        m_options.smallest_angle,          pulls(mesh), m_creases.segments(),
-                                 suits_creases, m_holds_lines && may_hold_border()};
+        const FitOptions options{length,        m_options.smallest_angle, pulls(mesh), m_creases.segments(),
+                                 suits_creases, held_border(m_surface)};
         Net net = fit_net(m_guide, mesh, options, [this](double done) { tell(done); });
         std::vector<SingularVertex> singular = singular_vertices(net);
         KeptWishes kept = kept_wishes(net, singular, m_options.singular);
@@ -425,13 +429,31 @@ private:
         return std::nullopt;
     }
 
-    bool may_hold_border() const { return m_has_border && m_options.border == RemeshOptions::Border::always; }
+    bool may_hold_border() const {
+        return m_has_border && (m_options.border == Border::always || m_options.border == Border::outer);
+    }
+
+    /// Of each side, whether the field follows the border there.
+    std::vector<bool> followed_border(const Surface& surface) const {
+        return m_options.border == Border::outer ? outer_border_sides(surface) : border_sides(surface);
+    }
+
+    /// Of each side, whether the border is one of the net's lines there; empty: nowhere.
+    std::vector<bool> held_border(const Surface& surface) const {
+        return m_holds_lines && may_hold_border() ? followed_border(surface) : std::vector<bool>();
+    }
+
+    /// Of each side, whether it is one of some; both may be empty, for none.
+    static std::vector<bool> either(std::vector<bool> some, const std::vector<bool>& others) {
+        some.resize(std::max(some.size(), others.size()), false);
+        for (std::size_t s = 0; s < others.size(); ++s) some[s] = some[s] || others[s];
+        return some;
+    }
 
     GridMap grid_along(const DirectionField& field, double length) const {
         const Surface& triangles = m_even->surface;
         if (!m_holds_lines) return fit_grid(triangles, field, length);
-        return fit_grid(triangles, field, length,
-                        may_hold_border() ? with_border(triangles, m_even->creases) : m_even->creases);
+        return fit_grid(triangles, field, length, either(m_even->creases, held_border(triangles)));
     }
 
     /// Of the singular vertices wished for, each towards its point; of others near a forbidden region, to where they
@@ -550,11 +572,10 @@ public:
     }
 
 private:
-    using Border = RemeshOptions::Border;
     using Way = std::optional<Border>;  // none: in one piece
-    static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::across, Border::never};
-    // So many are tried at least: each of the first two may be perfect where the other is only good.
-    static constexpr std::size_t k_rivals = 2;
+    static constexpr Way k_ways[] = {Border::always, std::nullopt, Border::outer, Border::across, Border::never};
+    // So many are tried at least: each of them may be perfect where another is only good.
+    static constexpr std::size_t k_rivals = 3;
     // Each takes its time.
     static constexpr int k_most_finals = 2;
 
@@ -571,6 +592,8 @@ private:
     bool are_few() const { return m_cells <= k_trial_cells; }
 
     void try_way(std::size_t k) {
+        const Surface& surface = m_guide->surface();
+        if (k_ways[k] == Border::outer && outer_border_sides(surface) == border_sides(surface)) return;
         RemeshOptions options = m_options;
         options.fewest = false;
         if (!are_few()) {

@@ -25,6 +25,7 @@ struct RemeshOptions {
                   ///< against the surface, corners sharper than 40 degrees, folds, and gaps. So a net that would
                   ///< crumple is left open where it locks
         always,   ///< in a net line, along all of the border that the field follows
+        outer,    ///< in a net line along the outer border, in steps around holes in what that bounds
         across,   ///< at 45°
         never     ///< in steps
     };

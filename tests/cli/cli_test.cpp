@@ -853,6 +853,7 @@ TEST_CASE("remesh ends nets in a net line at the border if it is told to, or nev
     };
     CHECK(coverage("--border always") > coverage("--border never") + 0.01);
     CHECK(coverage("--border across") > coverage("--border always"));
+    CHECK(coverage("--border outer") == coverage("--border always"));  // it has no hole
     CHECK(coverage("") == coverage("--border fitting"));
 }
 

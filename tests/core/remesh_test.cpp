@@ -24,6 +24,7 @@
 #include "net/repair.h"
 #include "net/topology.h"
 #include "remesh/border_distance.h"
+#include "remesh/border_sides.h"
 #include "remesh/cell_mesh.h"
 #include "remesh/cells.h"
 #include "remesh/connection.h"
@@ -242,7 +243,8 @@ TEST_CASE("Of singular vertices a net has as few as it takes, if that is asked f
 TEST_CASE("Singular vertices cancel each other until those of one sign are left") {
     const Surface torus(samples::torus(60, 24, 3, 1)), sphere(samples::sphere(12));
     for (const auto& [surface, index] : {std::pair(&torus, 0), std::pair(&sphere, 8)}) {
-        const std::vector<SingularWishes> wishes = fewer_and_fewer(*surface, smoothest_field(*surface, {}), false);
+        const std::vector<SingularWishes> wishes =
+            fewer_and_fewer(*surface, smoothest_field(*surface, {}), border_sides(*surface));
         for (std::size_t k = 0; k < wishes.size(); ++k) {
             CHECK(wishes[k].only);
             CHECK(wishes[k].vertices.size() == wishes[0].vertices.size() - 2 * k);
@@ -254,7 +256,7 @@ TEST_CASE("Singular vertices cancel each other until those of one sign are left"
 
 TEST_CASE("Where there is a border singular vertices go over it, the nearest to it first, until none is left") {
     const Surface cap = make_own_surface("hemisphere");
-    const std::vector<SingularWishes> wishes = fewer_and_fewer(cap, smoothest_field(cap, {}), true);
+    const std::vector<SingularWishes> wishes = fewer_and_fewer(cap, smoothest_field(cap, {}), {});
     REQUIRE(wishes.size() > 1);
     const auto lowest = [](const SingularWishes& those) {
         double z = std::numeric_limits<double>::infinity();
@@ -665,6 +667,81 @@ TEST_CASE("A net with one net line for its border has singular vertices within, 
     CHECK(border_corners(remeshed(half, options, 1).net).empty());
 }
 
+/// A plate with a round hole, raised to a vault.
+Surface roof_with_hole(double rise) {
+    const Surface flat = plate(60, 40, 6, 4, [](double x, double y) { return std::hypot(x - 3.4, y - 1.8) > 0.7; });
+    Mesh mesh{flat.positions(), {}};
+    for (int v = 0; v < flat.vertex_count(); ++v)
+        mesh.positions(2, v) = rise * std::sin(std::numbers::pi / 6 * flat.positions()(0, v));
+    for (int f = 0; f < flat.face_count(); ++f)
+        mesh.faces.add({flat.from(3 * f), flat.from(3 * f + 1), flat.from(3 * f + 2)});
+    return Surface(mesh);
+}
+
+TEST_CASE("A net over a roof with a hole has its lines along the roof's sides, not along the hole") {
+    for (const double rise : {0.0, 0.8}) {
+        const Surface roof = roof_with_hole(rise);
+        const Net net = remeshed(roof, of_cells(500), 0).net;
+        INFO("rise " << rise);
+        CHECK(singular_count(net) == 0);
+        CHECK(corner_angle_range(net, net.rest_positions()).smallest > 60 * samples::k_degree);
+        CHECK(measure_drape(roof, SurfaceTree(roof), net).coverage > 0.99);
+        const Topology topology(net);
+        std::vector<std::vector<int>> loops = topology.boundary_loops();
+        const auto outer = std::max_element(loops.begin(), loops.end(),
+                                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        std::map<int, int> corners;
+        for (const int v : *outer)
+            if (topology.valence(v) != 3) ++corners[topology.valence(v)];
+        CHECK(corners == std::map<int, int>{{2, 4}});
+    }
+}
+
+TEST_CASE("The outer border is the longest of a piece, and what is about as long") {
+    const Surface roof = roof_with_hole(0);
+    const std::vector<bool> outer = outer_border_sides(roof);
+    for (int s = 0; s < 3 * roof.face_count(); ++s) {
+        const double x = roof.positions()(0, roof.from(s)), y = roof.positions()(1, roof.from(s));
+        const bool is_outside = std::min({x, 6 - x, y, 4 - y}) < 1e-9;
+        CHECK(outer[s] == (roof.opposite(s) < 0 && is_outside));
+    }
+    const Surface tube(samples::quads(12, 5, true, false, [](int i, int j) {
+        return Eigen::Vector3d(std::cos(std::numbers::pi / 6 * i), std::sin(std::numbers::pi / 6 * i), 0.4 * j);
+    }));
+    CHECK(outer_border_sides(tube) == border_sides(tube));
+}
+
+TEST_CASE("A field along the outer border alone goes around a hole without singular vertices") {
+    // Between a circle and a square.
+    const Surface flat(samples::quads(64, 12, true, false, [](int i, int j) {
+        const Eigen::Vector3d circle = {std::cos(std::numbers::pi / 32 * i), std::sin(std::numbers::pi / 32 * i), 0};
+        const Eigen::Vector3d square = 2 / circle.cwiseAbs().maxCoeff() * circle;
+        return Eigen::Vector3d(circle * 0.7 * (11 - j) / 11 + square * j / 11);
+    }));
+    CHECK(chebnet::singular_count(smoothest_field(flat, {})) == 4);
+    CHECK(chebnet::singular_count(smoothest_field(flat, {0, nullptr, {}, outer_border_sides(flat)})) == 0);
+
+    // A dome's curvature leaves by the hole at its top, if nowhere else.
+    const Surface dome(samples::quads(48, 12, true, false, [](int i, int j) {
+        const double around = std::numbers::pi / 24 * i, down = 0.3 + 0.1 * j;
+        return Eigen::Vector3d(std::sin(down) * std::cos(around), std::sin(down) * std::sin(around), std::cos(down));
+    }));
+    const std::vector<bool> outer = outer_border_sides(dome);
+    REQUIRE(outer != border_sides(dome));
+    SingularWishes wishes;
+    wishes.only = true;
+    const PlacedWishes none = placed(wishes, dome, SurfaceTree(dome), 0.1);
+    const DirectionField field = smoothest_field(dome, {0, &none, {}, outer});
+    CHECK(chebnet::singular_count(field) == 0);
+    for (int s = 0; s < 3 * dome.face_count(); ++s) {
+        if (!outer[s]) continue;
+        const Eigen::Vector3d along =
+            (dome.positions().col(dome.to(s)) - dome.positions().col(dome.from(s))).normalized();
+        const double cosine = along.dot(field.directions.col(Surface::face_of(s)));
+        CHECK(std::max(cosine * cosine, 1 - cosine * cosine) > 0.9);
+    }
+}
+
 TEST_CASE("Where a net line along the border would strain the net it is there only if it is asked for") {
     const Surface shell = make_own_surface("shell");
     RemeshOptions options = of_cells(600);
@@ -871,7 +948,7 @@ TEST_CASE("With singular vertices wished for the turns of a field still add up t
     wishes.vertices = {{{1, 0, 0}, 3}, {{0, 1, 0}, 5}, {{0, 0, 1}, 6}};
     wishes.forbidden = {{{-1, 0, 0}, 0.6}};
     const PlacedWishes on_triangles = placed(wishes, sphere, tree, 0.08);
-    const DirectionField field = smoothest_field(sphere, {0, &on_triangles, {}});
+    const DirectionField field = smoothest_field(sphere, {0, &on_triangles, {}, {}});
     int sum = 0;
     for (int v = 0; v < sphere.vertex_count(); ++v) {
         // 3 quarter turns are −1; only the one of valence 6 is −2.

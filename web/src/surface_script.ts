@@ -172,7 +172,9 @@ function readRemesh(options: Untrusted): RemeshOptions {
     fewest: options.at('fewest').maybe((each) => each.flag()),
     crease: options.at('crease').maybe((each) => each.number()),
     markedCreases: options.at('markedCreases').maybe(readLines),
-    border: options.at('border').maybe((each) => each.oneOf(['fitting', 'always', 'across', 'never'] as const)),
+    border: options
+      .at('border')
+      .maybe((each) => each.oneOf(['fitting', 'always', 'outer', 'across', 'never'] as const)),
     only: options.at('only').maybe((each) => each.flag()),
     singular: options.at('singular').maybe((list) =>
       // Whether there can be such, the core says.

@@ -23,7 +23,7 @@ const LEAST_ANGLE = 40;
 const LIMITS = { least: 10, usual: 30, piece: 75, whole: 60 };
 
 /** Where net lines may run as the surface ends, of a net over the whole of it. */
-const LINES = ['fitting', 'always', 'across', 'never'] as const;
+const LINES = ['fitting', 'always', 'outer', 'across', 'never'] as const;
 
 /** Edges of the surface that are sharper are followed, degrees; 0: none are. */
 const CREASES = [0, 30, 45, 60];

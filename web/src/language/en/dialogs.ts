@@ -162,6 +162,7 @@ export const dialogs = {
     lines: {
       fitting: 'what fits best',
       always: 'a net line',
+      outer: 'a net line, steps around holes',
       across: 'net lines at 45° to it',
       never: 'steps, as cells fall',
     },
