@@ -87,6 +87,9 @@ inline constexpr double k_shear = std::numbers::pi / 12, k_much_shear = std::num
 /// The part of a net's whole cells (see DrapeReport) with a corner farther than `shear` (radians) from a right angle.
 double part_sheared(const Net& net, double shear);
 
+/// How far the corner of each whole cell that is farthest from a right angle is from it, radians, root mean square.
+double rms_shear(const Net& net);
+
 /// The part of a surface's area that is within half an edge of a net, by the middles of some of its triangles, of two
 /// thousand at the least if there are so many: a fast guess at the coverage of DrapeReport.
 double sampled_coverage(const Surface& surface, const Net& net);

@@ -170,11 +170,15 @@ void add_rods(const Net& net, const Topology& topology, DrapeReport& report) {
     }
 }
 
-double part_sheared(const std::vector<AngleRange>& cells, double shear) {
+/// Of the corner that is farthest from a right angle.
+double shear_of(const AngleRange& corners) {
     const double right = std::numbers::pi / 2;
-    const auto sheared = std::count_if(cells.begin(), cells.end(), [&](const AngleRange& corners) {
-        return std::max(right - corners.smallest, corners.largest - right) > shear;
-    });
+    return std::max(right - corners.smallest, corners.largest - right);
+}
+
+double part_sheared(const std::vector<AngleRange>& cells, double shear) {
+    const auto sheared =
+        std::count_if(cells.begin(), cells.end(), [&](const AngleRange& corners) { return shear_of(corners) > shear; });
     return cells.empty() ? 0 : static_cast<double>(sheared) / static_cast<double>(cells.size());
 }
 
@@ -192,6 +196,13 @@ double sampled_coverage(const Surface& surface, const Net& net) {
 }
 
 double part_sheared(const Net& net, double shear) { return part_sheared(whole_cells(net), shear); }
+
+double rms_shear(const Net& net) {
+    const std::vector<AngleRange> cells = whole_cells(net);
+    double sum = 0;
+    for (const AngleRange& corners : cells) sum += shear_of(corners) * shear_of(corners);
+    return cells.empty() ? 0 : std::sqrt(sum / static_cast<double>(cells.size()));
+}
 
 DrapeReport measure_drape(const Surface& surface, const SurfaceTree& tree, const Net& net) {
     DrapeReport report{};

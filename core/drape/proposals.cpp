@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "net/triangulation.h"
 #include "surface/guide.h"
 
 namespace chebnet {
@@ -20,8 +21,9 @@ constexpr int k_trial_cells = 1000;
 constexpr std::size_t k_finals = 4;  // how many are tried with the edges asked for
 constexpr int k_most_samples = 2000;
 constexpr int k_lloyd_steps = 6;
-// A sheared cell counts as so much of an uncovered one, and so does a cell one edge length off the surface.
-constexpr double k_shear_weight = 0.05, k_distance_weight = 0.2;
+// A much sheared cell counts as so much of an uncovered one, and so does a radian of shear of all of them, which
+// decides among nets that are nowhere much sheared, and a cell one edge length off the surface.
+constexpr double k_much_shear_weight = 0.05, k_shear_weight = 0.01, k_distance_weight = 0.2;
 
 /// Of triangles all over the surface, their middles.
 Positions samples_of(const Surface& surface) {
@@ -83,12 +85,11 @@ Eigen::Vector3d direction_at(const Eigen::Vector3d& normal, double angle) {
     return std::cos(angle) * u + std::sin(angle) * normal.cross(u);
 }
 
+/// Of its faces, some of which a border may have cut.
 double area_of(const Net& net) {
     double area = 0;
-    for (int f = 0; f < net.face_count(); ++f) {
-        const auto corner = [&](int k) -> Eigen::Vector3d { return net.rest_positions().col(net.faces()[f][k]); };
-        area += (corner(2) - corner(0)).cross(corner(3) - corner(1)).norm() / 2;
-    }
+    for (const Triangle& triangle : triangulated(net.rest_positions(), net.faces()))
+        area += area_vector(net.rest_positions(), triangle).norm() / 2;
     return area;
 }
 
@@ -111,7 +112,7 @@ std::optional<DrapeProposal> tried(const Surface& surface, const SurfaceTree& tr
     try {
         const Net net = drape(surface, tree, trial).net;
         return DrapeProposal{options, std::min(1.0, area_of(net) / surface.area()), part_sheared(net, k_much_shear),
-                             distance_of(surface, tree, net, length)};
+                             rms_shear(net), distance_of(surface, tree, net, length)};
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -124,7 +125,7 @@ std::optional<DrapeProposal> finished(const Surface& surface, const SurfaceTree&
     last.arms = arms;
     try {
         const Net net = drape(surface, tree, last).net;
-        return DrapeProposal{options, sampled_coverage(surface, net), part_sheared(net, k_much_shear),
+        return DrapeProposal{options, sampled_coverage(surface, net), part_sheared(net, k_much_shear), rms_shear(net),
                              distance_of(surface, tree, net, options.length)};
     } catch (const Error&) {
         return std::nullopt;
@@ -155,7 +156,8 @@ std::vector<DrapeProposal> best_at_each(const Surface& surface, const SurfaceTre
 }  // namespace
 
 double DrapeProposal::worth() const {
-    return covered - k_shear_weight * much_sheared - k_distance_weight * mean_distance;
+    return covered - k_much_shear_weight * much_sheared - k_shear_weight * shear * shear -
+           k_distance_weight * mean_distance;
 }
 
 std::vector<DrapeProposal> propose_drapes(const Surface& surface, const SurfaceTree& tree,

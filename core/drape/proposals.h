@@ -12,6 +12,7 @@ struct DrapeProposal {
     double covered = 0;        ///< part of the surface: of the net asked for by sampled_coverage(), of others by the
                                ///< area of their cells
     double much_sheared = 0;   ///< part of the cells with a corner more than k_much_shear from a right angle
+    double shear = 0;          ///< of the cells, see rms_shear()
     double mean_distance = 0;  ///< of vertices and middles of edges from the surface, in edge lengths
 
     /// What is covered, less what shear and distance count against it.

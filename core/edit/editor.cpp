@@ -135,7 +135,7 @@ void Editor::drag_handle(int vertex, const Eigen::Vector3d& target, Axes along) 
     if (along != k_all_axes && !is_part(along)) throw Error(ErrorCode::bad_option, "a hand keeps to x, y or z");
     const std::size_t place = place_of_handle(vertex);
     if (!m_method->goes_from_net_to_net()) return move_handle(vertex, target);
-    if (m_is_released) let_go();
+    if (m_is_released || m_took_in_hand) let_go();
     keep_hand_to(along);
     Handle& handle = m_handles[place];
     if (handle.is_exact() && !m_is_in_hand[vertex]) {
@@ -156,9 +156,11 @@ std::vector<Handle> Editor::standing_handles() const {
     return handles;
 }
 
-/// Those that are still on their way, or held back, stay where they are.
+/// Those that are still on their way, or held back, stay where they are; those that a solve has taken in hand are to be
+/// at their targets.
 void Editor::let_go() {
     m_handles = standing_handles();
+    if (m_took_in_hand) snap(m_handles, m_positions);
     empty_hand();
 }
 
@@ -416,7 +418,9 @@ void Editor::replace_region(std::optional<Region> region) {
 
 std::optional<Region> Editor::region_of(const std::optional<Locality>& locality) const {
     if (!locality) return std::nullopt;
-    return region_around(*m_net, *m_topology, locality->held_at, locality->origins, locality->radius);
+    Region region = region_around(*m_original, *m_topology, locality->held_at, locality->origins, locality->radius);
+    for (Region::BorderVertex& vertex : region.border) vertex.distance *= m_unit / m_original->unit();
+    return region;
 }
 
 /// Along which its vertex may move now: held back, along those of the hand, too.
@@ -628,8 +632,12 @@ SolveReport Editor::solve(const Budget& budget) {
     }
 }
 
-/// The method starts a new solve at the next call.
+/// The method starts a new solve at the next call. Handles that this one was drawing are at their targets again.
 void Editor::refuse_size(const std::string& reason) {
+    if (m_took_in_hand) {
+        m_positions = m_by_hand->before;
+        empty_hand();
+    }
     m_prepared = false;
     m_running = false;
     const std::string way_out = m_method_name == "projection" ? "make it coarser" : "projection needs less";
@@ -757,7 +765,7 @@ std::vector<Ball> Editor::reach(int vertex) const {
 Eigen::VectorXf Editor::mobility(double radius, std::span<const int> origins) const {
     check_locality(*m_net, {radius, {origins.begin(), origins.end()}, {}});
     if (origins.empty()) return Eigen::VectorXf::Ones(m_net->vertex_count());
-    return chebnet::mobility(*m_net, *m_topology, origins, radius);
+    return chebnet::mobility(*m_original, *m_topology, origins, radius);
 }
 
 bool Editor::are_joined(int a, int b) const {

@@ -218,8 +218,8 @@ private:
     // On the heap, so that references to them survive moving the editor.
     std::shared_ptr<const Net> m_original, m_net;
     double m_unit;  // of the solver: in it the mean edge is 1 … 2 long, whatever the net's size and scale
-    std::unique_ptr<const Net> m_unit_net;  // the net in this unit
-    std::unique_ptr<const Topology> m_topology;
+    std::unique_ptr<const Net> m_unit_net;       // the net in this unit
+    std::unique_ptr<const Topology> m_topology;  // of the original: lengths in it are without the scale
     Positions m_positions;
     Positions m_last_net;  // the last positions in which every edge had its length
     std::vector<Handle> m_handles;

@@ -211,6 +211,39 @@ TEST_CASE("A net that is pulled far and comes to no rest has its lengths to the 
     CHECK(end.max_deviation < 1e-12);
 }
 
+/// The crown is moved to where no walk leads; the solve stops as it draws the crown there.
+Taken drawn_to(const Eigen::Vector3d& target) {
+    Taken taken;
+    taken.editor.move_handle(k_handle, target);
+    while (!taken.editor.draws_handles()) REQUIRE(taken.editor.solve({.iterations = 1}).status == Status::running);
+    REQUIRE(taken.now() != target);
+    return taken;
+}
+
+TEST_CASE("Drag: a handle that a solve is drawing to its target can be taken out of its hand") {
+    Taken calm;
+    const Eigen::Vector3d place = calm.at(0.1);
+    Taken taken = drawn_to(calm.crown + Eigen::Vector3d(-2, 0, 0));
+    taken.editor.drag_handle(k_handle, place);
+    CHECK(!taken.editor.draws_handles());
+    CHECK(taken.editor.solve().status == Status::converged);
+    CHECK(max_deviation(taken.net, taken.editor.positions()) < k_a_net);
+    CHECK(taken.now() == place);
+    CHECK(taken.editor.handle_error() == 0);
+}
+
+TEST_CASE("Handles that a solve is drawing are at their targets once another one is moved") {
+    const Eigen::Vector3d target = Taken().crown + Eigen::Vector3d(-2, 0, 0);
+    Taken taken = drawn_to(target);
+    taken.editor.move_handle(0, taken.net.rest_positions().col(0) + Eigen::Vector3d(0, 0, 0.1));
+    CHECK(taken.now() == target);
+    CHECK(taken.editor.handle_error() == 0);
+    taken = drawn_to(target);
+    taken.editor.set_method(make_method("projection"), "projection");
+    CHECK(taken.now() == target);
+    CHECK(taken.editor.handle_error() == 0);
+}
+
 TEST_CASE("A trace tells of a net only once handles that a solve draws to their targets are there") {
     Taken taken;
     const Eigen::Vector3d target = taken.crown + Eigen::Vector3d(-2, 0, 0);  // where no walk leads

@@ -371,7 +371,7 @@ TEST_CASE("Gaps are counted: a notch from the border, a hole, and none where the
 
 TEST_CASE("Of proposals that cover alike the one that comes nearest is first, by the distance that is measured",
           "[large]") {
-    const DrapeProposal near{{}, 0.98, 0.1, 0.01}, far{{}, 0.98, 0.1, 0.05};
+    const DrapeProposal near{{}, 0.98, 0.1, 0.2, 0.01}, far{{}, 0.98, 0.1, 0.2, 0.05};
     CHECK(near.worth() > far.worth());
     const Surface shell = make_own_surface("shell");
     const SurfaceTree tree(shell);
@@ -452,6 +452,31 @@ TEST_CASE("A surface too narrow for a cell within its border has a proposal none
     CHECK(drape(ribbon, tree, proposals.front().options).net.face_count() > 0);
     options.border = DrapeOptions::Border::inside;
     CHECK_THROWS_WITH(propose_drapes(ribbon, tree, options), Contains("no cell of this edge length fits"));
+}
+
+TEST_CASE("Of nets that cover all and are nowhere much sheared the one that is sheared least is proposed") {
+    const Surface hypar = make_own_surface("hypar");
+    const SurfaceTree tree(hypar);
+    for (const int cells : {500, 4000}) {
+        const DrapeOptions middle = suggested_drape(hypar, tree, cells);
+        const DrapeProposal best = propose_drapes(hypar, tree, middle).front();
+        CHECK(best.covered == Approx(1));
+        CHECK(best.much_sheared == 0);
+        CHECK(best.shear < 1.05 * rms_shear(drape(hypar, tree, middle).net));  // the middle is where it is flattest
+    }
+}
+
+TEST_CASE("Where no cell is within the border, proposals are made with cells that it cuts, too") {
+    const Surface strip(
+        samples::quads(2, 2, false, false, [](int i, int j) { return Eigen::Vector3d(10 * i, j / 2., 0); }));
+    const SurfaceTree tree(strip);
+    DrapeOptions options;
+    options.length = 0.7;
+    options.border = DrapeOptions::Border::cut;
+    const DrapeProposal best = propose_drapes(strip, tree, options).front();
+    CHECK(best.covered > 0.9);
+    const Net net = drape(strip, tree, best.options).net;
+    CHECK(measure_drape(strip, tree, net).coverage > 0.9);
 }
 
 TEST_CASE("The compasses find this side of a sheet with two, however thin it is") {

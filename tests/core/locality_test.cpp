@@ -50,6 +50,23 @@ double farthest_moved(const Editor& editor, const Positions& before) {
 
 }  // namespace
 
+TEST_CASE("A locality counts edges, whatever their lengths have grown to") {
+    const auto around = [](double scale) {
+        Editor editor(samples::patch(21, 21, 0));
+        editor.set_option("length_scale", std::to_string(scale));
+        editor.set_handles(samples::handles_at_rest(editor.net(), {220}));
+        editor.set_locality(5, std::vector{220});
+        return editor;
+    };
+    const Editor as_it_was = around(1), twice = around(2);
+    CHECK(twice.region()->outside == as_it_was.region()->outside);
+    CHECK(twice.mobility(5, std::vector{220}) == as_it_was.mobility(5, std::vector{220}));
+    const std::vector<Ball> balls = twice.reach(220);
+    REQUIRE(balls.size() == as_it_was.reach(220).size());
+    for (std::size_t k = 0; k < balls.size(); ++k) CHECK(balls[k].radius == Approx(2 * as_it_was.reach(220)[k].radius));
+    CHECK(twice.unreachable_pairs().empty());
+}
+
 TEST_CASE("A region is what lies within its radius, held the more the closer to its border") {
     const Net net = samples::patch(21, 21, 0);
     const Topology topology(net);
