@@ -36,11 +36,15 @@ Sets near_vertices(const Net& net) {
     std::vector<int> border;
     for (int v = 0; v < net.vertex_count(); ++v)
         if (topology.is_boundary(v)) border.push_back(v);
-    std::sort(border.begin(), border.end(), [&](int v, int w) { return x(0, v) < x(0, w); });
+    if (border.empty()) return Sets(net.vertex_count());
+    int axis = 0;  // along which they are spread most, so that few are near each other there
+    const Positions at_border = x(Eigen::all, border);
+    (at_border.rowwise().maxCoeff() - at_border.rowwise().minCoeff()).maxCoeff(&axis);
+    std::sort(border.begin(), border.end(), [&](int v, int w) { return x(axis, v) < x(axis, w); });
 
     Sets together(net.vertex_count());
     for (auto v = border.begin(); v != border.end(); ++v)
-        for (auto w = v + 1; w != border.end() && x(0, *w) - x(0, *v) < near; ++w)
+        for (auto w = v + 1; w != border.end() && x(axis, *w) - x(axis, *v) < near; ++w)
             if ((x.col(*v) - x.col(*w)).norm() < near && !are_of_one_border(x, topology, *v, *w)) together.join(*v, *w);
     return together;
 }

@@ -37,7 +37,7 @@ Positions middles_of_edges(const Net& net, const Topology& topology) {
     Positions middles(3, net.edge_count());
     for (const std::vector<int>& line : topology.net_lines()) {
         const int count = static_cast<int>(line.size());
-        const bool closed = line.front() == line.back();
+        const bool closed = topology.is_closed(line);
         const auto point = [&](int k) -> Eigen::Vector3d {
             return net.rest_positions().col(line[closed ? (k + count - 1) % (count - 1) : k]);
         };

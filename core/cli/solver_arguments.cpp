@@ -142,7 +142,7 @@ Editor open_editor(const SolverArguments& arguments) {
     if (!arguments.length_scale.empty()) set_option(editor, "length_scale", arguments.length_scale);
     if (!arguments.guide_mode.empty()) set_option(editor, "guide_mode", guide_mode_number(arguments.guide_mode));
     for (const std::string& setting : arguments.settings) set_option(editor, setting);
-    if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide));
+    if (!arguments.guide.empty()) editor.set_guide(load_guide(arguments.guide, arguments.net.repair));
     return editor;
 }
 

@@ -96,9 +96,12 @@ public:
 private:
     std::array<std::int64_t, 3> cube_of(const Eigen::Vector3d& position) const {
         std::array<std::int64_t, 3> cube{};
-        for (int k = 0; k < 3; ++k) cube[k] = static_cast<std::int64_t>(std::floor(position[k] / m_size));
+        for (int k = 0; k < 3; ++k)
+            cube[k] = static_cast<std::int64_t>(std::clamp(std::floor(position[k] / m_size), -k_farthest, k_farthest));
         return cube;
     }
+
+    static constexpr double k_farthest = 0x1p62;  // all beyond is in one cube
 
     double m_size;
     std::unordered_multimap<std::uint64_t, int> m_vertices;

@@ -1,6 +1,6 @@
 #include "edit/exact_change.h"
 
-#include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace chebnet {
@@ -12,11 +12,12 @@ ExactChange::ExactChange(ChangedMesh changed, ExactChangeOptions options)
 
 /// By their numbers in the changed mesh. Of several that were one before, as along a cut, the first.
 std::vector<int> ExactChange::held_vertices() const {
+    std::unordered_map<int, int> first;
+    for (std::size_t v = 0; v < m_changed.origins.size(); ++v)
+        first.try_emplace(m_changed.origins[v], static_cast<int>(v));
     std::vector<int> vertices;
-    for (const int before : m_options.held) {
-        const auto found = std::find(m_changed.origins.begin(), m_changed.origins.end(), before);
-        if (found != m_changed.origins.end()) vertices.push_back(static_cast<int>(found - m_changed.origins.begin()));
-    }
+    for (const int before : m_options.held)
+        if (const auto found = first.find(before); found != first.end()) vertices.push_back(found->second);
     return vertices;
 }
 

@@ -7,6 +7,7 @@
 #include "io/file.h"
 #include "io/obj.h"
 #include "io/other_format.h"
+#include "io/stl.h"
 
 namespace chebnet {
 
@@ -39,10 +40,18 @@ const FormatInfo* format_with(std::string_view extension) {
     return nullptr;
 }
 
-/// Null if neither its bytes nor its name tell.
-const FormatInfo* format_of_file(std::string_view bytes, std::string_view name) {
+/// Null if its bytes do not tell. A binary STL file may begin with anything, but is as long as it says: that comes
+/// first.
+const FormatInfo* format_of_bytes(std::string_view bytes) {
+    const auto is_told = [&](const FormatInfo& format) { return format.begins != nullptr && format.begins(bytes); };
+    if (is_told(k_stl)) return &find_format(k_stl.name);
     for (const FormatInfo& format : format_table())
-        if (format.begins != nullptr && format.begins(bytes)) return &format;
+        if (is_told(format)) return &format;
+    return nullptr;
+}
+
+/// Of a file whose bytes do not tell; null if its name does not either.
+const FormatInfo* format_of_file(std::string_view bytes, std::string_view name) {
     if (const FormatInfo* format = format_with(extension_of(name))) return format;
     return has_obj_vertex(bytes) ? &find_format(k_obj.name) : nullptr;
 }
@@ -64,10 +73,12 @@ const FormatInfo& format_of_name(std::string_view name) {
 
 Mesh read_mesh(std::string_view bytes, std::string_view name) {
     if (bytes.size() > k_max_file_bytes) fail(ErrorCode::too_large, name, "larger than 1 GiB");
-    if (const auto other = other_format(bytes))
+    const FormatInfo* format = format_of_bytes(bytes);
+    const auto other = format == nullptr ? other_format(bytes) : std::nullopt;
+    if (other)
         fail(ErrorCode::bad_syntax, name,
              "this is " + std::string(*other) + "; meshes are read from " + titles_read("and"));
-    const FormatInfo* format = format_of_file(bytes, name);
+    if (format == nullptr) format = format_of_file(bytes, name);
     if (format == nullptr)
         fail(ErrorCode::bad_syntax, name, "not a mesh of a format that is read, which are " + titles_read("and"));
     return format->read(bytes, name);

@@ -102,6 +102,12 @@ std::vector<std::vector<int>> Topology::net_lines() const {
     return lines;
 }
 
+bool Topology::is_closed(const std::vector<int>& line) const {
+    constexpr int k_straight_valence = 3;  // on the boundary
+    const int v = line.front();
+    return v == line.back() && valence(v) == (is_boundary(v) ? k_straight_valence : k_regular_valence);
+}
+
 int Topology::slot_of(int vertex, int neighbour) const {
     const std::span<const int> others = neighbours(vertex);
     return m_start[vertex] +

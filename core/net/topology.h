@@ -44,6 +44,8 @@ public:
     /// through a vertex of valence 3, and at all other vertices, corners and singular ones, all lines end. The same
     /// holds where faces are no quads.
     std::vector<std::vector<int>> net_lines() const;
+    /// Of one of them. One that ends where it began, at a vertex at which all lines end, is not closed.
+    bool is_closed(const std::vector<int>& line) const;
     /// The pieces that no edge joins, each a list of its vertices.
     std::vector<std::vector<int>> components() const;
     int component_count() const { return static_cast<int>(components().size()); }

@@ -300,9 +300,8 @@ private:
 
     void find_bends() {
         for (const std::vector<int>& line : m_topology.net_lines()) {
-            const bool is_closed = line.front() == line.back();
             for (std::size_t k = 0; k + 2 < line.size(); ++k) add_bend(line[k], line[k + 1], line[k + 2]);
-            if (is_closed && line.size() > 3) add_bend(line[line.size() - 2], line.front(), line[1]);
+            if (m_topology.is_closed(line) && line.size() > 3) add_bend(line[line.size() - 2], line.front(), line[1]);
         }
     }
 

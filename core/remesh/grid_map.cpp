@@ -192,10 +192,7 @@ public:
         }
         const Eigen::VectorXd rest = m_C * integers;
         const Eigen::VectorXd reals = factor.solve(m_b - rest);
-        GridMap result = map(reals, integers);
-        const double missed = m_e - (m_b - rest).dot(reals) + integers.dot(m_D * integers - 2 * m_d);
-        result.strain = std::sqrt(std::max(missed, 0.0) / m_e);
-        return result;
+        return map(reals, integers);
     }
 
 private:
@@ -381,7 +378,6 @@ private:
         m_b.setZero(m_reals);
         m_D.setZero(m_integers, m_integers);
         m_d.setZero(m_integers);
-        m_e = 0;
         for (int s = 0; s < 3 * m_surface.face_count(); ++s) {
             const int f = Surface::face_of(s);
             const Eigen::Vector3d edge =
@@ -406,7 +402,6 @@ private:
 
     void add_row(const std::vector<Entry>& row, double w, double target, std::vector<Eigen::Triplet<double>>& A,
                  std::vector<Eigen::Triplet<double>>& C) {
-        m_e += w * target * target;
         for (const Entry& a : row) {
             if (a.unknown < m_reals)
                 m_b[a.unknown] += w * a.coefficient * target;
@@ -462,7 +457,6 @@ private:
     Eigen::SparseMatrix<double> m_A, m_C;
     Eigen::MatrixXd m_D;
     Eigen::VectorXd m_b, m_d;
-    double m_e = 0;
 };
 
 }  // namespace

@@ -22,7 +22,6 @@ struct GridMap {
     std::vector<GridPoint> corners;  ///< of the corner at which each side begins, in the coordinates of its triangle
     std::vector<int> turns;          ///< of each side: beyond it coordinates are turned by so much …
     std::vector<GridPoint> shifts;   ///< … and then moved by so much, whole cells
-    double strain = 0;               ///< root mean square of what its gradients miss the field by, in cells
 };
 
 /// The map that follows the field best with cells of the given length: least squares in the gradients, with whole

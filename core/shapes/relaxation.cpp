@@ -148,7 +148,7 @@ private:
     void add_bends() {
         for (const std::vector<int>& line : m_topology.net_lines()) {
             for (std::size_t i = 1; i + 1 < line.size(); ++i) add_turn(line[i - 1], line[i], line[i + 1]);
-            if (line.front() == line.back() && !ends_lines(line[0])) add_turn(line[line.size() - 2], line[0], line[1]);
+            if (m_topology.is_closed(line)) add_turn(line[line.size() - 2], line[0], line[1]);
         }
         for (int v = 0; v < m_net.vertex_count(); ++v)
             if (!m_topology.is_boundary(v) && ends_lines(v))

@@ -12,6 +12,7 @@
 #include "net/repair.h"
 #include "net/topology.h"
 #include "sample_nets.h"
+#include "sample_surfaces.h"
 #include "shapes/shapes.h"
 #include "surface/guide.h"
 
@@ -127,6 +128,13 @@ TEST_CASE("Coarsening leaves out the odd row at the border, and says where rows 
     CHECK_THAT(change_refusal(samples::cube(), "coarsen"), Catch::Contains("pairs"));
     CHECK_THAT(change_refusal(samples::mixed_mesh(), "coarsen"), Catch::Contains("face 0 is no quad"));
     CHECK_THAT(change_refusal(samples::patch(2, 2), "coarsen"), Catch::Contains("nowhere"));
+    for (const int rings : {3, 5}) {  // of which squares are left, one face on the other
+        const Mesh mesh = samples::quads(4, rings, true, false, [](int i, int j) {
+            return Eigen::Vector3d(std::cos(std::numbers::pi / 2 * i), std::sin(std::numbers::pi / 2 * i), j);
+        });
+        const Net tube(mesh.positions, mesh.faces);
+        CHECK_THAT(change_refusal(tube, "coarsen"), Catch::Contains("lie on itself"));
+    }
 }
 
 TEST_CASE("A cut from border to border makes two pieces, one inside a slit") {
@@ -281,6 +289,11 @@ TEST_CASE("Where no row can be put in or taken out, the reason is said") {
         CHECK_THAT(change_refusal(net, way), Catch::Contains("no line"));
     }
     CHECK_THAT(change_refusal(net, "remove_line", path(net, {2, 7, 12, 11, 10})), Catch::Contains("turns"));
+    const Mesh mesh = samples::torus(8, 3, 3, 1);  // three around
+    const Net torus(mesh.positions, mesh.faces);
+    for (const std::vector<int>& line : Topology(torus).net_lines())
+        if (line.size() == 8 + 1)
+            CHECK_THAT(change_refusal(torus, "remove_line", path(torus, line)), Catch::Contains("lie on itself"));
     // Three quads about one vertex.
     Positions hexagon(3, 7);
     hexagon.col(0).setZero();

@@ -124,6 +124,18 @@ TEST_CASE("A file that is something else under the name of a mesh is called what
                   "bad_syntax " + name + ": this is " + kind + "; meshes are read from " + titles_read("and"));
 }
 
+TEST_CASE("A binary STL file is one whatever it begins with") {
+    const Net net = make_shape("dome:vertices=500").net;
+    const std::string stl = find_format("stl").write(net.rest_positions(), net.faces());
+    for (const std::string header :
+         {"{exported by x}", "<made by y>", "GIF89a", "ply\n", "OFF x", "solid", "v 0 0 0\n"}) {
+        std::string bytes = stl;
+        bytes.replace(0, header.size(), header);
+        CAPTURE(header);
+        CHECK(read_mesh(bytes, "net.stl").faces.size() == 2 * net.face_count());
+    }
+}
+
 TEST_CASE("The name of a file says how it is written") {
     CHECK(&format_of_name("net.obj") == &find_format("obj"));
     CHECK(&format_of_name("a/net.PLY") == &find_format("ply"));

@@ -239,6 +239,10 @@ TEST_CASE("Net lines end at singular vertices and corners, and follow the bounda
     CHECK(net_lines(fan(5, true)).count({0, 1}) == 1);
     // Triangles: the boundary is one closed line.
     CHECK(net_lines(fan(6, false)) == Lines{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}, {0, 6}, {1, 2, 3, 4, 5, 6, 1}});
+    // Triangles around a vertex: their outer edges are one line all round, all others end.
+    const Net six = fan(6, false);
+    const Topology around_six(six);
+    for (const std::vector<int>& line : around_six.net_lines()) CHECK(around_six.is_closed(line) == (line.size() > 2));
     // On a cube every vertex is singular.
     for (const std::vector<int>& line : net_lines(samples::cube())) CHECK(line.size() == 2);
 }
