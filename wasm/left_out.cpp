@@ -63,6 +63,7 @@ bool TangentNewton::find_buckling(std::span<const std::unique_ptr<Term>>, int, E
 // Never called where nothing has been taken in hand.
 bool Editor::goes_on_by_hand(SolveReport&) { return false; }
 Status Editor::status_by_hand() const { return Status::running; }
+void Editor::give_up_by_hand() {}
 double Editor::deviation_with_hand_at_targets() const { return 0; }
 Eigen::Vector3d Editor::goal(const Handle& handle) const { return handle.target; }
 void Editor::take_better_net(SolveReport&) {}

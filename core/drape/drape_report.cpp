@@ -30,10 +30,7 @@ template <class Visit>
 void for_each_sample(const Surface& surface, double width, Visit visit) {
     for (int f = 0; f < surface.face_count(); ++f) {
         double longest = 0;
-        for (int side = 3 * f; side < 3 * f + 3; ++side)
-            longest = std::max(
-                longest,
-                (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm());
+        for (int side = 3 * f; side < 3 * f + 3; ++side) longest = std::max(longest, surface.length_of(side));
         const int n = static_cast<int>(std::clamp(std::ceil(longest / width), 1.0, static_cast<double>(k_most_cuts)));
         const double area = surface.areas()[f] / (n * n);
         for (int i = 0; i < n; ++i)

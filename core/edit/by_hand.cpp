@@ -114,12 +114,20 @@ bool Editor::goes_on_by_hand(SolveReport& report) {
 bool Editor::goes_on_without_hand(bool has_arrived, SolveReport& report) {
     const bool is_last = m_iterations >= m_options.max_iterations;
     if (has_arrived && is_last) report.status = Status::exact;
-    empty_hand();
-    if (has_arrived && (is_last || !folds_more(*m_net, m_net_before, m_positions))) return false;
+    if (has_arrived && (is_last || !folds_more(*m_net, m_net_before, m_positions))) {
+        empty_hand();
+        return false;
+    }
     if (has_arrived) m_by_hand->found = {report.status, m_positions, energy()};
-    m_positions = m_by_hand->before;
+    give_up_by_hand();
     m_unit_positions = in_unit(m_positions);
     return true;
+}
+
+/// What it had come to before it took handles in hand.
+void Editor::give_up_by_hand() {
+    empty_hand();
+    m_positions = m_by_hand->before;
 }
 
 /// After a solve that looked for a net by its lengths alone, too: that of less energy stays.

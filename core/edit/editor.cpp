@@ -634,10 +634,7 @@ SolveReport Editor::solve(const Budget& budget) {
 
 /// The method starts a new solve at the next call. Handles that this one was drawing are at their targets again.
 void Editor::refuse_size(const std::string& reason) {
-    if (m_took_in_hand) {
-        m_positions = m_by_hand->before;
-        empty_hand();
-    }
+    if (m_took_in_hand) give_up_by_hand();
     m_prepared = false;
     m_running = false;
     const std::string way_out = m_method_name == "projection" ? "make it coarser" : "projection needs less";

@@ -193,6 +193,7 @@ private:
     Eigen::Vector3d goal(const Handle& handle) const;
     bool goes_on_by_hand(SolveReport& report);
     bool goes_on_without_hand(bool has_arrived, SolveReport& report);
+    void give_up_by_hand();
     void take_better_net(SolveReport& report);
     double deviation_with_hand_at_targets() const;
     bool has_all_in_place() const;

@@ -8,13 +8,6 @@ namespace {
 
 constexpr double k_outer = 0.5;
 
-double length_of(const Surface& surface, const std::vector<int>& loop) {
-    double length = 0;
-    for (const int s : loop)
-        length += (surface.positions().col(surface.to(s)) - surface.positions().col(surface.from(s))).norm();
-    return length;
-}
-
 }  // namespace
 
 std::vector<bool> border_sides(const Surface& surface) {
@@ -29,10 +22,10 @@ std::vector<bool> outer_border_sides(const Surface& surface) {
     const auto piece_of = [&](const std::vector<int>& loop) { return pieces[Surface::face_of(loop.front())]; };
     std::vector<double> longest(static_cast<std::size_t>(surface.face_count()), 0);  // of each piece
     for (const std::vector<int>& loop : loops)
-        longest[piece_of(loop)] = std::max(longest[piece_of(loop)], length_of(surface, loop));
+        longest[piece_of(loop)] = std::max(longest[piece_of(loop)], surface.length_of(loop));
     std::vector<bool> sides(3 * static_cast<std::size_t>(surface.face_count()), false);
     for (const std::vector<int>& loop : loops)
-        if (length_of(surface, loop) >= k_outer * longest[piece_of(loop)])
+        if (surface.length_of(loop) >= k_outer * longest[piece_of(loop)])
             for (const int s : loop) sides[s] = true;
     return sides;
 }

@@ -16,14 +16,10 @@ struct Hole {
 std::vector<Hole> holes_up_to(const Surface& surface, double longest) {
     std::vector<Hole> holes;
     for (const std::vector<int>& loop : surface.boundary_loops()) {
-        double length = 0;
+        if (surface.length_of(loop) > longest) continue;
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const int s : loop) {
-            const Eigen::Vector3d from = surface.positions().col(surface.from(s));
-            length += (surface.positions().col(surface.to(s)) - from).norm();
-            sum += from;
-        }
-        if (length <= longest) holes.push_back({loop, sum / static_cast<double>(loop.size())});
+        for (const int s : loop) sum += surface.positions().col(surface.from(s));
+        holes.push_back({loop, sum / static_cast<double>(loop.size())});
     }
     return holes;
 }

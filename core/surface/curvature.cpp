@@ -24,13 +24,9 @@ constexpr double k_edges_of_noise = 2, k_part_of_radius = 0.5;
 // Round a hole that less than this would fill, 6°, lines of a net come back to themselves nearly.
 constexpr double k_flat = 0.1;
 
-double length_of(const Surface& surface, int side) {
-    return (surface.positions().col(surface.to(side)) - surface.positions().col(surface.from(side))).norm();
-}
-
 double mean_edge(const Surface& surface) {
     double sum = 0;
-    for (int side = 0; side < 3 * surface.face_count(); ++side) sum += length_of(surface, side);
+    for (int side = 0; side < 3 * surface.face_count(); ++side) sum += surface.length_of(side);
     return sum / (3. * surface.face_count());
 }
 
@@ -92,12 +88,6 @@ double hardest_curvature(const Surface& surface, const std::vector<int>& compone
     return hardest;
 }
 
-double length_of(const Surface& surface, const std::vector<int>& loop) {
-    double length = 0;
-    for (const int side : loop) length += length_of(surface, side);
-    return length;
-}
-
 /// The curvature of what would fill a hole smoothly, by Gauss and Bonnet from how its border turns.
 double curvature_within(const Surface& surface, const std::vector<int>& loop, const Eigen::VectorXd& defects) {
     double turn = 0;
@@ -109,7 +99,7 @@ double curvature_within(const Surface& surface, const std::vector<int>& loop, co
 double most_curved_hole(const Surface& surface, const std::vector<int>& components, const Eigen::VectorXd& defects) {
     std::vector<std::vector<int>> loops = surface.boundary_loops();
     std::stable_sort(loops.begin(), loops.end(),
-                     [&](const auto& a, const auto& b) { return length_of(surface, a) > length_of(surface, b); });
+                     [&](const auto& a, const auto& b) { return surface.length_of(a) > surface.length_of(b); });
     std::vector<bool> has_border(components.size(), false);
     double most = 0;
     for (const std::vector<int>& loop : loops) {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -74,27 +77,61 @@ std::optional<Reached> nearest_on(const Surface& surface, const SurfacePoint& fr
 /// The vertex at which a side begins.
 SurfacePoint beginning_of(int side) { return point_on(side, 0); }
 
+/// Of the sides of one curve, the beginning that is nearest to another.
+SurfacePoint nearest_beginning(const Surface& surface, const Loop& from, const Loop& on) {
+    std::vector<SurfacePoint> sources;
+    std::transform(from.begin(), from.end(), std::back_inserter(sources), beginning_of);
+    const std::vector<double> distances = geodesic_distances(surface, sources);
+    return beginning_of(*std::min_element(
+        on.begin(), on.end(), [&](int a, int b) { return distances[surface.from(a)] < distances[surface.from(b)]; }));
+}
+
 /// Of two curves of one piece, that are nearest to each other.
 struct Pair {
     std::size_t first = 0;   // place of a curve
     SurfacePoint on_second;  // a vertex of another
 };
 
+/// Of each vertex the place of the curve that it is nearest to: that of the neighbour by which its distance came. −1 on
+/// pieces without one.
+std::vector<int> nearest_loops(const Surface& surface, const std::vector<Loop>& loops,
+                               const std::vector<double>& distances) {
+    std::vector<int> nearest(static_cast<std::size_t>(surface.vertex_count()), -1), neighbours = nearest;
+    std::vector<double> ways(nearest.size(), std::numeric_limits<double>::infinity());
+    for (int s = 0; s < 3 * surface.face_count(); ++s)
+        for (const auto& [v, w] :
+             {std::pair(surface.from(s), surface.to(s)), std::pair(surface.to(s), surface.from(s))})
+            if (const double way = distances[w] + surface.length_of(s); distances[w] < distances[v] && way < ways[v])
+                ways[v] = way, neighbours[v] = w;
+    for (std::size_t k = 0; k < loops.size(); ++k)
+        for (const int side : loops[k]) nearest[surface.from(side)] = static_cast<int>(k);
+    std::vector<int> outwards(nearest.size());
+    std::iota(outwards.begin(), outwards.end(), 0);
+    std::stable_sort(outwards.begin(), outwards.end(), [&](int v, int w) { return distances[v] < distances[w]; });
+    for (const int v : outwards)
+        if (nearest[v] < 0 && neighbours[v] >= 0) nearest[v] = nearest[neighbours[v]];
+    return nearest;
+}
+
+/// The way between them goes over an edge between what is nearest to the one and what is nearest to the other.
 std::optional<Pair> nearest_pair(const Surface& surface, const std::vector<Loop>& loops) {
-    std::optional<Pair> best;
+    std::vector<SurfacePoint> sources;
+    for (const Loop& loop : loops) std::transform(loop.begin(), loop.end(), std::back_inserter(sources), beginning_of);
+    if (sources.empty()) return std::nullopt;
+    const std::vector<double> distances = geodesic_distances(surface, sources);
+    const std::vector<int> nearest = nearest_loops(surface, loops, distances);
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
-        std::vector<SurfacePoint> sources;
-        std::transform(loops[i].begin(), loops[i].end(), std::back_inserter(sources), beginning_of);
-        const std::vector<double> distances = geodesic_distances(surface, sources);
-        for (std::size_t j = i + 1; j < loops.size(); ++j)
-            for (const int side : loops[j])
-                if (const double here = distances[surface.from(side)]; here < least) {
-                    least = here;
-                    best = Pair{i, beginning_of(side)};
-                }
+    std::pair<int, int> pair;
+    for (int s = 0; s < 3 * surface.face_count(); ++s) {
+        const int v = surface.from(s), w = surface.to(s);
+        const double way = distances[v] + surface.length_of(s) + distances[w];
+        if (nearest[v] == nearest[w] || !(way < least)) continue;
+        least = way;
+        pair = std::minmax(nearest[v], nearest[w]);
     }
-    return best;
+    if (!std::isfinite(least)) return std::nullopt;
+    return Pair{static_cast<std::size_t>(pair.first),
+                nearest_beginning(surface, loops[pair.first], loops[pair.second])};
 }
 
 }  // namespace

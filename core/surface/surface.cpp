@@ -170,6 +170,14 @@ void Surface::measure() {
     for (int v = 0; v < vertex_count(); ++v) m_vertex_normals.col(v) = unit_or_zero(m_vertex_normals.col(v));
 }
 
+double Surface::length_of(int side) const { return (m_positions.col(to(side)) - m_positions.col(from(side))).norm(); }
+
+double Surface::length_of(const std::vector<int>& sides) const {
+    double length = 0;
+    for (const int side : sides) length += length_of(side);
+    return length;
+}
+
 std::vector<std::vector<int>> Surface::boundary_loops() const {
     std::vector<std::vector<int>> loops;
     std::vector<bool> is_reached(m_opposite.size());

@@ -44,6 +44,8 @@ public:
     static int previous(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
     int from(int side) const { return m_triangles.reshaped()[side]; }
     int to(int side) const { return from(next(side)); }
+    double length_of(int side) const;
+    double length_of(const std::vector<int>& sides) const;  ///< together
     /// The corner from which a side goes.
     static SurfacePoint start_of(int side) { return {face_of(side), Eigen::Vector3d::Unit(side % 3)}; }
     /// The side of the neighbouring triangle that runs along the same edge the other way; −1 at the boundary.

@@ -135,14 +135,10 @@ private:
         int vertex;
     };
 
-    double edge_length(int side) const {
-        return (m_surface.positions().col(m_surface.to(side)) - m_surface.positions().col(m_surface.from(side))).norm();
-    }
-
     /// The third corner of a triangle whose side lies from a to b, on the left of it.
     Eigen::Vector2d apex(int side, const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-        const double ab = edge_length(side), ca = edge_length(Surface::previous(side)),
-                     bc = edge_length(Surface::next(side));
+        const double ab = m_surface.length_of(side), ca = m_surface.length_of(Surface::previous(side)),
+                     bc = m_surface.length_of(Surface::next(side));
         const double x = (ab * ab + ca * ca - bc * bc) / (2 * ab), y = std::sqrt(std::max(0.0, ca * ca - x * x));
         const Eigen::Vector2d along = (b - a) / ab;
         return a + x * along + y * Eigen::Vector2d(-along.y(), along.x());
@@ -160,7 +156,7 @@ private:
             const Eigen::Vector3d weights = *weights_in(m_surface, point, face);
             return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
         };
-        lay(Eigen::Vector2d::Zero(), {edge_length(side), 0});
+        lay(Eigen::Vector2d::Zero(), {m_surface.length_of(side), 0});
         m_start = place(m_from, m_strip.front());
         for (std::size_t k = 0; k + 1 < m_strip.size(); ++k) {
             const int out = side_between(m_surface, m_strip[k], m_strip[k + 1]);

@@ -1,11 +1,14 @@
 #include "surface/shortest_cut.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
 #include "sample_surfaces.h"
+#include "surface/geodesics.h"
 #include "surface/surface_path.h"
 #include "surface/surface_tree.h"
 
@@ -86,6 +89,39 @@ TEST_CASE("Cuts between borders, one after the other, begin with those that are 
     CHECK(euler_characteristic(open) == 1);
     CHECK(open.area() == Approx(plate.area()));
     CHECK_THROWS_WITH(shortest_cut_between_borders(open), Contains("no two borders"));
+}
+
+TEST_CASE("Of many holes the two are joined that are nearest to each other") {
+    const unsigned seed = std::random_device{}();
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    for (int trial = 0; trial < 5; ++trial) {
+        // Single triangles left out here and there, none at the corner of another.
+        const Surface plate(samples::plane(25, 1));
+        std::vector<bool> is_taken(static_cast<std::size_t>(plate.vertex_count()), false);
+        Mesh mesh{plate.positions(), {}};
+        for (double& height : mesh.positions.row(2)) height = 0.02 * samples::random_point(1, random).z();  // rough
+        for (int f = 0; f < plate.face_count(); ++f) {
+            const Eigen::Vector3i corners = plate.triangles().col(f);
+            const bool is_free = !is_taken[corners[0]] && !is_taken[corners[1]] && !is_taken[corners[2]];
+            if (random() % 10 == 0 && is_free)
+                for (const int v : corners) is_taken[v] = true;
+            else
+                mesh.faces.add({corners[0], corners[1], corners[2]});
+        }
+        const Surface holed(repair(mesh, {Defect::unused_vertices}).mesh);
+        const std::vector<std::vector<int>> loops = holed.boundary_loops();
+        REQUIRE(loops.size() > 20);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            std::vector<SurfacePoint> sources;
+            for (const int side : loops[i]) sources.push_back(Surface::start_of(side));
+            const std::vector<double> distances = geodesic_distances(holed, sources);
+            for (std::size_t j = i + 1; j < loops.size(); ++j)
+                for (const int side : loops[j]) least = std::min(least, distances[holed.from(side)]);
+        }
+        CHECK(length_of(holed, shortest_cut_between_borders(holed)) < 1.02 * least);
+    }
 }
 
 TEST_CASE("A slit is border for the cut that comes after it") {
