@@ -1,6 +1,6 @@
 /** The projects that the browser keeps, as a visitor sees them: named, pictured, dated; to be opened, copied and deleted. */
 import { del, get, getMany, set, setMany, update } from 'idb-keyval';
-import type { ProjectLine } from '../dialogs/projects_dialog';
+import type { ProjectLine } from '../dialogs/project_row';
 import { netTitle } from '../document/changes';
 import { type Term, textOf } from '../document/naming';
 import { paintThumbnail } from '../elements/thumbnail';
