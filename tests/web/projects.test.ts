@@ -144,6 +144,12 @@ describe('an entry', () => {
     expect(sentenceOf(['open', 'mine.obj'])).toBe('Open mine.obj');
   });
 
+  test('whose name is too long is read all the same, shortened', () => {
+    const long = 'x'.repeat(600);
+    expect(nameIn(projectText(named(['open', long])))).toBe(`Open ${'x'.repeat(495)}`);
+    expect(nameIn(projectText(named(long)))).toBe('x'.repeat(500));
+  });
+
   test('of an older version, or of one that knows more, keeps its words', () => {
     expect(nameIn(projectText(named('Move it')))).toBe('Move it');
     const changes = [

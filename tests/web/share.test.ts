@@ -278,6 +278,23 @@ describe('hostile links are refused', () => {
     '#v5=AAAA',
   ])('not deflated: %s', bad);
 
+  test('with names of the core, or a list of methods, as long as none is; the name of a file is shortened', () => {
+    const long = 'x'.repeat(5000);
+    const hashWith = (part: object) => hashOfJson(JSON.stringify({ ...valid, ...part }));
+    for (const part of [
+      { net: { recipe: long } },
+      { method: long },
+      { initialisation: long },
+      { experiment: long },
+      { guide: { own: long } },
+      { compare: [long] },
+      { compare: Array(5000).fill('dp4') },
+    ])
+      bad(hashWith(part));
+    const { net: named } = decodeScene(hashWith({ net: { obj: 'v 0 0 0\n', name: long } }));
+    expect(named).toMatchObject({ name: 'x'.repeat(255) });
+  });
+
   test('cut off anywhere', () => {
     const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });
     for (let length = 4; length < whole.length; length += 7) {

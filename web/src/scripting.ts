@@ -14,7 +14,8 @@
  */
 import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport, ToRest } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
-import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
+import { noNet } from './app/state';
+import type { HandleData, SolverOptions, Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
 import type { Watch } from './drape/asking';
 import { linking } from './projects/linking';
@@ -198,7 +199,7 @@ function vertexOf({ info }: OpenedNet, vertex: number): number {
 }
 
 function openIn(app: App): Opening {
-  if (app.opening === null) throw new Failure('no_net', 'No net is open.');
+  if (app.opening === null) throw noNet();
   return app.opening;
 }
 
@@ -207,7 +208,7 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slid
     vertex,
     target: target ?? app.handles.positionOf(vertex),
     anchor: anchor ?? target === undefined,
-    ...(name ? { name: name.slice(0, LONGEST_NAME) } : {}),
+    ...(name ? { name } : {}),
     ...(hidden ? { hidden } : {}),
     ...(weight === undefined ? {} : { weight }),
     ...(slides === undefined ? {} : { slides }),

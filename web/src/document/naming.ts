@@ -36,6 +36,7 @@ const KINDS = {
   handles: (count: string) => panelWords.changes.several(Number(count)),
   number: (value: string) => Number(value).toLocaleString(words.locale),
 };
+/** Characters of the words, and of what they speak of. */
 const LONGEST = 500;
 
 /** In the present language. */
@@ -78,7 +79,7 @@ export function writeName(name: ChangeName): object {
 
 /** The words, if there is no more or if it comes from a newer version. Throws a Failure that says what is wrong, and where. */
 export function readName(entry: Untrusted): ChangeName {
-  const name = entry.at('name').text(LONGEST);
+  const name = entry.at('name').name(LONGEST);
   const { value } = entry.at('change');
   return isKnown(value) ? value : name;
 }

@@ -11,6 +11,7 @@ import {
   type GuideFile,
   type HandleData,
   type HandleSeed,
+  LONGEST_FILE_NAME,
   LONGEST_PROJECT_NAME,
   type NetSource,
   type ViewState,
@@ -24,7 +25,7 @@ import type { Reader } from './versions';
 
 export const PROJECT_ENDING = '.chebnet.json';
 /** Larger files are not read. */
-export const LARGEST_PROJECT = 64e6;
+const LARGEST_PROJECT = 64e6;
 /** Bytes of nets and positions in a file; as base64 positions take a third more. */
 const LARGEST_STATES = 36e6;
 const MOST_STATES = 10_000;
@@ -221,7 +222,7 @@ function readGuide(guide: Untrusted): GuideFile {
   const ints = (each: Untrusted): Int32Array =>
     each.value instanceof Int32Array ? each.value : decode(each, (buffer) => new Int32Array(buffer));
   return {
-    name: guide.at('name').text(),
+    name: guide.at('name').name(LONGEST_FILE_NAME),
     mesh: {
       positions: readPositions(mesh.at('positions')),
       faceStart: ints(mesh.at('faceStart')),
