@@ -20,7 +20,6 @@ import { Untrusted } from './document/untrusted';
 import type { Watch } from './drape/asking';
 import { linking } from './projects/linking';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
-import { Failure } from './failure';
 import { lazy } from './lazy';
 import type { Opening } from './worker/opening';
 import type { OpenedNet } from './worker/protocol';
@@ -173,10 +172,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     screenPosition: (vertex) => app.screenPosition(vertexOf(openIn(app).net, readVertex(vertex))),
     link: async () => {
       await earlier;
-      const { hashOf } = await linking();
-      const { hash } = hashOf(app);
-      if (hash === null) throw new Failure('too_large', 'This net is too large for a link.');
-      return new URL(hash, location.href).href;
+      return (await linking()).linkTo(app);
     },
   };
 }

@@ -19,7 +19,7 @@ export interface StateEvents {
 
 /** Something was asked of the net that is open. */
 export function noNet(): Failure {
-  return new Failure('no_net', words.core.failure('no_net', 'No net is open.'));
+  return new Failure('no_net', words.opening.none);
 }
 
 export class State {

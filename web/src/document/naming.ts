@@ -1,6 +1,7 @@
 /** What the history calls a change, so that it can be said in any language: a sentence of `panelWords.changes`, and what it
  *  speaks of. In projects of older versions it is the words themselves. Loaded after the first picture. */
 import { words } from '../language/language';
+import { lengthText, limitText } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import type { Untrusted } from './untrusted';
 
@@ -11,8 +12,8 @@ export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 
 /** Settings that a panel has in words of its own: how it calls them, and their values. */
 const SETTINGS = new Map<string, { label: string; textOf(value: string): string | undefined }>([
-  ['length_scale', { label: words.behaviour.length, textOf: lengthText }],
-  ['shear_limit', { label: words.behaviour.limit, textOf: limitText }],
+  ['length_scale', { label: words.behaviour.length, textOf: (scale) => lengthText(Number(scale)) }],
+  ['shear_limit', { label: words.behaviour.limit, textOf: (degrees) => limitText(Number(degrees)) }],
   [
     'guide_mode',
     { label: panelWords.guide.mode, textOf: (mode): string | undefined => panelWords.guide.modes[Number(mode)] },
@@ -53,15 +54,6 @@ export function sentenceOf(name: ChangeName): string {
 function settingText(setting: Term, value: string): string {
   const name = typeof setting === 'string' ? '' : (setting.option ?? '');
   return SETTINGS.get(name)?.textOf(value) ?? value;
-}
-
-function limitText(degrees: string): string {
-  return Number(degrees) === 0 ? words.behaviour.off : words.behaviour.degrees(Number(degrees));
-}
-
-function lengthText(scale: string): string {
-  const percent = Number((100 * Number(scale) - 100).toFixed(1));
-  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
 }
 
 /** In the present language. */
