@@ -9,7 +9,7 @@ import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { LARGEST_LINK, LONG_LINK, decodeScene, encodeScene } from '../../web/src/document/share';
 import { largestDistance } from '../wasm/load';
 import { hashWithZeros } from './hash_with_zeros';
-import { documentAt, grid } from './nets';
+import { documentAt, grid, million } from './nets';
 import { printedSeed, random } from './random';
 
 const net = grid(10, 10);
@@ -172,6 +172,18 @@ describe('what is too large', () => {
     const shared = encodeScene({ ...documentAt(null), net: { mesh, name: 'large.obj' } }, net, 1e-6);
     expect(shared).toEqual({ hash: null });
     expect(linkAdvice(shared)).toMatch(/too large for a link/);
+  });
+
+  test('by far is refused by its number of vertices, also for a QR code', () => {
+    const mesh = million();
+    const start = performance.now();
+    const document = { ...documentAt(mesh.positions), net: { mesh, name: 'large.obj' } };
+    const open = { ...net, restPositions: mesh.positions };
+    expect(encodeScene(document, open, 1e-6)).toEqual({ hash: null });
+    const dragged = mesh.positions.map((x) => x + 1);
+    expect(encodeScene(documentAt(dragged), open, 1e-6, 3000)).toMatchObject({ positions: false });
+    expect(encodeScene(documentAt(mesh.positions), open, 1e-6, 3000)).toMatchObject({ positions: true });
+    expect(performance.now() - start).toBeLessThan(1000);
   });
 
   test('is a surface that a visitor brought: it is left out, and this is said; one of ours is named', () => {

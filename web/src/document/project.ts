@@ -77,6 +77,17 @@ function versionOf(entries: readonly Entry[], nets: readonly NetSource[]): numbe
   return nets.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION;
 }
 
+/** How many bytes the text of a file has at least, a line for each vertex and face and the positions: far too many are not
+ *  written out to be counted, which would block the page. */
+export function leastBytes({ entries, present }: Project): number {
+  const { net, positions } = entries[present]!.state;
+  const base64 = (4 / 3) * (positions?.byteLength ?? 0);
+  if (!('mesh' in net)) return base64;
+  const { positions: rest, faceVertices } = net.mesh;
+  const vertices = rest.length / 3;
+  return base64 + 'v 0 0 0\n'.length * vertices + faceVertices.length * (Math.log10(vertices) + 0.5);
+}
+
 /** The text of a file. */
 export function projectText(project: Project): string {
   const written = writeProject(withTexts(project), LARGEST_STATES);

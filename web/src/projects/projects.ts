@@ -163,13 +163,14 @@ export class Projects {
 
   /** Fails if it is too large. */
   async save(): Promise<void> {
-    const { PROJECT_ENDING, checkSize, projectText } = await projectFormat();
+    const { PROJECT_ENDING, checkSize, leastBytes, projectText } = await projectFormat();
     const project = this.#app.project();
     const { revision } = this.#app.history;
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
     const title = await this.#title();
     const name = (asFileName(title) || baseNameOf(net, this.#app.formats)) + PROJECT_ENDING;
+    checkSize(name, leastBytes(project));
     const text = projectText({ ...project, title });
     checkSize(name, text.length);
     download(name, text, 'application/json');
