@@ -142,9 +142,10 @@ export class Projects {
    *  carries the net over; one too large for that is to be saved first. */
   async reload(): Promise<void> {
     await this.#autosave.save();
-    if (this.#isUnsaved && !(await this.#putIntoAddress())) return this.#offerToSave();
-    if (!this.#autosave.refused && isOwn(this.#autosave.id)) location.replace(location.pathname + location.search);
-    else location.reload();
+    const { refused, id } = this.#autosave;
+    if (!refused && isOwn(id)) return location.replace(location.pathname + location.search);
+    if (refused && !(await this.#putIntoAddress()) && this.#isUnsaved) return this.#offerToSave();
+    location.reload();
   }
 
   /** The browser stores nothing of it, and no file has it. */
