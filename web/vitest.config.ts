@@ -3,7 +3,9 @@ import { defineConfig } from 'vitest/config';
 const tests = (folder: string, timeout: number) => ({
   extends: './vite.config.ts',
   // The tests lie outside this folder; their packages come from it all the same.
-  resolve: { dedupe: ['fast-check', 'fflate', 'playwright-core', 'puppeteer-core', 'rhino3dm', 'three', 'vite'] },
+  resolve: {
+    dedupe: ['fast-check', 'fflate', 'idb-keyval', 'playwright-core', 'puppeteer-core', 'rhino3dm', 'three', 'vite'],
+  },
   test: {
     name: folder,
     dir: `../tests/${folder}`,

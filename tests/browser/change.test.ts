@@ -52,6 +52,8 @@ async function becomes(count: (before: number) => number, name: string): Promise
   await press(name);
   await expect.poll(vertices).toBe(wanted);
   await script.settled();
+  // The dialog gives the focus back.
+  expect(await visit.page.evaluate(() => document.activeElement?.textContent)).toBe(name);
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-9);
 }
 

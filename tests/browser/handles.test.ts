@@ -289,6 +289,21 @@ describe('a handle', () => {
     expect(distance(await targetOf(corner), rest(corner))).toBeGreaterThan(1e-3 * meanLength);
   });
 
+  test('that are removed by key, one after another, leave the focus in the list', async () => {
+    await script.setHandles([corner, left, right].map((vertex) => ({ vertex, anchor: false })));
+    await openSection();
+    const cross = (vertex: number) => button(`Remove the handle at vertex ${vertex}`);
+    const focused = () => visit.page.evaluate(() => document.activeElement?.textContent);
+    for (const [vertex, next] of [
+      [left, right],
+      [right, corner],
+    ] as const) {
+      await cross(vertex).press('Enter');
+      await cross(vertex).waitFor({ state: 'detached' });
+      expect(await focused()).toBe(`Vertex ${next}`);
+    }
+  });
+
   test('is added by its number, and the field is empty again as at first', async () => {
     await openSection();
     const field = visit.page.getByRole('spinbutton', { name: 'Vertex number' });

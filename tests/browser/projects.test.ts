@@ -17,7 +17,7 @@ declare global {
   }
 }
 
-const { arrive } = visits();
+const { arrive, open } = visits();
 
 const historyOf = ({ page }: Visit) => page.locator('.history');
 const names = (visit: Visit) => historyOf(visit).getByRole('button').allTextContents();
@@ -268,6 +268,83 @@ test('several projects with names and pictures: opened, renamed, copied, deleted
   await show();
   await expect.poll(lines).toEqual(['Hall', '', 'Copy of Hall']);
   await page.screenshot({ path: join(OUTPUT, 'projects-phone.png') });
+});
+
+test('a project that cannot be opened says why, and can be deleted', async () => {
+  const visit = await arrive();
+  const { page, script } = visit;
+  const { dialog, show, lines } = chooserOf(visit);
+  await script.open({ recipe: SHAPE });
+  await expect.poll(() => kept(visit), PATIENCE).toHaveLength(2);
+  await press(visit, 'File');
+  await page.getByRole('button', { name: /^New/ }).click();
+  await expect.poll(async () => (await script.stats()).vertices, PATIENCE).toBeGreaterThan(1000);
+  await show();
+  await expect.poll(lines).toHaveLength(2);
+  await page.evaluate(async () => {
+    const done = <T>(request: IDBRequest<T>) =>
+      new Promise<T>((resolve) => (request.onsuccess = () => resolve(request.result)));
+    const database = await done(indexedDB.open('chebnet'));
+    const projects = database.transaction('projects', 'readwrite').objectStore('projects');
+    const ids = await done(projects.get('index') as IDBRequest<string[]>);
+    await done(projects.put({ chebnet: 99 }, ids[1]!));
+    database.close();
+  });
+  const second = dialog.getByRole('listitem').nth(1);
+  await second.getByRole('button', { name: 'Open' }).click();
+  await expect.poll(() => dialog.getByRole('status').innerText()).toMatch(/another version/);
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await show();
+  await second.getByRole('button', { name: 'Delete' }).click();
+  await expect.poll(lines).toHaveLength(1);
+});
+
+test('a line of the list stays where it is while its project is renamed: with the focus, and under the pointer', async () => {
+  const visit = await arrive();
+  const { page } = visit;
+  const { dialog, show, lines } = chooserOf(visit);
+  await show();
+  await dialog.getByRole('button', { name: 'Keep it' }).click();
+  const field = dialog.getByRole('textbox');
+  await field.fill('Hall');
+  await field.press('Enter');
+  const copy = dialog.getByRole('button', { name: 'Duplicate Hall' });
+  await copy.waitFor();
+  expect(await field.evaluate((each) => each === document.activeElement)).toBe(true);
+  await field.fill('Tower');
+  const { x, y, width, height } = (await copy.boundingBox())!;
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await dialog.getByRole('button', { name: 'Duplicate Tower' }).waitFor();
+  await page.mouse.up();
+  await expect.poll(lines).toEqual(['Tower', 'Copy of Tower']);
+});
+
+test('where the browser stores nothing, a net too large for a link is not given up for another language, but saved first', async () => {
+  const visit = await open('');
+  const { page, script } = visit;
+  await page.addInitScript(() => {
+    IDBFactory.prototype.open = () => {
+      throw new DOMException('No.', 'SecurityError');
+    };
+  });
+  await page.reload();
+  await script.waitForNet();
+  await page.evaluate(async () => {
+    await window.chebnet.open({ recipe: 'vault:vertices=4000' });
+    const name = () => String.fromCharCode(...Array.from({ length: 40 }, () => 0x4e00 + 5000 * Math.random()));
+    const handles = Array.from({ length: 2000 }, (_, vertex) => ({ vertex, name: name() }));
+    await window.chebnet.setHandles(handles);
+  });
+  await page.getByText('does not let the page keep your net').waitFor();
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await page.getByRole('button', { name: '中文' }).click();
+  await page.getByText('does not let the page keep your net').waitFor();
+  expect(await page.locator('html').getAttribute('lang')).toBe('en-US');
+  expect((await script.stats()).handles).toBe(2000);
+  await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
+  await page.getByRole('button', { name: '中文' }).click();
+  await page.locator('html[lang=zh-CN]').waitFor();
 });
 
 test('what is kept for the first time is listed at once, with its name, date and picture', async () => {

@@ -54,6 +54,20 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   }
 });
 
+test('where the clipboard is closed the link goes into the address bar, but only when it is to be copied', async () => {
+  const { page, script } = await arrive();
+  await script.open({ recipe: 'vault:vertices=300' });
+  await script.settled();
+  await page.evaluate(() => (navigator.clipboard.writeText = () => Promise.reject(new Error('No.'))));
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Share' });
+  await dialog.getByText('The link is made').waitFor();
+  expect(new URL(page.url()).hash).toBe('');
+  await dialog.getByRole('button', { name: 'Copy link' }).click();
+  await dialog.getByText('the link is in the address bar').waitFor();
+  expect(new URL(page.url()).hash).toMatch(/^#v/);
+});
+
 test('a link shows a net that was dragged from where its sender saw it, though nobody turned the camera', async () => {
   const sender = await share();
   await sender.script.settled();

@@ -376,6 +376,19 @@ function roundness(): Promise<number> {
   });
 }
 
+test('a net that is taken while it is being laid is that of the settings in sight', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  await draper().evaluate((dialog) => {
+    const cells = dialog.querySelector<HTMLInputElement>('input[type=range]')!;
+    cells.value = cells.max;
+    cells.dispatchEvent(new Event('input', { bubbles: true }));
+    [...dialog.querySelectorAll('button')].find(({ textContent }) => textContent === 'Open this net')!.click();
+  });
+  await draper().waitFor({ state: 'detached' });
+  await expect.poll(async () => (await script.stats()).vertices).toBeGreaterThan(15_000);
+});
+
 test('the seed of a proposal is looked down on, not along a flat surface', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   await measured();

@@ -330,10 +330,11 @@ describe('while a net is being laid', () => {
   test('of requests of one kind only the latest waits', () => {
     const { worker, told, draping, lengths } = start();
     for (const length of [1, 2, 3, 4]) draping.drape({ ...SETTINGS, length });
-    expect(lengths()).toEqual([1]);
+    expect([lengths(), draping.isLaying]).toEqual([[1], true]);
     worker.answer(draped);
-    expect(lengths()).toEqual([1, 4]);
+    expect([lengths(), draping.isLaying]).toEqual([[1, 4], true]);
     worker.answer({ type: 'missed' });
+    expect(draping.isLaying).toBe(false);
     expect(told).toEqual(['draped', 'missed']);
     draping.close();
   });

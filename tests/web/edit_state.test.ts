@@ -6,6 +6,7 @@ import { freshScene } from '../../web/src/document/defaults';
 import type { ChebnetDocument, Scene } from '../../web/src/document/document';
 import { sentenceOf } from '../../web/src/document/naming';
 import { parseProject, projectText } from '../../web/src/document/project';
+import { codeOf } from '../../web/src/failure';
 import { hashOf, sceneOf } from '../../web/src/projects/link';
 import { largestDistance, load, loadFirst } from '../wasm/load';
 import { openPage } from './page_without_pictures';
@@ -159,6 +160,32 @@ test('comes back in the worker after one that was lost, be it just told or not',
   expect(editor()).not.toBe(second);
   page.app.undo();
   await expectBack(document, state);
+});
+
+test('what is asked of a net while another is being opened is refused, and reaches neither', async () => {
+  const { app } = page;
+  const opening = app.openScene({ ...freshScene({ recipe: 'dome:vertices=100' }), handles: [] });
+  const before = present();
+  const { method, initialisation } = before;
+  const refused = [
+    app.handles.set([{ vertex: 7, target: at(7), anchor: false }]),
+    app.handles.move([{ vertex: 7, target: at(7, 1) }]),
+    app.setOptions({ method, initialisation, options: { max_iterations: 7 } }),
+    app.setGuide({ own: 'hypar' }),
+    app.adaptLengths(() => {}),
+    app.flip(),
+    app.reset(),
+  ].map((each) => each.then(() => 'taken', codeOf));
+  app.handles.change([dragged], { name: 'top' });
+  app.handles.beginDrag();
+  app.handles.drag([{ vertex: dragged, target: at(dragged, 1) }]);
+  expect(present()).toEqual(before);
+  expect(new Set(await Promise.all(refused))).toEqual(new Set(['cancelled']));
+  await opening;
+  await page.solve();
+  expect([editor().state().handles, present().handles]).toEqual([[], []]);
+  expect(editor().state().options).toEqual(fresh.options());
+  expect(page.said).toHaveLength(1); // that there are no handles
 });
 
 test('with anything wrong in it changes nothing', async () => {

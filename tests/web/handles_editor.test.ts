@@ -79,7 +79,8 @@ beforeEach(() => {
   editor = new HandleEditor(
     {
       opening: () => opening,
-      snapshot,
+      before: snapshot,
+      beforeIfAny: snapshot,
       change,
       restore: ({ handles: before }) => change({ handles: [...before] }),
       drag: (dragged) => change({ handles: dragged }),

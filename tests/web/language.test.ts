@@ -158,7 +158,7 @@ test('no text stands outside of language/', () => {
   const SOURCES = new URL('web/src/', ROOT);
   /** They speak English to programs, with a code by which the page says it in the visitor's language. */
   const FOR_PROGRAMS =
-    /^(worker|language)\/|^files\/(file_importer|file_worker|model|gltf_mesh|rhino_mesh)\.ts$|^embed\/(arguments|host)\.ts$|^export\/(pattern_svg|frame_code)\.ts$|^document\/numbers\.ts$|^scripting\.ts$/;
+    /^(worker|language)\/|^files\/(file_importer|file_worker|model|gltf_mesh|rhino_mesh)\.ts$|^embed\/(arguments|host)\.ts$|^export\/(pattern_svg|frame_code)\.ts$|^document\/numbers\.ts$/;
   /** What a literal stands behind that nobody reads. */
   const UNREAD = /(new Error\(|'internal', |matchMedia\(|class: |[!=]== |\/\* glsl \*\/ )$/;
   const ALLOWED = [

@@ -1,4 +1,5 @@
 /** Nets and scenes to try things on. */
+import type { Mesh } from '../../wasm/chebnet';
 import { DEFAULT_VIEW } from '../../web/src/document/defaults';
 import type { ChebnetDocument } from '../../web/src/document/document';
 import type { PackingNet } from '../../web/src/document/packing';
@@ -76,4 +77,20 @@ export function uneven(columns: number, rows: number): string {
     }
   }
   return [...lines, ''].join('\n');
+}
+
+/** A mesh of a thousand by a thousand vertices. */
+export function million(): Mesh {
+  const side = 1000;
+  const corners = Array.from({ length: side - 1 }, (_, row) =>
+    Array.from({ length: side - 1 }, (_, column) => {
+      const a = row * side + column;
+      return [a, a + 1, a + 1 + side, a + side];
+    }),
+  ).flat();
+  return {
+    positions: Float64Array.from({ length: 3 * side * side }, (_, i) => Math.sin(i)),
+    faceStart: Int32Array.from({ length: corners.length + 1 }, (_, i) => 4 * i),
+    faceVertices: Int32Array.from(corners.flat()),
+  };
 }

@@ -2,11 +2,18 @@
 import { describe, expect, test } from 'vitest';
 import { asFileName } from '../../web/src/document/file_name';
 import type { HandleData, NetSource } from '../../web/src/document/document';
-import { parseProject, projectText, readProject, writeProject } from '../../web/src/document/project';
+import {
+  checkSize,
+  leastBytes,
+  parseProject,
+  projectText,
+  readProject,
+  writeProject,
+} from '../../web/src/document/project';
 import type { Project } from '../../web/src/document/project';
 import { sentenceOf } from '../../web/src/document/naming';
 import type { Entry, Snapshot } from '../../web/src/document/undo';
-import { documentAt } from './nets';
+import { documentAt, grid, million } from './nets';
 import { printedSeed, random } from './random';
 
 const NETS: NetSource[] = [
@@ -31,6 +38,19 @@ test('a file has the name of its project, if that is a name', () => {
   const long = projectText({ ...project, title: 'x'.repeat(81) });
   expect(() => parseProject(long)).toThrow(/title/);
   expect(['../a:b', ' .x ', 'Halle 3', '网'].map(asFileName)).toEqual(['a b', 'x', 'Halle 3', '网']);
+});
+
+test('the least that a file can take is known without writing it', () => {
+  const { restPositions: positions, faceStart, faceVertices } = grid(60, 60);
+  const small = projectOf([
+    { ...stateAt(positions), net: { mesh: { positions, faceStart, faceVertices }, name: 'a' } },
+  ]);
+  const { length } = projectText(small);
+  expect(leastBytes(small)).toBeLessThan(length);
+  expect(leastBytes(small)).toBeGreaterThan(0.7 * length);
+  const mesh = million();
+  const large = projectOf([{ ...stateAt(mesh.positions), net: { mesh, name: 'large.obj' } }]);
+  expect(() => checkSize('large', leastBytes(large))).toThrow(/large has 6\d MB; projects have 64 MB at most/);
 });
 
 describe('a project comes back', () => {
@@ -142,6 +162,12 @@ describe('an entry', () => {
     expect(sentenceOf(['behaviour', { behaviour: 'cloth' }])).toBe('The net is soft cloth');
     expect(sentenceOf(['remove', { handles: '3' }])).toBe('Remove 3 handles');
     expect(sentenceOf(['open', 'mine.obj'])).toBe('Open mine.obj');
+  });
+
+  test('whose name is too long is read all the same, shortened', () => {
+    const long = 'x'.repeat(600);
+    expect(nameIn(projectText(named(['open', long])))).toBe(`Open ${'x'.repeat(495)}`);
+    expect(nameIn(projectText(named(long)))).toBe('x'.repeat(500));
   });
 
   test('of an older version, or of one that knows more, keeps its words', () => {

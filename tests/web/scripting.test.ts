@@ -1,5 +1,6 @@
 /** What scripts may give to `window.chebnet`: anything else is refused, with what and where. */
 import { expect, test } from 'vitest';
+import { readProject, writeProject } from '../../web/src/document/project';
 import { createScripting } from '../../web/src/scripting';
 import type { Scripting } from '../../web/src/scripting';
 import { load } from '../wasm/load';
@@ -122,6 +123,14 @@ test.each<[call: keyof Scripting, given: unknown[], code: string]>([
 ])('what only the core can judge it refuses: %s(%j)', async (call, given, code) => {
   const { script } = await pageWithDome();
   expect(await refusal(() => script[call](...given))).toMatchObject({ code });
+});
+
+test('a net with a name as long as no file has it is kept under the beginning of that, which is read again', async () => {
+  const { script, app } = await pageWithDome();
+  await script.open({ obj: uneven(4, 4), name: 'x'.repeat(600) });
+  expect(app.opening!.document.net).toMatchObject({ name: 'x'.repeat(255) });
+  const { entries } = readProject(writeProject(app.project()!, Infinity));
+  expect(entries.at(-1)!.name).toEqual(['open', 'x'.repeat(255)]);
 });
 
 test('a vertex that the net has not got is seen nowhere', async () => {

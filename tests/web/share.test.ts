@@ -9,7 +9,7 @@ import { edgeLengths } from '../../web/src/net/edge_lengths';
 import { LARGEST_LINK, LONG_LINK, decodeScene, encodeScene } from '../../web/src/document/share';
 import { largestDistance } from '../wasm/load';
 import { hashWithZeros } from './hash_with_zeros';
-import { documentAt, grid } from './nets';
+import { documentAt, grid, million } from './nets';
 import { printedSeed, random } from './random';
 
 const net = grid(10, 10);
@@ -174,6 +174,18 @@ describe('what is too large', () => {
     expect(linkAdvice(shared)).toMatch(/too large for a link/);
   });
 
+  test('by far is refused by its number of vertices, also for a QR code', () => {
+    const mesh = million();
+    const start = performance.now();
+    const document = { ...documentAt(mesh.positions), net: { mesh, name: 'large.obj' } };
+    const open = { ...net, restPositions: mesh.positions };
+    expect(encodeScene(document, open, 1e-6)).toEqual({ hash: null });
+    const dragged = mesh.positions.map((x) => x + 1);
+    expect(encodeScene(documentAt(dragged), open, 1e-6, 3000)).toMatchObject({ positions: false });
+    expect(encodeScene(documentAt(mesh.positions), open, 1e-6, 3000)).toMatchObject({ positions: true });
+    expect(performance.now() - start).toBeLessThan(1000);
+  });
+
   test('is a surface that a visitor brought: it is left out, and this is said; one of ours is named', () => {
     const brought = encodeScene({ ...documentAt(null), guide: { name: 'scan.obj', mesh: SQUARE } }, net, 1e-6);
     expect(decodeScene(brought.hash ?? '')).not.toHaveProperty('guide');
@@ -277,6 +289,23 @@ describe('hostile links are refused', () => {
     '#v5=',
     '#v5=AAAA',
   ])('not deflated: %s', bad);
+
+  test('with names of the core, or a list of methods, as long as none is; the name of a file is shortened', () => {
+    const long = 'x'.repeat(5000);
+    const hashWith = (part: object) => hashOfJson(JSON.stringify({ ...valid, ...part }));
+    for (const part of [
+      { net: { recipe: long } },
+      { method: long },
+      { initialisation: long },
+      { experiment: long },
+      { guide: { own: long } },
+      { compare: [long] },
+      { compare: Array(5000).fill('dp4') },
+    ])
+      bad(hashWith(part));
+    const { net: named } = decodeScene(hashWith({ net: { obj: 'v 0 0 0\n', name: long } }));
+    expect(named).toMatchObject({ name: 'x'.repeat(255) });
+  });
 
   test('cut off anywhere', () => {
     const whole = hashOf({ ...documentAt(moved), handles: [{ vertex: 3, target: [1, 2, 3], anchor: false }] });

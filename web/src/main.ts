@@ -45,15 +45,15 @@ const services: AppServices = {
   record: () => attempt(record),
   chooseLanguage: (language) => {
     chooseLanguage(language);
-    attempt(() => projects.reload());
+    reload();
   },
   showKeys: () => attempt(showKeys),
   showLesson: (lesson) => attempt(async () => (await teacher()).show(lesson)),
 };
 const app = new App(
   {
-    createView: (events) => createView(element('view'), events),
-    createBeside: (events, place) => createView(element(`beside-${place + 1}`), events),
+    createView: (events) => createView(element('view'), events, reload),
+    createBeside: (events, place) => createView(element(`beside-${place + 1}`), events, reload),
     createPanels: (events) => createPanels(element('panels'), events),
     spawnWorker: spawnSolver,
   },
@@ -83,7 +83,7 @@ else {
     .then(() => new Promise((done) => setTimeout(done, HINTS_MS)))
     .then(hints)
     .catch(() => {}); // Nobody misses a hint that could not be loaded.
-  void ready.then(() => keepOffline(offerVersion, () => attempt(() => projects.reload())));
+  void ready.then(() => keepOffline(offerVersion, reload));
 }
 
 addEventListener('hashchange', () => attempt(followLink));
@@ -173,6 +173,10 @@ async function record(): Promise<void> {
   } finally {
     notice.remove();
   }
+}
+
+function reload(): void {
+  attempt(() => projects.reload());
 }
 
 function saveProject(): void {

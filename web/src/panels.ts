@@ -14,10 +14,9 @@ import type { Pen, PenEvents } from './view/view';
 import type { FrameData, OpenedNet } from './worker/protocol';
 
 /** Lessons that the net can demonstrate. */
-export const LESSONS = ['net', 'deviation', 'energy', 'stages'] as const;
+export type Lesson = 'net' | 'deviation' | 'energy' | 'stages';
 /** The method whose stages are taught. */
 export const TAUGHT_METHOD = 'li2022';
-export type Lesson = (typeof LESSONS)[number];
 
 export interface PanelEvents {
   openRecipe(recipe: string): void;

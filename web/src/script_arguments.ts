@@ -1,7 +1,8 @@
 /** Arguments of the calls of `window.chebnet`, which may be anything, from a script or a host page. Each reader gives a value
  *  of its type or throws a Failure that says which argument must be what. */
 import type { Axes } from '../../wasm/chebnet';
-import { axesToSlide, type GuideSource, type Vec3 } from './document/document';
+import { readCoreName } from './document/core_name';
+import { axesToSlide, type GuideSource, LONGEST_FILE_NAME, LONGEST_NAME, type Vec3 } from './document/document';
 import type { Untrusted } from './document/untrusted';
 
 export type ScriptNet = { recipe: string } | { obj: string; name?: string };
@@ -30,16 +31,15 @@ export type ScriptOptions = { method?: string; initialisation?: string } & Recor
   number | boolean | string | undefined
 >;
 
-const LONGEST_TEXT = 1000;
 /** Of a surface's faces, for each that it may have. A list may stand in another one many times, and take no more room there. */
 const MOST_CORNERS = 10;
 
 /** @param longest characters of an OBJ. */
 export function readNet(net: Untrusted, longest = Infinity): ScriptNet {
-  const recipe = net.at('recipe').maybe(readText);
+  const recipe = net.at('recipe').maybe(readCoreName);
   if (recipe !== undefined) return { recipe };
   const obj = net.at('obj').text(longest);
-  const name = net.at('name').maybe(readText);
+  const name = net.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));
   return name === undefined ? { obj } : { obj, name };
 }
 
@@ -51,7 +51,7 @@ export function readHandles(handles: Untrusted, most = Infinity): ScriptHandle[]
 function readHandle(handle: Untrusted): ScriptHandle {
   const target = handle.at('target').maybe((each) => each.point());
   const anchor = handle.at('anchor').maybe((each) => each.flag());
-  const name = handle.at('name').maybe(readText);
+  const name = handle.at('name').maybe((each) => each.name(LONGEST_NAME));
   const hidden = handle.at('hidden').maybe((each) => each.flag());
   const weight = handle.at('weight').maybe((each) => each.positive());
   const slides = handle.at('slides').maybe((each) => each.oneOf(axesToSlide()));
@@ -83,9 +83,9 @@ export function readGuide(surface: Untrusted, most = Infinity): ScriptSurface | 
 /** Whether there is such a surface, the core says.
  *  @param most vertices or faces. */
 export function readSurface(surface: Untrusted, most = Infinity): ScriptSurface {
-  const own = surface.at('own').maybe(readText);
+  const own = surface.at('own').maybe(readCoreName);
   if (own !== undefined) return { own };
-  const name = surface.at('name').maybe(readText);
+  const name = surface.at('name').maybe((each) => each.name(LONGEST_FILE_NAME));
   let corners = MOST_CORNERS * most;
   return {
     vertices: surface
@@ -123,7 +123,7 @@ export function readOptions(options: Untrusted): ScriptOptions {
   return Object.fromEntries(
     given.map(([name, each]) => [
       name,
-      name === 'method' || name === 'initialisation' ? readText(each) : readSetting(each),
+      name === 'method' || name === 'initialisation' ? readCoreName(each) : readSetting(each),
     ]),
   );
 }
@@ -134,8 +134,4 @@ function readSetting(setting: Untrusted): number | boolean {
 
 export function readEvent(event: Untrusted): 'frame' | 'settled' | 'error' {
   return event.oneOf(['frame', 'settled', 'error']);
-}
-
-function readText(text: Untrusted): string {
-  return text.text(LONGEST_TEXT);
 }

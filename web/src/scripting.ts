@@ -14,12 +14,12 @@
  */
 import type { ChebnetError, DrapeReport, RemeshOptions, Status, SurfaceReport, ToRest } from '../../wasm/chebnet';
 import type { App, AppEvent } from './app/app';
-import { type HandleData, LONGEST_NAME, type SolverOptions, type Vec3 } from './document/document';
+import { noNet } from './app/state';
+import type { HandleData, SolverOptions, Vec3 } from './document/document';
 import { Untrusted } from './document/untrusted';
 import type { Watch } from './drape/asking';
 import { linking } from './projects/linking';
 import type { ScriptHandle, ScriptNet, ScriptOptions, ScriptSurface } from './script_arguments';
-import { Failure } from './failure';
 import { lazy } from './lazy';
 import type { Opening } from './worker/opening';
 import type { OpenedNet } from './worker/protocol';
@@ -172,10 +172,7 @@ export function createScripting(app: App, ready: Promise<void>): Scripting {
     screenPosition: (vertex) => app.screenPosition(vertexOf(openIn(app).net, readVertex(vertex))),
     link: async () => {
       await earlier;
-      const { hashOf } = await linking();
-      const { hash } = hashOf(app);
-      if (hash === null) throw new Failure('too_large', 'This net is too large for a link.');
-      return new URL(hash, location.href).href;
+      return (await linking()).linkTo(app);
     },
   };
 }
@@ -198,7 +195,7 @@ function vertexOf({ info }: OpenedNet, vertex: number): number {
 }
 
 function openIn(app: App): Opening {
-  if (app.opening === null) throw new Failure('no_net', 'No net is open.');
+  if (app.opening === null) throw noNet();
   return app.opening;
 }
 
@@ -207,7 +204,7 @@ function handleOf(app: App, { vertex, target, anchor, name, hidden, weight, slid
     vertex,
     target: target ?? app.handles.positionOf(vertex),
     anchor: anchor ?? target === undefined,
-    ...(name ? { name: name.slice(0, LONGEST_NAME) } : {}),
+    ...(name ? { name } : {}),
     ...(hidden ? { hidden } : {}),
     ...(weight === undefined ? {} : { weight }),
     ...(slides === undefined ? {} : { slides }),

@@ -12,6 +12,7 @@ import type { App } from './app/app';
 import { netName, takenScene } from './dialogs/taken_scene';
 import type { TakenNet } from './dialogs/file_opener';
 import type { GuideSource } from './document/document';
+import { given } from './document/given';
 import type { Untrusted } from './document/untrusted';
 import { AskedDraper, type Watch } from './drape/asking';
 import { SUGGESTED_CELLS } from './drape/cells';
@@ -199,10 +200,4 @@ function readLines(lines: Untrusted): Point[][] {
 
 function readPoints(points: Untrusted): Point[] {
   return points.list(MOST_POINTS).map((each) => each.point());
-}
-
-/** Without what was not given. */
-function given<T extends object>(options: T): { [Key in keyof T]?: Exclude<T[Key], undefined> } {
-  const entries = Object.entries(options).filter(([, value]) => value !== undefined);
-  return Object.fromEntries(entries) as { [Key in keyof T]?: Exclude<T[Key], undefined> };
 }

@@ -33,8 +33,8 @@ import type { Opening } from '../worker/opening';
 import type { ExportFormat, FrameData, OpenedNet } from '../worker/protocol';
 import { Opener } from './opener';
 import { Presenter, type Screen } from './presenter';
-import { State } from './state';
-import { codeOf, type Failure, messageOf } from '../failure';
+import { noNet, State } from './state';
+import { codeOf, Failure, messageOf } from '../failure';
 
 /** What an app is made from. */
 export interface AppParts extends Screen {
@@ -283,19 +283,19 @@ export class App {
   /** They stand in the document at once, so that the next choice builds on this one, and are taken back if refused. `name`: what
    *  the history calls them, if not by themselves. */
   async setOptions(settings: SolverSettings, name?: ChangeName): Promise<void> {
-    const before = this.#state.snapshot();
+    const before = this.#before();
     const usual = new Map(this.#optionTable.map(({ name, value }) => [name, value]));
     const unusual = Object.entries(settings.options).filter(([name, value]) => Number(value) !== usual.get(name));
     const after = { ...settings, options: Object.fromEntries(unusual) };
     const asked = this.#client.setOptions(settings);
-    const change = before && settingsChange(before, after);
+    const change = settingsChange(before, after);
     if (change) this.#state.history.record(before, name || change.name, change.key);
     this.#state.change(after);
     try {
       await asked;
     } catch (error) {
       if (change) this.#state.history.takeBack(before);
-      if (before && this.opening?.document.options === after.options) {
+      if (this.opening?.document.options === after.options) {
         const { method, initialisation, options } = before;
         this.#state.change({ method, initialisation, options });
       }
@@ -306,6 +306,7 @@ export class App {
   /** All edges grow by one factor, as little as brings handles to where they were to be. The option `length_scale` then; null
    *  if none does, and nothing has changed. Fails as "cancelled" where the net is touched meanwhile. */
   async adaptLengths(progress: (scale: number) => void): Promise<number | null> {
+    this.#before();
     const scale = await this.#client.adaptLengths(progress);
     // Names, and what else leaves the net alone, may have changed meanwhile.
     const before = this.#state.snapshot();
@@ -317,8 +318,8 @@ export class App {
 
   /** Puts a surface beside the net, or takes it away; the net is solved anew. */
   async setGuide(guide: GuideSource | undefined): Promise<void> {
-    const before = this.#state.snapshot();
-    if (before === null || before.guide === guide) return;
+    const before = this.#before();
+    if (before.guide === guide) return;
     const { guide: _, ...without } = before;
     this.#state.history.record(before, guide ? ['guide', guideTitle(guide)] : ['noGuide']);
     await this.#restoreFrom(before, { ...without, ...(guide ? { guide } : {}), settled: false });
@@ -346,10 +347,11 @@ export class App {
    *  one, it goes back. How far the vertex that moves most has come once the net has settled, in edge lengths; null: another
    *  net is open by then. */
   async flip(): Promise<number | null> {
+    this.#before();
     const positions = await this.#client.flipped();
-    const before = this.#state.snapshot();
+    const before = this.#before();
     const opening = this.opening;
-    if (before === null || opening === null) return null;
+    if (opening === null) return null;
     const from = opening.frame.positions.slice();
     this.#state.history.record(before, ['flip']);
     const { present } = this.history;
@@ -372,8 +374,8 @@ export class App {
 
   /** Back to rest, handles too, with edges as long as they were made. */
   async reset(): Promise<void> {
-    const before = this.#state.snapshot();
-    if (before === null || this.opening === null) return;
+    const before = this.#before();
+    if (this.opening === null) return;
     const { restPositions } = this.opening.net;
     const atRest = (handle: HandleData): HandleData => {
       const [x = 0, y = 0, z = 0] = restPositions.subarray(3 * handle.vertex, 3 * handle.vertex + 3);
@@ -383,8 +385,24 @@ export class App {
     const options = asMade(before.options);
     this.#state.history.record(before, ['reset']);
     this.#state.change({ handles: before.handles.map(atRest), positions: restPositions, options });
-    if ('length_scale' in before.options) await this.#client.setOptions({ method, initialisation, options });
-    await this.#client.reset();
+    // Both at once: another net may be opened before the first is answered.
+    const asMadeAgain =
+      'length_scale' in before.options && this.#client.setOptions({ method, initialisation, options });
+    await Promise.all([asMadeAgain, this.#client.reset()]);
+  }
+
+  /** The state before a change of the net. Fails where there is none to be changed: the worker would take the change for the
+   *  net that it is just opening. */
+  #before(): Snapshot {
+    const before = this.#beforeIfAny();
+    if (before !== null) return before;
+    // So that controls show again what is.
+    this.#presenter.schedule();
+    throw this.#opener.isOpening ? new Failure('cancelled', words.opening.underWay) : noNet();
+  }
+
+  #beforeIfAny(): Snapshot | null {
+    return this.#opener.isOpening ? null : this.#state.snapshot();
   }
 
   // -------------------------------------------------------------------------------------------------------------- undo
@@ -480,8 +498,8 @@ export class App {
     return new HandleEditor(
       {
         opening: () => this.opening,
-        // While another net is being opened, the present one is about to go.
-        snapshot: () => (this.#opener.isOpening ? null : this.#state.snapshot()),
+        before: () => this.#before(),
+        beforeIfAny: () => this.#beforeIfAny(),
         change: (change) => this.#state.change(change),
         drag: (handles) => {
           this.#state.drag(handles);
@@ -586,8 +604,9 @@ export class App {
 
   /** Likewise, as an entry of the history. */
   #attemptNamed(name: ChangeName, doing: () => Promise<unknown>): void {
-    const before = this.#state.snapshot();
-    if (before) this.#state.history.record(before, name);
+    const before = this.#beforeIfAny();
+    if (before === null) return;
+    this.#state.history.record(before, name);
     this.#attempt(doing());
   }
 }

@@ -3,6 +3,8 @@ import type { Handle } from '../../../wasm/chebnet';
 import type { ChebnetDocument, DocumentNet, HandleData, NetSource, Scene, Vec3 } from '../document/document';
 import { endingOf } from '../document/document';
 import { type Snapshot, UndoHistory } from '../document/undo';
+import { Failure } from '../failure';
+import { words } from '../language/language';
 import type { Opened } from '../worker/client';
 import type { Opening } from '../worker/opening';
 import type { FrameData, OpenedNet } from '../worker/protocol';
@@ -13,6 +15,11 @@ export interface StateEvents {
   document(): void;
   /** There is something new to be presented, beyond what a frame or a drag changes. */
   presentation(): void;
+}
+
+/** Something was asked of the net that is open. */
+export function noNet(): Failure {
+  return new Failure('no_net', words.opening.none);
 }
 
 export class State {

@@ -39,6 +39,8 @@ export class ChangeDialog {
     try {
       return await changing.result;
     } finally {
+      // So that the focus goes back to where it was.
+      this.#dialog.close();
       this.#dialog.remove();
     }
   }

@@ -122,6 +122,8 @@ export class DrapeDialog implements DraperLike {
   /** The net is the first one of its proposal. */
   #isFirst = true;
   #isMaking = false;
+  /** The net that is being laid is to be taken. */
+  #isTaking = false;
   #finish!: (net: TakenNet | null) => void;
 
   constructor(root: HTMLElement, given: GivenSurface | null, parts: DrapeDialogParts) {
@@ -271,6 +273,7 @@ export class DrapeDialog implements DraperLike {
 
   /** The net stays, and is of the seed that is shown: what is set next is tried there. */
   #onMissed(): void {
+    this.#isTaking &&= this.#draping.isLaying;
     this.#seed = this.#seedShown();
     this.#results.keepNet();
   }
@@ -279,6 +282,7 @@ export class DrapeDialog implements DraperLike {
   #onRefused(message: string, request: DrapeRequest['type'] | null): void {
     if (request === null || request === 'remesh') this.#setMaking(false);
     if (request === null) this.#maker.setReady(false);
+    this.#isTaking &&= this.#draping.isLaying;
     this.#arms.giveUp();
     this.#cuts.giveUp();
     this.#creases.giveUp();
@@ -350,10 +354,12 @@ export class DrapeDialog implements DraperLike {
     this.#form.setTurnable(net.arms !== 'curve');
     this.#arms.setShown(net.arms);
     this.#seed = net.seed.position;
+    if (this.#isTaking) this.#takeNet();
   }
 
   #setNet(net: DrapedNet | RemeshedNet | null): void {
     this.#shown = net;
+    this.#isTaking &&= net !== null;
     this.#take.disabled = net === null;
     this.#maker.setWanted(net === null);
   }
@@ -402,9 +408,11 @@ export class DrapeDialog implements DraperLike {
     return { ...this.#form.read(), ...this.#arms.read(), seed: this.#seed, cuts: this.#cuts.read() };
   }
 
-  /** A net of other settings than are in sight is not opened without a word. */
+  /** A net of other settings than are in sight is not opened without a word: one that is still being laid, once it is there. */
   #takeNet(): void {
-    if (this.#form.isAllowed()) this.#finish(this.#taken());
+    if (!this.#form.isAllowed()) return;
+    this.#isTaking = this.#draping.isLaying;
+    if (!this.#isTaking) this.#finish(this.#taken());
   }
 
   #taken(): TakenNet | null {

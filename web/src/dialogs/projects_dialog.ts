@@ -1,33 +1,19 @@
 /** The projects that this browser keeps: pictures to open, names to change, copies, and a way back from deleting. */
+import { setChildren } from '../elements/children';
 import { make, makeButton, setText } from '../elements/dom';
+import { messageOf } from '../failure';
 import { words } from '../language/language';
 import { dialogWords } from '../language/dialogs';
+import { type ProjectLine, ProjectRow, type RowParts } from './project_row';
 import './dialog.css';
 import './projects_dialog.css';
 
 const TEXT = dialogWords.projects;
 
-/** A line of the list. */
-export interface ProjectLine {
-  id: string;
-  /** As the visitor called it; '': not yet, and then it is kept until there are newer ones. */
-  name: string;
-  /** What it is without a name. */
-  title: string;
-  date: Date | null;
-  /** How opaque each pixel is. */
-  picture: Uint8Array | null;
-  /** Open in another tab. */
-  isElsewhere: boolean;
-}
-
-export interface ProjectParts {
+export interface ProjectParts extends Pick<RowParts, 'picture' | 'longestName'> {
   list(): Promise<ProjectLine[]>;
   /** The one that is open. */
   present: string;
-  /** Pixels of a picture, and characters of a name. */
-  picture: { width: number; height: number };
-  longestName: number;
   open(id: string): Promise<void>;
   keepPresent(): Promise<void>;
   rename(id: string, name: string): Promise<void>;
@@ -41,6 +27,15 @@ export class ProjectsDialog {
   readonly #list = make('ul', { class: 'kept' });
   readonly #said = make('p', { role: 'status' });
   readonly #back = makeButton(TEXT.back, () => {}, { hidden: true });
+  /** The net that is open, before anything of it was kept. */
+  readonly #notKept = make(
+    'li',
+    { class: 'present' },
+    make('p', {}, TEXT.notKept),
+    makeButton(TEXT.keep, () => this.#change(() => this.#parts.keepPresent())),
+  );
+  /** By the ids of their projects. */
+  readonly #rows = new Map<string, ProjectRow>();
   readonly #parts: ProjectParts;
   #takeBack: (() => Promise<void>) | null = null;
 
@@ -71,66 +66,31 @@ export class ProjectsDialog {
   async #refresh(): Promise<void> {
     const lines = await this.#parts.list();
     const isKept = lines.some(({ id }) => id === this.#parts.present);
-    this.#list.replaceChildren(...(isKept ? [] : [this.#presentLine()]), ...lines.map((line) => this.#line(line)));
+    const rows = lines.map((line) => this.#rowOf(line).element);
+    setChildren(this.#list, isKept ? rows : [this.#notKept, ...rows]);
+    // What has only just come into the page is drawn in its colour.
+    for (const line of lines) this.#rowOf(line).update(line);
     if (!this.#back.hidden) return;
     setText(this.#said, lines.length > 0 ? TEXT.hint : TEXT.empty);
   }
 
-  /** The net that is open, before anything of it was kept. */
-  #presentLine(): HTMLElement {
-    const keep = makeButton(TEXT.keep, () => this.#change(() => this.#parts.keepPresent()));
-    return make('li', { class: 'present' }, make('p', {}, TEXT.notKept), keep);
+  #rowOf({ id }: ProjectLine): ProjectRow {
+    const row = this.#rows.get(id) ?? this.#makeRow(id);
+    this.#rows.set(id, row);
+    return row;
   }
 
-  #line(line: ProjectLine): HTMLElement {
-    const { id, name, title, date } = line;
-    const isPresent = id === this.#parts.present;
-    const isElsewhere = line.isElsewhere && !isPresent;
-    const called = name || title;
-    const field = make('input', {
-      value: name,
-      placeholder: title,
-      maxlength: this.#parts.longestName,
-      'aria-label': TEXT.name(called),
-      spellcheck: 'false',
+  #makeRow(id: string): ProjectRow {
+    const { present, picture, longestName, rename, copy } = this.#parts;
+    return new ProjectRow({
+      isPresent: id === present,
+      picture,
+      longestName,
+      rename: (name) => this.#change(() => rename(id, name)),
+      open: () => this.#try(() => this.#open(id)),
+      copy: (name) => this.#change(() => copy(id, name)),
+      delete: (called) => this.#try(() => this.#delete(id, called)),
     });
-    field.addEventListener('change', () => this.#change(() => this.#parts.rename(id, field.value.trim())));
-    const when = date?.toLocaleString(words.locale, { dateStyle: 'medium', timeStyle: 'short' }) ?? '';
-    const standing = isPresent ? TEXT.isOpen : isElsewhere ? TEXT.isElsewhere : '';
-    const open = makeButton(TEXT.open, () => this.#try(() => this.#open(id)), {
-      'aria-label': TEXT.openOne(called),
-      disabled: isPresent,
-    });
-    const copy = makeButton(TEXT.copy, () => this.#change(() => this.#parts.copy(id, TEXT.copyOf(called))), {
-      'aria-label': TEXT.copyOne(called),
-    });
-    const remove = makeButton(TEXT.delete, () => this.#try(() => this.#delete(line)), {
-      'aria-label': TEXT.deleteOne(called),
-      disabled: isPresent || isElsewhere,
-    });
-    return make(
-      'li',
-      {},
-      this.#picture(line),
-      make('div', { class: 'about' }, field, make('small', {}, [when, standing].filter(Boolean).join(' · '))),
-      make('div', { class: 'ways' }, open, copy, remove),
-    );
-  }
-
-  #picture({ picture }: ProjectLine): HTMLCanvasElement {
-    const { width, height } = this.#parts.picture;
-    const canvas = make('canvas', { width, height, 'aria-hidden': 'true' });
-    const context = canvas.getContext('2d');
-    if (picture === null || context === null) return canvas;
-    // Before it is in the page it has no colour of its own.
-    const colour = getComputedStyle(this.#list).color;
-    const pixels = context.createImageData(width, height);
-    picture.forEach((opacity, i) => (pixels.data[4 * i + 3] = opacity));
-    context.putImageData(pixels, 0, 0);
-    context.globalCompositeOperation = 'source-in';
-    context.fillStyle = colour;
-    context.fillRect(0, 0, width, height);
-    return canvas;
   }
 
   async #open(id: string): Promise<void> {
@@ -138,9 +98,9 @@ export class ProjectsDialog {
     this.#dialog.close();
   }
 
-  async #delete({ id, name, title }: ProjectLine): Promise<void> {
+  async #delete(id: string, called: string): Promise<void> {
     this.#takeBack = await this.#parts.delete(id);
-    setText(this.#said, TEXT.deleted(name || title));
+    setText(this.#said, TEXT.deleted(called));
     this.#back.hidden = false;
     await this.#refresh();
     this.#back.focus();
@@ -161,8 +121,10 @@ export class ProjectsDialog {
     });
   }
 
-  /** What a browser refuses is said. */
+  /** What goes wrong is said; a browser that refuses to store something says little. */
   #try(doing: () => Promise<void>): void {
-    doing().catch(() => setText(this.#said, TEXT.refused));
+    doing().catch((error: unknown) =>
+      setText(this.#said, error instanceof DOMException ? TEXT.refused : words.core.sentence(messageOf(error))),
+    );
   }
 }

@@ -23,8 +23,8 @@ export interface ShareLink {
 export interface ShareParts {
   /** To choose from; the first is copied. */
   links: Promise<ShareLink[]>;
-  /** Copies a link and says how that went. */
-  copyLink(link: ShareLink): Promise<string>;
+  /** Copies a link, as the visitor has `asked` or by itself, and says how that went. */
+  copyLink(link: ShareLink, asked: boolean): Promise<string>;
 }
 
 export class ShareDialog {
@@ -40,7 +40,10 @@ export class ShareDialog {
   });
   readonly #copyLink: ShareParts['copyLink'];
   /** Until there is a link there is nothing to copy. */
-  readonly #again = makeButton(panelWords.share.copy, () => void this.#copy(), { class: 'primary', disabled: true });
+  readonly #again = makeButton(panelWords.share.copy, () => void this.#copy(true), {
+    class: 'primary',
+    disabled: true,
+  });
   readonly #embed = makeButton(panelWords.share.copyEmbed, () => void this.#copySnippet(), { disabled: true });
   #chosen: ShareLink | null = null;
 
@@ -97,11 +100,11 @@ export class ShareDialog {
     this.#chosen = link;
     this.#snippet.value = frameCode(link.embedded);
     this.#showCode(link.code);
-    void this.#copy();
+    void this.#copy(false);
   }
 
-  async #copy(): Promise<void> {
-    if (this.#chosen) setText(this.#said, await this.#copyLink(this.#chosen));
+  async #copy(asked: boolean): Promise<void> {
+    if (this.#chosen) setText(this.#said, await this.#copyLink(this.#chosen, asked));
   }
 
   async #copySnippet(): Promise<void> {

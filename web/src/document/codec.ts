@@ -5,7 +5,8 @@
 import type { Mesh, RestLengths } from '../../../wasm/chebnet';
 import type { Ends } from '../fields/colour_map';
 import { areEnds, FIELD_NAMES, type FieldName, fieldOf } from '../fields/fields';
-import { axesToSlide, ENDINGS, LONGEST_NAME } from './document';
+import { readCoreName } from './core_name';
+import { axesToSlide, ENDINGS, LONGEST_FILE_NAME, LONGEST_NAME } from './document';
 import type {
   FileText,
   HandleData,
@@ -21,6 +22,7 @@ import type {
 import { DEFAULT_INITIALISATION } from './defaults';
 import { objText } from './obj_text';
 import type { Untrusted } from './untrusted';
+import { given } from './given';
 import { readingWords } from '../language/reading';
 import type { Snapshot } from './undo';
 
@@ -67,23 +69,26 @@ export function netAsText(net: NetSource): { recipe: string } | FileText {
 
 // ------------------------------------------------------------------------------------------------------------- reading
 
+/** Many more methods than there are. */
+const MOST_COMPARED = 100;
+
 /** All these throw a Failure if it is no such thing. What only the net can tell (does vertex 9000 exist?) the core says when it is opened. */
 export function readState(state: Untrusted): State<HandleSeed> {
   return {
     handles: state.at('handles').list().map(readHandle),
-    method: state.at('method').text(),
+    method: readCoreName(state.at('method')),
     // Links made before there was a choice have none.
-    initialisation: state.at('initialisation').maybe((each) => each.text()) ?? DEFAULT_INITIALISATION,
+    initialisation: state.at('initialisation').maybe(readCoreName) ?? DEFAULT_INITIALISATION,
     options: readOptions(state.at('options')),
     settled: state.at('settled').flag(),
     ...given({
       symmetry: state.at('symmetry').maybe(readSymmetry),
       locality: state.at('locality').maybe((each) => each.positive()),
       influence: state.at('influence').maybe((each) => each.positive()),
-      guide: state.at('guide').maybe((each) => ({ own: each.at('own').text() })),
-      experiment: state.at('experiment').maybe((each) => each.text()),
+      guide: state.at('guide').maybe((each) => ({ own: readCoreName(each.at('own')) })),
+      experiment: state.at('experiment').maybe(readCoreName),
       ending: state.at('ending').maybe((each) => each.oneOf(ENDINGS)),
-      compare: state.at('compare').maybe((each) => each.list().map((name) => name.text())),
+      compare: state.at('compare').maybe((each) => each.list(MOST_COMPARED).map(readCoreName)),
     }),
   };
 }
@@ -95,7 +100,7 @@ export function readNumbering(state: Untrusted): { numbering?: number } {
 }
 
 export function readNet(net: Untrusted): NetSource {
-  const recipe = net.at('recipe').maybe((each) => each.text());
+  const recipe = net.at('recipe').maybe(readCoreName);
   if (recipe !== undefined) return { recipe };
   return { obj: net.at('obj').text(), ...readFileTraits(net) };
 }
@@ -117,7 +122,7 @@ function readMesh(mesh: Untrusted): Mesh {
 
 export function readFileTraits(net: Untrusted): Omit<FileText, 'obj'> {
   return {
-    name: net.at('name').text(),
+    name: net.at('name').name(LONGEST_FILE_NAME),
     // Links made before there was a choice have none.
     ...given({
       restLengths: net.at('restLengths').maybe((each) => each.oneOf<RestLengths>(['automatic', 'equal', 'own'])),
@@ -204,9 +209,4 @@ function readCamera(camera: Untrusted): NonNullable<ViewState['camera']> {
     x !== undefined && y !== undefined && z !== undefined && u !== undefined && v !== undefined && w !== undefined;
   if (!complete || more.length > 0 || (x === u && y === v && z === w)) camera.fail(readingWords.camera);
   return { position: [x, y, z], target: [u, v, w] };
-}
-
-/** Those fields that have a value. */
-function given<T extends object>(fields: T): { [Name in keyof T]?: Exclude<T[Name], undefined> } {
-  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined)) as never;
 }

@@ -37,6 +37,8 @@ export interface GuideFile {
 /** Of a handle, in characters. */
 export const LONGEST_NAME = 40;
 export const LONGEST_PROJECT_NAME = 80;
+/** As file systems have it: of a net or a surface that came in a file. */
+export const LONGEST_FILE_NAME = 255;
 
 export interface HandleData {
   vertex: number;

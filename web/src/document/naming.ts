@@ -1,6 +1,7 @@
 /** What the history calls a change, so that it can be said in any language: a sentence of `panelWords.changes`, and what it
  *  speaks of. In projects of older versions it is the words themselves. Loaded after the first picture. */
 import { words } from '../language/language';
+import { lengthText, limitText } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import type { Untrusted } from './untrusted';
 
@@ -11,8 +12,8 @@ export type Term = string | { readonly [Kind in keyof typeof KINDS]?: string };
 
 /** Settings that a panel has in words of its own: how it calls them, and their values. */
 const SETTINGS = new Map<string, { label: string; textOf(value: string): string | undefined }>([
-  ['length_scale', { label: words.behaviour.length, textOf: lengthText }],
-  ['shear_limit', { label: words.behaviour.limit, textOf: limitText }],
+  ['length_scale', { label: words.behaviour.length, textOf: (scale) => lengthText(Number(scale)) }],
+  ['shear_limit', { label: words.behaviour.limit, textOf: (degrees) => limitText(Number(degrees)) }],
   [
     'guide_mode',
     { label: panelWords.guide.mode, textOf: (mode): string | undefined => panelWords.guide.modes[Number(mode)] },
@@ -36,6 +37,7 @@ const KINDS = {
   handles: (count: string) => panelWords.changes.several(Number(count)),
   number: (value: string) => Number(value).toLocaleString(words.locale),
 };
+/** Characters of the words, and of what they speak of. */
 const LONGEST = 500;
 
 /** In the present language. */
@@ -54,15 +56,6 @@ function settingText(setting: Term, value: string): string {
   return SETTINGS.get(name)?.textOf(value) ?? value;
 }
 
-function limitText(degrees: string): string {
-  return Number(degrees) === 0 ? words.behaviour.off : words.behaviour.degrees(Number(degrees));
-}
-
-function lengthText(scale: string): string {
-  const percent = Number((100 * Number(scale) - 100).toFixed(1));
-  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
-}
-
 /** In the present language. */
 export function textOf(term: Term): string {
   if (typeof term === 'string') return term;
@@ -78,7 +71,7 @@ export function writeName(name: ChangeName): object {
 
 /** The words, if there is no more or if it comes from a newer version. Throws a Failure that says what is wrong, and where. */
 export function readName(entry: Untrusted): ChangeName {
-  const name = entry.at('name').text(LONGEST);
+  const name = entry.at('name').name(LONGEST);
   const { value } = entry.at('change');
   return isKnown(value) ? value : name;
 }

@@ -11,6 +11,7 @@ import {
   type GuideFile,
   type HandleData,
   type HandleSeed,
+  LONGEST_FILE_NAME,
   LONGEST_PROJECT_NAME,
   type NetSource,
   type ViewState,
@@ -24,7 +25,7 @@ import type { Reader } from './versions';
 
 export const PROJECT_ENDING = '.chebnet.json';
 /** Larger files are not read. */
-export const LARGEST_PROJECT = 64e6;
+const LARGEST_PROJECT = 64e6;
 /** Bytes of nets and positions in a file; as base64 positions take a third more. */
 const LARGEST_STATES = 36e6;
 const MOST_STATES = 10_000;
@@ -74,6 +75,17 @@ export function writeProject(project: Project, largest: number): ProjectRecord {
 function versionOf(entries: readonly Entry[], nets: readonly NetSource[]): number {
   if (entries.some(({ state }) => doSlide(state.handles))) return VERSION_WITH_SLIDES;
   return nets.some((net) => 'mesh' in net) ? VERSION_WITH_ARRAYS : VERSION;
+}
+
+/** How many bytes the text of a file has at least, a line for each vertex and face and the positions: far too many are not
+ *  written out to be counted, which would block the page. */
+export function leastBytes({ entries, present }: Project): number {
+  const { net, positions } = entries[present]!.state;
+  const base64 = (4 / 3) * (positions?.byteLength ?? 0);
+  if (!('mesh' in net)) return base64;
+  const { positions: rest, faceVertices } = net.mesh;
+  const vertices = rest.length / 3;
+  return base64 + 'v 0 0 0\n'.length * vertices + faceVertices.length * (Math.log10(vertices) + 0.5);
 }
 
 /** The text of a file. */
@@ -221,7 +233,7 @@ function readGuide(guide: Untrusted): GuideFile {
   const ints = (each: Untrusted): Int32Array =>
     each.value instanceof Int32Array ? each.value : decode(each, (buffer) => new Int32Array(buffer));
   return {
-    name: guide.at('name').text(),
+    name: guide.at('name').name(LONGEST_FILE_NAME),
     mesh: {
       positions: readPositions(mesh.at('positions')),
       faceStart: ints(mesh.at('faceStart')),

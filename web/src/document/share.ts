@@ -22,6 +22,9 @@ export const LONG_LINK = 2_000;
 export const HUGE_LINK = 8_000;
 /** Longer links are not made: not every browser opens them. */
 export const LARGEST_LINK = 64_000;
+/** Positions of more vertices for each character of a link are not packed, to find out that they do not fit: that would block
+ *  the page. Those of smooth nets take some characters a vertex. */
+const MOST_VERTICES_A_CHARACTER = 4;
 /** A link read may inflate to so many bytes, no more. */
 const LARGEST_CONTENT = 8_000_000;
 /** Vertices of the largest net of a file that goes as text, exact to the last bit; those of more are packed. */
@@ -45,7 +48,8 @@ export function encodeScene(
   largest = LARGEST_LINK,
 ): Shared {
   const surface = document.guide && 'mesh' in document.guide ? { surface: false } : {};
-  for (const form of forms(document, net, threshold)) if (form.hash.length <= largest) return { ...form, ...surface };
+  for (const form of forms(document, net, threshold, largest))
+    if (form.hash.length <= largest) return { ...form, ...surface };
   return { hash: null };
 }
 
@@ -79,16 +83,23 @@ function* forms(
   document: ChebnetDocument,
   net: PackingNet,
   threshold: number,
+  largest: number,
 ): Generator<{ hash: string; positions: boolean }> {
   let shortest: CarriedNet | undefined;
-  for (const carried of carriedNets(document.net)) {
+  for (const carried of carriedNets(document.net, largest)) {
     shortest = carried;
-    yield { hash: withPositions(document, net, carried, threshold), positions: true };
+    if (isWorthPacking(document.positions, largest) || isAtRest(document, net))
+      yield { hash: withPositions(document, net, carried, threshold), positions: true };
   }
   if (shortest) yield { hash: withoutPositions(document, net, shortest), positions: false };
 }
 
-function* carriedNets(source: DocumentNet): Generator<CarriedNet> {
+function isWorthPacking(positions: Float64Array | null, largest: number): boolean {
+  return positions === null || positions.length <= 3 * MOST_VERTICES_A_CHARACTER * largest;
+}
+
+function* carriedNets(source: DocumentNet, largest: number): Generator<CarriedNet> {
+  if ('mesh' in source && !isWorthPacking(source.mesh.positions, largest)) return;
   if (!('mesh' in source) || source.mesh.positions.length <= 3 * MOST_AS_TEXT) yield plain(source);
   if (!('mesh' in source)) return;
   const { mesh, ...traits } = source;
@@ -104,10 +115,13 @@ function plain(net: DocumentNet): CarriedNet {
 
 function withPositions(document: ChebnetDocument, net: PackingNet, carried: CarriedNet, threshold: number): string {
   const { positions, settled } = document;
-  const isAtRest = positions === null || positions.every((x, i) => x === net.restPositions[i]);
-  if (isAtRest) return toHash(document, net, carried, settled, new Uint8Array());
+  if (positions === null || isAtRest(document, net)) return toHash(document, net, carried, settled, new Uint8Array());
   const opened = carried.mesh.length > 0 ? { ...net, restPositions: unpackMesh(carried.mesh).positions } : net;
   return toHash(document, net, carried, settled, packPositions(positions, opened, threshold));
+}
+
+function isAtRest({ positions }: ChebnetDocument, { restPositions }: PackingNet): boolean {
+  return positions === null || positions.every((x, i) => x === restPositions[i]);
 }
 
 function withoutPositions(document: ChebnetDocument, net: PackingNet, carried: CarriedNet): string {

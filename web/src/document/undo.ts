@@ -17,6 +17,8 @@ export interface Entry {
 export interface HistoryView {
   readonly names: readonly ChangeName[];
   readonly present: number;
+  /** How many entries before the first one were too much to keep. */
+  readonly forgotten: number;
   readonly canUndo: boolean;
   readonly canRedo: boolean;
   /** Counts up with whatever happens to it. */
@@ -35,6 +37,7 @@ export class UndoHistory implements HistoryView {
   /** The state of each entry; that of the present one is of the moment when it was last left. */
   #states: (Snapshot | null)[] = [null];
   #present = 0;
+  #forgotten = 0;
   #gesture: Snapshot | null = null;
   #lastKey: string | null = null;
   /** Those that could be gone forward to when a change was last recorded. */
@@ -54,6 +57,10 @@ export class UndoHistory implements HistoryView {
 
   get present(): number {
     return this.#present;
+  }
+
+  get forgotten(): number {
+    return this.#forgotten;
   }
 
   get canUndo(): boolean {
@@ -179,6 +186,7 @@ export class UndoHistory implements HistoryView {
     this.#states.splice(0, forgotten);
     this.#names.splice(0, forgotten);
     this.#present -= forgotten;
+    this.#forgotten += forgotten;
   }
 }
 

@@ -56,6 +56,11 @@ export class Untrusted {
     return this.value;
   }
 
+  /** The beginning of one that is too long: to a name that does no harm. */
+  name(longest: number): string {
+    return this.text().slice(0, longest);
+  }
+
   flag(): boolean {
     if (typeof this.value !== 'boolean') this.fail(words.fields.flag);
     return this.value;

@@ -75,6 +75,11 @@ export class Draping {
     this.#worker = this.#start();
   }
 
+  /** Whether the net that was last asked for, of one piece, is yet to come. */
+  get isLaying(): boolean {
+    return this.#asked?.type === 'drape' || this.#waits('drape');
+  }
+
   open(source: SurfaceSource): void {
     if (this.#isLost) this.#begin();
     this.#source = source;

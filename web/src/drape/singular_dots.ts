@@ -25,7 +25,7 @@ export interface SingularMarks {
   selected: number | null;
 }
 
-export const NO_MARKS: SingularMarks = { dots: [], discs: [], selected: null };
+const NO_MARKS: SingularMarks = { dots: [], discs: [], selected: null };
 
 const RADIUS = 9;
 const HALO = 13;

@@ -51,7 +51,8 @@ export type Answer =
   | { chebnet: 1; id: number | string; result: unknown }
   | { chebnet: 1; id: number | string; error: HostFailure };
 
-/** `code` as in core/base/error.h; besides, `unknown_call`, `bad_arguments`, `busy` and `no_origin`. */
+/** `code` as in core/base/error.h; besides, `unknown_call`, `bad_arguments`, `busy`, `cancelled` and `no_origin`. Of calls that
+ *  there are not, or are too many, only who writes the host hears: in English. The rest is in the visitor's language. */
 export interface HostFailure {
   code: string;
   message: string;

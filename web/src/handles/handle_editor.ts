@@ -26,8 +26,10 @@ import type { Choice, GizmoMode, HandleTraits, HandleCommands, LineName } from '
 /** The part of the app that it uses. */
 export interface HandleHost {
   opening(): Opening | null;
-  /** The state before a change; null: no net is open, or another one is about to be. */
-  snapshot(): Snapshot | null;
+  /** The state before a change. Fails where no net is open, or another one is about to be. */
+  before(): Snapshot;
+  /** Null then. */
+  beforeIfAny(): Snapshot | null;
   change(change: Partial<ChebnetDocument>): void;
   /** Likewise, in the middle of a drag; shown at once. */
   drag(handles: HandleData[]): void;
@@ -139,15 +141,15 @@ export class HandleEditor implements HandleCommands {
   /** Replaces the handles.
    *  @param name what the history calls it. */
   async set(handles: readonly HandleData[], name: ChangeName = ['handles']): Promise<void> {
-    const before = this.#host.snapshot();
-    if (before) this.#history.record(before, name);
+    const before = this.#host.before();
+    this.#history.record(before, name);
     this.#host.change({ handles: [...handles] });
     try {
       await this.#client.setHandles(targetsOf(handles));
     } catch (error) {
       // A solver that replaces a lost one takes them from the document.
       if (!this.#client.returning) {
-        if (before) this.#takeBack(before);
+        this.#takeBack(before);
         throw error;
       }
     }
@@ -326,8 +328,10 @@ export class HandleEditor implements HandleCommands {
 
   /** Changes one after another with the same `key` are undone together. */
   #changeDocument(change: Partial<ChebnetDocument>, name: ChangeName, key: string | null = null): void {
-    const before = this.#host.snapshot();
-    if (before) this.#history.record(before, name, key);
+    const before = this.#host.beforeIfAny();
+    // Controls show again what is.
+    if (before === null) return this.#host.choiceChanged();
+    this.#history.record(before, name, key);
     this.#host.change(change);
   }
 
@@ -350,9 +354,9 @@ export class HandleEditor implements HandleCommands {
 
   /** Moves handles, and their mirror images. Moves one after another with the same `key` are undone together. */
   async move(targets: readonly Handle[], key: string | null = null, inHand = false): Promise<void> {
-    const before = this.#host.snapshot();
+    const before = this.#host.before();
     const both = this.#onBothSides(targets);
-    if (before) this.#history.record(before, ['move', this.#titleOf(targets)], key);
+    this.#history.record(before, ['move', this.#titleOf(targets)], key);
     // The requests are sent now, in this order, so that a caller's next request comes after them.
     const limited = this.#guide.limit(verticesOf(both), this.#locality);
     const asked = Promise.all([limited, this.#client.drag(both, inHand), ...(inHand ? [this.#client.release()] : [])]);
@@ -360,7 +364,7 @@ export class HandleEditor implements HandleCommands {
     try {
       await asked;
     } catch (error) {
-      if (before) this.#takeBack(before);
+      this.#takeBack(before);
       throw error;
     }
   }
@@ -377,7 +381,7 @@ export class HandleEditor implements HandleCommands {
   }
 
   beginDrag(): void {
-    const before = this.#host.snapshot();
+    const before = this.#host.beforeIfAny();
     if (before === null) return;
     this.#dragName = null;
     this.#prepareInfluence();
@@ -388,7 +392,7 @@ export class HandleEditor implements HandleCommands {
   drag(targets: readonly Handle[], along: Along | null = null): void {
     const present = new Set(verticesOf(this.#handles));
     const held = targets.filter(({ vertex }) => present.has(vertex));
-    if (!this.#history.inGesture || held.length === 0) return;
+    if (!this.#history.inGesture || held.length === 0 || this.#host.beforeIfAny() === null) return;
     this.#pendingTargets = held;
     this.#guide.keepTo(along);
     this.#carry(held);

@@ -46,6 +46,7 @@ export const en = {
   opening: {
     underWay: 'Opening the net…',
     cancel: 'Cancel',
+    none: 'No net is open.',
   },
   toolbar: {
     actions: 'Actions',

@@ -38,6 +38,17 @@ export function count(value: number): string {
   return value.toLocaleString(words.locale);
 }
 
+/** How long edges are, in lengths as they were made. */
+export function lengthText(scale: number): string {
+  const percent = Number((100 * scale - 100).toFixed(1));
+  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
+}
+
+/** Of corners: no quad shears further. */
+export function limitText(degrees: number): string {
+  return degrees === 0 ? words.behaviour.off : words.behaviour.degrees(degrees);
+}
+
 /** Three digits, and no more decimals than a clock in a browser is good for. */
 export function milliseconds(value: number): string {
   return value < 99.95 ? value.toFixed(1) : value.toFixed(0);

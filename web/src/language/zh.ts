@@ -45,6 +45,7 @@ export const zh: Words = {
   opening: {
     underWay: '正在打开网…',
     cancel: '取消',
+    none: '没有打开的网。',
   },
   toolbar: {
     actions: '操作',

@@ -1,8 +1,7 @@
 /** Stores the document in the browser soon after each change, unless a drag or a solve is under way. */
 import type { App } from '../app/app';
-import type { ViewState } from '../document/document';
 import type { Project } from '../document/project';
-import { Measure } from '../document/undo';
+import { type HistoryView, Measure } from '../document/undo';
 import { projectFormat } from './format';
 import { hasName, keep, newId, release } from './kept';
 import { lazy } from '../lazy';
@@ -16,10 +15,10 @@ const LARGEST_HISTORY = 8e6;
 
 export class Autosave {
   #id = newId();
-  /** The revision of the history and the view that were stored last. */
+  /** The revision of the history that was stored last, and the view as text: it is made anew whenever it is asked for. */
   #revision = -1;
-  #view: ViewState | null = null;
-  /** The latest change that has been looked at: see #startAnother. */
+  #view: string | null = null;
+  /** The latest change that has been looked at, counted from the first there ever was: see #startAnother. */
   #since = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The write under way, or the last one. */
@@ -56,7 +55,7 @@ export class Autosave {
   begin(id: string, worth: boolean): void {
     if (id !== this.#id) release(this.#id);
     this.#id = id;
-    this.#since = this.#app.history.present;
+    this.#since = latest(this.#app.history);
     this.#revision = worth ? -1 : this.#app.history.revision;
     this.#view = null;
     this.#soon();
@@ -74,10 +73,11 @@ export class Autosave {
     const { revision } = this.#app.history;
     const project = this.#app.project();
     if (project === null) return;
-    const seenAnew = this.#view !== null && this.#view !== project.view;
+    const view = JSON.stringify(project.view);
+    const seenAnew = this.#view !== null && this.#view !== view;
     if (revision === this.#revision && !seenAnew) return this.#writing;
     this.#revision = this.#app.isQuiet ? revision : -1;
-    this.#view = project.view;
+    this.#view = view;
     this.#writing = this.#write(project);
     return this.#writing;
   }
@@ -102,10 +102,12 @@ export class Autosave {
 
   /** Another net is no further state of a project that has a name: that stays as it was. */
   async #startAnother(): Promise<void> {
-    const { names, present } = this.#app.history;
+    const { history } = this.#app;
     const id = this.#id;
-    const isAnother = names.slice(this.#since + 1, present + 1).some(([what]) => what === 'open' || what === 'link');
-    this.#since = present;
+    const first = Math.max(0, this.#since + 1 - history.forgotten);
+    const fresh = history.names.slice(first, history.present + 1);
+    const isAnother = fresh.some(([what]) => what === 'open' || what === 'link');
+    this.#since = latest(history);
     if (isAnother && (await hasName(id).catch(() => false)) && id === this.#id) this.begin(newId(), true);
   }
 
@@ -128,4 +130,9 @@ export class Autosave {
       else this.#soon();
     }, PAUSE_MS);
   }
+}
+
+/** The number of the present entry, whatever has been forgotten. */
+function latest({ forgotten, present }: HistoryView): number {
+  return forgotten + present;
 }

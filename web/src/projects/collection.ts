@@ -1,12 +1,12 @@
 /** The projects that the browser keeps, as a visitor sees them: named, pictured, dated; to be opened, copied and deleted. */
 import { del, get, getMany, set, setMany, update } from 'idb-keyval';
-import type { ProjectLine } from '../dialogs/projects_dialog';
+import type { ProjectLine } from '../dialogs/project_row';
 import { netTitle } from '../document/changes';
 import { type Term, textOf } from '../document/naming';
 import { paintThumbnail } from '../elements/thumbnail';
 import { Space } from '../view/space';
 import type { Opening } from '../worker/opening';
-import { freshId, INDEX, lockOf, NAMES, read, store } from './kept';
+import { freshId, heldLocks, INDEX, lockOf, lookKey, NAMES, read, store } from './kept';
 
 /** Pixels of a picture. */
 export const PICTURE = { width: 192, height: 144 };
@@ -21,8 +21,6 @@ interface Look {
   /** How opaque each pixel is: it is drawn in the colour of the page. */
   picture: Uint8Array;
 }
-
-const lookKey = (id: string): string => `look ${id}`;
 
 /** Newest first. */
 export async function listProjects(): Promise<ProjectLine[]> {
@@ -41,12 +39,6 @@ export async function listProjects(): Promise<ProjectLine[]> {
       isElsewhere: held.has(lockOf(id)),
     };
   });
-}
-
-/** Those of all tabs. */
-async function heldLocks(): Promise<ReadonlySet<string | undefined>> {
-  const { held = [] } = (await navigator.locks?.query()) ?? {};
-  return new Set(held.map(({ name }) => name));
 }
 
 /** How a project looks now. */

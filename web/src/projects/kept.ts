@@ -1,5 +1,5 @@
-/** Projects kept in this browser: the newest few, and those with a name. Each tab has one of its own, and every write is whole.
- *  What is listed of them, and what can be done with them: collection.ts. */
+/** Projects kept in this browser: the newest few, those with a name, and those that are open. Each tab has one of its own, and
+ *  every write is whole. What is listed of them, and what can be done with them: collection.ts. */
 import { createStore, delMany, get, promisifyRequest, update } from 'idb-keyval';
 
 /** A stored project. Not validated here: it may be of another version of the page; readProject() checks it. */
@@ -8,7 +8,7 @@ export interface KeptProject {
   project: unknown;
 }
 
-/** Without a name. */
+/** Without a name, and open nowhere. */
 const MOST = 6;
 /** Holds the ids, newest first. */
 export const INDEX = 'index';
@@ -18,6 +18,11 @@ export const NAMES = 'names';
 const TAB = 'chebnet.tab';
 /** Likewise the link in the address then. */
 const LINK = 'chebnet.link';
+
+/** Under which there is what is listed of a project. */
+export function lookKey(id: string): string {
+  return `look ${id}`;
+}
 
 export const store = createStore('chebnet', 'projects');
 
@@ -33,7 +38,7 @@ export function newId(): string {
 }
 
 /** The locks of this tab, and what ends them. */
-const held = new Map<string, () => void>();
+const locked = new Map<string, () => void>();
 
 export function lockOf(id: string): string {
   return `chebnet.${id}`;
@@ -43,19 +48,25 @@ export function lockOf(id: string): string {
  *  this is a duplicate. */
 export function claim(id: string): Promise<boolean> {
   const { locks } = navigator;
-  if (locks === undefined || held.has(id)) return Promise.resolve(true);
+  if (locks === undefined || locked.has(id)) return Promise.resolve(true);
   return new Promise((resolve) => {
     const take = (lock: Lock | null): Promise<never> | null => {
       resolve(lock !== null);
-      return lock && new Promise((done) => held.set(id, () => done(undefined as never)));
+      return lock && new Promise((done) => locked.set(id, () => done(undefined as never)));
     };
     locks.request(lockOf(id), { ifAvailable: true }, take).catch(() => resolve(true));
   });
 }
 
 export function release(id: string): void {
-  held.get(id)?.();
-  held.delete(id);
+  locked.get(id)?.();
+  locked.delete(id);
+}
+
+/** Those of all tabs. */
+export async function heldLocks(): Promise<ReadonlySet<string | undefined>> {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  return new Set(held.map(({ name }) => name));
 }
 
 /** This tab's project from before the reload, else the newest; undefined: there is none. */
@@ -89,14 +100,15 @@ export async function keep(id: string, project: unknown): Promise<void> {
   let forgotten: string[] = [];
   const note = (ids: string[] = []): string[] => {
     const all = [id, ...ids.filter((other) => other !== id)];
-    forgotten = all.filter((each) => !Object.hasOwn(names, each)).slice(MOST);
+    forgotten = all.filter((each) => !Object.hasOwn(names, each) && !held.has(lockOf(each))).slice(MOST);
     return all.filter((each) => !forgotten.includes(each));
   };
   // Firefox refuses the first write after one for which there was no room.
   await write(id, project).catch(() => write(id, project));
   const names = (await get<Record<string, string>>(NAMES, store)) ?? {};
+  const held = await heldLocks();
   await update(INDEX, note, store);
-  await delMany(forgotten, store);
+  await delMany([...forgotten, ...forgotten.map(lookKey)], store);
   sessionStorage.setItem(TAB, id);
   // Of long ones the end, in which they differ.
   sessionStorage.setItem(LINK, location.hash.slice(-999));

@@ -4,11 +4,20 @@ import type { Scene } from '../document/document';
 import { decodeScene, encodeScene } from '../document/share';
 import type { Shared } from '../document/share';
 import { experimentScene, experimentTitle, isExperimentLink } from '../experiments/links';
+import { Failure } from '../failure';
+import { panelWords } from '../language/panels';
 
 /** The present scene as the hash of a link of at most so many characters. */
 export function hashOf(app: App, largest?: number): Shared {
   const present = app.toShare();
   return present === null ? { hash: null } : encodeScene(present.document, present.net, present.threshold, largest);
+}
+
+/** The address of the present scene. Throws a Failure if the scene is too large for one. */
+export function linkTo(app: App): string {
+  const { hash } = hashOf(app);
+  if (hash === null) throw new Failure('too_large', panelWords.link.tooLarge);
+  return new URL(hash, location.href).href;
 }
 
 /** The scene of a hash. Throws a Failure. */

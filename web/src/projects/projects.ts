@@ -8,7 +8,7 @@ import { lazy } from '../lazy';
 import { isCancelled } from '../worker/client';
 import { Autosave } from './autosave';
 import { projectFormat } from './format';
-import { claim, findLast, findNewest, isMadeOfLink, isOwn, newId, read } from './kept';
+import { claim, findLast, findNewest, isMadeOfLink, isOwn, newId, read, release } from './kept';
 import type { KeptProject } from './kept';
 import { linking } from './linking';
 import { clearCrashFlag, hasCrashFlag, setCrashFlag } from './crash_flag';
@@ -24,6 +24,8 @@ export class Projects {
   /** Looked up while the solver loads. */
   readonly #last: Promise<KeptProject | undefined>;
   #saidNotKept = false;
+  /** The revision of the history that is in a file, or in the link in the address. */
+  #savedRevision = -1;
   /** The revision of the history at which the worker was lost; null: it was not, or not by this document. */
   #lostAt: number | null = null;
 
@@ -130,34 +132,50 @@ export class Projects {
     const kept = await read(id);
     if (kept === undefined) return;
     const isFree = await claim(id);
-    const { readProject } = await projectFormat();
-    await this.#openFlagged(id, () => this.#app.openProject(readProject(kept.project)));
+    await this.#openProject(kept, isFree);
     await this.#keepAs(isFree ? id : newId());
     const { opened, copyOpened } = await wording();
     this.#app.say(isFree ? opened : copyOpened);
   }
 
-  /** Reloads the page with the edited net rather than with the link it came from; where the browser stores nothing, a new
-   *  link carries the net over. */
+  /** Reloads the page with the edited net rather than with the link it came from. Where the browser stores nothing, a new link
+   *  carries the net over; one too large for that is to be saved first. */
   async reload(): Promise<void> {
     await this.#autosave.save();
-    if (this.#autosave.refused)
-      history.replaceState(null, '', (await linking()).hashOf(this.#app).hash ?? location.hash);
-    else if (isOwn(this.#autosave.id)) return location.replace(location.pathname + location.search);
+    const { refused, id } = this.#autosave;
+    if (!refused && isOwn(id)) return location.replace(location.pathname + location.search);
+    if (refused && !(await this.#putIntoAddress()) && this.#isUnsaved) return this.#offerToSave();
     location.reload();
+  }
+
+  /** The browser stores nothing of it, and no file has it. */
+  get #isUnsaved(): boolean {
+    return this.#autosave.refused && this.#app.history.revision !== this.#savedRevision;
+  }
+
+  /** False: it is too large. */
+  async #putIntoAddress(): Promise<boolean> {
+    const { hash } = (await linking()).hashOf(this.#app);
+    if (hash === null) return false;
+    history.replaceState(null, '', hash);
+    this.#savedRevision = this.#app.history.revision;
+    return true;
   }
 
   /** Fails if it is too large. */
   async save(): Promise<void> {
-    const { PROJECT_ENDING, checkSize, projectText } = await projectFormat();
+    const { PROJECT_ENDING, checkSize, leastBytes, projectText } = await projectFormat();
     const project = this.#app.project();
+    const { revision } = this.#app.history;
     if (project === null) return;
     const { net } = project.entries[project.present]!.state;
     const title = await this.#title();
     const name = (asFileName(title) || baseNameOf(net, this.#app.formats)) + PROJECT_ENDING;
+    checkSize(name, leastBytes(project));
     const text = projectText({ ...project, title });
     checkSize(name, text.length);
     download(name, text, 'application/json');
+    this.#savedRevision = revision;
   }
 
   /** Where the browser keeps nothing, nothing has a name. */
@@ -218,9 +236,19 @@ export class Projects {
   async #restore({ id, project }: KeptProject): Promise<void> {
     const isFirst = this.#app.opening === null;
     const goesOn = isFirst && isOwn(id) && (await claim(id));
-    const { readProject } = await projectFormat();
-    await this.#openFlagged(id, () => this.#app.openProject(readProject(project)));
+    await this.#openProject({ id, project }, goesOn);
     this.#autosave.begin(goesOn ? id : newId(), !isFirst);
+  }
+
+  /** One that is `claimed` for this tab is not any more if that fails. */
+  async #openProject({ id, project }: KeptProject, claimed: boolean): Promise<void> {
+    try {
+      const { readProject } = await projectFormat();
+      await this.#openFlagged(id, () => this.#app.openProject(readProject(project)));
+    } catch (error) {
+      if (claimed) release(id);
+      throw error;
+    }
   }
 
   // ---------------------------------------------------------------------------------------------------------------- failures
@@ -250,12 +278,20 @@ export class Projects {
   }
 
   #sayNotKept(): void {
-    const save = (): void => void this.save().catch((error: unknown) => this.#app.report(error));
+    // The same listener each time.
+    addEventListener('beforeunload', this.#warn);
     if (this.#saidNotKept) return;
     this.#saidNotKept = true;
-    void wording().then(
-      ({ notKept }) => this.#app.offer(notKept, words.projects.menu.save.title, save),
-      () => (this.#saidNotKept = false),
-    );
+    this.#offerToSave().catch(() => (this.#saidNotKept = false));
   }
+
+  async #offerToSave(): Promise<void> {
+    const save = (): void => void this.save().catch((error: unknown) => this.#app.report(error));
+    this.#app.offer((await wording()).notKept, words.projects.menu.save.title, save);
+  }
+
+  /** Has the browser ask whether to leave. */
+  readonly #warn = (event: Event): void => {
+    if (this.#isUnsaved) event.preventDefault();
+  };
 }

@@ -55,9 +55,11 @@ function linkOf(hash: string, query = ''): string {
   return new URL(`${location.pathname}${query}${hash}`, location.href).href;
 }
 
-/** Resolves with a message about the result. */
-async function copyLink({ link, advice }: ShareLink): Promise<string> {
+/** Resolves with a message about the result. Unless it was asked for, a refusal leaves the address alone: a browser wants a click
+ *  just before, and making the link may take longer. */
+async function copyLink({ link, advice }: ShareLink, isAsked: boolean): Promise<string> {
   if (await copyText(link)) return panelWords.link.copied(advice);
+  if (!isAsked) return panelWords.link.made(advice);
   history.replaceState(null, '', link);
   return panelWords.link.inAddressBar(advice);
 }

@@ -5,6 +5,7 @@ import type { ChebnetDocument, HandleData, SolverOptions } from '../document/doc
 import type { ChangeName } from '../document/naming';
 import { make, makeSection, makeSelect, setText, setValue } from '../elements/dom';
 import { words } from '../language/language';
+import { lengthText, limitText } from '../language/numbers';
 import { lazy } from '../lazy';
 import type { Tables } from '../net/tables';
 import type { Panel, PanelEvents } from '../panels';
@@ -39,16 +40,13 @@ function lightest(vertices: number): number {
   return 1.5 * Math.max(vertices, 4) ** -1.5;
 }
 
-function limitText(step: number): string {
-  return step === 0 ? words.behaviour.off : words.behaviour.degrees(DEGREES * step);
+/** Of edges, at a step of their slider. */
+function scaleOf(step: number): number {
+  return (100 + step - MOST_GROWTH) / 100;
 }
 
 function weightText(step: number): string {
   return step === 0 ? words.behaviour.off : words.behaviour.times(step);
-}
-
-function lengthText(percent: number): string {
-  return percent === 0 ? words.behaviour.asMade : words.behaviour.growth(percent);
 }
 
 /** Whether the net can hang by a handle: not by one that slides up and down. */
@@ -60,15 +58,18 @@ export class BehaviourPanel implements Panel {
   readonly element: HTMLElement;
   readonly #choice: ReturnType<typeof makeSelect>;
   readonly #about = make('p', { class: 'quiet' });
-  readonly #limit = makeSlider(words.behaviour.limit, 60 / DEGREES, limitText, (step) =>
-    this.#set(METHOD_AT_REST, { shear_limit: DEGREES * step }),
+  readonly #limit = makeSlider(
+    words.behaviour.limit,
+    60 / DEGREES,
+    (step) => limitText(DEGREES * step),
+    (step) => this.#set(METHOD_AT_REST, { shear_limit: DEGREES * step }),
   );
   readonly #weight = makeSlider(words.behaviour.weight, HEAVIEST, weightText, (step) => this.#chooseWeight(step));
   readonly #length = makeSlider(
     words.behaviour.length,
     2 * MOST_GROWTH,
-    (step) => lengthText(step - MOST_GROWTH),
-    (step) => this.#set(this.#document!.method, { length_scale: (100 + step - MOST_GROWTH) / 100 }),
+    (step) => lengthText(scaleOf(step)),
+    (step) => this.#set(this.#document!.method, { length_scale: scaleOf(step) }),
   );
   readonly #unheld = make('p', { class: 'quiet', role: 'status' });
   readonly #guidePlace = make('div', { hidden: true });
@@ -122,7 +123,7 @@ export class BehaviourPanel implements Panel {
     for (const { row } of [this.#limit, this.#weight]) row.hidden = !isMaterial;
     this.#limit.set(Math.round(Number(this.#option('shear_limit')) / DEGREES));
     this.#weight.set(this.#weightStep());
-    this.#setLength(100 * (Number(this.#option('length_scale') ?? 1) - 1));
+    this.#setLength(Number(this.#option('length_scale') ?? 1));
     const falls = isMaterial && this.#weightStep() > 0 && !document.handles.some(carries);
     setText(this.#unheld, falls ? words.behaviour.unheld : '');
     this.#guidePlace.hidden = document.guide === undefined;
@@ -170,9 +171,9 @@ export class BehaviourPanel implements Panel {
   }
 
   /** "Let edges grow" finds what lies between the steps, or beyond them. */
-  #setLength(percent: number): void {
-    const step = Math.min(Math.max(Math.round(percent), -MOST_GROWTH), MOST_GROWTH) + MOST_GROWTH;
-    this.#length.set(step, lengthText(Number(percent.toFixed(1))));
+  #setLength(scale: number): void {
+    const step = Math.min(Math.max(Math.round(100 * (scale - 1)), -MOST_GROWTH), MOST_GROWTH) + MOST_GROWTH;
+    this.#length.set(step, lengthText(scale));
   }
 
   #weightStep(): number {

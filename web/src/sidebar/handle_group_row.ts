@@ -4,6 +4,7 @@ import { make, makeButton, makeIcon, setText } from '../elements/dom';
 import { ICONS } from '../elements/icons';
 import type { HandleTraits } from '../handles/commands';
 import { panelWords } from '../language/panels';
+import { makeRowTitle } from './row_title';
 import { Toggle } from './toggle';
 
 export interface GroupEvents {
@@ -31,18 +32,9 @@ export class HandleGroupRow {
   #shown = '';
 
   constructor(events: GroupEvents) {
-    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, {
-      class: 'plain name',
-      title: panelWords.handles.renameHint,
-    });
-    this.#select.append(this.#title);
-    this.#select.addEventListener('click', ({ detail, shiftKey, ctrlKey, metaKey }) => {
-      // The second click of two belongs to renaming.
-      if (detail < 2) events.select(this.#vertices, shiftKey || ctrlKey || metaKey);
-    });
-    this.#select.addEventListener('dblclick', () => this.#rename());
-    this.#select.addEventListener('keydown', ({ key }) => {
-      if (key === 'F2') this.#rename();
+    this.#select = makeRowTitle(this.#title, {
+      select: (adds) => events.select(this.#vertices, adds),
+      rename: () => this.#rename(),
     });
     this.#name.addEventListener('change', () =>
       events.change(this.#vertices, { name: this.#name.value.trim() || undefined }),

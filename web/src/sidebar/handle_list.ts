@@ -6,6 +6,7 @@ import type { Choice } from '../handles/commands';
 import { panelWords } from '../language/panels';
 import type { Tables } from '../net/tables';
 import { make, makeButton, makeSection, setSummary, setText } from '../elements/dom';
+import { setChildren } from '../elements/children';
 import { NumberField } from '../elements/number_field';
 import type { OpenedNet } from '../worker/protocol';
 import { HandleGroupRow } from './handle_group_row';
@@ -160,8 +161,16 @@ export class HandleList implements Panel {
   }
 
   #rebuild(listed: readonly Group[]): void {
+    const before = [...this.#rows.values()];
+    const focused = before.findIndex(({ element }) => element.contains(document.activeElement));
     this.#rows = new Map(listed.map((group) => [keyOf(group), this.#rows.get(keyOf(group)) ?? this.#makeRow(group)]));
-    this.#list.replaceChildren(...[...this.#rows.values()].map(({ element }) => element));
+    const rows = [...this.#rows.values()];
+    setChildren(
+      this.#list,
+      rows.map(({ element }) => element),
+    );
+    // Of a row that has gone, by its own cross, the next one takes the focus.
+    if (focused >= 0 && !rows.includes(before[focused]!)) (rows[focused] ?? rows.at(-1))?.focus();
   }
 
   #makeRow([first, ...more]: Group): Row {

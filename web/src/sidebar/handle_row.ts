@@ -3,7 +3,6 @@ import { type HandleData, LONGEST_NAME, type Vec3 } from '../document/document';
 import { AXES } from '../handles/transform';
 import type { HandleTraits } from '../handles/commands';
 import { panelWords } from '../language/panels';
-import type { KeyRow } from '../elements/keys';
 import { make, makeButton, makeIcon, setText, setValue } from '../elements/dom';
 import { makeNumberInput } from '../elements/number_input';
 import { ICONS } from '../elements/icons';
@@ -11,6 +10,7 @@ import { Sliding, type Slipway } from './sliding';
 import { Softness } from './softness';
 import { Toggle } from './toggle';
 import { coordinate } from '../language/numbers';
+import { makeRowTitle } from './row_title';
 
 export interface RowEvents {
   /** `adds`: beside what is selected already. */
@@ -19,8 +19,6 @@ export interface RowEvents {
   place(target: Vec3): void;
   remove(): void;
 }
-
-export const ROW_KEYS: readonly KeyRow[] = [{ keys: ['F2'], does: 'rename' }];
 
 export class HandleRow {
   readonly element: HTMLLIElement;
@@ -39,16 +37,7 @@ export class HandleRow {
 
   constructor(vertex: number, events: RowEvents) {
     this.#events = events;
-    this.#select = makeButton(make('i', { class: 'mark' }), () => {}, {
-      class: 'plain name',
-      title: panelWords.handles.renameHint,
-    });
-    this.#select.append(this.#title);
-    this.#select.addEventListener('click', (event) => this.#clicked(event));
-    this.#select.addEventListener('dblclick', () => this.#rename());
-    this.#select.addEventListener('keydown', (event) => {
-      if (event.key === 'F2') this.#rename();
-    });
+    this.#select = makeRowTitle(this.#title, { select: events.select, rename: () => this.#rename() });
     this.#eye = new Toggle(ICONS.eye, ICONS.eyeOff, [panelWords.handles.hide, panelWords.handles.show], (hidden) =>
       events.change({ hidden: hidden || undefined }),
     );
@@ -118,11 +107,6 @@ export class HandleRow {
 
   focus(): void {
     this.#select.focus();
-  }
-
-  #clicked(event: MouseEvent): void {
-    // The second click of two belongs to renaming.
-    if (event.detail < 2) this.#events.select(event.shiftKey || event.ctrlKey || event.metaKey);
   }
 
   #rename(): void {

@@ -2,7 +2,7 @@
 import type { KeyTable } from '../dialogs/key_sheet';
 import { AXIS_KEYS } from '../view/axis_drag';
 import { PEN_KEYS, SELECTION_KEYS, VIEW_KEYS } from '../view/gesture_keys';
-import { ROW_KEYS } from './handle_row';
+import { ROW_KEYS } from './row_title';
 import { SNAP_KEYS } from './snap_controls';
 
 export const LATE_TABLES: readonly KeyTable[] = [

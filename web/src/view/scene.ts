@@ -39,9 +39,10 @@ const COVERED = 0.6;
 /** Of the camera, in parts of its distance: about a pixel. */
 const SEEN_MOVE = 0.002;
 
-export function createView(container: HTMLElement, events: ViewEvents): View {
+/** @param reload loads the page again without a loss; without it that is not offered. */
+export function createView(container: HTMLElement, events: ViewEvents, reload?: () => void): View {
   const graphics = probeGraphics();
-  return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics);
+  return graphics === 'none' ? createBlankView(container) : new SceneView(container, events, graphics, reload);
 }
 
 class SceneView implements View {
@@ -116,11 +117,13 @@ class SceneView implements View {
   readonly #container: HTMLElement;
   readonly #events: ViewEvents;
   readonly #graphics: 'card' | 'software';
+  readonly #reload: (() => void) | undefined;
 
-  constructor(container: HTMLElement, events: ViewEvents, graphics: 'card' | 'software') {
+  constructor(container: HTMLElement, events: ViewEvents, graphics: 'card' | 'software', reload?: () => void) {
     this.#container = container;
     this.#events = events;
     this.#graphics = graphics;
+    this.#reload = reload;
     this.#renderer = new WebGLRenderer({ antialias: graphics === 'card', alpha: true });
     // What a driver says of shaders takes a while to come, and they are the same everywhere.
     this.#renderer.debug.checkShaderErrors = false;
@@ -515,9 +518,10 @@ class SceneView implements View {
     this.#requestDraw();
   }
 
-  /** Browsers restore a lost context, but not always. A reload keeps the document. */
+  /** Browsers restore a lost context, but not always. */
   #lost(): void {
-    this.#notice.show(words.view.pictureLost, { label: words.offline.reload, run: () => location.reload() });
+    const run = this.#reload;
+    this.#notice.show(words.view.pictureLost, run && { label: words.offline.reload, run });
   }
 
   #restored(): void {

@@ -505,6 +505,7 @@ export const panels = {
   },
   link: {
     copied: (advice: string) => `The link is copied. ${advice}`.trim(),
+    made: (advice: string) => `The link is made; the button below copies it. ${advice}`.trim(),
     inAddressBar: (advice: string) =>
       `The clipboard is closed to this page; the link is in the address bar. ${advice}`.trim(),
     tooLarge: 'This net is too large for a link. Save it as a file instead.',

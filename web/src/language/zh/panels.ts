@@ -684,6 +684,7 @@ export const panels: Widened<typeof en> = {
   },
   link: {
     copied: (advice) => `链接已复制。${advice}`,
+    made: (advice) => `链接已生成，可用下面的按钮复制。${advice}`,
     inAddressBar: (advice) => `此页面无法使用剪贴板，链接已放入地址栏。${advice}`,
     tooLarge: '这张网太大，无法放入链接。请保存为文件。',
     withoutShape: (size) => `当前形状太大，未放入链接，打开时将重新求解。链接有 ${size} 个字符。`,
