@@ -406,6 +406,29 @@ describe('on a vault', () => {
     expect((await script.stats()).status).toBe('converged');
   });
 
+  test('no menu opens in a drag, and one whose release the page was not told of ends with the next move', async () => {
+    const { mouse } = visit.page;
+    const menus = await visit.page.evaluateHandle(() => {
+      const prevented: boolean[] = [];
+      addEventListener('contextmenu', (event) => prevented.push(event.defaultPrevented));
+      addEventListener('pointerup', (event) => event.stopImmediatePropagation(), { capture: true, once: true });
+      return prevented;
+    });
+    const pressRight = async () => {
+      await mouse.down({ button: 'right' });
+      await mouse.up({ button: 'right' });
+    };
+    await dragBy(script, dragged, [-70, -50], { atEnd: pressRight });
+    expect(await menus.jsonValue()).toEqual([true]);
+    const cursor = () => visit.page.locator('#view canvas').evaluate((canvas) => canvas.style.cursor);
+    expect(await cursor()).toBe('grabbing');
+    const { x, y } = await script.screenPosition(dragged);
+    await mouse.move(x - 40, y);
+    expect(await cursor()).not.toBe('grabbing');
+    await script.settled();
+    expect(Math.abs((await script.screenPosition(dragged)).x - x)).toBeLessThan(20);
+  });
+
   test('undo takes back a whole drag, redo repeats it', async () => {
     const before = await script.positions();
     await dragBy(script, dragged, [-70, -50]);

@@ -115,6 +115,8 @@ export class Gestures {
     above.addEventListener('pointercancel', (event) => this.#lost(event), { signal, capture: true });
     // If text of the page is selected, browsers would drag that text instead of the handle.
     above.addEventListener('dragstart', (event) => event.preventDefault(), { signal });
+    // A menu, as Ctrl and a click open it on a Mac, would take the release of the pointer.
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
     canvas.addEventListener('pointerleave', () => this.#leave(), { signal });
     canvas.addEventListener('keydown', (event) => this.#key(event), { signal });
     canvas.addEventListener('keyup', (event) => this.#keyUp(event), { signal });
@@ -174,6 +176,8 @@ export class Gestures {
       if (isUnderWay(press)) event.stopPropagation();
       return;
     }
+    // It was released where the page was not told of it.
+    if (event.buttons === 0) return this.#up(event);
     const at = (press.last = this.#place(event));
     press.gone = Math.max(press.gone, Math.hypot(at.x - press.at.x, at.y - press.at.y));
     if (!press.moved && press.gone > STILL[kind(event)]) this.#begin(press);
