@@ -11,10 +11,12 @@ class FakeWorker implements WorkerLike {
   onerror: WorkerLike['onerror'] = null;
   onmessageerror: WorkerLike['onmessageerror'] = null;
   sent: Request[] = [];
+  seen = 0;
   terminated = false;
 
   postMessage(request: Request): void {
-    if (request.type !== 'seen') this.sent.push(request);
+    if (request.type === 'seen') ++this.seen;
+    else this.sent.push(request);
   }
 
   terminate(): void {
@@ -63,6 +65,8 @@ let news: [number, boolean][];
 let restarts: [string, boolean][];
 let document: Scene | null;
 let givenUp: string[];
+/** What the page does at news, beside taking them down. */
+let atNews: () => void;
 let client: Client;
 
 const worker = (): FakeWorker => workers.at(-1) ?? expect.fail('no worker');
@@ -74,11 +78,15 @@ beforeEach(() => {
   restarts = [];
   document = null;
   givenUp = [];
+  atNews = () => {};
   client = new Client(
     () => workers[workers.push(new FakeWorker()) - 1]!,
     {
       document: () => document,
-      frame: ({ positions }, settled) => news.push([positions[0] ?? NaN, settled]),
+      frame: ({ positions }, settled) => {
+        news.push([positions[0] ?? NaN, settled]);
+        atNews();
+      },
       restarted: (why, isBack) => restarts.push([why.message, isBack]),
       gaveUp: ({ code }) => givenUp.push(code),
     },
@@ -208,6 +216,20 @@ describe('news', () => {
     void client.idle().then(() => (idle = true));
     await tick();
     expect([client.busy, idle]).toEqual([true, true]);
+  });
+
+  test('at which the page fails is seen all the same, and idle is waited for no longer', async () => {
+    let idle = false;
+    void client.solve();
+    const { id } = await worker().do();
+    void client.idle().then(() => (idle = true));
+    const { seen } = worker();
+    atNews = () => {
+      throw new Error('in the page');
+    };
+    expect(() => worker().say({ id, type: 'settled', frame: frame(1) })).toThrow('in the page');
+    await tick();
+    expect([worker().seen, idle]).toEqual([seen + 1, true]);
   });
 
   test('is waited for by idle', async () => {

@@ -548,10 +548,13 @@ class SceneView implements View {
   }
 
   #draw(): void {
-    // What a move of the hand asks to be drawn, this draws.
-    this.#report.flush();
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    try {
+      this.#report.flush();
+    } finally {
+      // What a move of the hand asks to be drawn, this draws; where that fails, the next picture is asked for anew.
+      cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
+    }
     this.#rig.update();
     if (!this.#netData) return;
     this.#prepare(this.#netData);

@@ -290,16 +290,20 @@ export class Client {
     if (response.type === 'error' && response.code === CRASHED)
       return this.#lose(words.core.failure(CRASHED, response.message));
     this.#proven = true;
-    if (response.type === 'frame' || response.type === 'settled') this.#news(response);
-    else if (response.type === 'adapting') this.#adapting(response.scale);
-    else this.#answered(response);
-    this.#rest();
+    // Whatever goes wrong in the page that is told of it.
+    try {
+      if (response.type === 'frame' || response.type === 'settled') this.#news(response);
+      else if (response.type === 'adapting') this.#adapting(response.scale);
+      else this.#answered(response);
+    } finally {
+      this.#rest();
+    }
   }
 
   #news({ id, type, frame }: Answered<'frame' | 'settled'>): void {
     if (type === 'settled') this.#settled = Math.max(this.#settled, id);
-    if (id >= this.#barrier) this.#host.frame(frame, !this.solving);
     this.#post({ id: ++this.#lastId, type: 'seen' });
+    if (id >= this.#barrier) this.#host.frame(frame, !this.solving);
   }
 
   #answered(response: Response): void {
