@@ -7,7 +7,7 @@ import type { ChebnetError } from '../../wasm/chebnet';
 import { load } from '../wasm/load';
 import { distance, dragBy, largestDeviation, largestError } from './geometry';
 import type { Script, Visit } from './page';
-import { MOVING, OUTPUT, README_PICTURE, drawn, visits } from './page';
+import { MOVING, OUTPUT, README_PICTURE, allSections, drawn, visits } from './page';
 
 declare global {
   interface Window {
@@ -23,7 +23,7 @@ const { edges, restPositions, suggestedHandles } = reference;
 const { meanLength } = reference.info;
 const dragged = suggestedHandles.at(-1)!;
 
-const { arrive, share } = visits();
+const { address, arrive, open, share } = visits();
 let visit: Visit;
 let script: Script;
 beforeEach(async () => {
@@ -80,6 +80,18 @@ test('every shape has its picture, and a relaxed one can be dragged', async () =
   await dragBy(script, handles.at(-1)!.vertex, [40, -30]);
   await script.settled();
   expect((await script.stats()).maxDeviation).toBeLessThan(1e-6);
+});
+
+test('sections that could not be loaded come with the next net', async () => {
+  const { page, script: own, complaints } = await open('licences.txt');
+  let isCutOff = true;
+  await page.route(/late_sections-[^/]*\.js$/, (route) => (isCutOff ? route.abort('aborted') : route.continue()));
+  await page.goto(address());
+  await page.getByText('This part of the page could not be loaded').waitFor();
+  complaints.length = 0;
+  isCutOff = false;
+  await own.open({ recipe: SHAPE });
+  await allSections(page);
 });
 
 test('the first net can be looked at', async () => {

@@ -122,8 +122,7 @@ class Sidebar implements Panels {
 
   setNet(net: OpenedNet): void {
     this.#panels.tell('setNet', net);
-    if (!this.#lateAreWanted) setTimeout(() => this.#addLateSections().catch(this.#services.failed), LATE_MS);
-    this.#lateAreWanted = true;
+    this.#wantLateSections();
   }
 
   setOpening(isUnderWay: boolean, canCancel: boolean): void {
@@ -164,6 +163,18 @@ class Sidebar implements Panels {
     this.#timer = 0;
     const { frame, framesPerSecond, solving } = this.#pending!;
     this.#panels.tell('setFrame', frame, framesPerSecond, solving);
+  }
+
+  /** Those that could not be loaded are wanted again with the next net, or when there is a network. */
+  #wantLateSections(): void {
+    if (this.#lateAreWanted) return;
+    this.#lateAreWanted = true;
+    const failed = (error: unknown): void => {
+      this.#lateAreWanted = false;
+      addEventListener('online', () => this.#wantLateSections(), { once: true });
+      this.#services.failed(error);
+    };
+    setTimeout(() => this.#addLateSections().catch(failed), LATE_MS);
   }
 
   async #addLateSections(): Promise<void> {
