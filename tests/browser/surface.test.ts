@@ -406,6 +406,29 @@ test.each([
   }
 });
 
+test('its picture has the pixels of the screen it comes to, and keeps nothing of the graphics card once it is closed', async () => {
+  await visit.page.getByRole('button', { name: 'On a surface…' }).click();
+  await measured();
+  const pictures = [visit.page.locator('#view canvas'), draper().locator('.picture canvas')];
+  const widths = () => Promise.all(pictures.map((each) => each.evaluate(({ width }: HTMLCanvasElement) => width)));
+  const before = await widths();
+  const session = await visit.page.context().newCDPSession(visit.page);
+  const screen = { width: 0, height: 0, deviceScaleFactor: 0.25, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', screen);
+  await expect.poll(widths).toEqual(before.map((width) => Math.floor(width / 2)));
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  await session.detach();
+
+  const contexts = await Promise.all(
+    pictures.map((each) => each.evaluateHandle((canvas: HTMLCanvasElement) => canvas.getContext('webgl2')!)),
+  );
+  const areLost = () => Promise.all(contexts.map((each) => each.evaluate((context) => context.isContextLost())));
+  expect(await areLost()).toEqual([false, false]);
+  await press('Cancel');
+  await draper().waitFor({ state: 'detached' });
+  expect(await areLost()).toEqual([false, true]);
+});
+
 test('the surface may be in a file', async () => {
   await visit.page.getByRole('button', { name: 'On a surface…' }).click();
   const chooser = visit.page.waitForEvent('filechooser');
