@@ -1070,6 +1070,27 @@ test('a surface beside the net says how far the net is, in edges and units, and 
   await visit.page.getByRole('checkbox', { name: 'Snap to the surface' }).waitFor({ state: 'hidden' });
 });
 
+test('where its surface does not come, dragging is not said to snap to it', async () => {
+  const { page } = visit;
+  await page.evaluate(() => window.chebnet.drape({ own: 'shell' }, { cells: 200 }));
+  await page.getByRole('group', { name: 'Surface: shell' }).waitFor();
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (this: Worker, request: { type: string; id: number }) {
+      if (request.type !== 'guide') return postMessage.call(this, request);
+      const data = { id: request.id, type: 'error', code: 'internal', message: 'not today' };
+      queueMicrotask(() => this.onmessage?.(new MessageEvent('message', { data })));
+      Worker.prototype.postMessage = postMessage;
+    };
+  });
+  await page.locator('summary', { hasText: 'Dragging' }).click();
+  const snap = page.getByRole('checkbox', { name: 'Snap to the surface' });
+  await snap.click();
+  await page.getByRole('alert').getByText('not today').waitFor();
+  expect(await snap.isChecked()).toBe(false);
+  await snap.check();
+});
+
 test('a script describes a surface, lays a net on it or over it, and reads how it lies', async () => {
   const run = <T>(call: (script: typeof window.chebnet) => Promise<T>) =>
     visit.page.evaluate(`(${call.toString()})(window.chebnet)`) as Promise<T>;

@@ -36,6 +36,7 @@ export class StuckNotice implements Panel {
   // In the page from the start: screen readers announce changes of what is there.
   readonly element = make('div', { class: 'stuck-notice', role: 'status' });
   readonly #events: PanelEvents;
+  readonly #failed: (error: unknown) => void;
   readonly #words = make('span');
   readonly #back: HTMLButtonElement;
   readonly #soften: HTMLButtonElement;
@@ -57,17 +58,20 @@ export class StuckNotice implements Panel {
   #history: HistoryView | null = null;
   /** The places in the history whose shapes are known to be wrong. */
   readonly #wrong = new Set<number>();
+  /** The revision of the history for which no length of edges was found. */
+  #hopeless: number | null = null;
   /** What was said when it was put away. */
   #dismissed: string | null = null;
   /** The scale of lengths that was found here, as a way out, and that of before. */
   #grown: { to: number; from: number } | null = null;
 
-  constructor(events: PanelEvents) {
+  constructor(events: PanelEvents, failed: (error: unknown) => void) {
     this.#events = events;
+    this.#failed = failed;
     const { back, soften, grow, widen, stop, lengthsBack } = panelWords.stuck;
     this.#back = makeButton(back, () => events.goTo(this.#lastGood!));
     this.#soften = makeButton(soften, () => events.handles.change(this.#candidates, { weight: SOFT }));
-    this.#grow = makeButton(grow, () => void this.#growEdges());
+    this.#grow = makeButton(grow, () => this.#growEdges().catch(this.#failed));
     this.#widen = makeButton(widen, () => {
       events.handles.setLocality(undefined);
       events.solve();
@@ -203,23 +207,29 @@ export class StuckNotice implements Panel {
   }
 
   async #growEdges(): Promise<void> {
-    const { growing, noLength } = panelWords.stuck;
+    const { growing } = panelWords.stuck;
     this.#isGrowing = true;
     const from = this.#scale;
     const tell = (scale: number): void => setText(this.#words, growing(percentOf(scale)));
     tell(from);
     this.#show();
-    // It is cancelled, without a message, if the net is edited meanwhile.
-    const scale = await this.#events.adaptLengths(tell).catch(() => undefined);
-    this.#isGrowing = false;
-    if (scale) {
-      this.#grown = { to: scale, from };
-      this.#dismissed = null;
-      // What fell short was the net of before; the next frame at rest may be seconds away.
-      if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
+    try {
+      this.#take(await this.#events.adaptLengths(tell), from);
+    } finally {
+      this.#isGrowing = false;
+      this.#show();
     }
-    this.#show();
-    if (scale === null) setText(this.#words, noLength);
+  }
+
+  #take(scale: number | null, from: number): void {
+    this.#dismissed = null;
+    if (scale === null) {
+      this.#hopeless = this.#history?.revision ?? null;
+      return;
+    }
+    this.#grown = { to: scale, from };
+    // What fell short was the net of before; the next frame at rest may be seconds away.
+    if (this.#frame) this.#frame = { ...this.#frame, fellShort: false };
   }
 
   #putAway(): void {
@@ -234,7 +244,8 @@ export class StuckNotice implements Panel {
   }
 
   #reason(standing: Standing): string {
-    const { fellShort, grown, shrunk, leftSo, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    const { fellShort, grown, shrunk, leftSo, noLength, noShape, tooSharp, unreachable, tooLocal } = panelWords.stuck;
+    if (standing !== 'grown' && this.#hopeless === this.#history?.revision) return noLength;
     if (standing === 'short') return fellShort(this.#isAtLimit ? this.#limit : null);
     if (standing === 'grown') return (this.#scale > 1 ? grown : shrunk)(percentOf(this.#scale));
     if (this.#worst === undefined) {

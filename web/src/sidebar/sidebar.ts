@@ -15,6 +15,7 @@ import { OpeningNotice } from '../overlay/opening_notice';
 import { Title } from '../overlay/title';
 import { Toolbar } from '../overlay/toolbar';
 import type { Action, Panel, PanelEvents, Panels } from '../panels';
+import { isCancelled } from '../worker/client';
 import type { FrameData, OpenedNet } from '../worker/protocol';
 import { ExperimentsPlace } from './experiments_place';
 import { makeLanguageChoice } from './language_choice';
@@ -66,7 +67,9 @@ class Sidebar implements Panels {
   #timer = 0;
 
   constructor(root: HTMLElement, events: PanelEvents) {
-    const failed = (error: unknown): void => this.say(messageOf(error), 'error');
+    const failed = (error: unknown): void => {
+      if (!isCancelled(error)) this.say(messageOf(error), 'error');
+    };
     this.#experiments = new ExperimentsPlace(events, failed);
     this.#toolbar = new Toolbar(events);
     const over: Panel[] = [
