@@ -180,6 +180,17 @@ describe('news', () => {
     expect(client.busy).toBe(false);
   });
 
+  test('of a target is none of rest for a newer one, unless that is refused', async () => {
+    void client.drag([{ vertex: 7, target: [1, 0, 0] }]);
+    const { id } = await worker().do();
+    const newer = client.drag([{ vertex: 7, target: [NaN, 0, 0] }]);
+    worker().say({ id, type: 'settled', frame: frame(1) });
+    expect(news).toEqual([[1, false]]);
+    worker().say({ id: worker().take().id, type: 'error', code: 'non_finite', message: 'not finite' });
+    await expect(newer).rejects.toMatchObject({ code: 'non_finite' });
+    expect(news.at(-1)).toEqual([1, true]);
+  });
+
   test('of the time before a restore does not come', async () => {
     void client.solve();
     const { id } = await worker().do();
