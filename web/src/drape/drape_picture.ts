@@ -3,6 +3,7 @@
 import { DirectionalLight, HemisphereLight, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 import type { Point, SurfacePlace } from '../../../wasm/chebnet';
 import type { ViewState } from '../document/document';
+import { ARROW_KEYS } from '../elements/keys';
 import { fieldOf, scaleOf } from '../fields/fields';
 import { words } from '../language/language';
 import { directionFor, fitCamera } from '../view/camera_fit';
@@ -105,12 +106,6 @@ const RING = 58;
 /** Of one arrow key, in pixels; keys within so many milliseconds of each other make one way. */
 const STEP = { small: 6, big: 30, together: 1000 };
 const SLACK = { mouse: 5, touch: 16 };
-const ARROW_KEYS: Record<string, readonly [number, number]> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 /** Of an edge, how far the surface is drawn behind. */
 const BEHIND = 0.5;
 const DEGREE = Math.PI / 180;

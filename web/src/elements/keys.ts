@@ -8,6 +8,14 @@ export interface KeyRow {
   does: keyof (typeof panelWords)['keys']['does'];
 }
 
+/** Where arrow keys lead on the screen: right and down. */
+export const ARROW_KEYS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
 /** What Cyrillic, Greek and other keyboards write that have no letters of the tables. */
 const OTHER_SCRIPT = /^(?!\p{Script=Latin})[\p{L}\p{M}]$/u;
 

@@ -1,7 +1,6 @@
 /** Where the net does not do what was asked of it: a solve ended without a shape in which all edges have their length, or a
  *  hand was held back. Why, and the ways out; it stays for as long as that is so, or until it is dismissed. Also what came of
  *  one of these ways: edges that have grown, for as long as they are so. */
-import { METHOD_AT_REST } from '../document/defaults';
 import type { ChebnetDocument, HandleData } from '../document/document';
 import type { HistoryView } from '../document/undo';
 import { make, makeButton, setText } from '../elements/dom';
@@ -11,6 +10,7 @@ import { apart } from '../language/numbers';
 import { panelWords } from '../language/panels';
 import { type BadCells, badCells } from './bad_cells';
 import { placeClear } from './clear_place';
+import { CornerLimit } from './corner_limit';
 import { makeDismiss } from './messages';
 import { KEPT_DEVIATION } from '../net/edge_lengths';
 import { sharpQuads } from '../net/fold';
@@ -22,7 +22,6 @@ import './stuck_notice.css';
 /** The least weight that can be chosen: the net finds its shape, and the weight can be raised from there. */
 const SOFT = 0.01;
 const SCALE = 'length_scale';
-const LIMIT = 'shear_limit';
 /** What is no farther from the limit of corners is held by it, in degrees. */
 const AT_LIMIT = 0.1;
 /** More than this could not be told apart, and would be slow to draw. */
@@ -51,7 +50,7 @@ export class StuckNotice implements Panel {
   #choice: Choice | null = null;
   #frame: FrameData | null = null;
   #net: OpenedNet | null = null;
-  #usualLimit = 0;
+  readonly #cornerLimit = new CornerLimit();
   /** What is wrong with the net as it stands. */
   #bad: BadCells = NONE_BAD;
   #isGrowing = false;
@@ -87,8 +86,8 @@ export class StuckNotice implements Panel {
     this.#line = make('div', { class: 'message' }, make('div', {}, this.#words, ways), this.#dismiss);
   }
 
-  setTables({ options }: Tables): void {
-    this.#usualLimit = options.find(({ name }) => name === LIMIT)?.value ?? 0;
+  setTables(tables: Tables): void {
+    this.#cornerLimit.setTables(tables);
   }
 
   setDocument(document: ChebnetDocument): void {
@@ -142,8 +141,7 @@ export class StuckNotice implements Panel {
 
   /** Of corners, in degrees, for the method that heeds one. */
   get #limit(): number {
-    const { method, options } = this.#document ?? {};
-    return method === METHOD_AT_REST ? Number(options?.[LIMIT] ?? this.#usualLimit) : 0;
+    return this.#document === null ? 0 : this.#cornerLimit.of(this.#document);
   }
 
   /** Whether corners keep the net from going farther. */
