@@ -54,6 +54,19 @@ test('a copied link is short, and shows the same scene; at choice it has all pos
   }
 });
 
+test('a link that can neither be copied nor be put into the address bar says why', async () => {
+  const { page, script } = await arrive();
+  await script.settled();
+  await page.evaluate(() => {
+    navigator.clipboard.writeText = () => Promise.reject(new Error('closed'));
+    history.replaceState = () => {
+      throw new Error('too often');
+    };
+  });
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  await page.getByRole('dialog').getByRole('status').getByText('too often').waitFor();
+});
+
 test('a link shows a net that was dragged from where its sender saw it, though nobody turned the camera', async () => {
   const sender = await share();
   await sender.script.settled();
